@@ -1,0 +1,30 @@
+#pragma once
+// A layer lies over the game: it sees input first and draws last. The console is one, the error
+// screen another.
+
+#include <string>
+#include <string_view>
+
+#include <fettle/app/event.h>
+#include <fettle/app/surface.h>
+
+namespace fettle::app {
+
+/// The system clipboard.
+class Clipboard {
+  public:
+    virtual ~Clipboard() = default;
+    virtual std::string read() = 0;
+    virtual void write(std::string_view text) = 0;
+};
+
+class Layer {
+  public:
+    virtual ~Layer() = default;
+    /// True: the event ends here and reaches neither lower layers nor the game.
+    virtual bool handle(const InputEvent& event) = 0;
+    /// Once a frame, after the game is drawn. `seconds`: real time since the last frame.
+    virtual void draw(Surface& surface, double seconds) = 0;
+};
+
+}  // namespace fettle::app

@@ -1,0 +1,27 @@
+#pragma once
+// A module plugs native objects into the tree: it registers classes whose properties are bound to
+// memory of its own, and is stepped by whoever runs the loop.
+
+#include <cstdint>
+#include <string_view>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::module {
+
+class Module {
+  public:
+    virtual ~Module() = default;
+    virtual std::string_view name() const = 0;
+    /// Registers its classes and creates the services it offers (`game.world`). Called once; the
+    /// module outlives the tree's use of it.
+    virtual void attach(property::Tree& tree) = 0;
+    /// One fixed step of `dt` seconds. Writes its own memory only; no handler runs meanwhile.
+    virtual void step(double dt) = 0;
+    /// Tells the tree what happened in the step (events); the barrier that delivers it follows.
+    virtual void report(property::Tree& tree) = 0;
+    /// Of everything that influences later steps, in a fixed order.
+    virtual std::uint64_t hash() const = 0;
+};
+
+}  // namespace fettle::module

@@ -1,0 +1,125 @@
+#pragma once
+// Changes: what a watcher is told, and who caused it.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fettle/property/class.h>
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+/// Who writes.
+enum class Writer : std::uint8_t {
+    module,
+    simulation,
+    script,
+    console,
+    inspector,
+    formula,
+    undo,
+    load,
+    remote
+};
+
+std::string_view writer_name(Writer writer);
+
+struct Cause {
+    Writer writer = Writer::module;
+    /// Where, when known: "main.lua:30", a module's name; "" otherwise.
+    std::string where{};
+    std::uint64_t step = 0;
+    /// "console, step 412"; "main.lua:30, step 412".
+    std::string text() const;
+};
+
+/// One property of one instance changed since the last barrier: from the first old to the last new
+/// value.
+struct Change {
+    Handle instance;
+    const Property* property = nullptr;
+    Value old_value;
+    Value new_value;
+    Cause cause;
+};
+
+/// An instance came into being or was deleted.
+struct Existence {
+    Handle instance;
+    const Class* instance_class = nullptr;
+    std::string path;  // where it is, or was
+    Cause cause;
+    /// Of a deletion: its last values, in the order of the class's properties, then the ad-hoc
+    /// ones.
+    std::vector<std::pair<const Property*, Value>> last_values;
+};
+
+/// An event happened to an instance.
+struct Occurrence {
+    Handle instance;
+    const Event* event = nullptr;
+    Record record;
+    std::uint64_t step = 0;
+};
+
+using ChangeHandler = std::function<void(const Change&)>;
+using ExistenceHandler = std::function<void(const Existence&)>;
+using EventHandler = std::function<void(const Occurrence&)>;
+
+struct WatchOptions {
+    /// Deliver the current value at the next barrier, as a change from nil.
+    bool initial = false;
+    /// Names the handler in error messages, e.g. "main.lua:12".
+    std::string label{};
+};
+
+class Watchers;
+
+/// A watcher's registration. Copyable; letting go of it does not end the watch, `stop` does.
+class Connection {
+  public:
+    Connection() = default;
+    void stop();
+    bool active() const;
+
+  private:
+    friend class Watchers;
+    Connection(std::weak_ptr<Watchers*> watchers, std::uint64_t id)
+        : watchers_(std::move(watchers)), id_(id) {}
+    std::weak_ptr<Watchers*> watchers_;
+    std::uint64_t id_ = 0;
+};
+
+/// Ends the watch with its own life.
+class ScopedConnection {
+  public:
+    ScopedConnection() = default;
+    ScopedConnection(Connection connection) : connection_(std::move(connection)) {}
+    ScopedConnection(ScopedConnection&& other) noexcept
+        : connection_(std::move(other.connection_)) {
+        other.connection_ = {};
+    }
+    ScopedConnection& operator=(ScopedConnection&& other) noexcept {
+        connection_.stop();
+        connection_ = std::move(other.connection_);
+        other.connection_ = {};
+        return *this;
+    }
+    ~ScopedConnection() { connection_.stop(); }
+
+  private:
+    Connection connection_;
+};
+
+/// A handler threw. `where` is the label of the handler; `path` what it was told about.
+struct HandlerError {
+    std::string path;
+    std::string where;
+    std::string message;
+    std::exception_ptr exception;
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,281 @@
+#pragma once
+// Classes: what an instance of a kind has. A class is registered once, by a descriptor; dispatch in
+// Lua, completion, help, inspector widgets, range checks, scene files and reference pages are all
+// derived from it.
+//
+// Whoever computes with a value owns its memory. A property's binding says where that memory is:
+//   column    in an array of the module's own, at a fixed stride
+//   accessor  behind a getter and a setter of the module's own
+//   stored    nobody else wants it: the tree keeps it, in typed columns of the class
+//   ad_hoc    added to one instance by a user; the tree keeps it beside the instance
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include <fettle/property/painter.h>
+#include <fettle/property/symbol.h>
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+class Tree;
+class Class;
+
+/// A module's own number for one of its objects: an array index, or whatever the module encodes in
+/// 32 bits.
+using Row = std::uint32_t;
+
+/// Inclusive.
+struct Range {
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool bounded() const {
+        return min != -std::numeric_limits<double>::infinity() ||
+               max != std::numeric_limits<double>::infinity();
+    }
+};
+
+/// The native type of one element of a column. `enumeration` is a byte that indexes the property's
+/// enumerators.
+enum class Native : std::uint8_t { f32, f64, i32, i64, boolean, vec2f, vec2d, color, enumeration };
+
+enum class BindingKind : std::uint8_t { stored, column, accessor, ad_hoc };
+
+struct Binding {
+    BindingKind kind = BindingKind::stored;
+    Native native = Native::f64;
+    void* context = nullptr;
+
+    // column: element of row r is at base(context) + r * stride. A function, not a pointer, so that
+    // the array may move.
+    std::byte* (*base)(void* context) = nullptr;
+    std::size_t stride = 0;
+
+    // accessor. `set` may throw std::invalid_argument to refuse a value: its text becomes the
+    // reason in the error.
+    Value (*get)(void* context, Row row) = nullptr;
+    void (*set)(void* context, Row row, const Value& value) = nullptr;
+
+    // Optional. `reset` gives the value back to its owner (a mass to be computed from density
+    // again) instead of writing the default; `overridden` tells whether the value differs from what
+    // `reset` would leave.
+    void (*reset)(void* context, Row row) = nullptr;
+    bool (*overridden)(void* context, Row row) = nullptr;
+
+    // Optional, after a write: may only set dirty flags and wake sleepers. Derived data is pulled,
+    // not pushed.
+    void (*invalidate)(void* context, Row row) = nullptr;
+};
+
+/// Describes one property. Aggregate: name the fields you need and leave the rest.
+struct Property {
+    std::string name;
+    Type type = Type::number;
+    Value default_value{};
+    std::string unit{};  // "kg", "m/s", "rad"; "" where it has none
+    Range range{};       // numbers; of a vec2 or a color, each component
+    std::string doc{};   // one or two sentences, shown by help
+    Binding binding{};
+
+    bool read_only = false;  // derived, or the simulation's alone
+    bool transient = false;  // not saved
+    bool simulated = false;  // the simulation writes it without telling
+    bool clamp = false;      // out of range is clamped instead of refused
+    bool infinity = false;   // plus or minus infinity is allowed
+    bool nullable =
+        false;  // nil is a value of its own; elsewhere assigning nil restores the default
+    bool any_type = false;  // takes any type (ad-hoc properties)
+    bool hidden = false;    // not listed by inspectors
+
+    std::vector<std::string> enumerators{};  // a text property takes only these
+    Type element = Type::nil;                // type of a list's elements; nil: any
+    std::string reference_class{};  // a reference takes only this class and those derived from it
+    std::vector<std::string>
+        derives_from{};  // read-only: paths of its sources, relative, "shapes.*.density"
+
+    // Filled in by registration.
+    Symbol symbol{};
+    const Class* owner = nullptr;
+    std::vector<Value> enumerator_values{};
+    std::uint32_t stored_index = 0;
+    mutable std::uint32_t interest =
+        0;  // broad watchers (class, pattern) that may match this property
+
+    Precision precision() const {
+        return binding.kind == BindingKind::column &&
+                       (binding.native == Native::f32 || binding.native == Native::vec2f)
+                   ? Precision::single_precision
+               : single_precision ? Precision::single_precision
+                                  : Precision::double_precision;
+    }
+    bool single_precision =
+        false;  // accessor over a float: range checks and printing narrow to float
+    /// Index of `text` in the enumerators, or -1.
+    int enumerator_index(std::string_view text) const;
+};
+
+/// A named field of an event's or a method's result.
+struct Field {
+    std::string name;
+    Type type = Type::number;
+    std::string unit{};
+    std::string doc{};
+};
+
+/// Values under the names of their fields: what an event tells, what a query finds.
+struct Record {
+    const std::vector<Field>* fields = nullptr;
+    std::vector<Value> values;
+    /// nil when there is no such field.
+    Value get(std::string_view name) const;
+};
+
+/// What a method returns: nothing (nil), a value, a record or a list of records.
+using Result = std::variant<Value, Record, std::vector<Record>>;
+
+struct Method {
+    std::string name;
+    std::vector<Field> parameters{};
+    std::size_t required = 0;      // how many of the parameters must be given
+    std::vector<Field> returns{};  // fields of the record(s), or one entry for a plain value
+    std::string doc{};
+    void* context = nullptr;
+    /// Arguments are coerced to the parameters' types before the call; missing optional ones are
+    /// nil. May throw property::Error or std::invalid_argument.
+    Result (*call)(void* context, Tree& tree, Handle self, Row row,
+                   std::span<const Value> arguments) = nullptr;
+    Symbol symbol{};
+};
+
+struct Event {
+    std::string name;
+    std::vector<Field> fields{};
+    std::string doc{};
+    Symbol symbol{};
+    const Class* owner = nullptr;
+};
+
+/// Called by the tree as instances of the class come, move and go. All optional.
+struct Lifecycle {
+    void* context = nullptr;
+    /// Makes the module's row, with defaults, before anyone can see the instance.
+    Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
+    /// The chain of parents above `self` changed (parents are told before children). Returns the
+    /// row, possibly another.
+    Row (*place)(void* context, Tree& tree, Handle self, Row row) = nullptr;
+    void (*destroy)(void* context, Tree& tree, Handle self, Row row) = nullptr;
+    /// Draws the instance. `alpha`: how far between the last two steps, 0 to 1.
+    void (*draw)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
+                 double alpha) = nullptr;
+};
+
+struct ClassDescriptor {
+    std::string name;
+    std::string base = "Object";  // "" only for Object itself
+    std::string doc{};
+    bool creatable = true;  // may be made by users; services such as `time` may not
+    std::vector<Property> properties{};
+    std::vector<Method> methods{};
+    std::vector<Event> events{};
+    Lifecycle lifecycle{};
+    /// What an instance is called when nobody names it: "body" gives body_1, body_2 ... Default:
+    /// the class name in lower case.
+    std::string stem{};
+};
+
+/// A registered class. Lives as long as its tree; addresses of properties, methods and events are
+/// stable.
+class Class {
+  public:
+    const std::string& name() const { return descriptor_.name; }
+    const std::string& doc() const { return descriptor_.doc; }
+    const Class* base() const { return base_; }
+    bool creatable() const { return descriptor_.creatable; }
+    bool is_a(const Class& other) const;
+    const std::string& stem() const { return descriptor_.stem; }
+    /// Of the nearest class up the chain that has one.
+    const Lifecycle& lifecycle() const { return *lifecycle_; }
+
+    // With everything inherited, base class first.
+    const std::vector<const Property*>& properties() const { return properties_; }
+    const std::vector<const Method*>& methods() const { return methods_; }
+    const std::vector<const Event*>& events() const { return events_; }
+
+    // nullptr when there is none.
+    const Property* property(Symbol name) const;
+    const Method* method(Symbol name) const;
+    const Event* event(Symbol name) const;
+    const Property* property(std::string_view name) const { return property(Symbol::find(name)); }
+    const Method* method(std::string_view name) const { return method(Symbol::find(name)); }
+    const Event* event(std::string_view name) const { return event(Symbol::find(name)); }
+
+    /// Names of properties and methods, for nearest spellings.
+    std::vector<std::string> member_names() const;
+
+    Class(const Class&) = delete;
+    Class& operator=(const Class&) = delete;
+
+  private:
+    friend class Tree;
+    friend class ClassRegistry;
+    Class() = default;
+
+    ClassDescriptor descriptor_;
+    const Class* base_ = nullptr;
+    const Lifecycle* lifecycle_ = nullptr;
+    std::vector<const Property*> properties_;
+    std::vector<const Method*> methods_;
+    std::vector<const Event*> events_;
+    std::unordered_map<Symbol, const Property*> property_index_;
+    std::unordered_map<Symbol, const Method*> method_index_;
+    std::unordered_map<Symbol, const Event*> event_index_;
+    std::vector<const Property*> stored_;  // properties the tree keeps, own and inherited
+    std::uint32_t id_ = 0;
+};
+
+// --- Binding makers
+// -------------------------------------------------------------------------------------------------
+
+/// A column over `Element`s of `stride` bytes. `base` is a captureless lambda: (Context&) ->
+/// pointer to the first element.
+template <class Context, class Base>
+Binding column(Context& context, Native native, std::size_t stride, Base) {
+    Binding b;
+    b.kind = BindingKind::column;
+    b.native = native;
+    b.context = &context;
+    b.stride = stride;
+    b.base = [](void* c) -> std::byte* {
+        return reinterpret_cast<std::byte*>(Base{}(*static_cast<Context*>(c)));
+    };
+    return b;
+}
+
+/// `get`: captureless lambda (Context&, Row) -> anything a Value can be made of.
+template <class Context, class Get>
+Binding accessor(Context& context, Get) {
+    Binding b;
+    b.kind = BindingKind::accessor;
+    b.context = &context;
+    b.get = [](void* c, Row row) -> Value { return Value(Get{}(*static_cast<Context*>(c), row)); };
+    return b;
+}
+
+/// `set`: captureless lambda (Context&, Row, const Value&).
+template <class Context, class Get, class Set>
+Binding accessor(Context& context, Get get, Set) {
+    Binding b = accessor(context, get);
+    b.set = [](void* c, Row row, const Value& value) {
+        Set{}(*static_cast<Context*>(c), row, value);
+    };
+    return b;
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,34 @@
+#pragma once
+// Errors a user of the tree can cause. The message names the path, the value, what was expected
+// and, where a name was wrong, the nearest spelling.
+
+#include <stdexcept>
+#include <string>
+
+namespace fettle::property {
+
+enum class ErrorKind {
+    unknown_name,   // no such property, child, class, method, event
+    near_miss,      // would add an ad-hoc property whose name is nearly a declared one
+    wrong_type,     // value cannot become the property's type
+    out_of_range,   // outside the property's range
+    not_finite,     // NaN anywhere; infinity where the property does not allow it
+    read_only,      // derived or read-only property
+    deleted,        // the handle's instance was deleted
+    bad_name,       // name empty, taken, or reserved
+    bad_structure,  // a parent inside its own child, class that may not be created, ...
+    bad_path,       // path does not parse
+    rejected,       // the owner of the value refused it; the message says why
+    no_barrier_end  // handlers kept changing values
+};
+
+class Error : public std::runtime_error {
+  public:
+    Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+    ErrorKind kind() const { return kind_; }
+
+  private:
+    ErrorKind kind_;
+};
+
+}  // namespace fettle::property

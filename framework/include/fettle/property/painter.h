@@ -1,0 +1,43 @@
+#pragma once
+// What an instance looks like. A class may say how it is drawn by drawing itself with a Painter;
+// whoever has a window implements Painter. Neither knows the other.
+
+#include <span>
+#include <string_view>
+
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+/// Things a viewer can show on top of the picture; each is a property under `view.show`.
+enum class Overlay : std::uint8_t { aabbs, contacts, joints, centers, velocities, names, islands };
+
+/// Fill and border of a drawn figure. Either may be transparent (alpha 0). Border width in pixels.
+struct Paint {
+    Color fill{1, 1, 1, 1};
+    Color border{0, 0, 0, 1};
+    float border_width = 1.5f;
+};
+
+/// Draws in world units, y up. Angles in radians, counter-clockwise.
+class Painter {
+  public:
+    virtual ~Painter() = default;
+    virtual void circle(const Vec2& center, double radius, const Paint& paint) = 0;
+    /// Convex polygon, counter-clockwise; `rounding` is a radius around it in metres.
+    virtual void polygon(std::span<const Vec2> vertices, double rounding, const Paint& paint) = 0;
+    /// A line `width` pixels thick.
+    virtual void line(const Vec2& from, const Vec2& to, Color color, float width) = 0;
+    /// A dot `size` pixels across.
+    virtual void point(const Vec2& position, Color color, float size) = 0;
+    /// UTF-8 text whose middle is at `position`, `height` metres tall.
+    virtual void text(const Vec2& position, std::string_view text, double height, Color color) = 0;
+    virtual bool shows(Overlay overlay) const = 0;
+    /// Whether anything of the box can be seen: lets a class skip what is outside the view.
+    virtual bool sees(const Vec2& lower, const Vec2& upper) const = 0;
+    /// Until `end_screen`, coordinates are pixels from the top left corner, y down.
+    virtual void begin_screen() = 0;
+    virtual void end_screen() = 0;
+};
+
+}  // namespace fettle::property

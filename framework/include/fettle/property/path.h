@@ -1,0 +1,72 @@
+#pragma once
+// Paths: `world.ball.velocity.x`, `world["my ball"].vertices[2]`, and patterns: `world.*.velocity`,
+// `world.**`.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <fettle/property/class.h>
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+class Tree;
+
+/// One step of a path: a name or a list index (from 1).
+struct Segment {
+    std::variant<std::string, std::int64_t> key;
+    bool is_index() const { return std::holds_alternative<std::int64_t>(key); }
+};
+
+/// Throws Error(bad_path) that says where it went wrong. A leading `game.` may be left out; "game"
+/// alone is the root.
+std::vector<Segment> parse_path(std::string_view text);
+
+/// `name` as it stands in a path behind its parent: `.ball`, or `["my ball"]` where it is not an
+/// identifier.
+std::string path_suffix(std::string_view name);
+/// Letters, digits and underscores, no digit first, not a word Lua reserves.
+bool is_identifier(std::string_view name);
+
+/// What a path names: an instance; a property of it; or a part of a property's value.
+struct Place {
+    Handle instance;
+    const Property* property = nullptr;  // nullptr: the instance itself
+    std::vector<Segment> part;           // "x", "y", "r", "g", "b", "a" or indices into a list
+};
+
+/// Throws Error(unknown_name) with the nearest spelling, Error(bad_path), Error(deleted).
+Place resolve(const Tree& tree, std::string_view path);
+/// Of a value: its component or element. Throws as above; `what` is the path for the message.
+Value part_of(const Value& whole, const std::vector<Segment>& part, const std::string& what);
+/// `whole` with that part replaced. One past the end of a list appends.
+Value with_part(const Value& whole, const std::vector<Segment>& part, const Value& value,
+                const std::string& what);
+
+// By path. Throw property::Error.
+Value get(const Tree& tree, std::string_view path);
+void set(Tree& tree, std::string_view path, const Value& value);
+
+/// A pattern over instances and optionally a property: `*` is any one name (or part of one:
+/// `ball_*`), `**` any number of steps down, none included. `world.**` is every property of
+/// everything below the world.
+class Pattern {
+  public:
+    /// Throws Error(bad_path).
+    explicit Pattern(std::string_view text);
+    const std::string& text() const { return text_; }
+    bool matches(const Tree& tree, Handle instance, const Property& property) const;
+    bool matches(const Tree& tree, Handle instance) const;
+    /// False when no property of this name can match: cheap, for turning changes away early.
+    bool may_match(Symbol property) const;
+
+  private:
+    bool match(const std::vector<std::string>& names) const;
+    std::string text_;
+    std::vector<std::string> segments_;
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,28 @@
+#pragma once
+// Nearest spelling: which name the user may have meant.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fettle::property {
+
+/// Edits (insert, delete, replace, swap of neighbours) that turn `a` into `b`, letter case ignored;
+/// stops counting beyond `limit` and returns limit + 1. Source: Damerau 1964, optimal string
+/// alignment.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
+
+/// Whether `name` is so near to `declared` that it is surely a slip: other case, one edit or one
+/// transposition. Names under four letters are compared by case only, since they are near
+/// everything.
+bool near_miss(std::string_view name, std::string_view declared);
+
+/// The candidate nearest to `name`, or "" when none is near enough to be worth suggesting.
+std::string nearest(std::string_view name, std::span<const std::string> candidates);
+
+/// ` (did you mean "mass"?)` or "".
+std::string suggestion(std::string_view name, std::span<const std::string> candidates);
+
+}  // namespace fettle::property

@@ -1,0 +1,36 @@
+#pragma once
+// Symbols: names made once into small numbers, so that comparing two names is comparing two
+// integers.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace fettle::property {
+
+/// An interned name. Interning is thread-safe; symbols live as long as the process.
+class Symbol {
+  public:
+    Symbol() = default;
+    explicit Symbol(std::string_view text);
+    /// The symbol of `text` if anyone has interned it, else the empty symbol. Never grows the
+    /// table, so that names typed by a user or read from a file leave nothing behind.
+    static Symbol find(std::string_view text);
+    const std::string& text() const;
+    std::uint32_t id() const { return id_; }
+    explicit operator bool() const { return id_ != 0; }
+    friend bool operator==(Symbol, Symbol) = default;
+
+  private:
+    std::uint32_t id_ = 0;
+};
+
+}  // namespace fettle::property
+
+template <>
+struct std::hash<fettle::property::Symbol> {
+    std::size_t operator()(fettle::property::Symbol s) const noexcept {
+        return s.id() * 0x9e3779b1u;
+    }
+};

@@ -1,0 +1,195 @@
+#pragma once
+// The live property tree: instances with classes, parents, ordered children and properties,
+// reachable by path.
+//
+// Whoever computes with a value owns its memory; the tree is the map to it. Reading a property
+// reads the module's own memory; an edit goes coerce -> validate -> equal? stop -> setter ->
+// invalidate hook -> queue the change. The simulation writes its own memory and calls nothing here:
+// what is watched of it is compared with a shadow value at the barrier after the step. Handlers run
+// at barriers only.
+//
+// One thread owns a tree. Throwing members throw property::Error with path, value, expectation and
+// nearest spelling.
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fettle/property/change.h>
+#include <fettle/property/class.h>
+#include <fettle/property/error.h>
+#include <fettle/property/symbol.h>
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+class Tree {
+  public:
+    Tree();
+    ~Tree();
+    Tree(const Tree&) = delete;
+    Tree& operator=(const Tree&) = delete;
+
+    // --- Classes
+    // ----------------------------------------------------------------------------------------------------
+
+    /// Throws Error(bad_name) for a name taken, Error(unknown_name) for an unknown base,
+    /// Error(wrong_type) for a default that its own property would refuse.
+    const Class& define(ClassDescriptor descriptor);
+    const Class* find_class(std::string_view name) const;
+    /// Throws Error(unknown_name) with the nearest spelling.
+    const Class& class_named(std::string_view name) const;
+    std::vector<const Class*> classes() const;  // in order of definition
+    /// The class every other derives from: plain nodes, `Object {}`.
+    const Class& object_class() const;
+
+    // --- Instances
+    // --------------------------------------------------------------------------------------------------
+
+    Handle root() const;  // `game`
+    /// Without a parent the instance is detached: alive, editable, not simulated. Without a name it
+    /// gets its class's stem: "circle", then "circle_2" under a parent when `first_plain`, else
+    /// "body_1", "body_2".
+    Handle create(const Class& instance_class, Handle parent = {}, std::string_view name = {});
+    /// Deletes the instance and everything below it. Handles die at once; `deleted` is delivered at
+    /// the barrier.
+    void destroy(Handle instance);
+    bool alive(Handle instance) const;
+    /// Throws Error(deleted) "world.ball was deleted at step 412 by console" unless alive.
+    void require(Handle instance) const;
+    const Class& class_of(Handle instance) const;
+    Row row(Handle instance) const;
+    /// For modules whose object moved to another row outside `Lifecycle::place`.
+    void set_row(Handle instance, Row row);
+
+    Handle parent(Handle instance) const;  // null for the root and for what is detached
+    Handle first_child(Handle instance) const;
+    Handle next_sibling(Handle instance) const;
+    std::vector<Handle> children(Handle instance) const;
+    std::size_t child_count(Handle instance) const;
+    /// Null handle when there is none.
+    Handle child(Handle instance, std::string_view name) const;
+    bool is_below(Handle instance, Handle ancestor) const;
+    /// Number of living instances, and their visit in a fixed order (parents before children).
+    std::size_t size() const;
+    void each_below(Handle top, const std::function<void(Handle)>& visit) const;
+
+    std::string name(Handle instance) const;
+    /// "world.ball"; "game" for the root; "(detached ball)" when it hangs nowhere.
+    std::string path(Handle instance) const;
+    std::string path(Handle instance, const Property& property) const;
+    /// Throws Error(bad_name): empty, taken by a sibling, or a property or method of the parent.
+    void rename(Handle instance, std::string_view name);
+    /// Gives the instance another parent (null: detaches it). `name` empty: keeps its own, numbered
+    /// when taken. Throws Error(bad_structure) for a parent below the instance itself.
+    void move(Handle instance, Handle new_parent, std::string_view name = {},
+              bool first_plain = false);
+
+    // --- Properties
+    // -------------------------------------------------------------------------------------------------
+
+    /// Declared or ad-hoc; nullptr when the instance has none of that name.
+    const Property* find(Handle instance, Symbol name) const;
+    const Property* find(Handle instance, std::string_view name) const;
+    /// Throws Error(unknown_name) with the nearest spelling.
+    const Property& property(Handle instance, std::string_view name) const;
+    /// Declared ones, then ad-hoc ones by name.
+    std::vector<const Property*> properties(Handle instance) const;
+    std::vector<const Property*> ad_hoc(Handle instance) const;
+
+    Value get(Handle instance, const Property& property) const;
+    Value get(Handle instance, std::string_view name) const;
+    void set(Handle instance, const Property& property, const Value& value);
+    void set(Handle instance, std::string_view name, const Value& value);
+    /// Back to the default (or to what its owner computes).
+    void reset(Handle instance, const Property& property);
+    bool overridden(Handle instance, const Property& property) const;
+
+    /// Sets a property, adding it to this instance when it has none of that name. Throws
+    /// Error(near_miss) when the name is nearly a declared one, Error(bad_name) when a child or a
+    /// method has it.
+    void set_or_add(Handle instance, std::string_view name, const Value& value);
+    void remove_ad_hoc(Handle instance, std::string_view name);
+
+    /// What `value` becomes as that property: the coercion rules of the tree; throws like `set`.
+    /// Changes nothing.
+    Value coerce(Handle instance, const Property& property, const Value& value) const;
+    /// As the console prints it, references by path, numbers of float properties short.
+    std::string text(const Value& value, Precision precision = Precision::double_precision) const;
+
+    Result call(Handle instance, const Method& method, std::span<const Value> arguments);
+    Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);
+
+    /// Draws what is below `top`, by the classes' own drawing.
+    void draw(Handle top, Painter& painter, double alpha) const;
+
+    // --- Watching
+    // ---------------------------------------------------------------------------------------------------
+
+    Connection watch(Handle instance, const Property& property, ChangeHandler handler,
+                     WatchOptions options = {});
+    Connection watch(Handle instance, std::string_view name, ChangeHandler handler,
+                     WatchOptions options = {});
+    /// Every property of one instance, ad-hoc ones included.
+    Connection watch(Handle instance, ChangeHandler handler, WatchOptions options = {});
+    /// One property (or, with nullptr, every property) of every instance of a class or of one
+    /// derived from it.
+    Connection watch(const Class& of, const Property* property, ChangeHandler handler,
+                     WatchOptions options = {});
+    Connection watch_pattern(std::string_view pattern, ChangeHandler handler,
+                             WatchOptions options = {});
+    Connection watch_created(const Class& of, ExistenceHandler handler, WatchOptions options = {});
+    Connection watch_deleted(const Class& of, ExistenceHandler handler, WatchOptions options = {});
+    Connection watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options = {});
+
+    Connection on(Handle instance, const Event& event, EventHandler handler,
+                  WatchOptions options = {});
+    Connection on(const Class& of, const Event& event, EventHandler handler,
+                  WatchOptions options = {});
+    /// Whether anyone listens: ask before making a record.
+    bool listens(Handle instance, const Event& event) const;
+    bool listens(const Event& event) const;
+    /// Queued; delivered at the next barrier.
+    void emit(Handle instance, const Event& event, std::vector<Value> values);
+
+    /// Delivers everything queued, and compares what is watched of the simulation. Errors of
+    /// handlers go to the error sink; without one the first is thrown when all are delivered.
+    /// Throws Error(no_barrier_end) after 16 generations of handlers that make changes.
+    void barrier();
+    void on_handler_error(std::function<void(const HandlerError&)> sink);
+    /// How many watchers are registered.
+    std::size_t watcher_count() const;
+
+    // --- Time and cause
+    // ---------------------------------------------------------------------------------------------
+
+    std::uint64_t step() const;
+    void set_step(std::uint64_t step);
+    /// Who is writing now. `locate`, when given, is asked for the place only when somebody needs
+    /// it.
+    class CauseScope {
+      public:
+        CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate = nullptr);
+        ~CauseScope();
+        CauseScope(const CauseScope&) = delete;
+
+      private:
+        Tree& tree_;
+        Writer writer_;
+        std::function<std::string()>* locate_;
+    };
+    Cause cause() const;
+
+    struct State;
+    State& state() { return *state_; }
+    const State& state() const { return *state_; }
+
+  private:
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,160 @@
+#pragma once
+// Values: what a property can hold. One small tagged value (24 bytes); numbers, vectors, colors and
+// references live inside it, texts and lists are immutable and shared, so that copying any value
+// costs a few instructions.
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fettle::property {
+
+/// A vector in the plane; also a point. Metres unless a property says otherwise. Eigen's arithmetic
+/// applies.
+using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+
+/// Linear red, green, blue and opacity, each 0 to 1.
+struct Color {
+    float r = 1, g = 1, b = 1, a = 1;
+    friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// Names an instance: index and generation. A handle of a deleted instance is detected, never
+/// followed. The default handle names nothing.
+struct Handle {
+    std::uint32_t index = 0;
+    std::uint32_t generation = 0;
+    explicit operator bool() const { return generation != 0; }
+    friend bool operator==(const Handle&, const Handle&) = default;
+};
+
+enum class Type : std::uint8_t {
+    nil,
+    boolean,
+    integer,
+    number,
+    text,
+    vec2,
+    color,
+    reference,
+    list
+};
+
+/// The word users see: "nil", "boolean", "integer", "number", "text", "vec2", "color", "reference",
+/// "list".
+std::string_view type_name(Type type);
+
+class Value;
+using List = std::vector<Value>;
+
+class Value {
+  public:
+    Value() = default;
+    Value(bool v) : type_(Type::boolean) { data_.boolean = v; }
+    Value(int v) : Value(static_cast<std::int64_t>(v)) {}
+    Value(std::int64_t v) : type_(Type::integer) { data_.integer = v; }
+    Value(double v) : type_(Type::number) { data_.number = v; }
+    Value(float v) : Value(static_cast<double>(v)) {}
+    Value(const Vec2& v) : type_(Type::vec2) {
+        data_.vec[0] = v.x();
+        data_.vec[1] = v.y();
+    }
+    Value(Color v) : type_(Type::color) { data_.color = v; }
+    Value(Handle v) : type_(Type::reference) { data_.reference = v; }
+    Value(const char* v) : Value(std::string_view(v)) {}
+    Value(const std::string& v) : Value(std::string_view(v)) {}
+    Value(std::string_view v);
+    Value(List v);
+    Value(const void*) = delete;
+
+    Value(const Value& other) : data_(other.data_), type_(other.type_) { retain(); }
+    Value(Value&& other) noexcept : data_(other.data_), type_(other.type_) {
+        other.type_ = Type::nil;
+    }
+    Value& operator=(const Value& other) {
+        Value copy(other);
+        swap(copy);
+        return *this;
+    }
+    Value& operator=(Value&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~Value() {
+        if (shared()) release();
+    }
+    void swap(Value& other) noexcept {
+        std::swap(data_, other.data_);
+        std::swap(type_, other.type_);
+    }
+
+    Type type() const { return type_; }
+    bool is_nil() const { return type_ == Type::nil; }
+    bool is(Type type) const { return type_ == type; }
+    /// integer or number
+    bool is_numeric() const { return type_ == Type::integer || type_ == Type::number; }
+
+    // Each needs the value to be of its type (asserted in debug builds).
+    bool boolean() const { return data_.boolean; }
+    std::int64_t integer() const { return data_.integer; }
+    double number() const { return data_.number; }
+    Vec2 vec2() const { return {data_.vec[0], data_.vec[1]}; }
+    Color color() const { return data_.color; }
+    Handle reference() const { return data_.reference; }
+    const std::string& text() const;
+    const List& list() const;
+
+    /// integer or number, as a double (an integer beyond 2^53 is rounded).
+    double as_double() const {
+        return type_ == Type::integer ? static_cast<double>(data_.integer) : data_.number;
+    }
+
+    /// Same type and same bits: 1 is not 1.0, -0.0 is not 0.0, and a NaN equals itself, so that
+    /// comparing for a change can never loop.
+    friend bool operator==(const Value& a, const Value& b);
+
+  private:
+    struct Shared;
+    union Data {
+        bool boolean;
+        std::int64_t integer = 0;
+        double number;
+        double vec[2];
+        Color color;
+        Handle reference;
+        Shared* shared;
+    };
+    bool shared() const { return type_ == Type::text || type_ == Type::list; }
+    void retain() const;
+    void release();
+
+    Data data_;
+    Type type_ = Type::nil;
+};
+static_assert(sizeof(Value) == 24);
+
+/// How many digits a printed number needs: a property that is a `float` in memory prints 0.1, not
+/// 0.100000001490116.
+enum class Precision : std::uint8_t { single_precision, double_precision };
+
+/// The shortest decimal that reads back as the same number; "inf", "-inf", "nan".
+std::string number_text(double number, Precision precision = Precision::double_precision);
+
+/// As the console prints it and as Lua reads it back: `nil`, `true`, `2`, `0.1`, `"text"`, `vec(1,
+/// 2)`, `color("#ff8800")`, `{1, 2}`. A reference prints as `#index:generation`; `Tree::text`
+/// prints its path instead.
+std::string value_text(const Value& value, Precision precision = Precision::double_precision);
+
+/// A CSS color name ("tomato") or "#rgb", "#rrggbb", "#rrggbbaa". Returns false when `text` is
+/// neither.
+bool parse_color(std::string_view text, Color& out);
+/// "#rrggbb", or "#rrggbbaa" where not opaque; each channel rounded to 8 bits.
+std::string color_text(Color color);
+/// All color names `parse_color` knows, sorted.
+const std::vector<std::string>& color_names();
+
+}  // namespace fettle::property

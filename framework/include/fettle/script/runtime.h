@@ -1,0 +1,111 @@
+#pragma once
+// A Lua runtime over a property tree: loads a game, calls its callbacks, runs its timers, evaluates
+// what is typed into a console. Every object a script sees is a handle into the tree; nothing of
+// Lua appears in this header.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::script {
+
+struct Options {
+    std::uint64_t seed = 0;
+    std::size_t memory_limit = std::size_t{512} << 20;    // bytes, whole Lua state
+    std::size_t console_memory = std::size_t{128} << 20;  // bytes one console command may add
+    std::uint64_t console_budget = 50'000'000;            // Lua instructions of one console command
+};
+
+/// A script went wrong: what the error screen and stderr show.
+struct ScriptError {
+    std::string message;      // "main.lua:12: world.bal: no such name (did you mean \"ball\"?)"
+    std::string file;         // "main.lua", "console"; "" when unknown
+    int line = 0;             // from 1; 0 when unknown
+    std::string source_line;  // its text, "" when unknown
+    std::string traceback;    // one frame a line
+    std::string locals;       // `name = value` a line: local variables of the frame that failed
+    std::string context;      // "update", "timer", "watcher of world.ball.mass", "load", "console"
+};
+
+/// What came of one console command.
+struct Evaluation {
+    bool ok = false;
+    bool incomplete = false;         // the chunk needs more lines; nothing was run
+    std::vector<std::string> lines;  // printed text, results and echoes of assignments, in order
+    std::optional<ScriptError> error;
+    property::Value result;  // the last result, nil when it has none that is a value
+};
+
+struct Completion {
+    std::string text;    // replaces the input from `replace_from` to the cursor
+    std::string label;   // as listed: "friction"
+    std::string detail;  // "0.6 · number · 0 to inf · default 0.6"
+    std::string doc;
+    std::size_t replace_from = 0;  // byte offset
+};
+
+class Runtime {
+  public:
+    Runtime(property::Tree& tree, Options options);
+    ~Runtime();
+    Runtime(const Runtime&) = delete;
+
+    /// Runs main.lua of a folder, or one .lua file; then its `start()`. False when it raised; the
+    /// error goes to the sink. Throws std::filesystem::filesystem_error when the file cannot be
+    /// read.
+    bool load(const std::filesystem::path& game);
+    /// Runs a chunk as part of the game (`--eval`). False when it raised.
+    bool run(std::string_view chunk, const std::string& name);
+
+    /// Calls a global function of the game if it has one ("update", "key_pressed" ...). False when
+    /// it raised.
+    bool call(std::string_view callback, std::span<const property::Value> arguments);
+    bool call(std::string_view callback, std::initializer_list<property::Value> arguments) {
+        return call(callback, std::span(arguments.begin(), arguments.size()));
+    }
+    /// `draw(pen)` of the game and of its classes.
+    bool draw(property::Painter& painter);
+    /// One fixed step of the scripts: timers and waiting coroutines that are due, then `step(dt)`.
+    /// `now`: simulation time in seconds at the end of the step.
+    bool step(double now, double dt);
+
+    // --- Console
+    // ----------------------------------------------------------------------------------------------------
+
+    /// Runs a command: an expression prints its value, an assignment echoes old and new, `path?`
+    /// prints help.
+    Evaluation evaluate(std::string_view command);
+    /// Candidates for what stands before `cursor` (byte offset), best first.
+    std::vector<Completion> complete(std::string_view input, std::size_t cursor);
+    /// What `it` means in the console.
+    void set_it(property::Handle instance);
+    property::Handle it() const;
+
+    // --- Towards the host
+    // -------------------------------------------------------------------------------------------
+
+    void on_error(std::function<void(const ScriptError&)> sink);
+    /// print() outside console commands.
+    void on_print(std::function<void(std::string_view)> sink);
+    /// Status given to quit(), once it was called.
+    std::optional<int> quit_status() const;
+    /// Whether the game defines a global function of that name.
+    bool defines(std::string_view callback) const;
+
+    /// Bytes held by Lua.
+    std::size_t memory() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fettle::script
