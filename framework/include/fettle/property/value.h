@@ -120,8 +120,9 @@ class Value {
   private:
     struct Shared;
     union Data {
+        Data() : integer(0) {}
         bool boolean;
-        std::int64_t integer = 0;
+        std::int64_t integer;
         double number;
         double vec[2];
         Color color;
