@@ -1,0 +1,124 @@
+#pragma once
+
+#include <fettle/physics/contact.h>
+#include <fettle/physics/definitions.h>
+
+#include <vector>
+
+namespace fettle::physics {
+
+class Shape;
+class World;
+
+/// A light handle (pointer and id): copy it freely. All methods but `is_valid`, `id` and comparison
+/// throw `std::invalid_argument` when the body was destroyed. Setters throw
+/// `std::invalid_argument`, with a message that says what was expected, for values without meaning
+/// (NaN, a negative damping...) and then change nothing. Every setter takes effect in the next step
+/// and wakes whom it concerns.
+class Body {
+  public:
+    Body() = default;
+    Body(World* world, BodyId id) : world_(world), id_(id) {}
+
+    bool is_valid() const;
+    explicit operator bool() const { return is_valid(); }
+    BodyId id() const { return id_; }
+    uint32_t index() const { return id_.index; }
+    World& world() const { return *world_; }
+    friend bool operator==(const Body&, const Body&) = default;
+    void destroy();  ///< with its shapes and the joints on it
+
+    BodyType type() const;
+    void set_type(BodyType type);
+
+    Vec2 position() const;  ///< of the origin, m
+    void set_position(const Vec2& position);
+    float angle() const;  ///< rad, not wrapped
+    void set_angle(float angle);
+    void set_pose(const Pose& pose);  ///< both in one teleport
+    Vec2 velocity() const;            ///< of the center of mass, m/s
+    void set_velocity(const Vec2& velocity);
+    float angular_velocity() const;  ///< rad/s
+    void set_angular_velocity(float angular_velocity);
+
+    Vec2 force() const;  ///< N, applied at the center of mass in every step until changed
+    void set_force(const Vec2& force);
+    float torque() const;  ///< N m, applied in every step until changed
+    void set_torque(float torque);
+    void apply_force(const Vec2& force);  ///< for the next step only
+    void apply_force(const Vec2& force, const Vec2& world_point);
+    void apply_torque(float torque);
+    void apply_impulse(const Vec2& impulse);  ///< N s: changes the velocity at once
+    void apply_impulse(const Vec2& impulse, const Vec2& world_point);
+    void apply_angular_impulse(float impulse);
+
+    float gravity_scale() const;
+    void set_gravity_scale(float scale);
+    float linear_damping() const;  ///< 1/s
+    void set_linear_damping(float damping);
+    float angular_damping() const;
+    void set_angular_damping(float damping);
+
+    bool awake() const;
+    void set_awake(bool awake);  ///< with the island it rests in
+    bool can_sleep() const;
+    void set_can_sleep(bool can_sleep);
+    bool bullet() const;
+    void set_bullet(bool bullet);
+    bool locked_x() const;
+    void set_locked_x(bool locked);
+    bool locked_y() const;
+    void set_locked_y(bool locked);
+    bool locked_rotation() const;
+    void set_locked_rotation(bool locked);
+
+    /// kg: the override if there is one, else the sum over the shapes. A dynamic body whose shapes
+    /// weigh nothing has mass 1 and does not turn. Static and kinematic bodies report what they
+    /// would weigh.
+    float mass() const;
+    void set_mass(
+        std::optional<float> mass);  ///< none: from the shapes; infinity: does not move; else > 0
+    std::optional<float> mass_override() const;
+    float inertia() const;  ///< kg m² about the center of mass
+    void set_inertia(std::optional<float> inertia);
+    std::optional<float> inertia_override() const;
+    Vec2 center() const;  ///< center of mass, body coordinates
+    void set_center(std::optional<Vec2> center);
+    std::optional<Vec2> center_override() const;
+    Vec2 world_center() const;
+    float area() const;         ///< m², sum over the shapes
+    Aabb aabb() const;          ///< of all shapes; the origin when there is none
+    uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed anew
+
+    /// Pose before the last step, for drawing between steps. A teleport moves it too: no smear.
+    Pose previous_pose() const;
+    /// Pose at `fraction` (0: previous, 1: current) of the last step.
+    Pose interpolated(float fraction) const;
+
+    Vec2 world_point(const Vec2& local) const;
+    Vec2 local_point(const Vec2& world) const;
+    Vec2 world_vector(const Vec2& local) const;
+    Vec2 local_vector(const Vec2& world) const;
+    Vec2 velocity_at(const Vec2& world_point) const;
+    float kinetic_energy() const;  ///< J
+
+    Shape add(const Circle& circle, const ShapeDef& def = {});
+    Shape add(const Box& box, const ShapeDef& def = {});
+    Shape add(const Segment& segment, const ShapeDef& def = {});
+    Shape add(const Polygon& polygon, const ShapeDef& def = {});
+    uint32_t shape_count() const;
+    std::vector<Shape> shapes() const;  ///< in the order they were attached
+
+    bool is_touching() const;  ///< any contact, sleeping or not; sensors do not count
+    std::vector<Contact> contacts()
+        const;  ///< touching contacts of the last step, sleeping ones too
+
+    uint64_t user_data() const;
+    void set_user_data(uint64_t data);
+
+  private:
+    World* world_ = nullptr;
+    BodyId id_;
+};
+
+}  // namespace fettle::physics

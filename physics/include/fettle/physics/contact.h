@@ -1,0 +1,33 @@
+#pragma once
+
+#include <fettle/physics/types.h>
+
+#include <array>
+
+namespace fettle::physics {
+
+struct ContactPoint {
+    Vec2 point = Vec2::Zero();  ///< world, m
+    float separation = 0.0f;    ///< m, negative: overlap
+    float normal_impulse =
+        0.0f;  ///< N s in one sub-step; multiply by the sub-step rate for newtons
+    float tangent_impulse = 0.0f;  ///< N s in one sub-step
+    uint16_t feature = 0;          ///< which vertex and edge met: stable while they stay the same
+};
+
+/// A contact between two shapes as it was in the last step. The normal points from a to b. One of
+/// the bodies may be the world's border (`ShapeType::border`).
+struct Contact {
+    BodyId body_a;
+    BodyId body_b;
+    ShapeId shape_a;
+    ShapeId shape_b;
+    Vec2 normal = Vec2::Zero();
+    int point_count = 0;
+    std::array<ContactPoint, 2> points;
+    float friction = 0.0f;      ///< mixed
+    float restitution = 0.0f;   ///< mixed
+    float normal_force = 0.0f;  ///< N, mean over the last sub-step, both points together
+};
+
+}  // namespace fettle::physics

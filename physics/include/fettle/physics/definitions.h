@@ -1,0 +1,113 @@
+#pragma once
+
+#include <fettle/physics/types.h>
+
+#include <optional>
+#include <vector>
+
+// What is needed to create things: plain aggregates for designated initializers, with the defaults
+// of the library. Every value in here can be changed later on the live object.
+
+namespace fettle::physics {
+
+struct WorldDef {
+    Vec2 gravity = {0.0f, -10.0f};    ///< m/s²
+    int substeps = 4;                 ///< solver sub-steps a step, 1 … 64
+    std::optional<Aabb> bounds = {};  ///< walls that keep dynamic bodies inside; none: open world
+    float bounds_friction = 0.6f;     ///< of those walls
+    float bounds_restitution = 0.0f;  ///< of those walls
+    bool sleeping = true;             ///< resting islands stop costing time
+    bool continuous = true;           ///< fast bodies do not pass through static ones
+    float restitution_threshold = 1.0f;  ///< m/s; slower impacts do not bounce
+    float hit_threshold = 1.0f;          ///< m/s; slower impacts make no hit event
+    float sleep_speed = 0.05f;  ///< m/s; an island slower than this for `sleep_delay` sleeps
+    float sleep_delay = 0.5f;   ///< s
+    float contact_hertz =
+        30.0f;  ///< stiffness of contacts, limited to an eighth of the sub-step rate
+    float contact_damping = 10.0f;  ///< damping ratio of contacts
+    float push_speed = 3.0f;        ///< m/s; the fastest that an overlap is pushed apart
+};
+
+struct BodyDef {
+    BodyType type = BodyType::dynamic_body;
+    Vec2 position = Vec2::Zero();   ///< m
+    float angle = 0.0f;             ///< rad
+    Vec2 velocity = Vec2::Zero();   ///< m/s
+    float angular_velocity = 0.0f;  ///< rad/s
+    Vec2 force = Vec2::Zero();      ///< N, applied at the center of mass in every step
+    float torque = 0.0f;            ///< N m, applied in every step
+    float gravity_scale = 1.0f;
+    float linear_damping = 0.0f;        ///< 1/s
+    float angular_damping = 0.0f;       ///< 1/s
+    std::optional<float> mass = {};     ///< kg; none: from the shapes; infinity: does not move
+    std::optional<float> inertia = {};  ///< kg m² about the center of mass; none: from the shapes;
+                                        ///< infinity: does not turn
+    std::optional<Vec2> center = {};  ///< center of mass in body coordinates; none: from the shapes
+    bool awake = true;
+    bool can_sleep = true;
+    bool bullet = false;  ///< swept against moving bodies too
+    bool locked_x = false;
+    bool locked_y = false;
+    bool locked_rotation = false;
+    uint64_t user_data = 0;
+};
+
+/// Surface, mass and filter of a shape, whatever its geometry.
+struct ShapeDef {
+    float density = 1.0f;  ///< kg/m²
+    float friction =
+        0.6f;  ///< Coulomb coefficient; a contact uses the geometric mean of both shapes'
+    float restitution = 0.0f;  ///< 0 … 1; a contact uses the greater one
+    float rolling_resistance =
+        0.0f;  ///< lever of the resisting torque over the radius, for round shapes
+    float surface_speed =
+        0.0f;             ///< m/s, conveyor: along the surface, counter-clockwise round the shape
+    bool sensor = false;  ///< reports overlaps, pushes nothing
+    bool hit_events = false;       ///< report impacts above `WorldDef::hit_threshold`
+    uint64_t category = 1;         ///< what it is
+    uint64_t mask = ~uint64_t{0};  ///< what it collides with: both must agree
+    int32_t group = 0;  ///< same non-zero group: positive always collides, negative never
+    uint64_t user_data = 0;
+};
+
+// Geometry, in body coordinates.
+
+struct Circle {
+    float radius = 0.5f;
+    Vec2 center = Vec2::Zero();
+};
+
+struct Box {
+    float width = 1.0f;  ///< full width, rounding included
+    float height = 1.0f;
+    Vec2 center = Vec2::Zero();
+    float angle = 0.0f;
+    float rounding = 0.0f;  ///< corner radius, at most half the smaller side
+};
+
+struct Segment {
+    Vec2 from = {-0.5f, 0.0f};
+    Vec2 to = {0.5f, 0.0f};
+    float rounding = 0.0f;  ///< radius: a capsule when positive
+};
+
+/// The convex hull of these points is what counts: in any order, duplicates and inner points are
+/// dropped.
+struct Polygon {
+    std::vector<Vec2> vertices = {};
+    float rounding = 0.0f;  ///< radius added all round
+};
+
+/// A soft pull of a point of a body towards a target: how a mouse drags.
+struct MouseJointDef {
+    BodyId body = {};
+    Vec2 target = Vec2::Zero();       ///< world, m
+    std::optional<Vec2> anchor = {};  ///< body coordinates; none: the point that is at `target` now
+    float hertz = 5.0f;               ///< stiffness
+    float damping_ratio = 0.7f;
+    float max_force = infinity;  ///< N
+    bool enabled = true;
+    uint64_t user_data = 0;
+};
+
+}  // namespace fettle::physics

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <fettle/physics/types.h>
+
+#include <vector>
+
+// What happened in the last step and in the edits before it. Ids of what was destroyed are dangling
+// on purpose: they still compare, so a listener can tell who ended.
+
+namespace fettle::physics {
+
+struct ContactBeginEvent {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    BodyId body_a;
+    BodyId body_b;
+    Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold
+    Vec2 normal = Vec2::Zero();  ///< from a to b
+};
+
+struct ContactEndEvent {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    BodyId body_a;
+    BodyId body_b;
+};
+
+/// An impact, for shapes with `hit_events`.
+struct ContactHitEvent {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    BodyId body_a;
+    BodyId body_b;
+    Vec2 point = Vec2::Zero();
+    Vec2 normal = Vec2::Zero();  ///< from a to b
+    float speed = 0.0f;          ///< m/s, approach along the normal
+    float impulse = 0.0f;        ///< N s, over the whole step
+};
+
+struct SensorEvent {
+    ShapeId sensor;
+    ShapeId visitor;
+    BodyId sensor_body;
+    BodyId visitor_body;
+};
+
+struct Events {
+    std::vector<ContactBeginEvent> contact_begin;
+    std::vector<ContactEndEvent> contact_end;
+    std::vector<ContactHitEvent> contact_hit;
+    std::vector<SensorEvent> sensor_begin;
+    std::vector<SensorEvent> sensor_end;
+    std::vector<BodyId> slept;
+    std::vector<BodyId> woke;
+};
+
+}  // namespace fettle::physics

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <fettle/physics/types.h>
+
+#include <span>
+#include <vector>
+
+namespace fettle::physics {
+
+enum class HullStatus : uint8_t {
+    ok,
+    too_few_points,  ///< fewer than three distinct points
+    collinear,       ///< all on one line (within 1e-5 of their extent)
+    not_finite       ///< NaN or infinity among the coordinates
+};
+
+/// The sentence a person should read, e.g. "all vertices lie on one line".
+const char* describe(HullStatus status);
+
+/// Convex hull, counter-clockwise, starting at the lowest of the leftmost points. Input in any
+/// order; duplicates, points inside and points on an edge are dropped. `hull` is only written when
+/// the status is `ok`.
+HullStatus convex_hull(std::span<const Vec2> points, std::vector<Vec2>& hull);
+
+}  // namespace fettle::physics

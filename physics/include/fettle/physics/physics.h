@@ -1,0 +1,4 @@
+#pragma once
+
+// Everything of Fettle::physics.
+#include <fettle/physics/world.h>

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <fettle/physics/body.h>
+#include <fettle/physics/hull.h>
+
+#include <span>
+#include <variant>
+
+namespace fettle::physics {
+
+using Geometry = std::variant<Circle, Box, Segment, Polygon>;
+
+/// A light handle to a shape: part of a body, or detached and waiting for one. Errors as for
+/// `Body`; a property that the type of shape does not have (the radius of a box) throws
+/// `std::invalid_argument`.
+class Shape {
+  public:
+    Shape() = default;
+    Shape(World* world, ShapeId id) : world_(world), id_(id) {}
+
+    bool is_valid() const;
+    explicit operator bool() const { return is_valid(); }
+    ShapeId id() const { return id_; }
+    uint32_t index() const { return id_.index; }
+    World& world() const { return *world_; }
+    friend bool operator==(const Shape&, const Shape&) = default;
+    void destroy();
+
+    ShapeType type() const;
+    Body body() const;  ///< an invalid body when detached
+    void attach(const Body& body);
+    void detach();
+
+    Geometry geometry() const;
+    void set_geometry(
+        const Geometry& geometry);  ///< may change the type; polygon vertices are the hull
+
+    float radius() const;  ///< circle
+    void set_radius(float radius);
+    Vec2 center() const;  ///< circle, box
+    void set_center(const Vec2& center);
+    float width() const;  ///< box
+    void set_width(float width);
+    float height() const;  ///< box
+    void set_height(float height);
+    float angle() const;  ///< box
+    void set_angle(float angle);
+    float rounding() const;  ///< box, segment, polygon
+    void set_rounding(float rounding);
+    Vec2 from() const;  ///< segment
+    void set_from(const Vec2& from);
+    Vec2 to() const;  ///< segment
+    void set_to(const Vec2& to);
+
+    /// Polygon: its hull, counter-clockwise, body coordinates. Box and segment: their corners,
+    /// without rounding. Circle: nothing. Valid until the next edit of any shape.
+    std::span<const Vec2> vertices() const;
+    /// Polygon: the hull of `points` becomes the shape. On failure nothing changes and
+    /// `std::invalid_argument` says why.
+    void set_vertices(std::span<const Vec2> points);
+    /// As `set_vertices` with a status instead of an exception.
+    HullStatus try_set_vertices(std::span<const Vec2> points);
+    void add_vertex(const Vec2& point);  ///< body coordinates
+
+    float density() const;
+    void set_density(float density);
+    float friction() const;
+    void set_friction(float friction);
+    float restitution() const;
+    void set_restitution(float restitution);
+    float rolling_resistance() const;
+    void set_rolling_resistance(float resistance);
+    float surface_speed() const;
+    void set_surface_speed(float speed);
+    bool sensor() const;
+    void set_sensor(bool sensor);
+    bool hit_events() const;
+    void set_hit_events(bool enabled);
+    uint64_t category() const;
+    void set_category(uint64_t category);
+    uint64_t mask() const;
+    void set_mask(uint64_t mask);
+    int32_t group() const;
+    void set_group(int32_t group);
+
+    float area() const;                        ///< m²
+    float mass() const;                        ///< kg: density × area
+    Aabb aabb() const;                         ///< world; body coordinates when detached
+    std::vector<Vec2> world_vertices() const;  ///< as `vertices`, in the world
+    Vec2 world_center() const;                 ///< centroid, in the world
+    bool contains(const Vec2& world_point) const;
+    bool is_touching() const;
+    uint32_t rebuilds() const;  ///< how often its derived geometry was computed anew
+
+    uint64_t user_data() const;
+    void set_user_data(uint64_t data);
+
+  private:
+    World* world_ = nullptr;
+    ShapeId id_;
+};
+
+}  // namespace fettle::physics

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fettle::physics {
+
+/// Of the last step.
+struct StepStatistics {
+    uint64_t steps = 0;  ///< since the world was made
+    uint32_t bodies = 0;
+    uint32_t awake_bodies = 0;  ///< dynamic and moving kinematic ones
+    uint32_t shapes = 0;
+    uint32_t joints = 0;
+    uint32_t contacts = 0;  ///< pairs whose fat boxes overlap
+    uint32_t awake_contacts = 0;
+    uint32_t touching = 0;       ///< awake contacts with a manifold that was solved
+    uint32_t islands = 0;        ///< asleep
+    uint32_t moved_proxies = 0;  ///< left their fat box
+    // Milliseconds of wall time a stage took.
+    float edits_ms = 0.0f;   ///< derived data of edited bodies and shapes
+    float pairs_ms = 0.0f;   ///< broad phase
+    float narrow_ms = 0.0f;  ///< manifolds
+    float solve_ms = 0.0f;   ///< prepare, sub-steps, store
+    float finish_ms = 0.0f;  ///< poses, boxes, continuous collision
+    float sleep_ms = 0.0f;   ///< islands
+    float total_ms = 0.0f;
+};
+
+}  // namespace fettle::physics

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+
+namespace fettle::physics {
+
+/// Metres, metres a second, newtons... Everything in the library is single precision and SI, angles
+/// in radians.
+using Vec2 = Eigen::Vector2f;
+
+/// A handle made of a slot and the generation of what lives there. A default-made id names nothing;
+/// an id whose object was destroyed is detected by its generation and never reaches a later object
+/// in the same slot.
+struct BodyId {
+    uint32_t index = 0;
+    uint32_t generation = 0;  ///< 0 names nothing; live generations start at 1
+    friend bool operator==(const BodyId&, const BodyId&) = default;
+    explicit operator bool() const { return generation != 0; }
+};
+
+struct ShapeId {
+    uint32_t index = 0;
+    uint32_t generation = 0;
+    friend bool operator==(const ShapeId&, const ShapeId&) = default;
+    explicit operator bool() const { return generation != 0; }
+};
+
+struct JointId {
+    uint32_t index = 0;
+    uint32_t generation = 0;
+    friend bool operator==(const JointId&, const JointId&) = default;
+    explicit operator bool() const { return generation != 0; }
+};
+
+enum class BodyType : uint8_t {
+    static_body,     ///< never moves by itself; may be teleported
+    kinematic_body,  ///< moves by its velocity, nothing pushes it
+    dynamic_body     ///< moved by forces, contacts and joints
+};
+
+enum class ShapeType : uint8_t {
+    circle,
+    box,
+    segment,
+    polygon,
+    border  ///< one of the four half-planes of `World::bounds`; only ever seen in contacts, events
+            ///< and rays
+};
+
+enum class JointType : uint8_t { mouse };
+
+/// Axis-aligned box. `min` is the lower left corner.
+struct Aabb {
+    Vec2 min = Vec2::Zero();
+    Vec2 max = Vec2::Zero();
+    friend bool operator==(const Aabb& a, const Aabb& b) {
+        return a.min == b.min && a.max == b.max;
+    }
+};
+
+/// Where a body is: its origin, and its angle (rad, counter-clockwise, not wrapped).
+struct Pose {
+    Vec2 position = Vec2::Zero();
+    float angle = 0.0f;
+};
+
+/// What changes each step for a body. One array of these, addressed by `BodyId::index`, whose slots
+/// never move while their body lives: sleeping and waking do not reorder it. Read it freely; write
+/// through `Body`.
+struct BodyState {
+    Vec2 position = Vec2::Zero();   ///< of the body's origin, m
+    float angle = 0.0f;             ///< rad, not wrapped
+    float angular_velocity = 0.0f;  ///< rad/s
+    Vec2 velocity = Vec2::Zero();   ///< of the center of mass, m/s
+    float cosine = 1.0f;            ///< of `angle`
+    float sine = 0.0f;              ///< of `angle`
+};
+static_assert(sizeof(BodyState) == 32);
+
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+
+}  // namespace fettle::physics

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <fettle/physics/body.h>
+#include <fettle/physics/events.h>
+#include <fettle/physics/joint.h>
+#include <fettle/physics/query.h>
+#include <fettle/physics/shape.h>
+#include <fettle/physics/statistics.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fettle::physics {
+
+namespace detail {
+struct WorldData;
+
+/// The part of a world that is read too often for a call: arrays addressed by `BodyId::index`.
+struct Columns {
+    std::vector<BodyState> states;
+    std::vector<Pose> previous;
+    std::vector<uint32_t> body_generations;   ///< 0 where a slot is free
+    std::vector<uint32_t> shape_generations;  ///< by `ShapeId::index`
+    std::vector<uint32_t> joint_generations;  ///< by `JointId::index`
+};
+}  // namespace detail
+
+/// A world of rigid bodies. It owns everything; `Body`, `Shape` and `MouseJoint` are handles into
+/// it, so it neither moves nor must it die before they are last used. Not thread-safe; different
+/// worlds are independent.
+///
+///     World world;
+///     Body ground = world.create_body({.type = BodyType::static_body});
+///     ground.add(Box{.width = 20, .height = 1});
+///     Body crate = world.create_body({.position = {0, 5}});
+///     crate.add(Box{});
+///     for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
+///     std::cout << crate.position().y();
+class World {
+  public:
+    explicit World(const WorldDef& def = {});
+    ~World();
+    /// A copy is a snapshot: same ids, same future, bit for bit. Handles keep pointing into the
+    /// world they came from.
+    World(const World& other);
+    World& operator=(const World& other);
+
+    /// Advances by `dt` seconds (0 < dt, else nothing happens). Never throws on any state.
+    void step(float dt);
+
+    Vec2 gravity() const;
+    void set_gravity(const Vec2& gravity);  ///< wakes all
+    int substeps() const;
+    void set_substeps(int substeps);  ///< 1 … 64
+    const std::optional<Aabb>& bounds() const;
+    void set_bounds(const std::optional<Aabb>& bounds);  ///< wakes all
+    float bounds_friction() const;
+    void set_bounds_friction(float friction);
+    float bounds_restitution() const;
+    void set_bounds_restitution(float restitution);
+    bool sleeping() const;
+    void set_sleeping(bool enabled);  ///< false wakes all
+    bool continuous() const;
+    void set_continuous(bool enabled);
+    float restitution_threshold() const;
+    void set_restitution_threshold(float speed);
+    float hit_threshold() const;
+    void set_hit_threshold(float speed);
+    float sleep_speed() const;
+    void set_sleep_speed(float speed);
+    float sleep_delay() const;
+    void set_sleep_delay(float seconds);
+    float contact_hertz() const;
+    void set_contact_hertz(float hertz);
+    float contact_damping() const;
+    void set_contact_damping(float ratio);
+    float push_speed() const;
+    void set_push_speed(float speed);
+    void wake_all();
+
+    Body create_body(const BodyDef& def = {});
+    Shape create_shape(const Circle& circle,
+                       const ShapeDef& def = {});  ///< detached, like the next three
+    Shape create_shape(const Box& box, const ShapeDef& def = {});
+    Shape create_shape(const Segment& segment, const ShapeDef& def = {});
+    Shape create_shape(const Polygon& polygon, const ShapeDef& def = {});
+    MouseJoint create_mouse_joint(const MouseJointDef& def);
+    void clear();  ///< destroys every body, shape and joint
+
+    bool is_valid(BodyId id) const {
+        return id.generation != 0 && id.index < columns_->body_generations.size() &&
+               columns_->body_generations[id.index] == id.generation;
+    }
+    bool is_valid(ShapeId id) const {
+        return id.generation != 0 && id.index < columns_->shape_generations.size() &&
+               columns_->shape_generations[id.index] == id.generation;
+    }
+    bool is_valid(JointId id) const {
+        return id.generation != 0 && id.index < columns_->joint_generations.size() &&
+               columns_->joint_generations[id.index] == id.generation;
+    }
+    Body body(BodyId id) { return {this, id}; }
+    Shape shape(ShapeId id) { return {this, id}; }
+    MouseJoint mouse_joint(JointId id) { return {this, id}; }
+
+    // Unchecked, for hosts that keep slots: `index` must be that of a live body. A reference holds
+    // until the next creation of a body.
+    const BodyState& state(uint32_t index) const { return columns_->states[index]; }
+    const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
+    std::span<const BodyState> states() const { return columns_->states; }
+    /// Generation of what lives in a slot, 0 where nothing does. Slots 0 … `body_slots()`-1; slot 0
+    /// is the world's own.
+    uint32_t body_generation(uint32_t index) const { return columns_->body_generations[index]; }
+    uint32_t shape_generation(uint32_t index) const { return columns_->shape_generations[index]; }
+    uint32_t body_slots() const { return uint32_t(columns_->body_generations.size()); }
+    uint32_t shape_slots() const { return uint32_t(columns_->shape_generations.size()); }
+
+    // Everything alive, in slot order. The border of the world is not listed.
+    std::vector<Body> bodies();
+    std::vector<Shape> shapes();
+    std::vector<MouseJoint> joints();
+    std::vector<Contact> contacts() const;  ///< touching ones, sleeping ones too
+    uint32_t body_count() const;
+    uint32_t shape_count() const;
+    uint32_t joint_count() const;
+
+    const Events& events() const;  ///< of the last step
+    const StepStatistics& statistics() const;
+    /// Of position, angle and velocities of all bodies, in slot order: equal for equal histories.
+    uint64_t hash() const;
+
+    // Queries see every edit made before them. Shapes come in a repeatable order.
+    std::vector<Shape> query_point(const Vec2& point, const QueryFilter& filter = {});
+    std::vector<Shape> query_aabb(const Aabb& box,
+                                  const QueryFilter& filter = {});  ///< shapes that overlap the box
+    std::optional<RayHit> cast_ray(const Vec2& from, const Vec2& to,
+                                   const QueryFilter& filter = {});
+    std::vector<RayHit> cast_ray_all(const Vec2& from, const Vec2& to,
+                                     const QueryFilter& filter = {});  ///< nearest first
+
+    /// Checks that the broad phase, contacts, islands and lists agree with each other; the first
+    /// disagreement in words, or nothing. For tests and for hunting bugs: slow.
+    std::optional<std::string> validate() const;
+
+  private:
+    friend class Body;
+    friend class Shape;
+    friend class MouseJoint;
+    detail::WorldData& data() const { return *data_; }
+
+    std::unique_ptr<detail::WorldData> data_;
+    detail::Columns* columns_ = nullptr;  ///< base of `*data_`
+};
+
+}  // namespace fettle::physics
