@@ -1,0 +1,182 @@
+# Sourced by `play` and `check`: what a bare machine needs before anything can be built, and how the
+# presets are configured and built, with progress that suits a terminal as well as a log.
+# shellcheck shell=bash
+
+fettle_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
+
+say() { printf '%s: %s\n' "${0##*/}" "$*"; }
+complain() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
+
+# with_progress AWK-ARGUMENT...: an awk program over some tool's output that may call
+# progress(WHAT, DONE, ALL) and pass_on(LINE). Progress is a bar on a terminal, elsewhere a plain line every tenth part.
+with_progress() {
+    local terminal=0
+    [[ -t 1 ]] && terminal=1
+    local program=${*: -1} options=("${@:1:$#-1}")
+    awk -v who="${0##*/}" -v terminal="$terminal" "${options[@]}" '
+        function progress(what, done, all,    tenth) {
+            tenth = int(10 * done / all)
+            if (terminal) {
+                printf "\r\033[K%s: %s [%s%s] %d of %d", who, what, substr("##########", 1, tenth),
+                    substr("----------", 1, 10 - tenth), done, all
+                drawn = 1
+            } else if (what != last_what || tenth != last_tenth) {
+                printf "%s: %s, %d of %d\n", who, what, done, all
+            }
+            last_what = what
+            last_tenth = tenth
+            fflush()
+        }
+        function wipe() { if (drawn) printf "\r\033[K"; drawn = 0 }
+        function pass_on(line) { wipe(); print line; fflush() }
+        END { wipe() }
+        '"$program"
+}
+
+# --- Packages -------------------------------------------------------------------------------------
+
+# The lines of cmake/packages.txt for these purposes, each as "NAME|ALTERNATIVE|...".
+packages_for() {
+    local purposes=" $* " purpose names
+    while read -r purpose names; do
+        if [[ $purposes == *" $purpose "* ]]; then printf '%s\n' "${names// /}"; fi
+    done < <(sed 's/#.*//; /^[[:space:]]*$/d' "$fettle_root/cmake/packages.txt") | sort -u
+}
+
+# Of the given lines, those of which no alternative is installed.
+not_installed() {
+    local line name installed
+    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p')
+    for line in "$@"; do
+        for name in ${line//|/ }; do
+            grep -qxF -- "$name" <<<"$installed" && continue 2
+        done
+        printf '%s\n' "$line"
+    done
+}
+
+# The alternative of each line that apt can install; the first one where it knows none.
+installable() {
+    local line name
+    for line in "$@"; do
+        for name in ${line//|/ }; do
+            if apt-cache show -- "$name" >/dev/null 2>&1; then
+                printf '%s\n' "$name"
+                continue 2
+            fi
+        done
+        printf '%s\n' "${line%%|*}"
+    done
+}
+
+# Reads apt's status lines (KIND:PACKAGE:PERCENT:TEXT).
+apt_progress() {
+    with_progress -F: '
+        $1 == "dlstatus" { progress("downloading packages", int($3), 100) }
+        $1 == "pmstatus" { progress("installing packages", int($3), 100) }'
+}
+
+# Runs apt-get as root with its own output in a file and its progress as plain lines.
+run_apt() {
+    local log=$1 status=0
+    shift
+    local as_root=()
+    ((EUID == 0)) || as_root=(sudo -n)
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o APT::Status-Fd=1 \
+        -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 -y --no-install-recommends "$@" \
+        </dev/null 2>>"$log" | tee -a "$log" | apt_progress || status=$?
+    return "$status"
+}
+
+# Makes sure that the packages for these purposes are there. Does not touch the network when they are.
+# Exits with 2 when they are not and this user may not install them.
+ensure_packages() {
+    local lines missing
+    mapfile -t lines < <(packages_for "$@")
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        say "not a Debian; these packages, under the names used here, should be there: ${lines[*]}"
+        return 0
+    fi
+    mapfile -t missing < <(not_installed "${lines[@]}")
+    ((${#missing[@]})) || return 0
+
+    local may_install=0
+    if ((EUID == 0)) || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; then
+        may_install=1
+    fi
+    if ((!may_install)); then
+        mapfile -t missing < <(installable "${missing[@]}")
+        complain "missing packages: ${missing[*]}"
+        complain "install them with this line, then run ${0##*/} again:"
+        printf '    sudo apt-get update && sudo apt-get install -y --no-install-recommends %s\n' \
+            "${missing[*]}" >&2
+        exit 2
+    fi
+
+    local log updated=0 names
+    log=$(mktemp "${TMPDIR:-/tmp}/fettle-apt.XXXXXX")
+    if ! apt-cache show -- "${missing[0]%%|*}" >/dev/null 2>&1; then
+        say "reading the package lists"
+        run_apt "$log" update || complain "apt-get update failed; going on with the lists there are"
+        updated=1
+    fi
+    mapfile -t names < <(installable "${missing[@]}")
+    say "installing ${#names[@]} missing packages: ${names[*]}"
+    if ! run_apt "$log" install "${names[@]}"; then
+        # Old package lists name versions that the mirror no longer has.
+        if ((updated)) || ! run_apt "$log" update || ! run_apt "$log" install "${names[@]}"; then
+            grep -E '^(E|W):' "$log" >&2 || tail -n 20 "$log" >&2
+            complain "apt-get could not install them; its whole output is in $log"
+            exit 2
+        fi
+    fi
+    rm -f -- "$log"
+}
+
+# --- Building -------------------------------------------------------------------------------------
+
+jobs() { nproc 2>/dev/null || echo 2; }
+
+# configure PRESET [CMAKE-ARGUMENT ...]
+# A build folder that was made for another checkout or by another generator is made anew.
+configure() {
+    local preset=$1 folder=$fettle_root/build/$1 fresh=()
+    shift
+    if [[ -e $folder/CMakeCache.txt ]] &&
+        ! { grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$fettle_root" "$folder/CMakeCache.txt" &&
+            grep -qxF "CMAKE_GENERATOR:INTERNAL=Ninja" "$folder/CMakeCache.txt"; }; then
+        say "build/$preset belongs to another checkout or generator; configuring it anew"
+        fresh=(--fresh)
+    fi
+    mkdir -p -- "$folder"
+    if ! (cd -- "$fettle_root" && cmake --preset "$preset" "${fresh[@]}" "$@") \
+        >"$folder/configure.log" 2>&1 </dev/null; then
+        cat -- "$folder/configure.log" >&2
+        complain "configuring the preset $preset failed"
+        return 1
+    fi
+}
+
+# Turns ninja's lines into progress, and passes every complaint on.
+build_progress() {
+    with_progress '
+        match($0, /^\[[0-9]+\/[0-9]+\] /) {
+            split(substr($0, 2, RLENGTH - 3), count, "/")
+            if (count[2] > 2) progress("building", count[1], count[2])
+            next
+        }
+        /^(ninja: (no work to do|Entering directory)|-- (Configuring|Generating|Build files))/ { next }
+        { pass_on($0) }'
+}
+
+# What builds and tests are started through.
+launcher=(env)
+
+# build_preset PRESET [TARGET ...]: everything when no target is named.
+build_preset() {
+    local preset=$1 targets=()
+    shift
+    (($#)) && targets=(--target "$@")
+    "${launcher[@]}" cmake --build "$fettle_root/build/$preset" -j "$(jobs)" "${targets[@]}" \
+        2>&1 </dev/null | build_progress
+}

@@ -1,0 +1,367 @@
+#include "rules.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string_view>
+
+namespace fettle::architecture {
+namespace {
+
+/// A part of the project: where it lies, which parts it may know besides itself, and which outside
+/// libraries besides the standard one. Parts and libraries are named as in the tables below.
+struct Part {
+    std::string_view name;
+    std::vector<std::string_view> folders;
+    std::set<std::string_view> may_know;
+    std::set<std::string_view> libraries;
+};
+
+// The table of the architecture page. Storage is the part of the property tree that touches files;
+// the outside libraries follow from "the only place that includes ...".
+const std::vector<Part>& parts() {
+    static const std::vector<Part> table = {
+        {"property", {"framework/property", "framework/include/fettle/property"}, {}, {"Eigen"}},
+        {"storage",
+         {"framework/property/storage", "framework/include/fettle/storage"},
+         {"property"},
+         {"Eigen", "JSON", "SQLite", "POSIX"}},
+        {"physics", {"physics", "physics/include/fettle/physics"}, {}, {"Eigen"}},
+        {"module",
+         {"framework/module", "framework/include/fettle/module"},
+         {"property"},
+         {"Eigen", "POSIX"}},
+        {"physics_module",
+         {"physics/module", "physics/include/fettle/physics_module"},
+         {"module", "property", "physics"},
+         {"Eigen"}},
+        {"script",
+         {"framework/script", "framework/include/fettle/script"},
+         {"property", "storage"},
+         {"Eigen", "Lua"}},
+        {"app",
+         {"framework/app", "framework/include/fettle/app"},
+         {"script", "property", "storage"},
+         {"Eigen", "SFML", "POSIX"}},
+        {"console",
+         {"console", "console/include/fettle/console"},
+         {"app", "script", "property", "storage"},
+         {"Eigen", "ImGui"}},
+        {"fettle",
+         {"fettle"},
+         {"property", "storage", "physics", "module", "physics_module", "script", "app", "console"},
+         {"Eigen", "JSON", "CLI11", "POSIX"}},
+    };
+    return table;
+}
+
+struct Library {
+    std::string_view name;
+    std::regex header;  // matches the whole of what stands between the brackets
+    std::regex target;  // matches the whole of a CMake target's name
+};
+
+const std::vector<Library>& libraries() {
+    static const std::vector<Library> table = {
+        {"Eigen", std::regex("(unsupported/)?Eigen/.*"), std::regex("Eigen3::.*")},
+        {"Lua", std::regex("(lua5[^/]*/)?(lua|lauxlib|lualib|luaconf)\\.h(pp)?"),
+         std::regex("fettle_lua|PkgConfig::LUA")},
+        {"SFML", std::regex("SFML/.*"), std::regex("fettle_sfml|sfml-.*|SFML::.*")},
+        {"ImGui", std::regex("(imgui/)?(imgui|imstb|imconfig).*"),
+         std::regex("fettle_imgui|PkgConfig::IMGUI")},
+        {"JSON", std::regex("nlohmann/.*"), std::regex("nlohmann_json::.*")},
+        {"SQLite", std::regex("sqlite3.*"), std::regex("SQLite::.*|SQLite3::.*")},
+        {"CLI11", std::regex("CLI/.*"), std::regex("CLI11::.*")},
+        {"POSIX", std::regex("(sys/.*|unistd|fcntl|dlfcn|poll|pthread|signal|termios)(\\.h)?"),
+         std::regex("dl")},
+        {"Catch2", std::regex("catch2/.*"), std::regex("Catch2::.*|fettle_catch")},
+        {"rapidcheck", std::regex("rapidcheck.*"), std::regex("rapidcheck")},
+        {"benchmark", std::regex("benchmark/.*"), std::regex("benchmark::.*")},
+        {"Box2D", std::regex("box2d/.*"), std::regex("box2d.*")},
+        {"Chipmunk", std::regex("chipmunk/.*"), std::regex("chipmunk.*")},
+    };
+    return table;
+}
+
+bool lies_in(std::string_view path, std::string_view folder) {
+    return path.starts_with(folder) && path.size() > folder.size() && path[folder.size()] == '/';
+}
+
+/// The part with the longest folder that holds `path`; null for tests, benchmarks and the rest.
+const Part* part_of(std::string_view path) {
+    const Part* best = nullptr;
+    std::size_t length = 0;
+    for (const Part& part : parts()) {
+        for (std::string_view folder : part.folders) {
+            if (folder.size() > length && lies_in(path, folder)) {
+                best = &part;
+                length = folder.size();
+            }
+        }
+    }
+    return best;
+}
+
+const Part* part_named(std::string_view name) {
+    const auto found = std::ranges::find(parts(), name, &Part::name);
+    return found == parts().end() ? nullptr : &*found;
+}
+
+bool may_know(const Part& part, const Part& other) {
+    return &part == &other || part.may_know.contains(other.name);
+}
+
+bool is_standard(const std::string& header) {
+    static const std::regex modern("[a-z_0-9]+");
+    return std::regex_match(header, modern);
+}
+
+const Library* library_of_header(const std::string& header) {
+    const auto found = std::ranges::find_if(
+        libraries(), [&](const Library& it) { return std::regex_match(header, it.header); });
+    return found == libraries().end() ? nullptr : &*found;
+}
+
+const Library* library_of_target(const std::string& target) {
+    const auto found = std::ranges::find_if(
+        libraries(), [&](const Library& it) { return std::regex_match(target, it.target); });
+    return found == libraries().end() ? nullptr : &*found;
+}
+
+std::string join(const std::set<std::string_view>& names) {
+    std::string text;
+    for (std::string_view name : names) text += (text.empty() ? "" : " ") + std::string(name);
+    return text.empty() ? "nothing" : text;
+}
+
+std::string at(const SourceFile& file, int line, const std::string& what) {
+    return file.path + ":" + std::to_string(line) + ": " + what;
+}
+
+/// Calls `visit(file, line number, line)` for every line of every file that `wanted` accepts.
+template <typename Wanted, typename Visit>
+void each_line(const SourceTree& tree, Wanted wanted, Visit visit) {
+    for (const auto& [path, file] : tree.files()) {
+        if (!wanted(file)) continue;
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            visit(file, static_cast<int>(i) + 1, file.lines[i]);
+        }
+    }
+}
+
+}  // namespace
+
+Violations unknown_places(const SourceTree& tree) {
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (!file.is_cpp()) continue;
+        const bool beside =
+            lies_in(path, "tests") || lies_in(path, "bench") || lies_in(path, "examples");
+        if (!beside && !part_of(path)) found.push_back(path + ": lies in no part of the project");
+    }
+    return found;
+}
+
+Violations forbidden_includes(const SourceTree& tree) {
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        const Part* part = part_of(path);
+        if (!part || !file.is_cpp()) continue;
+        for (const Include& include : file.includes()) {
+            const std::string target = tree.resolve(file, include);
+            if (!target.empty()) {
+                const Part* other = part_of(target);
+                if (!other || !may_know(*part, *other)) {
+                    found.push_back(at(file, include.line,
+                                       std::string(part->name) + " may not include " + target +
+                                           "; it may know " + join(part->may_know)));
+                }
+            } else if (include.quoted || include.name.starts_with("fettle/")) {
+                found.push_back(at(file, include.line, "no such header: " + include.name));
+            } else if (!is_standard(include.name)) {
+                const Library* library = library_of_header(include.name);
+                if (!library || !part->libraries.contains(library->name)) {
+                    found.push_back(
+                        at(file, include.line,
+                           std::string(part->name) + " may not include <" + include.name +
+                               ">; it may use the standard library and " + join(part->libraries)));
+                }
+            }
+        }
+    }
+    return found;
+}
+
+Violations forbidden_links(const SourceTree& tree) {
+    static const std::regex word(R"([A-Za-z0-9_]+(::[A-Za-z0-9_]+)?(-[a-z0-9]+)*)");
+    static const std::regex own(R"((?:Fettle::|fettle_)(\w+))");
+    Violations found;
+    const auto is_of_a_part = [](const SourceFile& file) {
+        return file.is_cmake() && part_of(file.path);
+    };
+    each_line(tree, is_of_a_part, [&](const SourceFile& file, int line, const std::string& text) {
+        const Part& part = *part_of(file.path);
+        const std::string code = text.substr(0, text.find('#'));
+        for (std::sregex_iterator it(code.begin(), code.end(), word), end; it != end; ++it) {
+            const std::string target = it->str();
+            std::smatch match;
+            const Part* other =
+                std::regex_match(target, match, own) ? part_named(match[1].str()) : nullptr;
+            const Library* library = library_of_target(target);
+            if ((other && !may_know(part, *other)) ||
+                (library && !part.libraries.contains(library->name))) {
+                found.push_back(at(file, line, std::string(part.name) + " may not link " + target));
+            }
+        }
+    });
+    return found;
+}
+
+Violations public_header_violations(const SourceTree& tree) {
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (!file.is_header() || path.find("/include/") == std::string::npos ||
+            lies_in(path, "tests")) {
+            continue;
+        }
+        if (!file.is_public_header()) {
+            found.push_back(path + ": a public header lies in include/fettle/<library>/");
+            continue;
+        }
+        for (const Include& include : file.includes()) {
+            const std::string target = tree.resolve(file, include);
+            const bool is_public = !target.empty() && tree.files().at(target).is_public_header();
+            const bool is_outside =
+                target.empty() && (is_standard(include.name) || include.name.starts_with("Eigen/"));
+            if (!is_public && !is_outside) {
+                found.push_back(at(file, include.line,
+                                   "a public header includes only public headers, std and Eigen, "
+                                   "not " +
+                                       include.name));
+            }
+        }
+    }
+    return found;
+}
+
+Violations borrowed_private_headers(const SourceTree& tree) {
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (!file.is_cpp() || lies_in(path, "tests") || lies_in(path, "bench")) continue;
+        for (const Include& include : file.includes()) {
+            const std::string target = tree.resolve(file, include);
+            if (target.empty() || tree.files().at(target).is_public_header()) continue;
+            // Programs of other people see what is public; a part sees what is its own.
+            if (part_of(target) != part_of(path)) {
+                found.push_back(at(file, include.line, target + " is private to its part"));
+            }
+        }
+    }
+    return found;
+}
+
+Violations vague_names(const SourceTree& tree) {
+    static const std::regex snake_case("[a-z][a-z0-9]*(_[a-z0-9]+)*\\.[a-z]+");
+    static const std::set<std::string> vague = {"util",    "utils",   "utility", "utilities",
+                                                "helper",  "helpers", "common",  "misc",
+                                                "manager", "managers"};
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (file.is_cmake()) continue;
+        const std::filesystem::path name(path);
+        if (!std::regex_match(name.filename().string(), snake_case)) {
+            found.push_back(path + ": file names are snake_case");
+        }
+        for (const std::filesystem::path& step : name) {
+            std::string word;
+            for (const char c : step.stem().string() + "_") {
+                if (c != '_') {
+                    word += c;
+                } else {
+                    if (vague.contains(word)) {
+                        found.push_back(path + ": \"" + word + "\" does not say what is inside");
+                    }
+                    word.clear();
+                }
+            }
+        }
+    }
+    return found;
+}
+
+Violations overlong_files(const SourceTree& tree) {
+    constexpr std::size_t most = 500;
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (file.lines.size() > most) {
+            found.push_back(path + ": " + std::to_string(file.lines.size()) + " lines, at most " +
+                            std::to_string(most) + " make one idea");
+        }
+    }
+    return found;
+}
+
+Violations careless_headers(const SourceTree& tree) {
+    static const std::regex opens("^using namespace .*");  // in a function it is indented
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (file.is_header() && std::ranges::count(file.lines, "#pragma once") != 1) {
+            found.push_back(path + ": a header has one line #pragma once");
+        }
+    }
+    const auto is_header = [](const SourceFile& file) { return file.is_header(); };
+    each_line(tree, is_header, [&](const SourceFile& file, int line, const std::string& text) {
+        if (std::regex_match(text, opens)) {
+            found.push_back(at(file, line, "a header opens no namespace for those who include it"));
+        }
+    });
+    return found;
+}
+
+Violations scattered_version_checks(const SourceTree& tree) {
+    static const std::regex condition(R"(^\s*#\s*(if|ifdef|ifndef|elif)\b.*)");
+    static const std::array macros = {
+        std::pair{"SFML", std::regex(".*\\bSFML_VERSION.*")},
+        std::pair{"ImGui", std::regex(".*\\bIMGUI_VERSION.*")},
+        std::pair{"Lua", std::regex(".*\\bLUA_VERSION.*")},
+        std::pair{"Eigen", std::regex(".*\\bEIGEN_(WORLD|MAJOR|MINOR|VERSION).*")}};
+    std::map<std::string, std::set<std::string>> where;
+    const auto is_of_a_part = [](const SourceFile& file) {
+        return file.is_cpp() && part_of(file.path);
+    };
+    each_line(tree, is_of_a_part, [&](const SourceFile& file, int, const std::string& text) {
+        if (text.find('#') == std::string::npos || !std::regex_match(text, condition)) return;
+        for (const auto& [library, macro] : macros) {
+            if (std::regex_match(text, macro)) where[library].insert(file.path);
+        }
+    });
+    Violations found;
+    for (const auto& [library, files] : where) {
+        if (files.size() < 2) continue;
+        std::string text = library + ": its versions are told apart in more than one file:";
+        for (const std::string& path : files) text += " " + path;
+        found.push_back(text);
+    }
+    return found;
+}
+
+Violations unfinished_marks(const SourceTree& tree) {
+    // Written so that this file does not carry the marks it looks for.
+    static const std::regex mark(
+        "\\b(TO"
+        "DO|FIX"
+        "ME|XX"
+        "X|HA"
+        "CK)\\b");
+    Violations found;
+    const auto any = [](const SourceFile&) { return true; };
+    each_line(tree, any, [&](const SourceFile& file, int line, const std::string& text) {
+        if (std::regex_search(text, mark)) found.push_back(at(file, line, "unfinished: " + text));
+    });
+    return found;
+}
+
+}  // namespace fettle::architecture

@@ -1,0 +1,46 @@
+#pragma once
+// The rules of the architecture that a compiler cannot enforce. Each returns its violations as
+// "path:line: what is wrong and what the rule says"; none means that the rule holds.
+
+#include <string>
+#include <vector>
+
+#include "source_tree.h"
+
+namespace fettle::architecture {
+
+using Violations = std::vector<std::string>;
+
+/// Every C++ file lies in a folder that the architecture names.
+Violations unknown_places(const SourceTree& tree);
+
+/// A part includes only the parts and the outside libraries that it may know: this makes
+/// framework/script the only place with Lua, framework/app with SFML, console with ImGui.
+Violations forbidden_includes(const SourceTree& tree);
+
+/// A part links only the targets of parts and libraries that it may know.
+Violations forbidden_links(const SourceTree& tree);
+
+/// A public header includes public headers, the standard library and Eigen, nothing else, so that
+/// its user needs no SFML, ImGui or Lua; and it lies in include/fettle/<library>/.
+Violations public_header_violations(const SourceTree& tree);
+
+/// A private header is included only by its own part and by tests and benchmarks.
+Violations borrowed_private_headers(const SourceTree& tree);
+
+/// File names are snake_case and name an idea: no utils, helpers, common, misc, manager.
+Violations vague_names(const SourceTree& tree);
+
+/// A file is one idea: at most 500 lines.
+Violations overlong_files(const SourceTree& tree);
+
+/// Headers guard themselves with `#pragma once` and open no namespace for whoever includes them.
+Violations careless_headers(const SourceTree& tree);
+
+/// One file a library knows that there are several versions of it.
+Violations scattered_version_checks(const SourceTree& tree);
+
+/// Work that its author marked as unfinished.
+Violations unfinished_marks(const SourceTree& tree);
+
+}  // namespace fettle::architecture

@@ -1,0 +1,72 @@
+// Every rule of the architecture, held against the project's own sources.
+
+#include <string>
+
+#include "catch.h"
+#include "rules.h"
+
+using namespace fettle::architecture;
+
+namespace {
+
+const SourceTree& project() {
+    static const SourceTree tree = SourceTree::read(FETTLE_SOURCE_DIR);
+    return tree;
+}
+
+std::string listed(const Violations& violations) {
+    std::string text;
+    for (const std::string& violation : violations) text += violation + "\n";
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("the rules see the sources of the project") {
+    CHECK(project().contains("framework/include/fettle/property/tree.h"));
+    CHECK(project().contains("physics/include/fettle/physics/world.h"));
+    CHECK(project().contains("tests/architecture/rules_on_the_project.cpp"));
+    const SourceFile& own = project().files().at("tests/architecture/rules_on_the_project.cpp");
+    REQUIRE(own.includes().size() == 3);
+    CHECK(project().resolve(own, own.includes().back()) == "tests/architecture/rules.h");
+}
+
+TEST_CASE("every file lies in a part of the project") {
+    CHECK(listed(unknown_places(project())) == "");
+}
+
+TEST_CASE("a part includes only the parts and libraries that it may know") {
+    CHECK(listed(forbidden_includes(project())) == "");
+}
+
+TEST_CASE("a part links only the parts and libraries that it may know") {
+    CHECK(listed(forbidden_links(project())) == "");
+}
+
+TEST_CASE("public headers need no header of SFML or ImGui or Lua") {
+    CHECK(listed(public_header_violations(project())) == "");
+}
+
+TEST_CASE("private headers stay in their part") {
+    CHECK(listed(borrowed_private_headers(project())) == "");
+}
+
+TEST_CASE("files are named after what is in them") {
+    CHECK(listed(vague_names(project())) == "");
+}
+
+TEST_CASE("no file is longer than one idea") {
+    CHECK(listed(overlong_files(project())) == "");
+}
+
+TEST_CASE("headers guard themselves and open no namespace") {
+    CHECK(listed(careless_headers(project())) == "");
+}
+
+TEST_CASE("versions of a library are told apart in one place") {
+    CHECK(listed(scattered_version_checks(project())) == "");
+}
+
+TEST_CASE("no unfinished work is marked in the sources") {
+    CHECK(listed(unfinished_marks(project())) == "");
+}

@@ -1,0 +1,155 @@
+// Every rule of the architecture, held against small trees that break it and trees that keep it.
+
+#include <string>
+
+#include "catch.h"
+#include "rules.h"
+
+using namespace fettle::architecture;
+
+namespace {
+
+const std::string property_tree = "framework/include/fettle/property/tree.h";
+const std::string physics_world = "physics/include/fettle/physics/world.h";
+const std::string script_runtime = "framework/include/fettle/script/runtime.h";
+
+/// The violations of `rule` in a tree of a few well-behaved headers and `path` with `text`.
+Violations of(Violations (*rule)(const SourceTree&), const std::string& path,
+              const std::string& text) {
+    std::map<std::string, std::string> texts = {{property_tree, "#pragma once\n"},
+                                                {physics_world, "#pragma once\n"},
+                                                {script_runtime, "#pragma once\n"},
+                                                {"physics/solver/island.h", "#pragma once\n"}};
+    texts[path] = text;
+    return rule(SourceTree(texts));
+}
+
+}  // namespace
+
+TEST_CASE("a part that includes what it may not know is named with file and line") {
+    const Violations found = of(forbidden_includes, "physics/world/world.cpp",
+                                "#include <vector>\n#include <fettle/property/tree.h>\n");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].find("physics/world/world.cpp:2: physics may not include " + property_tree) ==
+          0);
+}
+
+TEST_CASE("property and physics do not know each other") {
+    CHECK(of(forbidden_includes, "framework/property/tree.cpp", "#include <fettle/physics/world.h>")
+              .size() == 1);
+    CHECK(of(forbidden_includes, "physics/module/bodies.cpp",
+             "#include <fettle/physics/world.h>\n#include <fettle/property/tree.h>\n")
+              .empty());
+    CHECK(of(forbidden_includes, "physics/module/bodies.cpp", "#include <fettle/script/runtime.h>")
+              .size() == 1);
+}
+
+TEST_CASE("one part includes Lua and one SFML and one ImGui") {
+    const auto verdict = [](const char* path, const char* header) {
+        return of(forbidden_includes, path, "#include <" + std::string(header) + ">\n").size();
+    };
+    CHECK(verdict("framework/script/runtime.cpp", "lua.h") == 0);
+    CHECK(verdict("framework/script/runtime.cpp", "lua5.4/lauxlib.h") == 0);
+    CHECK(verdict("framework/app/window.cpp", "lua.h") == 1);
+    CHECK(verdict("console/panel.cpp", "lauxlib.h") == 1);
+    CHECK(verdict("framework/app/window.cpp", "SFML/Graphics.hpp") == 0);
+    CHECK(verdict("console/panel.cpp", "SFML/Graphics.hpp") == 1);
+    CHECK(verdict("fettle/run.cpp", "SFML/Window.hpp") == 1);
+    CHECK(verdict("console/panel.cpp", "imgui.h") == 0);
+    CHECK(verdict("console/panel.cpp", "imgui/imgui_internal.h") == 0);
+    CHECK(verdict("framework/app/window.cpp", "imgui.h") == 1);
+    CHECK(verdict("fettle/run.cpp", "CLI/CLI.hpp") == 0);
+    CHECK(verdict("physics/world/world.cpp", "nlohmann/json.hpp") == 1);
+    CHECK(verdict("physics/world/world.cpp", "boost/any.hpp") == 1);
+    CHECK(verdict("physics/world/world.cpp", "Eigen/Core") == 0);
+}
+
+TEST_CASE("an include that denotes no file of the project is an error") {
+    CHECK(of(forbidden_includes, "console/panel.cpp", "#include \"panell.h\"\n").size() == 1);
+    CHECK(of(forbidden_includes, "console/panel.cpp", "#include <fettle/app/no.h>\n").size() == 1);
+}
+
+TEST_CASE("an include in a comment counts for nothing") {
+    CHECK(of(forbidden_includes, "physics/world/world.cpp", "// #include <lua.h>\n").empty());
+}
+
+TEST_CASE("a part that links what it may not know is named") {
+    CHECK(of(forbidden_links, "physics/CMakeLists.txt",
+             "target_link_libraries(fettle_physics PUBLIC Eigen3::Eigen)")
+              .empty());
+    CHECK(of(forbidden_links, "physics/CMakeLists.txt",
+             "target_link_libraries(fettle_physics PUBLIC Fettle::property)")
+              .size() == 1);
+    CHECK(of(forbidden_links, "console/CMakeLists.txt",
+             "target_link_libraries(fettle_console PRIVATE fettle_imgui fettle_sfml) # fettle_lua")
+              .size() == 1);
+    CHECK(of(forbidden_links, "framework/script/CMakeLists.txt",
+             "  PUBLIC Fettle::property\n  PRIVATE fettle_lua\n  PRIVATE sfml-graphics)")
+              .size() == 1);
+}
+
+TEST_CASE("a public header that includes a private or foreign one is named") {
+    const char* path = "physics/include/fettle/physics/body.h";
+    CHECK(of(public_header_violations, path, "#include <fettle/physics/world.h>\n").empty());
+    CHECK(of(public_header_violations, path, "#include <Eigen/Core>\n#include <span>\n").empty());
+    CHECK(of(public_header_violations, path, "#include <lua.h>\n").size() == 1);
+    CHECK(of(public_header_violations, path, "#include <SFML/System.hpp>\n").size() == 1);
+    CHECK(of(public_header_violations, path, "#include \"solver/island.h\"\n").size() == 1);
+    CHECK(of(public_header_violations, "physics/include/body.h", "").size() == 1);
+}
+
+TEST_CASE("a private header used by another part is named") {
+    CHECK(of(borrowed_private_headers, "physics/solver/solve.cpp", "#include \"island.h\"\n")
+              .empty());
+    CHECK(of(borrowed_private_headers, "physics/world/step.cpp", "#include \"solver/island.h\"\n")
+              .empty());
+    CHECK(of(borrowed_private_headers, "console/panel.cpp",
+             "#include \"../physics/solver/island.h\"\n")
+              .size() == 1);
+    CHECK(of(borrowed_private_headers, "examples/pong/main.cpp",
+             "#include \"../../physics/solver/island.h\"\n")
+              .size() == 1);
+}
+
+TEST_CASE("a name that says nothing is named") {
+    CHECK(of(vague_names, "physics/solver/contact_graph.h", "").empty());
+    CHECK(of(vague_names, "console/string_utils.h", "").size() == 1);
+    CHECK(of(vague_names, "framework/helpers/text.h", "").size() == 1);
+    CHECK(of(vague_names, "framework/app/window_manager.cpp", "").size() == 1);
+    CHECK(of(vague_names, "framework/app/WindowTitle.cpp", "").size() == 1);
+    CHECK(of(vague_names, "framework/app/commonwealth.cpp", "").empty());
+}
+
+TEST_CASE("a file of 501 lines is too long") {
+    std::string text;
+    for (int i = 0; i < 500; ++i) text += "int a;\n";
+    CHECK(of(overlong_files, "physics/world/world.cpp", text).empty());
+    CHECK(of(overlong_files, "physics/world/world.cpp", text + "int b;\n").size() == 1);
+}
+
+TEST_CASE("a header without a guard or with an open namespace is named") {
+    const char* path = "console/panel.h";
+    CHECK(of(careless_headers, path, "#pragma once\n    using namespace std;\n").empty());
+    CHECK(of(careless_headers, path, "int a;\n").size() == 1);
+    CHECK(of(careless_headers, path, "#pragma once\nusing namespace std;\n").size() == 1);
+}
+
+TEST_CASE("a second file that asks for a version of a library is named") {
+    const std::string check = "#if SFML_VERSION_MAJOR >= 3\n";
+    SourceTree once({{"framework/app/window.cpp", check}});
+    SourceTree twice({{"framework/app/window.cpp", check}, {"framework/app/sound.cpp", check}});
+    CHECK(scattered_version_checks(once).empty());
+    CHECK(scattered_version_checks(twice).size() == 1);
+}
+
+TEST_CASE("a mark of unfinished work is named with file and line") {
+    const std::string mark = std::string("TO") + "DO";
+    CHECK(of(unfinished_marks, "physics/world/world.cpp", "int a;  // " + mark + ": b\n") ==
+          Violations{"physics/world/world.cpp:1: unfinished: int a;  // " + mark + ": b"});
+    CHECK(of(unfinished_marks, "physics/world/world.cpp", "int " + mark + "s;\n").empty());
+}
+
+TEST_CASE("a file outside every part is named") {
+    CHECK(of(unknown_places, "framework/drawing/pen.cpp", "").size() == 1);
+    CHECK(of(unknown_places, "tests/physics/friction.cpp", "").empty());
+}
