@@ -1,0 +1,48 @@
+#pragma once
+// The list of candidates under the prompt: opened by Tab, narrowed while one types on.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fettle/script/runtime.h>
+
+namespace fettle::console {
+
+class CompletionMenu {
+  public:
+    struct Candidate {
+        script::Completion completion;
+        std::vector<std::size_t> matched;  // bytes of the label that were typed
+        int score = 0;
+    };
+
+    bool open() const { return open_; }
+    void close() { open_ = false; }
+    /// Shows these; closes when there are none.
+    void show(std::vector<script::Completion> completions, std::string_view input,
+              std::size_t cursor);
+    /// Narrows what is shown to what still matches after more was typed.
+    void narrow(std::string_view input, std::size_t cursor);
+
+    const std::vector<Candidate>& candidates() const { return candidates_; }
+    std::size_t selected() const { return selected_; }
+    const script::Completion& selection() const { return candidates_[selected_].completion; }
+    void select(std::size_t index);
+    /// By so many rows, around the ends.
+    void step(std::ptrdiff_t rows);
+    void page(std::ptrdiff_t rows);  // stops at the ends
+
+    /// The text all candidates begin with, if all replace from the same place.
+    std::string common_prefix() const;
+
+  private:
+    void keep_matching(std::string_view input, std::size_t cursor);
+
+    std::vector<Candidate> candidates_;
+    std::size_t selected_ = 0;
+    bool open_ = false;
+};
+
+}  // namespace fettle::console

@@ -1,0 +1,25 @@
+#pragma once
+// What the console needs of whoever understands its commands.
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include <fettle/property/value.h>
+#include <fettle/script/runtime.h>
+
+namespace fettle::console {
+
+/// Missing functions do nothing. See script::Runtime for what each must do.
+struct Interpreter {
+    std::function<script::Evaluation(std::string_view command)> evaluate{};
+    std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>
+        complete{};
+    std::function<void(property::Handle instance)> set_it{};
+};
+
+/// The runtime must outlive it.
+Interpreter interpreter_of(script::Runtime& runtime);
+
+}  // namespace fettle::console

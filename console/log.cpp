@@ -1,0 +1,65 @@
+#include "log.h"
+
+#include <algorithm>
+
+#include "highlight.h"
+#include "utf8.h"
+
+namespace fettle::console {
+
+void Log::push(LineKind kind, std::string text) {
+    if (text.size() > max_line_bytes) {
+        std::size_t whole = text.size();
+        text.resize(code_point_boundary(text, max_line_bytes));
+        text += " … (" + std::to_string(whole) + " bytes)";
+    }
+    lines_.push_back({kind, std::move(text)});
+    if (lines_.size() > max_lines) {
+        lines_.pop_front();
+        ++dropped_;
+    }
+}
+
+void Log::add(LineKind kind, std::string_view text) {
+    std::string clean = clean_text(text);
+    std::size_t begin = 0;
+    for (;;) {
+        std::size_t end = clean.find('\n', begin);
+        if (end == std::string::npos) break;
+        push(kind, clean.substr(begin, end - begin));
+        begin = end + 1;
+        if (kind == LineKind::command) kind = LineKind::continuation;
+    }
+    // A text that ends with a newline has no further, empty line.
+    if (begin < clean.size() || begin == 0) push(kind, clean.substr(begin));
+}
+
+void Log::command(std::string_view text) {
+    add(LineKind::command, text);
+}
+
+void Log::error(const script::ScriptError& error) {
+    add(LineKind::error, error.message);
+    if (!error.source_line.empty()) {
+        std::string source = clean_text(error.source_line);
+        std::replace(source.begin(), source.end(), '\n', ' ');
+        Span span = error_span(source, error.message);
+        std::size_t before = code_point_count(std::string_view(source).substr(0, span.begin));
+        std::size_t length =
+            code_point_count(std::string_view(source).substr(span.begin, span.end - span.begin));
+        push(LineKind::source, source);
+        push(LineKind::caret,
+             std::string(before, ' ') + std::string(std::max<std::size_t>(length, 1), '^'));
+    }
+    // One frame is the line shown above.
+    if (std::count(error.traceback.begin(), error.traceback.end(), '\n') > 1)
+        add(LineKind::trace, error.traceback);
+}
+
+void Log::clear() {
+    dropped_ += lines_.size();
+    lines_.clear();
+    ++clearings_;
+}
+
+}  // namespace fettle::console

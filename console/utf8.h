@@ -1,0 +1,30 @@
+#pragma once
+// Stepping through UTF-8 by code points. Offsets are bytes; text that is not UTF-8 never leads
+// outside the string.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace fettle::console {
+
+inline bool continuation_byte(char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
+
+/// Offset of the code point after the one at `offset`.
+std::size_t next_code_point(std::string_view text, std::size_t offset);
+/// Offset of the code point before `offset`.
+std::size_t previous_code_point(std::string_view text, std::size_t offset);
+/// The nearest boundary at or before `offset`.
+std::size_t code_point_boundary(std::string_view text, std::size_t offset);
+std::size_t code_point_count(std::string_view text);
+/// Offset of the code point number `index` (from 0), or the length when there are fewer.
+std::size_t code_point_offset(std::string_view text, std::size_t index);
+void append_code_point(std::string& text, char32_t character);
+
+/// Text from outside made fit for one of our lines: line ends become "\n", tabs two spaces, other
+/// control characters vanish, what is not UTF-8 becomes U+FFFD.
+std::string clean_text(std::string_view text);
+
+}  // namespace fettle::console
