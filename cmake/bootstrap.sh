@@ -76,12 +76,14 @@ apt_progress() {
         $1 == "pmstatus" { progress("installing packages", int($3), 100) }'
 }
 
+is_root() { [[ $(id -u) == 0 ]]; }
+
 # Runs apt-get as root with its own output in a file and its progress as plain lines.
 run_apt() {
     local log=$1 status=0
     shift
     local as_root=()
-    ((EUID == 0)) || as_root=(sudo -n)
+    is_root || as_root=(sudo -n)
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o APT::Status-Fd=1 \
         -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 -y --no-install-recommends "$@" \
         </dev/null 2>>"$log" | tee -a "$log" | apt_progress || status=$?
@@ -101,7 +103,7 @@ ensure_packages() {
     ((${#missing[@]})) || return 0
 
     local may_install=0
-    if ((EUID == 0)) || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; then
+    if is_root || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; then
         may_install=1
     fi
     if ((!may_install)); then

@@ -1,0 +1,273 @@
+#!/usr/bin/env bash
+# The behavior of `play`, `check` and cmake/bootstrap.sh. Each case_* function is one test; CTest runs
+# `commands.sh NAME`. A case works on a copy of the commands in a small project whose path has a space,
+# with a dpkg-query, apt-get, apt-cache, id, sudo and xvfb-run that only pretend and write down what was asked.
+set -euo pipefail
+
+repository=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+project="$work/a project"
+fakes=$work/fakes
+asked=$work/asked
+installed=$work/installed
+known=$work/known
+
+pretend() {
+    cat >"$fakes/$1"
+    chmod +x "$fakes/$1"
+}
+
+set_up() {
+    mkdir -p "$project/cmake" "$project/tests" "$fakes"
+    touch "$asked" "$installed" "$known"
+    cp "$repository/play" "$repository/check" "$repository/CMakePresets.json" "$project/"
+    cp "$repository/cmake/bootstrap.sh" "$project/cmake/"
+    cat >"$project/cmake/packages.txt" <<'LIST'
+# a comment
+build  compiler
+build  new-name | old-name  # renamed
+play   driver
+display screen
+bench  rival
+test   driver
+LIST
+    printf '%s\n' compiler new-name driver screen rival | tee "$known" >"$installed"
+
+    pretend dpkg-query <<<"#!/bin/sh
+sed 's/^/installed /' '$installed'"
+    pretend apt-cache <<<"#!/bin/sh
+for name; do :; done
+grep -qx -- \"\$name\" '$known'"
+    pretend apt-get <<<"#!/bin/sh
+echo \"apt-get \$*\" >>'$asked'
+case \" \$* \" in
+*' update '*) [ ! -e '$work/newer' ] || cp '$work/newer' '$known' ;;
+*' install '*)
+    [ ! -e '$work/stale' ] || { rm '$work/stale'; echo 'E: 404 not found' >&2; exit 100; }
+    echo dlstatus:1:50:half; echo pmstatus:compiler:100:done ;;
+esac"
+    pretend id <<<"#!/bin/sh
+cat '$work/user'"
+    echo 0 >"$work/user"
+    pretend sudo <<<"#!/bin/sh
+[ -e '$work/sudo' ] || exit 1
+echo sudo >>'$asked'
+shift
+exec \"\$@\""
+    pretend xvfb-run <<<"#!/bin/sh
+echo \"xvfb-run \$*\" >>'$asked'"
+
+    # A program that repeats its arguments, and three tests with the three possible ends.
+    mkdir "$project/scripts"
+    cat >"$project/CMakeLists.txt" <<'PROJECT'
+cmake_minimum_required(VERSION 3.25)
+project(Small LANGUAGES NONE)
+enable_testing()
+file(WRITE "${CMAKE_BINARY_DIR}/bin/fettle" "#!/bin/sh\nfor a; do echo \"[$a]\"; done\npwd\nexit 7\n")
+file(CHMOD "${CMAKE_BINARY_DIR}/bin/fettle" PERMISSIONS OWNER_READ OWNER_EXECUTE)
+add_custom_target(fettle)
+add_custom_target(fettle-bench)
+add_test(NAME "it works" COMMAND true)
+if(EXISTS "${CMAKE_SOURCE_DIR}/broken")
+  add_test(NAME "a < b & \"c\"" COMMAND false)
+  add_test(NAME "gone" COMMAND no-such-program)
+  add_test(NAME "not here" COMMAND sh -c "exit 4")
+  set_tests_properties("not here" PROPERTIES SKIP_RETURN_CODE 4)
+endif()
+PROJECT
+    mkdir "$project/framework" "$project/physics" "$project/console" "$project/fettle" \
+        "$project/bench" "$project/examples"
+    export PATH="$fakes:$PATH" DISPLAY=:77
+    unset WAYLAND_DISPLAY
+}
+
+# run COMMAND...: its output in $output, its exit status in $status.
+run() {
+    status=0
+    output=$("$@" 2>&1 </dev/null) || status=$?
+}
+
+wrong() {
+    printf 'wrong: %s\n--- status %s, output:\n%s\n--- asked of the tools:\n' "$1" "$status" "$output"
+    cat "$asked"
+    exit 1
+}
+expect_status() { [[ $status == "$1" ]] || wrong "the status should be $1"; }
+expect_output() { [[ $output == *"$1"* ]] || wrong "the output should contain: $1"; }
+expect_asked() { grep -qF -- "$1" "$asked" || wrong "this should have been asked: $1"; }
+expect_not_asked() { ! grep -qF -- "$1" "$asked" || wrong "this should not have been asked: $1"; }
+last_line() { tail -n 1 <<<"$output"; }
+
+case_nothing_missing_means_no_word_to_apt() {
+    run "$project/check"
+    expect_status 0
+    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+}
+
+case_root_installs_only_what_is_missing() {
+    printf '%s\n' compiler new-name driver rival >"$installed"
+    run "$project/check"
+    expect_status 0
+    expect_output "installing 1 missing packages: screen"
+    expect_asked "--no-install-recommends install screen"
+    expect_not_asked compiler
+    expect_not_asked update
+    expect_not_asked sudo
+}
+
+case_sudo_without_a_password_installs() {
+    echo 1000 >"$work/user"
+    touch "$work/sudo"
+    echo compiler >"$installed"
+    run "$project/play" --build
+    expect_status 0
+    expect_asked sudo
+    expect_asked "install driver new-name rival"
+}
+
+case_without_root_the_one_line_to_run_is_printed() {
+    echo 1000 >"$work/user"
+    echo compiler >"$installed"
+    run "$project/play"
+    expect_status 2
+    expect_output "sudo apt-get update && sudo apt-get install -y --no-install-recommends driver new-name"
+    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+}
+
+case_any_installed_alternative_will_do() {
+    printf '%s\n' compiler old-name driver screen rival >"$installed"
+    run "$project/check"
+    expect_status 0
+    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+}
+
+case_the_first_alternative_that_apt_knows_is_installed() {
+    printf '%s\n' compiler old-name driver screen rival >"$known"
+    printf '%s\n' compiler driver screen rival >"$installed"
+    run "$project/check"
+    expect_status 0
+    expect_asked "install old-name"
+}
+
+case_missing_package_lists_are_read_first() {
+    cp "$known" "$work/newer"
+    : >"$known"
+    : >"$installed"
+    run "$project/play" --build
+    expect_status 0
+    [[ $(head -n 1 "$asked") == *" update" ]] || wrong "the lists should have been read first"
+    expect_asked "install compiler driver new-name rival"
+}
+
+case_outdated_package_lists_are_read_anew() {
+    : >"$installed"
+    touch "$work/stale"
+    run "$project/play" --build
+    expect_status 0
+    expect_asked " update"
+    (($(grep -c " install " "$asked") == 2)) || wrong "it should have been tried twice"
+}
+
+case_what_apt_says_is_shown_when_it_fails() {
+    : >"$installed"
+    pretend apt-get <<<"#!/bin/sh
+echo 'E: no space left' >&2
+exit 100"
+    run "$project/check"
+    expect_status 2
+    expect_output "E: no space left"
+}
+
+case_elsewhere_than_debian_the_packages_are_listed() {
+    # Only these tools: no dpkg-query, no apt-get.
+    mkdir "$work/tools"
+    local tool
+    for tool in bash sh cat sed sort awk grep dirname basename readlink mkdir nproc env cmake ninja true; do
+        ln -s "$(command -v "$tool")" "$work/tools/$tool"
+    done
+    PATH=$work/tools run "$project/play" --build
+    expect_status 0
+    expect_output "compiler"
+    expect_output "new-name|old-name"
+}
+
+case_play_hands_its_arguments_to_fettle_run() {
+    mkdir "$work/elsewhere"
+    cd "$work/elsewhere"
+    run "$project/play" "my game" --seed 3
+    expect_status 7
+    expect_output $'[run]\n[my game]\n[--seed]\n[3]\n'"$work/elsewhere"
+}
+
+case_play_alone_opens_the_showcase() {
+    run "$project/play"
+    expect_output $'[run]\n['"$project/scripts/showcase]"
+}
+
+case_play_without_a_display_leaves_a_picture() {
+    unset DISPLAY
+    run "$project/play"
+    expect_status 0
+    expect_output "no display"
+    expect_output "$project/build/showcase.png"
+    expect_asked "run $project/scripts/showcase --screenshot $project/build/showcase.png --steps 240"
+}
+
+case_play_runs_a_headless_game_without_a_display() {
+    unset DISPLAY
+    run "$project/play" game.lua --headless --steps 3
+    expect_status 7
+    expect_not_asked xvfb-run
+    expect_output $'[game.lua]\n[--headless]\n[--steps]\n[3]'
+}
+
+case_a_build_folder_from_another_place_is_made_anew() {
+    run "$project/check"
+    expect_status 0
+    mv "$project" "$work/moved"
+    project=$work/moved
+    run "$project/check"
+    expect_status 0
+    expect_output "configuring it anew"
+}
+
+case_the_summary_names_what_failed() {
+    touch "$project/broken"
+    run "$project/check"
+    expect_status 1
+    expect_output 'FAILED   a < b & "c"'
+    expect_output "FAILED   gone"
+    expect_output "skipped  not here"
+    [[ $(last_line) =~ ^[12]\ passed,\ 2\ failed,\ [12]\ skipped$ ]] || wrong "the last line is the count"
+}
+
+case_a_broken_build_fails_the_check() {
+    echo 'message(FATAL_ERROR "no such library")' >>"$project/CMakeLists.txt"
+    run "$project/check"
+    expect_status 1
+    expect_output "no such library"
+    expect_output "FAILED   build"
+    [[ $(last_line) =~ passed,\ 1\ failed ]] || wrong "the last line is the count"
+    run "$project/play" --build
+    expect_status 1
+}
+
+case_a_name_selects_tests() {
+    touch "$project/broken"
+    run "$project/check" works
+    expect_status 0
+    [[ $(last_line) == "1 passed, 0 failed" ]] || wrong "one test matches"
+    run "$project/check" nonsense
+    expect_status 1
+    expect_output "no test matches nonsense"
+}
+
+case_an_unknown_option_is_bad_usage() {
+    run "$project/check" --fast
+    expect_status 2
+    expect_output "unknown option --fast"
+}
+
+set_up
+"$1"
