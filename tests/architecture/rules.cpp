@@ -21,12 +21,13 @@ struct Part {
 };
 
 // The table of the architecture page. Storage is the part of the property tree that touches files;
-// the outside libraries follow from "the only place that includes ...".
+// the outside libraries follow from "the only place that includes ...". The two libraries that are
+// to run anywhere, property and physics, do without the operating system's own headers.
 const std::vector<Part>& parts() {
     static const std::vector<Part> table = {
         {"property", {"framework/property", "framework/include/fettle/property"}, {}, {"Eigen"}},
         {"storage",
-         {"framework/property/storage", "framework/include/fettle/storage"},
+         {"framework/property/storage", "framework/include/fettle/property/storage"},
          {"property"},
          {"Eigen", "JSON", "SQLite", "POSIX"}},
         {"physics", {"physics", "physics/include/fettle/physics"}, {}, {"Eigen"}},
@@ -41,7 +42,7 @@ const std::vector<Part>& parts() {
         {"script",
          {"framework/script", "framework/include/fettle/script"},
          {"property", "storage"},
-         {"Eigen", "Lua"}},
+         {"Eigen", "Lua", "POSIX"}},
         {"app",
          {"framework/app", "framework/include/fettle/app"},
          {"script", "property", "storage"},
@@ -49,7 +50,7 @@ const std::vector<Part>& parts() {
         {"console",
          {"console", "console/include/fettle/console"},
          {"app", "script", "property", "storage"},
-         {"Eigen", "ImGui"}},
+         {"Eigen", "ImGui", "POSIX"}},
         {"fettle",
          {"fettle"},
          {"property", "storage", "physics", "module", "physics_module", "script", "app", "console"},
