@@ -1,1 +1,403 @@
-namespace{}
+// Classes and instances of a tree: who there is, where they hang, how they come and go.
+
+#include <fettle/property/tree.h>
+
+#include <algorithm>
+
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "state.h"
+
+namespace fettle::property {
+
+Tree::Tree() : state_(std::make_unique<State>(*this)) {
+    state_->define_object();
+    ClassDescriptor game;
+    game.name = "Game";
+    game.doc =
+        "The root of the tree: its children are the services and whatever a game puts beside them.";
+    game.creatable = false;
+    const Class& game_class = define(std::move(game));
+    const std::uint32_t index = state_->make(game_class, 0, NodeName::make("game"), true);
+    state_->root = state_->nodes.handle(index);
+}
+
+Tree::~Tree() {
+    // Modules may still be alive and own rows: they are told, children first.
+    State& s = *state_;
+    s.ending = true;
+    for (std::uint32_t i = 1; i < s.nodes.end(); ++i)
+        if (s.nodes[i].alive && s.nodes[i].parent == 0) destroy(s.nodes.handle(i));
+}
+
+void Tree::State::define_object() {
+    ClassDescriptor object;
+    object.name = "Object";
+    object.base = "";
+    object.doc = "A plain node: a place for children and for properties of your own.";
+    Property name{.name = "name",
+                  .type = Type::text,
+                  .doc = "What its parent calls it: the last part of its path."};
+    name.transient = true;
+    name.binding.kind = BindingKind::node;
+    name.binding.node_get = [](void*, const Tree& in, Handle self) { return Value(in.name(self)); };
+    name.binding.node_set = [](void*, Tree& in, Handle self, const Value& v) {
+        in.rename(self, v.text());
+    };
+    Property of{.name = "class", .type = Type::text, .doc = "The name of its class."};
+    of.read_only = of.transient = true;
+    of.binding.kind = BindingKind::node;
+    of.binding.node_get = [](void*, const Tree& in, Handle self) {
+        return Value(in.class_of(self).name());
+    };
+    Property parent{
+        .name = "parent", .type = Type::reference, .doc = "The instance it hangs under."};
+    parent.transient = true;
+    parent.binding.kind = BindingKind::node;
+    parent.binding.node_get = [](void*, const Tree& in, Handle self) {
+        return Value(in.parent(self));
+    };
+    parent.binding.node_set = [](void*, Tree& in, Handle self, const Value& v) {
+        in.move(self, v.reference());
+    };
+    object.properties = {name, of, parent};
+    object.events = {
+        Event{.name = "ready", .doc = "It has been made, with all its properties and children."},
+        Event{.name = "deleted",
+              .fields = {{.name = "path", .type = Type::text, .doc = "Where it was."},
+                         {.name = "cause",
+                          .type = Type::text,
+                          .doc = "Who deleted it, and at which step."}},
+              .doc = "It was deleted; its handle is dead."},
+    };
+    const Class& defined = tree.define(std::move(object));
+    ready_event = defined.event("ready");
+    deleted_event = defined.event("deleted");
+}
+
+// --- Classes
+// ---------------------------------------------------------------------------------------------------------
+
+const Class& Tree::define(ClassDescriptor descriptor) {
+    Class& made = state_->classes.define(std::move(descriptor));
+    state_->stored.push_back(made.stored_.empty() ? nullptr
+                                                  : std::make_unique<StoredColumns>(made));
+    for (const Property& property : made.own_properties_)
+        property.interest = state_->watchers.interest(property, &made);
+    return made;
+}
+
+const Class* Tree::find_class(std::string_view name) const {
+    return state_->classes.find(name);
+}
+
+const Class& Tree::class_named(std::string_view name) const {
+    if (const Class* found = find_class(name)) return *found;
+    throw Error(ErrorKind::unknown_name, "no class is called \"" + std::string(name) + "\"" +
+                                             suggestion(name, state_->classes.names()));
+}
+
+std::vector<const Class*> Tree::classes() const {
+    std::vector<const Class*> all;
+    for (std::uint32_t i = 0; i < state_->classes.size(); ++i) all.push_back(&state_->classes[i]);
+    return all;
+}
+
+const Class& Tree::object_class() const {
+    return state_->classes[0];
+}
+
+// --- Instances
+// -------------------------------------------------------------------------------------------------------
+
+Handle Tree::root() const {
+    return state_->root;
+}
+
+void Tree::State::check_child_name(Handle parent, std::string_view name) const {
+    const std::string quoted = "\"" + std::string(name) + "\"";
+    if (name.empty()) throw Error(ErrorKind::bad_name, "the name of an instance cannot be empty");
+    if (!parent) return;
+    const Class& above = tree.class_of(parent);
+    if (above.property(name) != nullptr)
+        throw Error(ErrorKind::bad_name, tree.path(parent) + ": a child cannot be called " +
+                                             quoted + ", which is a property of " + above.name());
+    if (above.method(name) != nullptr)
+        throw Error(ErrorKind::bad_name, tree.path(parent) + ": a child cannot be called " +
+                                             quoted + ", which is a method of " + above.name());
+    if (tree.child(parent, name))
+        throw Error(ErrorKind::bad_name, tree.path(parent) + " has a child " + quoted + " already");
+    if (tree.find(parent, name) != nullptr)
+        throw Error(ErrorKind::bad_name,
+                    tree.path(parent) + ": " + quoted + " is a property there; remove it first");
+}
+
+std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName name, bool named) {
+    const std::uint32_t index = nodes.allocate();
+    nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
+    nodes[index].named = named;
+    nodes.link(index, parent, name);
+    const Handle self = nodes.handle(index);
+    if (stored[of.id_]) {
+        const std::uint32_t row = stored[of.id_]->add();
+        nodes[index].stored_row = row;
+    }
+    const Lifecycle& lifecycle = of.lifecycle();
+    if (lifecycle.create) {
+        const Row row = lifecycle.create(lifecycle.context, tree, self);
+        nodes[index].row = row;
+    }
+    if (lifecycle.place && parent != 0) {
+        const Row row = lifecycle.place(lifecycle.context, tree, self, nodes[index].row);
+        nodes[index].row = row;
+    }
+    for (const Property* property : of.initial_)
+        write(index, nodes[index], *property, property->default_value);
+    if (watchers.any_broad()) shadows.refresh(tree, watchers, self);
+    if (watchers.any_created())
+        queue_item({.kind = QueueItem::Kind::created,
+                    .what = Existence{.instance = self,
+                                      .instance_class = &of,
+                                      .path = {},
+                                      .cause = tree.cause(),
+                                      .last_values = {}},
+                    .recipients = {}});
+    return index;
+}
+
+Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
+    State& s = *state_;
+    if (parent) s.require(parent);
+    if (!name.empty()) s.check_child_name(parent, name);
+    NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
+    if (name.empty() && parent)
+        chosen = s.nodes.free_name(parent.index, instance_class.stem(), false);
+    return s.nodes.handle(s.make(instance_class, parent.index, chosen, !name.empty()));
+}
+
+void Tree::State::visit_below(std::uint32_t top,
+                              const std::function<void(std::uint32_t)>& visit) const {
+    // Without recursion: a chain of a million parents is no reason to run out of stack.
+    std::uint32_t index = top;
+    while (index != 0) {
+        const std::uint32_t here = index;
+        visit(here);
+        if (nodes[here].first_child != 0) {
+            index = nodes[here].first_child;
+            continue;
+        }
+        while (index != top && nodes[index].next == 0) index = nodes[index].parent;
+        if (index == top) return;
+        index = nodes[index].next;
+    }
+}
+
+void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) const {
+    state_->require(top);
+    std::vector<Handle> all;
+    state_->visit_below(top.index,
+                        [&](std::uint32_t i) { all.push_back(state_->nodes.handle(i)); });
+    for (const Handle handle : all)
+        if (alive(handle)) visit(handle);
+}
+
+void Tree::State::destroy_one(std::uint32_t index) {
+    const Handle self = nodes.handle(index);
+    const Class& of = classes[nodes[index].class_id];
+    const std::string path = tree.path(self);
+    queue_deletion(self, of, path);
+    tombstones.push_back({self, path, tree.cause()});
+    if (tombstones.size() > 8192) tombstones.pop_front();
+    shadows.forget(tree, self);
+    const Lifecycle& lifecycle = of.lifecycle();
+    if (lifecycle.destroy) lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
+    if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
+    if (nodes[index].has_ad_hoc) ad_hoc.erase(index);
+    nodes.unlink(index);
+    nodes.release(index);
+}
+
+void Tree::destroy(Handle instance) {
+    State& s = *state_;
+    s.require(instance);
+    if (instance == s.root && !s.ending)
+        throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
+    std::vector<std::uint32_t> order;
+    s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
+    for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);
+}
+
+bool Tree::alive(Handle instance) const {
+    return state_->nodes.find(instance) != nullptr;
+}
+void Tree::require(Handle instance) const {
+    state_->require(instance);
+}
+
+void Tree::State::throw_deleted(Handle handle) const {
+    if (!handle) throw Error(ErrorKind::deleted, "no instance: the reference is empty");
+    for (auto t = tombstones.rbegin(); t != tombstones.rend(); ++t)
+        if (t->handle == handle)
+            throw Error(ErrorKind::deleted,
+                        t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
+                            (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
+                                                    : t->cause.where));
+    throw Error(ErrorKind::deleted, "the instance was deleted");
+}
+
+const Class& Tree::class_of(Handle instance) const {
+    return state_->classes[state_->require(instance).class_id];
+}
+Row Tree::row(Handle instance) const {
+    return state_->require(instance).row;
+}
+void Tree::set_row(Handle instance, Row row) {
+    state_->require(instance).row = row;
+}
+
+Handle Tree::parent(Handle instance) const {
+    return state_->nodes.handle(state_->require(instance).parent);
+}
+Handle Tree::first_child(Handle instance) const {
+    return state_->nodes.handle(state_->require(instance).first_child);
+}
+Handle Tree::next_sibling(Handle instance) const {
+    return state_->nodes.handle(state_->require(instance).next);
+}
+
+std::vector<Handle> Tree::children(Handle instance) const {
+    std::vector<Handle> all;
+    for (std::uint32_t i = state_->require(instance).first_child; i != 0; i = state_->nodes[i].next)
+        all.push_back(state_->nodes.handle(i));
+    return all;
+}
+
+std::size_t Tree::child_count(Handle instance) const {
+    std::size_t count = 0;
+    for (std::uint32_t i = state_->require(instance).first_child; i != 0; i = state_->nodes[i].next)
+        ++count;
+    return count;
+}
+
+Handle Tree::child(Handle instance, std::string_view name) const {
+    state_->require(instance);
+    return state_->nodes.handle(state_->nodes.child(instance.index, NodeName::look_up(name)));
+}
+
+bool Tree::is_below(Handle instance, Handle ancestor) const {
+    for (std::uint32_t i = state_->require(instance).parent; i != 0; i = state_->nodes[i].parent)
+        if (i == ancestor.index) return alive(ancestor);
+    return false;
+}
+
+std::size_t Tree::size() const {
+    return state_->nodes.alive();
+}
+
+std::string Tree::name(Handle instance) const {
+    return state_->require(instance).name.text();
+}
+
+std::string Tree::path(Handle instance) const {
+    const State& s = *state_;
+    s.require(instance);
+    if (instance == s.root) return "game";
+    std::vector<std::uint32_t> chain;
+    std::uint32_t top = instance.index;
+    for (; s.nodes[top].parent != 0; top = s.nodes[top].parent) chain.push_back(top);
+    std::string path = top == s.root.index ? "" : "(detached " + s.nodes[top].name.text() + ")";
+    for (auto i = chain.rbegin(); i != chain.rend(); ++i)
+        path += path_suffix(s.nodes[*i].name.text());
+    if (path.front() == '.') return path.substr(1);
+    return path.front() == '[' ? "game" + path : path;
+}
+
+void Tree::rename(Handle instance, std::string_view name) {
+    State& s = *state_;
+    Node& node = s.require(instance);
+    if (node.name.text() == name) return;
+    if (instance == s.root)
+        throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
+    const std::uint32_t parent = node.parent;
+    s.check_child_name(s.nodes.handle(parent), name);
+    const Value old_name = this->name(instance);
+    const NodeName made = NodeName::make(name);
+    if (parent == 0) {
+        node.name = made;
+    } else {
+        // Renaming keeps the place among the siblings: unlink, link, then rotate the others behind
+        // it.
+        std::vector<std::uint32_t> behind;
+        for (std::uint32_t i = node.next; i != 0; i = s.nodes[i].next) behind.push_back(i);
+        s.nodes.unlink(instance.index);
+        s.nodes.link(instance.index, parent, made);
+        for (const std::uint32_t i : behind) {
+            const NodeName kept = s.nodes[i].name;
+            s.nodes.unlink(i);
+            s.nodes.link(i, parent, kept);
+        }
+    }
+    s.nodes[instance.index].named = true;
+    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
+}
+
+void Tree::State::place_subtree(Handle top) {
+    tree.each_below(top, [this](Handle handle) {
+        const Class& of = tree.class_of(handle);
+        if (!of.lifecycle().place) return;
+        const Row row =
+            of.lifecycle().place(of.lifecycle().context, tree, handle, nodes[handle.index].row);
+        if (Node* node = nodes.find(handle)) node->row = row;
+    });
+}
+
+void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
+    State& s = *state_;
+    const Node& node = s.require(instance);
+    if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
+    if (new_parent) {
+        s.require(new_parent);
+        if (new_parent == instance || is_below(new_parent, instance))
+            throw Error(
+                ErrorKind::bad_structure,
+                path(instance) + " cannot be moved below itself (" + path(new_parent) + ")");
+    }
+    NodeName chosen = node.name;
+    if (!name.empty()) {
+        if (s.nodes.child(new_parent.index, NodeName::look_up(name)) != instance.index ||
+            !new_parent)
+            s.check_child_name(new_parent, name);
+        chosen = NodeName::make(name);
+    } else if (new_parent && node.parent != new_parent.index) {
+        const bool taken = !node.named || s.nodes.child(new_parent.index, node.name) != 0 ||
+                           find(new_parent, node.name.text()) != nullptr ||
+                           class_of(new_parent).method(node.name.text()) != nullptr;
+        if (taken)
+            chosen = s.nodes.free_name(
+                new_parent.index, node.named ? node.name.base.text() : class_of(instance).stem(),
+                first_plain);
+    } else if (node.parent == new_parent.index) {
+        return;
+    }
+    const bool named = node.named || !name.empty();
+    s.nodes.unlink(instance.index);
+    s.nodes.link(instance.index, new_parent.index, chosen);
+    s.nodes[instance.index].named = named;
+    s.edited = true;
+    s.place_subtree(instance);
+    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
+}
+
+void Tree::draw(Handle top, Painter& painter, double alpha) const {
+    const State& s = *state_;
+    s.require(top);
+    s.visit_below(top.index, [&](std::uint32_t i) {
+        const Lifecycle& lifecycle = s.classes[s.nodes[i].class_id].lifecycle();
+        if (lifecycle.draw)
+            lifecycle.draw(lifecycle.context, *this, s.nodes.handle(i), s.nodes[i].row, painter,
+                           alpha);
+    });
+}
+
+}  // namespace fettle::property

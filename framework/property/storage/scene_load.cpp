@@ -190,6 +190,9 @@ class SceneLoader {
             if (key == "class" || (key == version_key && parent == none)) continue;
             if (key == "name") {
                 instance.name = &of_kind(*member, Kind::text);
+                if (document_.text(*member).empty()) {
+                    fail(ErrorKind::bad_name, member->begin, "a name cannot be empty");
+                }
             } else if (key == "properties") {
                 instance.properties = &of_kind(*member, Kind::object);
             } else if (key == "ad_hoc") {
@@ -266,7 +269,8 @@ class SceneLoader {
             now_ = instance.node;
             const bool top = instance.parent == none;
             const Handle parent = top ? Handle{} : instances_[instance.parent].handle;
-            const std::string name = top                        ? top_name()
+            // Unnamed, the tree numbers it.
+            const std::string name = top && !name_.empty()      ? name_
                                      : instance.name != nullptr ? document_.text(*instance.name)
                                                                 : std::string();
             const std::size_t offset =
@@ -317,6 +321,11 @@ class SceneLoader {
         if (names_instance(document_, node, type, property.element) != references) return;
         now_ = &node;
         try {
+            if (property.binding.kind == BindingKind::node && property.transient) {
+                throw Error(ErrorKind::read_only,
+                            "is told by the keys of the instance and by where it stands, not as a "
+                            "property");
+            }
             tree_.set(instance.handle, property,
                       read_value(document_, node, type, property.element, resolve_));
         } catch (const SceneError& e) {

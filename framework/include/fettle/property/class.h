@@ -6,11 +6,13 @@
 // Whoever computes with a value owns its memory. A property's binding says where that memory is:
 //   column    in an array of the module's own, at a fixed stride
 //   accessor  behind a getter and a setter of the module's own
+//   node      computed from the tree itself (a name, a list of references)
 //   stored    nobody else wants it: the tree keeps it, in typed columns of the class
 //   ad_hoc    added to one instance by a user; the tree keeps it beside the instance
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <span>
 #include <string>
@@ -27,6 +29,9 @@ namespace fettle::property {
 
 class Tree;
 class Class;
+class ClassRegistry;
+class Shadows;
+class StoredColumns;
 
 /// A module's own number for one of its objects: an array index, or whatever the module encodes in
 /// 32 bits.
@@ -46,7 +51,7 @@ struct Range {
 /// enumerators.
 enum class Native : std::uint8_t { f32, f64, i32, i64, boolean, vec2f, vec2d, color, enumeration };
 
-enum class BindingKind : std::uint8_t { stored, column, accessor, ad_hoc };
+enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc };
 
 struct Binding {
     BindingKind kind = BindingKind::stored;
@@ -62,6 +67,10 @@ struct Binding {
     // reason in the error.
     Value (*get)(void* context, Row row) = nullptr;
     void (*set)(void* context, Row row, const Value& value) = nullptr;
+
+    // node: as accessor, for values that live in the tree's own structure.
+    Value (*node_get)(void* context, const Tree& tree, Handle self) = nullptr;
+    void (*node_set)(void* context, Tree& tree, Handle self, const Value& value) = nullptr;
 
     // Optional. `reset` gives the value back to its owner (a mass to be computed from density
     // again) instead of writing the default; `overridden` tells whether the value differs from what
@@ -160,6 +169,7 @@ struct Event {
     std::string doc{};
     Symbol symbol{};
     const Class* owner = nullptr;
+    mutable std::uint32_t listeners = 0;
 };
 
 /// Called by the tree as instances of the class come, move and go. All optional.
@@ -225,9 +235,12 @@ class Class {
   private:
     friend class Tree;
     friend class ClassRegistry;
+    friend class Shadows;
+    friend class StoredColumns;
     Class() = default;
 
     ClassDescriptor descriptor_;
+    std::deque<Property> own_properties_;
     const Class* base_ = nullptr;
     const Lifecycle* lifecycle_ = nullptr;
     std::vector<const Property*> properties_;
@@ -237,6 +250,10 @@ class Class {
     std::unordered_map<Symbol, const Method*> method_index_;
     std::unordered_map<Symbol, const Event*> event_index_;
     std::vector<const Property*> stored_;  // properties the tree keeps, own and inherited
+    std::vector<const Property*>
+        observed_;  // simulated or derived: compared with shadows while watched
+    std::vector<const Property*>
+        initial_;  // inherited natively, with a default of this class's own
     std::uint32_t id_ = 0;
 };
 

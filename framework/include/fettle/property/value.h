@@ -17,7 +17,7 @@ namespace fettle::property {
 /// applies.
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
-/// Linear red, green, blue and opacity, each 0 to 1.
+/// Red, green and blue as displayed (sRGB) and opacity, each 0 to 1.
 struct Color {
     float r = 1, g = 1, b = 1, a = 1;
     friend bool operator==(const Color&, const Color&) = default;

@@ -1,0 +1,173 @@
+#include "class_registry.h"
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "coerce.h"
+
+namespace fettle::property {
+namespace {
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    return text;
+}
+
+// What a property of this type holds when its descriptor names no default.
+Value zero_of(const Property& property) {
+    if (property.nullable || property.any_type) return {};
+    switch (property.type) {
+        case Type::boolean:
+            return false;
+        case Type::integer:
+            return 0;
+        case Type::number:
+            return 0.0;
+        case Type::text:
+            return property.enumerators.empty() ? Value("") : property.enumerator_values.front();
+        case Type::vec2:
+            return Vec2(0, 0);
+        case Type::color:
+            return Color{};
+        case Type::reference:
+            return Handle{};
+        case Type::list:
+            return List{};
+        case Type::nil:
+            return {};
+    }
+    return {};
+}
+
+}  // namespace
+
+Class* ClassRegistry::find(std::string_view name) const {
+    const auto found = by_name_.find(std::string(name));
+    return found == by_name_.end() ? nullptr : found->second;
+}
+
+std::vector<std::string> ClassRegistry::names() const {
+    std::vector<std::string> all;
+    for (const auto& c : classes_) all.push_back(c->name());
+    return all;
+}
+
+Class& ClassRegistry::define(ClassDescriptor descriptor) {
+    if (!is_identifier(descriptor.name))
+        throw Error(ErrorKind::bad_name,
+                    "\"" + descriptor.name + "\" cannot be the name of a class");
+    if (find(descriptor.name) != nullptr)
+        throw Error(ErrorKind::bad_name, "there is a class \"" + descriptor.name + "\" already");
+    const Class* base = descriptor.base.empty() ? nullptr : find(descriptor.base);
+    if (!descriptor.base.empty() && base == nullptr)
+        throw Error(ErrorKind::unknown_name, "class " + descriptor.name +
+                                                 ": no class is called \"" + descriptor.base +
+                                                 "\"" + suggestion(descriptor.base, names()));
+    std::unique_ptr<Class> made(new Class());
+    made->base_ = base;
+    made->id_ = size();
+    made->descriptor_ = std::move(descriptor);
+    if (made->descriptor_.stem.empty()) made->descriptor_.stem = lower_case(made->descriptor_.name);
+    inherit(*made);
+    for (Property& property : made->descriptor_.properties)
+        add_property(*made, std::move(property));
+    made->descriptor_.properties.clear();
+    for (Method& method : made->descriptor_.methods) {
+        method.symbol = Symbol(method.name);
+        std::erase_if(made->methods_, [&](const Method* m) { return m->symbol == method.symbol; });
+        made->methods_.push_back(&method);
+        made->method_index_[method.symbol] = &method;
+    }
+    for (Event& event : made->descriptor_.events) {
+        event.symbol = Symbol(event.name);
+        event.owner = made.get();
+        made->events_.push_back(&event);
+        made->event_index_[event.symbol] = &event;
+    }
+    by_name_[made->name()] = made.get();
+    return *classes_.emplace_back(std::move(made));
+}
+
+void ClassRegistry::inherit(Class& made) {
+    made.lifecycle_ = &made.descriptor_.lifecycle;
+    if (made.base_ == nullptr) return;
+    const Class& base = *made.base_;
+    const Lifecycle& own = made.descriptor_.lifecycle;
+    if (!own.create && !own.place && !own.destroy && !own.draw) made.lifecycle_ = base.lifecycle_;
+    made.properties_ = base.properties_;
+    made.methods_ = base.methods_;
+    made.events_ = base.events_;
+    made.property_index_ = base.property_index_;
+    made.method_index_ = base.method_index_;
+    made.event_index_ = base.event_index_;
+    made.stored_ = base.stored_;
+    made.observed_ = base.observed_;
+    made.initial_ = base.initial_;
+}
+
+void ClassRegistry::add_property(Class& made, Property property) {
+    property.symbol = Symbol(property.name);
+    if (!is_identifier(property.name) || made.method(property.symbol) != nullptr)
+        throw Error(ErrorKind::bad_name, "class " + made.name() + ": \"" + property.name +
+                                             "\" cannot be the name of a property");
+    const Property* inherited = made.property(property.symbol);
+    if (inherited != nullptr) {
+        // The same property with a default of its own: everything else stays what the base class
+        // says.
+        Property again = *inherited;
+        again.default_value = property.default_value;
+        if (!property.doc.empty()) again.doc = property.doc;
+        property = std::move(again);
+    }
+    property.owner = &made;
+    // Whoever gives no way to write a value means it to be read only.
+    if (property.binding.kind == BindingKind::accessor && property.binding.set == nullptr)
+        property.read_only = true;
+    property.interest = 0;
+    property.enumerator_values.assign(property.enumerators.begin(), property.enumerators.end());
+    check_default(made, property);
+    Property& kept = made.own_properties_.emplace_back(std::move(property));
+    const auto replace = [&](std::vector<const Property*>& list) {
+        std::replace(list.begin(), list.end(), inherited, static_cast<const Property*>(&kept));
+    };
+    if (inherited != nullptr) {
+        replace(made.properties_);
+        replace(made.stored_);
+        replace(made.observed_);
+        std::erase(made.initial_, inherited);
+        if (kept.binding.kind != BindingKind::stored) made.initial_.push_back(&kept);
+    } else {
+        made.properties_.push_back(&kept);
+        if (kept.binding.kind == BindingKind::stored) {
+            kept.stored_index = static_cast<std::uint32_t>(made.stored_.size());
+            made.stored_.push_back(&kept);
+        }
+        if (kept.simulated || kept.read_only) made.observed_.push_back(&kept);
+    }
+    made.property_index_[kept.symbol] = &kept;
+}
+
+void ClassRegistry::check_default(const Class& made, Property& property) const {
+    if (property.default_value.is_nil()) {
+        property.default_value = zero_of(property);
+        return;
+    }
+    struct Names {
+        const Class& made;
+        const Property& property;
+    } names{made, property};
+    const CoerceContext context{.tree = nullptr,
+                                .path =
+                                    [](const void* what) {
+                                        const auto& n = *static_cast<const Names*>(what);
+                                        return "class " + n.made.name() + ": default of " +
+                                               n.property.name;
+                                    },
+                                .what = &names};
+    property.default_value = coerce_value(property, property.default_value, context);
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,256 @@
+#include "coerce.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::property {
+namespace {
+
+// 2^63 is exactly representable, INT64_MAX is not.
+constexpr double integer_limit = 9223372036854775808.0;
+
+class Coercion {
+  public:
+    Coercion(const Property& property, const CoerceContext& context)
+        : property_(property), context_(context) {}
+
+    Value run(Type type, const Value& value) const {
+        if (value.is_nil() && (property_.nullable || property_.any_type || type == Type::reference))
+            return type == Type::reference && !property_.any_type ? Value(Handle{}) : value;
+        switch (type) {
+            case Type::nil:
+                return any(value);
+            case Type::boolean:
+                return value.is(Type::boolean) ? value : wrong_type(value);
+            case Type::integer:
+                return integer(value);
+            case Type::number:
+                return number(value);
+            case Type::text:
+                return text(value);
+            case Type::vec2:
+                return vec2(value);
+            case Type::color:
+                return color(value);
+            case Type::reference:
+                return reference(value);
+            case Type::list:
+                return list(value);
+        }
+        return wrong_type(value);
+    }
+
+  private:
+    [[noreturn]] void fail(ErrorKind kind, const std::string& reason) const {
+        throw Error(kind, context_.path(context_.what) + ": " + reason);
+    }
+    [[noreturn]] Value wrong_type(const Value& value) const {
+        std::string got(type_name(value.type()));
+        if (value.is(Type::reference)) {
+            if (context_.tree != nullptr && context_.tree->alive(value.reference()))
+                got = context_.tree->class_of(value.reference()).name() + " " + shown(value);
+        } else if (!value.is_nil()) {
+            got += " " + shown(value);
+        }
+        fail(ErrorKind::wrong_type, "expected " + expectation(property_) + ", got " + got);
+    }
+    std::string shown(const Value& value) const {
+        std::string text =
+            context_.tree != nullptr ? context_.tree->text(value) : value_text(value);
+        if (text.size() > 60) text = text.substr(0, 57) + "...";
+        return text;
+    }
+    [[noreturn]] void out_of_range(const Value& value) const {
+        fail(ErrorKind::out_of_range,
+             "expected " + expectation(property_) + ", got " + shown(value));
+    }
+
+    // A number of this property: finite unless it allows infinity, narrowed to what its memory
+    // holds, then in range.
+    double component(double x, const Value& whole) const {
+        if (std::isnan(x))
+            fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got nan");
+        if (std::isinf(x) && !property_.infinity)
+            fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got " +
+                                            shown(whole) + ": infinity is not allowed here");
+        if (property_.precision() == Precision::single_precision) {
+            const auto narrow = static_cast<float>(x);
+            if (std::isinf(narrow) && !std::isinf(x)) {
+                if (!property_.clamp || !property_.range.bounded()) out_of_range(whole);
+            } else {
+                x = static_cast<double>(narrow);
+            }
+        }
+        if (x >= property_.range.min && x <= property_.range.max) return x;
+        if (!property_.clamp) out_of_range(whole);
+        return std::clamp(x, property_.range.min, property_.range.max);
+    }
+
+    Value number(const Value& value) const {
+        if (value.is(Type::integer)) {
+            const auto x = static_cast<double>(value.integer());
+            const double held = property_.precision() == Precision::single_precision
+                                    ? static_cast<double>(static_cast<float>(x))
+                                    : x;
+            if (held >= integer_limit || static_cast<std::int64_t>(held) != value.integer())
+                fail(ErrorKind::out_of_range,
+                     "the integer " + shown(value) + " has no exact value as a number here");
+            return component(x, value);
+        }
+        return value.is(Type::number) ? Value(component(value.number(), value)) : wrong_type(value);
+    }
+
+    Value integer(const Value& value) const {
+        std::int64_t result = 0;
+        if (value.is(Type::integer)) {
+            result = value.integer();
+        } else if (value.is(Type::number)) {
+            const double x = value.number();
+            if (std::isnan(x))
+                fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got nan");
+            if (x != std::floor(x) || x < -integer_limit || x >= integer_limit) wrong_type(value);
+            result = static_cast<std::int64_t>(x);
+        } else {
+            wrong_type(value);
+        }
+        if (static_cast<double>(result) < property_.range.min ||
+            static_cast<double>(result) > property_.range.max) {
+            if (!property_.clamp) out_of_range(value);
+            result = static_cast<std::int64_t>(
+                std::clamp(static_cast<double>(result), property_.range.min, property_.range.max));
+        }
+        return result;
+    }
+
+    Value text(const Value& value) const {
+        if (!value.is(Type::text)) wrong_type(value);
+        if (!property_.enumerators.empty() && property_.enumerator_index(value.text()) < 0)
+            fail(ErrorKind::out_of_range, "expected " + expectation(property_) + ", got " +
+                                              shown(value) +
+                                              suggestion(value.text(), property_.enumerators));
+        return value;
+    }
+
+    Value vec2(const Value& value) const {
+        if (!value.is(Type::vec2)) wrong_type(value);
+        return Vec2(component(value.vec2().x(), value), component(value.vec2().y(), value));
+    }
+
+    Value color(const Value& value) const {
+        Color parsed;
+        if (value.is(Type::text)) {
+            if (parse_color(value.text(), parsed)) return parsed;
+            fail(ErrorKind::wrong_type, "no color is called " + shown(value) +
+                                            suggestion(value.text(), color_names()) +
+                                            "; expected a name or \"#rrggbb\"");
+        }
+        if (!value.is(Type::color)) wrong_type(value);
+        parsed = value.color();
+        for (float* channel : {&parsed.r, &parsed.g, &parsed.b, &parsed.a}) {
+            if (!std::isfinite(*channel))
+                fail(ErrorKind::not_finite, "a color's channels must be finite");
+            *channel = std::clamp(*channel, 0.0f, 1.0f);
+        }
+        return parsed;
+    }
+
+    Value reference(const Value& value) const {
+        if (!value.is(Type::reference)) wrong_type(value);
+        if (!value.reference() || context_.tree == nullptr) return value;
+        context_.tree->require(value.reference());
+        if (!property_.reference_class.empty()) {
+            const Class* wanted = context_.tree->find_class(property_.reference_class);
+            if (wanted != nullptr && !context_.tree->class_of(value.reference()).is_a(*wanted))
+                wrong_type(value);
+        }
+        return value;
+    }
+
+    Value list(const Value& value) const {
+        if (!value.is(Type::list)) wrong_type(value);
+        List result;
+        result.reserve(value.list().size());
+        for (const Value& element : value.list()) result.push_back(run(property_.element, element));
+        return result;
+    }
+
+    // Untyped: anything but a NaN, at any depth.
+    Value any(const Value& value) const {
+        const auto is_nan = [](double x) { return std::isnan(x); };
+        bool nan = false;
+        if (value.is(Type::number)) nan = is_nan(value.number());
+        if (value.is(Type::vec2)) nan = is_nan(value.vec2().x()) || is_nan(value.vec2().y());
+        if (value.is(Type::color)) {
+            const Color c = value.color();
+            nan = is_nan(c.r) || is_nan(c.g) || is_nan(c.b) || is_nan(c.a);
+        }
+        if (nan) fail(ErrorKind::not_finite, "NaN is never a value of a property");
+        if (value.is(Type::reference) && value.reference() && context_.tree != nullptr)
+            context_.tree->require(value.reference());
+        if (value.is(Type::list))
+            for (const Value& element : value.list()) any(element);
+        return value;
+    }
+
+    const Property& property_;
+    const CoerceContext& context_;
+};
+
+std::string range_text(const Property& property) {
+    const Range& range = property.range;
+    const bool low = range.min != -std::numeric_limits<double>::infinity();
+    const bool high = range.max != std::numeric_limits<double>::infinity();
+    const std::string unit = property.unit.empty() ? "" : " " + property.unit;
+    if (!low && !high) return property.unit.empty() ? "" : " in" + unit;
+    if (!high) return " of at least " + number_text(range.min, property.precision()) + unit;
+    if (!low) return " of at most " + number_text(range.max, property.precision()) + unit;
+    return " from " + number_text(range.min, property.precision()) + " to " +
+           number_text(range.max, property.precision()) + unit;
+}
+
+}  // namespace
+
+std::string expectation(const Property& property) {
+    if (property.any_type) return "a value";
+    const std::string nil = property.nullable && property.type != Type::reference ? " or nil" : "";
+    switch (property.type) {
+        case Type::boolean:
+            return "true or false" + nil;
+        case Type::integer:
+            return "an integer" + range_text(property) + nil;
+        case Type::number:
+            return "a number" + range_text(property) + nil;
+        case Type::vec2:
+            return "a vec2" + range_text(property) + nil;
+        case Type::color:
+            return "a color" + nil;
+        case Type::reference:
+            return property.reference_class.empty() ? "an instance or nil"
+                                                    : "a " + property.reference_class + " or nil";
+        case Type::list:
+            return (property.element == Type::nil
+                        ? "a list"
+                        : "a list of " + std::string(type_name(property.element))) +
+                   nil;
+        case Type::text:
+            break;
+        case Type::nil:
+            return "a value";
+    }
+    if (property.enumerators.empty()) return "a text" + nil;
+    std::string names = "one of ";
+    for (std::size_t i = 0; i < property.enumerators.size(); ++i)
+        names += (i == 0 ? "\"" : ", \"") + property.enumerators[i] + "\"";
+    return names + nil;
+}
+
+Value coerce_value(const Property& property, const Value& value, const CoerceContext& context) {
+    return Coercion(property, context).run(property.any_type ? Type::nil : property.type, value);
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,534 @@
+// Delivery: what has changed is queued, and handlers hear of it at barriers.
+//
+// A barrier runs in generations: everything queued so far is delivered; what the handlers write
+// meanwhile is the next generation. Changes of one cell are coalesced to (first old, last new)
+// while they wait.
+
+#include <algorithm>
+#include <exception>
+
+#include <fettle/property/tree.h>
+
+#include "state.h"
+
+namespace fettle::property {
+namespace {
+constexpr std::size_t most_generations = 16;
+}
+
+std::string_view writer_name(Writer writer) {
+    switch (writer) {
+        case Writer::module:
+            return "module";
+        case Writer::simulation:
+            return "simulation";
+        case Writer::script:
+            return "script";
+        case Writer::console:
+            return "console";
+        case Writer::inspector:
+            return "inspector";
+        case Writer::formula:
+            return "formula";
+        case Writer::undo:
+            return "undo";
+        case Writer::load:
+            return "load";
+        case Writer::remote:
+            return "remote";
+    }
+    return "?";
+}
+
+std::string Cause::text() const {
+    return (where.empty() ? std::string(writer_name(writer)) : where) + ", step " +
+           std::to_string(step);
+}
+
+std::uint64_t Tree::step() const {
+    return state_->step;
+}
+
+void Tree::set_step(std::uint64_t step) {
+    state_->step = step;
+    state_->stepped = true;
+}
+
+Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate)
+    : tree_(tree), writer_(tree.state_->writer), locate_(tree.state_->locate) {
+    tree.state_->writer = writer;
+    tree.state_->locate = locate;
+}
+
+Tree::CauseScope::~CauseScope() {
+    tree_.state_->writer = writer_;
+    tree_.state_->locate = locate_;
+}
+
+Cause Tree::cause() const {
+    const State& s = *state_;
+    return {.writer = s.writer,
+            .where = s.locate != nullptr ? (*s.locate)() : std::string(),
+            .step = s.step};
+}
+
+// --- Registering
+// -----------------------------------------------------------------------------------------------------
+
+void Tree::State::count_interest(const Watcher& watcher, int sign) {
+    const auto count = [&](const Property& property) {
+        bool may = false;
+        if (watcher.kind == WatchKind::pattern)
+            may = watcher.pattern->may_match(property.symbol);
+        else
+            may = (!watcher.property || watcher.property == property.symbol) &&
+                  (property.owner == nullptr || property.owner->is_a(*watcher.of) ||
+                   watcher.of->is_a(*property.owner));
+        if (may) property.interest += static_cast<std::uint32_t>(sign);
+    };
+    for (std::uint32_t i = 0; i < classes.size(); ++i)
+        for (const Property& property : classes[i].own_properties_) count(property);
+    for (const auto& [name, property] : ad_hoc_properties) count(*property);
+}
+
+void Tree::State::refresh_shadows_below(std::uint32_t top) {
+    visit_below(top, [this](std::uint32_t i) { shadows.refresh(tree, watchers, nodes.handle(i)); });
+}
+
+void Tree::State::watcher_added(const Watcher& watcher) {
+    if (watcher.index != 0) {
+        nodes[watcher.index].watched = true;
+        shadows.refresh(tree, watchers, nodes.handle(watcher.index));
+    } else if (watcher.broad()) {
+        count_interest(watcher, 1);
+        for (std::uint32_t i = 1; i < nodes.end(); ++i)
+            if (nodes[i].alive) shadows.refresh(tree, watchers, nodes.handle(i));
+    }
+}
+
+void Tree::State::watcher_removed(const Watcher& watcher) {
+    if (watcher.index != 0) {
+        nodes[watcher.index].watched = watchers.any_on(watcher.index);
+        shadows.refresh(tree, watchers, nodes.handle(watcher.index));
+    } else if (watcher.broad()) {
+        count_interest(watcher, -1);
+        for (std::uint32_t i = 1; i < nodes.end(); ++i)
+            if (nodes[i].alive) shadows.refresh(tree, watchers, nodes.handle(i));
+    }
+}
+
+namespace {
+
+template <class Visit>
+void each_instance(Tree::State& state, const Class& of, Visit visit) {
+    for (std::uint32_t i = 1; i < state.nodes.end(); ++i)
+        if (state.nodes[i].alive && state.classes[state.nodes[i].class_id].is_a(of))
+            visit(state.nodes.handle(i));
+}
+
+void queue_initial(Tree::State& state, Handle instance, const Property& property,
+                   WatcherId recipient) {
+    QueueItem item;
+    item.kind = QueueItem::Kind::initial;
+    item.what = Change{.instance = instance,
+                       .property = &property,
+                       .old_value = {},
+                       .new_value = {},
+                       .cause = state.tree.cause()};
+    item.recipients = {recipient};
+    state.queue_item(std::move(item));
+}
+
+}  // namespace
+
+Connection Tree::watch(Handle instance, const Property& property, ChangeHandler handler,
+                       WatchOptions options) {
+    State& s = *state_;
+    s.require(instance);
+    Watcher watcher;
+    watcher.kind = WatchKind::cell;
+    watcher.index = instance.index;
+    watcher.property = property.symbol;
+    watcher.on_change = std::move(handler);
+    watcher.label = std::move(options.label);
+    Connection connection = s.watchers.add(std::move(watcher));
+    if (options.initial) queue_initial(s, instance, property, s.watchers.last_id());
+    return connection;
+}
+
+Connection Tree::watch(Handle instance, std::string_view name, ChangeHandler handler,
+                       WatchOptions options) {
+    return watch(instance, property(instance, name), std::move(handler), std::move(options));
+}
+
+Connection Tree::watch(Handle instance, ChangeHandler handler, WatchOptions options) {
+    State& s = *state_;
+    s.require(instance);
+    Watcher watcher;
+    watcher.kind = WatchKind::instance;
+    watcher.index = instance.index;
+    watcher.on_change = std::move(handler);
+    watcher.label = std::move(options.label);
+    Connection connection = s.watchers.add(std::move(watcher));
+    if (options.initial)
+        for (const Property* property : properties(instance))
+            queue_initial(s, instance, *property, s.watchers.last_id());
+    return connection;
+}
+
+Connection Tree::watch(const Class& of, const Property* property, ChangeHandler handler,
+                       WatchOptions options) {
+    State& s = *state_;
+    Watcher watcher;
+    watcher.kind = WatchKind::of_class;
+    watcher.of = &of;
+    if (property != nullptr) watcher.property = property->symbol;
+    watcher.on_change = std::move(handler);
+    watcher.label = std::move(options.label);
+    Connection connection = s.watchers.add(std::move(watcher));
+    if (options.initial)
+        each_instance(s, of, [&](Handle instance) {
+            for (const Property* p : properties(instance))
+                if (property == nullptr || p->symbol == property->symbol)
+                    queue_initial(s, instance, *p, s.watchers.last_id());
+        });
+    return connection;
+}
+
+Connection Tree::watch_pattern(std::string_view pattern, ChangeHandler handler,
+                               WatchOptions options) {
+    State& s = *state_;
+    Watcher watcher;
+    watcher.kind = WatchKind::pattern;
+    watcher.pattern = std::make_unique<Pattern>(pattern);
+    watcher.on_change = std::move(handler);
+    watcher.label = std::move(options.label);
+    Connection connection = s.watchers.add(std::move(watcher));
+    if (options.initial) {
+        const Pattern matching(pattern);
+        each_instance(s, object_class(), [&](Handle instance) {
+            for (const Property* p : properties(instance))
+                if (matching.matches(*this, instance, *p))
+                    queue_initial(s, instance, *p, s.watchers.last_id());
+        });
+    }
+    return connection;
+}
+
+Connection Tree::watch_created(const Class& of, ExistenceHandler handler, WatchOptions options) {
+    State& s = *state_;
+    Watcher watcher;
+    watcher.kind = WatchKind::created;
+    watcher.of = &of;
+    watcher.on_existence = std::move(handler);
+    watcher.label = std::move(options.label);
+    Connection connection = s.watchers.add(std::move(watcher));
+    if (options.initial)
+        each_instance(s, of, [&](Handle instance) {
+            QueueItem item;
+            item.kind = QueueItem::Kind::created;
+            item.what = Existence{.instance = instance,
+                                  .instance_class = &class_of(instance),
+                                  .path = {},
+                                  .cause = cause(),
+                                  .last_values = {}};
+            item.recipients = {s.watchers.last_id()};
+            s.queue_item(std::move(item));
+        });
+    return connection;
+}
+
+Connection Tree::watch_deleted(const Class& of, ExistenceHandler handler, WatchOptions options) {
+    Watcher watcher;
+    watcher.kind = WatchKind::deleted;
+    watcher.of = &of;
+    watcher.on_existence = std::move(handler);
+    watcher.label = std::move(options.label);
+    return state_->watchers.add(std::move(watcher));
+}
+
+Connection Tree::watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options) {
+    state_->require(instance);
+    Watcher watcher;
+    watcher.kind = WatchKind::deleted;
+    watcher.index = instance.index;
+    watcher.on_existence = std::move(handler);
+    watcher.label = std::move(options.label);
+    return state_->watchers.add(std::move(watcher));
+}
+
+Connection Tree::on(Handle instance, const Event& event, EventHandler handler,
+                    WatchOptions options) {
+    state_->require(instance);
+    Watcher watcher;
+    watcher.kind = WatchKind::event;
+    watcher.index = instance.index;
+    watcher.event = &event;
+    watcher.on_event = std::move(handler);
+    watcher.label = std::move(options.label);
+    return state_->watchers.add(std::move(watcher));
+}
+
+Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
+                    WatchOptions options) {
+    Watcher watcher;
+    watcher.kind = WatchKind::class_event;
+    watcher.of = &of;
+    watcher.event = &event;
+    watcher.on_event = std::move(handler);
+    watcher.label = std::move(options.label);
+    return state_->watchers.add(std::move(watcher));
+}
+
+std::size_t Tree::watcher_count() const {
+    return state_->watchers.size();
+}
+
+// --- Queueing
+// --------------------------------------------------------------------------------------------------------
+
+void Tree::State::queue_item(QueueItem item) {
+    item.until = watchers.last_id();
+    item.trigger = delivering;
+    queue.push_back(std::move(item));
+}
+
+void Tree::State::queue_change(Handle handle, const Property& property, const Value& old_value,
+                               const Value& new_value, const Cause& cause) {
+    const Cell cell{handle.index, property.symbol};
+    shadows.update(cell, new_value);
+    const auto [place, fresh] = queued_changes.try_emplace(cell, queue.size());
+    if (!fresh) {
+        Change& waiting = std::get<Change>(queue[place->second].what);
+        if (waiting.instance == handle) {
+            waiting.new_value = new_value;
+            waiting.cause = cause;
+            queue[place->second].until = watchers.last_id();
+            return;
+        }
+        place->second = queue.size();
+    }
+    QueueItem item;
+    item.what = Change{.instance = handle,
+                       .property = &property,
+                       .old_value = old_value,
+                       .new_value = new_value,
+                       .cause = cause};
+    queue_item(std::move(item));
+}
+
+void Tree::State::queue_deletion(Handle handle, const Class& of, const std::string& path) {
+    const Cause cause = tree.cause();
+    std::vector<WatcherId> keep;
+    const std::vector<WatcherId> watching = watchers.of_deletion(handle.index, of);
+    if (!watching.empty()) {
+        Existence gone{.instance = handle,
+                       .instance_class = &of,
+                       .path = path,
+                       .cause = cause,
+                       .last_values = {}};
+        for (const Property* property : tree.properties(handle))
+            gone.last_values.emplace_back(property, tree.get(handle, *property));
+        QueueItem item;
+        item.kind = QueueItem::Kind::deleted;
+        item.what = std::move(gone);
+        item.recipients = watching;
+        item.retire = true;
+        queue_item(std::move(item));
+        keep = watching;
+    }
+    const std::vector<WatcherId> listening =
+        watchers.of_event(handle, *deleted_event, watchers.last_id());
+    if (!listening.empty()) {
+        Occurrence gone{.instance = handle,
+                        .event = deleted_event,
+                        .record = {&deleted_event->fields, {Value(path), Value(cause.text())}},
+                        .step = step};
+        QueueItem item;
+        item.kind = QueueItem::Kind::event;
+        item.what = std::move(gone);
+        item.recipients = listening;
+        item.retire = true;
+        queue_item(std::move(item));
+        keep.insert(keep.end(), listening.begin(), listening.end());
+    }
+    watchers.retire(handle.index, keep);
+}
+
+bool Tree::listens(const Event& event) const {
+    return event.listeners != 0;
+}
+
+bool Tree::listens(Handle instance, const Event& event) const {
+    return event.listeners != 0 &&
+           !state_->watchers.of_event(instance, event, state_->watchers.last_id()).empty();
+}
+
+void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) {
+    State& s = *state_;
+    s.require(instance);
+    if (event.listeners == 0) return;
+    QueueItem item;
+    item.kind = QueueItem::Kind::event;
+    item.what = Occurrence{.instance = instance,
+                           .event = &event,
+                           .record = {&event.fields, std::move(values)},
+                           .step = s.step};
+    s.queue_item(std::move(item));
+}
+
+// --- The barrier
+// -----------------------------------------------------------------------------------------------------
+
+void Tree::State::compare_shadows() {
+    const bool everything = stepped;
+    if (!stepped && !edited) return;
+    const Cause simulated{.writer = Writer::simulation, .where = {}, .step = step};
+    std::vector<std::pair<Handle, Change>> found;
+    shadows.compare(tree, everything || edited,
+                    [&](Handle handle, const Property& property, const Value& old_value,
+                        const Value& new_value) {
+                        found.emplace_back(handle,
+                                           Change{.instance = handle,
+                                                  .property = &property,
+                                                  .old_value = old_value,
+                                                  .new_value = new_value,
+                                                  .cause = everything ? simulated : last_edit});
+                    });
+    stepped = edited = false;
+    for (const auto& [handle, change] : found)
+        queue_change(handle, *change.property, change.old_value, change.new_value, change.cause);
+}
+
+std::string Tree::State::describe(const QueueItem& item) const {
+    if (const auto* change = std::get_if<Change>(&item.what))
+        return nodes.find(change->instance) ? cell_path(change->instance, *change->property)
+                                            : change->property->name;
+    if (const auto* existence = std::get_if<Existence>(&item.what))
+        return existence->path.empty() && nodes.find(existence->instance)
+                   ? tree.path(existence->instance)
+                   : existence->path;
+    const auto& occurrence = std::get<Occurrence>(item.what);
+    const std::string where = nodes.find(occurrence.instance) ? tree.path(occurrence.instance)
+                              : occurrence.record.values.empty()
+                                  ? std::string("(deleted)")
+                                  : tree.text(occurrence.record.values.front());
+    return where + " " + occurrence.event->name;
+}
+
+void Tree::State::call(const Watcher& watcher, const QueueItem& item) {
+    try {
+        if (const auto* change = std::get_if<Change>(&item.what))
+            watcher.on_change(*change);
+        else if (const auto* existence = std::get_if<Existence>(&item.what))
+            watcher.on_existence(*existence);
+        else
+            watcher.on_event(std::get<Occurrence>(item.what));
+    } catch (const std::exception& error) {
+        if (!error_sink) throw;
+        error_sink({.path = describe(item),
+                    .where = watcher.label,
+                    .message = error.what(),
+                    .exception = std::current_exception()});
+    }
+}
+
+void Tree::State::deliver(const QueueItem& item) {
+    std::vector<WatcherId> ids = item.recipients;
+    if (item.kind == QueueItem::Kind::change) {
+        const auto& change = std::get<Change>(item.what);
+        if (nodes.find(change.instance) == nullptr || change.old_value == change.new_value) return;
+        ids = watchers.of_change(change, item.until);
+    } else if (item.kind == QueueItem::Kind::created && ids.empty()) {
+        const auto& existence = std::get<Existence>(item.what);
+        if (nodes.find(existence.instance) == nullptr) return;
+        ids = watchers.of_creation(*existence.instance_class, item.until);
+    } else if (item.kind == QueueItem::Kind::event && !item.retire) {
+        const auto& occurrence = std::get<Occurrence>(item.what);
+        if (nodes.find(occurrence.instance) == nullptr) return;
+        ids = watchers.of_event(occurrence.instance, *occurrence.event, item.until);
+    }
+    for (const WatcherId id : ids) {
+        // Held, so that a handler which removes itself does not destroy its own closure while it
+        // runs.
+        const std::shared_ptr<Watcher> watcher = watchers.find(id);
+        if (watcher != nullptr && (watcher->active || item.retire)) call(*watcher, item);
+        if (item.retire && watcher != nullptr && !watcher->active) watchers.stop(id);
+    }
+}
+
+void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& generations) {
+    std::string chain;
+    const QueueItem* item = queue.empty() ? nullptr : &queue.front();
+    for (std::size_t g = generations.size(); item != nullptr; --g) {
+        chain += "\n  " + describe(*item);
+        if (const auto* change = std::get_if<Change>(&item->what))
+            chain += " by " + change->cause.text();
+        item = g == 0 || item->trigger < 0
+                   ? nullptr
+                   : &generations[g - 1][static_cast<std::size_t>(item->trigger)];
+    }
+    queue.clear();
+    queued_changes.clear();
+    const Error error(ErrorKind::no_barrier_end,
+                      "handlers keep making changes: the barrier stopped after " +
+                          std::to_string(most_generations) +
+                          " generations; each of these caused the one above:" + chain);
+    if (!error_sink) throw error;
+    error_sink({.path = "barrier",
+                .where = {},
+                .message = error.what(),
+                .exception = std::make_exception_ptr(error)});
+}
+
+void Tree::barrier() {
+    State& s = *state_;
+    if (s.in_barrier)
+        throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
+    s.compare_shadows();
+    if (s.queue.empty()) return;
+
+    struct Running {
+        State& state;
+        explicit Running(State& st) : state(st) { state.in_barrier = true; }
+        ~Running() {
+            state.in_barrier = false;
+            state.delivering = -1;
+        }
+    } running(s);
+    std::vector<std::vector<QueueItem>> generations;
+    std::exception_ptr first_error;
+    while (!s.queue.empty()) {
+        if (generations.size() == most_generations) return s.barrier_overrun(generations);
+        std::vector<QueueItem>& batch = generations.emplace_back(std::move(s.queue));
+        s.queue.clear();
+        s.queued_changes.clear();
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            QueueItem& item = batch[i];
+            if (item.kind == QueueItem::Kind::initial) {
+                auto& change = std::get<Change>(item.what);
+                if (!alive(change.instance)) continue;
+                change.new_value = get(change.instance, *change.property);
+            } else if (item.kind == QueueItem::Kind::created) {
+                auto& existence = std::get<Existence>(item.what);
+                if (!alive(existence.instance)) continue;
+                existence.path = path(existence.instance);
+            }
+            s.delivering = static_cast<std::ptrdiff_t>(i);
+            try {
+                s.deliver(item);
+            } catch (...) {
+                if (!first_error) first_error = std::current_exception();
+            }
+        }
+        s.delivering = -1;
+        s.compare_shadows();
+    }
+    if (first_error) std::rethrow_exception(first_error);
+}
+
+void Tree::on_handler_error(std::function<void(const HandlerError&)> sink) {
+    state_->error_sink = std::move(sink);
+}
+
+}  // namespace fettle::property

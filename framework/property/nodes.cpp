@@ -1,0 +1,168 @@
+#include "nodes.h"
+
+#include <charconv>
+
+namespace fettle::property {
+namespace {
+
+// The number behind the last underscore, if writing it again gives the same text.
+std::uint32_t trailing_number(std::string_view text, std::string_view& base) {
+    base = text;
+    const std::size_t underscore = text.rfind('_');
+    if (underscore == std::string_view::npos || underscore == 0) return 0;
+    const std::string_view digits = text.substr(underscore + 1);
+    if (digits.empty() || digits.size() > 9 || digits.front() == '0') return 0;
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc() || end != digits.data() + digits.size()) return 0;
+    base = text.substr(0, underscore);
+    return number;
+}
+
+std::size_t hash_of(std::uint32_t parent, NodeName name) {
+    std::uint64_t h = std::uint64_t{parent} * 0x9e3779b97f4a7c15u;
+    h ^= (std::uint64_t{name.base.id()} << 32 | name.number) * 0xc2b2ae3d27d4eb4fu;
+    h ^= h >> 29;
+    h *= 0x165667b19e3779f9u;
+    return static_cast<std::size_t>(h ^ h >> 32);
+}
+
+}  // namespace
+
+NodeName NodeName::make(std::string_view text) {
+    std::string_view base;
+    const std::uint32_t number = trailing_number(text, base);
+    return {Symbol(base), number};
+}
+
+NodeName NodeName::look_up(std::string_view text) {
+    std::string_view base;
+    const std::uint32_t number = trailing_number(text, base);
+    return {Symbol::find(base), number};
+}
+
+std::string NodeName::text() const {
+    return number == 0 ? base.text() : base.text() + "_" + std::to_string(number);
+}
+
+std::uint32_t Nodes::allocate() {
+    std::uint32_t index;
+    if (free_.empty()) {
+        index = end();
+        nodes_.emplace_back();
+    } else {
+        index = free_.back();
+        free_.pop_back();
+        const std::uint32_t generation = nodes_[index].generation;
+        nodes_[index] = Node{};
+        nodes_[index].generation = generation;
+    }
+    nodes_[index].alive = true;
+    ++alive_;
+    return index;
+}
+
+void Nodes::release(std::uint32_t index) {
+    Node& node = nodes_[index];
+    if (node.counts_children)
+        std::erase_if(counters_, [index](const auto& entry) { return entry.first >> 32 == index; });
+    node.alive = false;
+    ++node.generation;
+    --alive_;
+    // A slot whose generations are used up rests for ever: no handle may ever mean two instances.
+    if (node.generation != 0) free_.push_back(index);
+}
+
+void Nodes::link(std::uint32_t index, std::uint32_t parent, NodeName name) {
+    Node& node = nodes_[index];
+    node.parent = parent;
+    node.name = name;
+    node.next = 0;
+    if (parent == 0) return;
+    Node& above = nodes_[parent];
+    if (above.first_child == 0) {
+        above.first_child = index;
+        node.previous = index;
+    } else {
+        Node& first = nodes_[above.first_child];
+        node.previous = first.previous;
+        nodes_[first.previous].next = index;
+        first.previous = index;
+    }
+    index_insert(index);
+}
+
+void Nodes::unlink(std::uint32_t index) {
+    Node& node = nodes_[index];
+    if (node.parent == 0) return;
+    index_erase(index);
+    Node& above = nodes_[node.parent];
+    if (above.first_child == index) {
+        above.first_child = node.next;
+        if (node.next != 0) nodes_[node.next].previous = node.previous;
+    } else {
+        nodes_[node.previous].next = node.next;
+        const std::uint32_t after = node.next != 0 ? node.next : above.first_child;
+        nodes_[after].previous = node.previous;
+    }
+    node.parent = node.next = node.previous = 0;
+}
+
+std::size_t Nodes::slot_of(std::uint32_t parent, NodeName name) const {
+    const std::size_t mask = index_.size() - 1;
+    std::size_t slot = hash_of(parent, name) & mask;
+    while (index_[slot] != 0) {
+        const Node& node = nodes_[index_[slot]];
+        if (node.parent == parent && node.name == name) break;
+        slot = (slot + 1) & mask;
+    }
+    return slot;
+}
+
+std::uint32_t Nodes::child(std::uint32_t parent, NodeName name) const {
+    return name.base ? index_[slot_of(parent, name)] : 0;
+}
+
+void Nodes::index_insert(std::uint32_t index) {
+    if (++indexed_ * 3 > index_.size() * 2) {
+        std::vector<std::uint32_t> old(index_.size() * 2, 0);
+        old.swap(index_);
+        for (const std::uint32_t moved : old)
+            if (moved != 0) index_[slot_of(nodes_[moved].parent, nodes_[moved].name)] = moved;
+    }
+    index_[slot_of(nodes_[index].parent, nodes_[index].name)] = index;
+}
+
+void Nodes::index_erase(std::uint32_t index) {
+    const std::size_t mask = index_.size() - 1;
+    std::size_t hole = slot_of(nodes_[index].parent, nodes_[index].name);
+    index_[hole] = 0;
+    --indexed_;
+    for (std::size_t slot = (hole + 1) & mask; index_[slot] != 0; slot = (slot + 1) & mask) {
+        const Node& node = nodes_[index_[slot]];
+        const std::size_t home = hash_of(node.parent, node.name) & mask;
+        if (((slot - home) & mask) < ((slot - hole) & mask)) continue;
+        index_[hole] = index_[slot];
+        index_[slot] = 0;
+        hole = slot;
+    }
+}
+
+NodeName Nodes::free_name(std::uint32_t parent, std::string_view stem, bool first_plain) {
+    const Symbol base(stem);
+    if (first_plain) {
+        NodeName name{base, 0};
+        if (child(parent, name) == 0) return name;
+        for (name.number = 2; child(parent, name) != 0;) ++name.number;
+        return name;
+    }
+    nodes_[parent].counts_children = true;
+    std::uint32_t& last = counters_[std::uint64_t{parent} << 32 | base.id()];
+    NodeName name{base, last};
+    do ++name.number;
+    while (child(parent, name) != 0);
+    last = name.number;
+    return name;
+}
+
+}  // namespace fettle::property

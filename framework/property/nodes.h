@@ -1,0 +1,94 @@
+#pragma once
+// Nodes: who is whose child, what everyone is called. Compact (44 bytes and a table slot of about
+// 8) because a game may have a hundred thousand of them.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/property/class.h>
+#include <fettle/property/symbol.h>
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+/// A name in two parts, so that a hundred thousand generated names ("body_4711") intern one symbol.
+struct NodeName {
+    Symbol base;
+    std::uint32_t number = 0;  // 0: none
+
+    static NodeName make(std::string_view text);
+    /// Like `make`, without interning: an unknown name gives an empty base.
+    static NodeName look_up(std::string_view text);
+    std::string text() const;
+    friend bool operator==(const NodeName&, const NodeName&) = default;
+};
+
+struct Node {
+    std::uint32_t generation = 1;
+    std::uint32_t parent = 0;
+    std::uint32_t first_child = 0;
+    std::uint32_t next = 0;
+    std::uint32_t previous = 0;  // of the first child: the last one
+    NodeName name;
+    Row row = 0;
+    std::uint32_t stored_row = 0;
+    std::uint16_t class_id = 0;
+    bool alive = false;
+    bool watched = false;     // somebody watches this very instance
+    bool has_ad_hoc = false;  // looked up only then
+    bool named = false;       // the user named it, so that a new parent keeps the name
+    bool counts_children = false;
+};
+
+/// Slots of nodes and their links. Index 0 is nobody.
+class Nodes {
+  public:
+    Nodes() : nodes_(1), index_(64, 0) {}
+
+    Node* find(Handle handle) {
+        return handle.index < nodes_.size() &&
+                       nodes_[handle.index].generation == handle.generation &&
+                       nodes_[handle.index].alive
+                   ? &nodes_[handle.index]
+                   : nullptr;
+    }
+    const Node* find(Handle handle) const { return const_cast<Nodes*>(this)->find(handle); }
+    Node& operator[](std::uint32_t index) { return nodes_[index]; }
+    const Node& operator[](std::uint32_t index) const { return nodes_[index]; }
+    Handle handle(std::uint32_t index) const {
+        return index == 0 ? Handle{} : Handle{index, nodes_[index].generation};
+    }
+    std::size_t alive() const { return alive_; }
+    std::uint32_t end() const { return static_cast<std::uint32_t>(nodes_.size()); }
+
+    std::uint32_t allocate();
+    void release(std::uint32_t index);
+
+    /// Appends to the children of `parent`. The name must be free.
+    void link(std::uint32_t index, std::uint32_t parent, NodeName name);
+    void unlink(std::uint32_t index);
+    std::uint32_t child(std::uint32_t parent, NodeName name) const;
+    /// `stem_1`, `stem_2` ...; with `first_plain` `stem`, `stem_2` ... Never one used before under
+    /// this parent, unless `first_plain`.
+    NodeName free_name(std::uint32_t parent, std::string_view stem, bool first_plain);
+
+  private:
+    // Open addressing over (parent, name); a slot holds a node index, 0 is empty. Deletion shifts
+    // back, no tombstones.
+    std::size_t slot_of(std::uint32_t parent, NodeName name) const;
+    void index_insert(std::uint32_t index);
+    void index_erase(std::uint32_t index);
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> free_;
+    std::vector<std::uint32_t> index_;
+    std::size_t indexed_ = 0;
+    std::size_t alive_ = 0;
+    std::unordered_map<std::uint64_t, std::uint32_t>
+        counters_;  // (parent, stem) -> last number given
+};
+
+}  // namespace fettle::property

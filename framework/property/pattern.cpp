@@ -1,0 +1,114 @@
+// Patterns over paths: `*` within one name, `**` over any number of them.
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::property {
+namespace {
+
+// Whether `name` fits `pattern`, in which `*` stands for any letters. Linear: on a mismatch only
+// the last star moves.
+bool fits(std::string_view pattern, std::string_view name) {
+    std::size_t p = 0, n = 0, star = std::string_view::npos, mark = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            mark = n;
+        } else if (p < pattern.size() && pattern[p] == name[n]) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++mark;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+std::vector<std::string> split(std::string_view text) {
+    const auto fail = [text](const std::string& reason) {
+        throw Error(ErrorKind::bad_path,
+                    "\"" + std::string(text) + "\" is not a pattern: " + reason);
+    };
+    std::vector<std::string> segments;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        std::string segment;
+        if (text[at] == '[') {
+            if (at + 1 >= text.size() || text[at + 1] != '"')
+                fail("a quoted name was expected behind \"[\"");
+            for (at += 2; at < text.size() && text[at] != '"'; ++at) segment += text[at];
+            if (text.substr(at, 2) != "\"]") fail("\"]\" was expected");
+            at += 2;
+        } else {
+            while (at < text.size() && text[at] != '.' && text[at] != '[') segment += text[at++];
+        }
+        if (segment.empty()) fail("a name is missing");
+        segments.push_back(std::move(segment));
+        if (at < text.size() && text[at] == '.') {
+            if (++at == text.size()) fail("it ends with a dot");
+        }
+    }
+    if (segments.empty()) fail("it is empty");
+    if (segments.front() == "game" && segments.size() > 1) segments.erase(segments.begin());
+    return segments;
+}
+
+std::vector<std::string> names_of(const Tree& tree, Handle instance) {
+    std::vector<std::string> names;
+    Handle at = instance;
+    for (; at && at != tree.root(); at = tree.parent(at)) names.push_back(tree.name(at));
+    if (!at) return {};  // detached: it has no path
+    std::reverse(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+Pattern::Pattern(std::string_view text) : text_(text), segments_(split(text)) {}
+
+bool Pattern::match(const std::vector<std::string>& names) const {
+    // The same walk as `fits`, a level up: on a mismatch only the last `**` takes one more name.
+    std::size_t p = 0, n = 0, star = std::string::npos, mark = 0;
+    while (n < names.size()) {
+        if (p < segments_.size() && segments_[p] == "**") {
+            star = p++;
+            mark = n;
+        } else if (p < segments_.size() && fits(segments_[p], names[n])) {
+            ++p;
+            ++n;
+        } else if (star != std::string::npos) {
+            p = star + 1;
+            n = ++mark;
+        } else {
+            return false;
+        }
+    }
+    while (p < segments_.size() && segments_[p] == "**") ++p;
+    return p == segments_.size();
+}
+
+bool Pattern::matches(const Tree& tree, Handle instance, const Property& property) const {
+    if (!may_match(property.symbol)) return false;
+    std::vector<std::string> names = names_of(tree, instance);
+    if (names.empty() && instance != tree.root()) return false;
+    names.push_back(property.name);
+    return match(names);
+}
+
+bool Pattern::matches(const Tree& tree, Handle instance) const {
+    const std::vector<std::string> names = names_of(tree, instance);
+    return !(names.empty() && instance != tree.root()) && match(names);
+}
+
+bool Pattern::may_match(Symbol property) const {
+    return segments_.back() == "**" || fits(segments_.back(), property.text());
+}
+
+}  // namespace fettle::property

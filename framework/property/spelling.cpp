@@ -1,0 +1,71 @@
+#include <fettle/property/spelling.h>
+
+#include <algorithm>
+
+namespace fettle::property {
+namespace {
+
+char lower(char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+}
+
+bool same_but_for_case(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char x, char y) { return lower(x) == lower(y); });
+}
+
+}  // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
+    const std::size_t longer = std::max(a.size(), b.size());
+    const std::size_t shorter = std::min(a.size(), b.size());
+    if (longer - shorter > limit || longer > 256) return limit + 1;
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                lower(a[i - 2]) == lower(b[j - 1]))
+                row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    return std::min(last[b.size()], limit + 1);
+}
+
+bool near_miss(std::string_view name, std::string_view declared) {
+    if (name == declared) return false;
+    if (same_but_for_case(name, declared)) return true;
+    return std::min(name.size(), declared.size()) >= 4 && edit_distance(name, declared, 1) <= 1;
+}
+
+std::string nearest(std::string_view name, std::span<const std::string> candidates) {
+    // A third of the letters may be wrong: "frict" finds "friction" as its beginning, "velosity" by
+    // its letters.
+    const std::size_t limit = std::max<std::size_t>(1, name.size() / 3);
+    std::size_t best_distance = limit + 1;
+    const std::string* best = nullptr;
+    for (const std::string& candidate : candidates) {
+        if (candidate == name) continue;
+        std::size_t distance = edit_distance(name, candidate, limit);
+        if (distance > limit && name.size() >= 3 && candidate.size() > name.size() &&
+            same_but_for_case(name, std::string_view(candidate).substr(0, name.size())))
+            distance = limit;
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = &candidate;
+        }
+    }
+    return best ? *best : std::string();
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string> candidates) {
+    const std::string found = nearest(name, candidates);
+    return found.empty() ? std::string() : " (did you mean \"" + found + "\"?)";
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,113 @@
+#pragma once
+// What a tree holds, for the files that implement it.
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include "class_registry.h"
+#include "nodes.h"
+#include "shadows.h"
+#include "stored_columns.h"
+#include "watchers.h"
+
+namespace fettle::property {
+
+/// Something to deliver at a barrier.
+struct QueueItem {
+    enum class Kind : std::uint8_t { change, initial, created, deleted, event };
+    Kind kind = Kind::change;
+    std::variant<Change, Existence, Occurrence> what;
+    WatcherId until = 0;                // watchers registered later have seen the result already
+    std::vector<WatcherId> recipients;  // fixed when queued (deletions, initial values)
+    bool retire = false;                // the recipients' instance is gone: they end with this
+    std::ptrdiff_t trigger = -1;        // item of the generation before whose handler caused this
+};
+
+struct Tombstone {
+    Handle handle;
+    std::string path;
+    Cause cause;
+};
+
+struct Tree::State {
+    explicit State(Tree& owner) : tree(owner), watchers(owner) {}
+
+    Tree& tree;
+    ClassRegistry classes;
+    Nodes nodes;
+    std::vector<std::unique_ptr<StoredColumns>>
+        stored;  // by class id; null where a class stores nothing
+    std::unordered_map<std::uint32_t, std::map<std::string, std::pair<const Property*, Value>>>
+        ad_hoc;
+    std::unordered_map<Symbol, std::unique_ptr<Property>>
+        ad_hoc_properties;             // one descriptor a name
+    std::deque<Tombstone> tombstones;  // the latest deletions
+
+    Watchers watchers;
+    Shadows shadows;
+    std::vector<QueueItem> queue;
+    std::unordered_map<Cell, std::size_t, CellHash>
+        queued_changes;  // cell -> its place in the queue
+    std::ptrdiff_t delivering = -1;
+    bool in_barrier = false;
+    bool stepped = false;  // since the shadows were last compared
+    bool edited = false;
+    bool ending = false;  // the tree itself is being destroyed
+    Cause last_edit;      // kept while anything is shadowed
+    std::function<void(const HandlerError&)> error_sink;
+
+    std::uint64_t step = 0;
+    Writer writer = Writer::module;
+    std::function<std::string()>* locate = nullptr;
+    Handle root;
+    const Event* ready_event = nullptr;
+    const Event* deleted_event = nullptr;
+
+    Node& require(Handle handle) {
+        Node* node = nodes.find(handle);
+        if (node == nullptr) throw_deleted(handle);
+        return *node;
+    }
+    const Node& require(Handle handle) const { return const_cast<State*>(this)->require(handle); }
+    [[noreturn]] void throw_deleted(Handle handle) const;
+
+    // tree.cpp
+    void define_object();
+    std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named);
+    void check_child_name(Handle parent, std::string_view name) const;
+    void destroy_one(std::uint32_t index);
+    void place_subtree(Handle top);
+    void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
+
+    // tree_edit.cpp
+    Value read(std::uint32_t index, const Node& node, const Property& property) const;
+    void write(std::uint32_t index, const Node& node, const Property& property, const Value& value);
+    void written(Handle handle, const Node& node, const Property& property, const Value& old_value);
+    const Property& ad_hoc_property(Symbol name);
+    std::string cell_path(Handle handle, const Property& property) const;
+
+    // delivery.cpp
+    void watcher_added(const Watcher& watcher);
+    void watcher_removed(const Watcher& watcher);
+    void count_interest(const Watcher& watcher, int sign);
+    void refresh_shadows_below(std::uint32_t top);
+    void queue_change(Handle handle, const Property& property, const Value& old_value,
+                      const Value& new_value, const Cause& cause);
+    void queue_item(QueueItem item);
+    void queue_deletion(Handle handle, const Class& of, const std::string& path);
+    void compare_shadows();
+    void deliver(const QueueItem& item);
+    void call(const Watcher& watcher, const QueueItem& item);
+    std::string describe(const QueueItem& item) const;
+    void barrier_overrun(const std::vector<std::vector<QueueItem>>& generations);
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,36 @@
+#pragma once
+// Stored properties: values the tree keeps for instances of a class, one typed column a property.
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include <fettle/property/class.h>
+
+namespace fettle::property {
+
+/// The columns of one class, a row an instance.
+class StoredColumns {
+  public:
+    explicit StoredColumns(const Class& of);
+
+    /// A row with every default.
+    std::uint32_t add();
+    void remove(std::uint32_t row);
+    Value get(const Property& property, std::uint32_t row) const;
+    void set(const Property& property, std::uint32_t row, const Value& value);
+
+  private:
+    // A nullable or untyped property needs room for nil: it lives in a column of values.
+    using Column =
+        std::variant<std::vector<std::uint8_t>, std::vector<std::int64_t>, std::vector<double>,
+                     std::vector<Vec2>, std::vector<Color>, std::vector<Value>>;
+    static Column column_for(const Property& property);
+
+    const Class* class_;
+    std::vector<Column> columns_;
+    std::vector<std::uint32_t> free_;
+    std::uint32_t rows_ = 0;
+};
+
+}  // namespace fettle::property

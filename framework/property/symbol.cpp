@@ -1,0 +1,56 @@
+#include <fettle/property/symbol.h>
+
+#include <deque>
+#include <mutex>
+#include <shared_mutex>
+#include <unordered_map>
+
+namespace fettle::property {
+namespace {
+
+struct Table {
+    std::shared_mutex mutex;
+    std::deque<std::string> texts{""};  // a deque: addresses of texts stay
+    std::unordered_map<std::string_view, std::uint32_t> ids{{"", 0}};
+};
+
+Table& table() {
+    static Table instance;
+    return instance;
+}
+
+}  // namespace
+
+Symbol::Symbol(std::string_view text) {
+    Table& t = table();
+    {
+        const std::shared_lock lock(t.mutex);
+        if (const auto found = t.ids.find(text); found != t.ids.end()) {
+            id_ = found->second;
+            return;
+        }
+    }
+    const std::unique_lock lock(t.mutex);
+    if (const auto found = t.ids.find(text); found != t.ids.end()) {
+        id_ = found->second;
+        return;
+    }
+    id_ = static_cast<std::uint32_t>(t.texts.size());
+    t.ids.emplace(t.texts.emplace_back(text), id_);
+}
+
+Symbol Symbol::find(std::string_view text) {
+    Table& t = table();
+    const std::shared_lock lock(t.mutex);
+    Symbol symbol;
+    if (const auto found = t.ids.find(text); found != t.ids.end()) symbol.id_ = found->second;
+    return symbol;
+}
+
+const std::string& Symbol::text() const {
+    Table& t = table();
+    const std::shared_lock lock(t.mutex);
+    return t.texts[id_];
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,414 @@
+// Properties of a tree: reading, and the edit pipeline.
+//
+//   1 coerce  2 validate  3 equal? stop  4 record in the history  5 the owner's setter  6 its
+//   invalidate hook 7 queue the change
+//
+// Steps 1 and 2 are coerce.cpp. Step 4 is the place of the history: it will be told (cell, old,
+// new, cause) between `coerce` and `write` below, when the writer is a person.
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+#include <fettle/property/tree.h>
+
+#include "coerce.h"
+#include "state.h"
+
+namespace fettle::property {
+namespace {
+
+template <class T>
+T load(const std::byte* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+}
+
+template <class T>
+void store(std::byte* at, const T& value) {
+    std::memcpy(at, &value, sizeof value);
+}
+
+Value read_column(const Property& property, const std::byte* at) {
+    switch (property.binding.native) {
+        case Native::f32:
+            return static_cast<double>(load<float>(at));
+        case Native::f64:
+            return load<double>(at);
+        case Native::i32:
+            return static_cast<std::int64_t>(load<std::int32_t>(at));
+        case Native::i64:
+            return load<std::int64_t>(at);
+        case Native::boolean:
+            return load<bool>(at);
+        case Native::vec2f:
+            return Vec2(load<float>(at), load<float>(at + sizeof(float)));
+        case Native::vec2d:
+            return Vec2(load<double>(at), load<double>(at + sizeof(double)));
+        case Native::color:
+            return load<Color>(at);
+        case Native::enumeration: {
+            const auto index = load<std::uint8_t>(at);
+            return index < property.enumerator_values.size() ? property.enumerator_values[index]
+                                                             : Value();
+        }
+    }
+    return {};
+}
+
+void write_column(const Property& property, std::byte* at, const Value& value) {
+    switch (property.binding.native) {
+        case Native::f32:
+            return store(at, static_cast<float>(value.number()));
+        case Native::f64:
+            return store(at, value.number());
+        case Native::i32:
+            return store(at, static_cast<std::int32_t>(value.integer()));
+        case Native::i64:
+            return store(at, value.integer());
+        case Native::boolean:
+            return store(at, value.boolean());
+        case Native::vec2f:
+            store(at, static_cast<float>(value.vec2().x()));
+            return store(at + sizeof(float), static_cast<float>(value.vec2().y()));
+        case Native::vec2d:
+            store(at, value.vec2().x());
+            return store(at + sizeof(double), value.vec2().y());
+        case Native::color:
+            return store(at, value.color());
+        case Native::enumeration:
+            return store(at, static_cast<std::uint8_t>(property.enumerator_index(value.text())));
+    }
+}
+
+std::byte* cell_of(const Binding& binding, Row row) {
+    return binding.base(binding.context) + static_cast<std::size_t>(row) * binding.stride;
+}
+
+struct CellName {
+    const Tree& tree;
+    Handle instance;
+    const Property& property;
+};
+
+std::string path_of_cell(const void* what) {
+    const auto& cell = *static_cast<const CellName*>(what);
+    return cell.tree.path(cell.instance, cell.property);
+}
+
+}  // namespace
+
+std::string Tree::path(Handle instance, const Property& property) const {
+    const std::string suffix = path_suffix(property.name);
+    if (instance == state_->root) return suffix.front() == '.' ? suffix.substr(1) : "game" + suffix;
+    return path(instance) + suffix;
+}
+
+std::string Tree::State::cell_path(Handle handle, const Property& property) const {
+    return tree.path(handle, property);
+}
+
+// --- Finding
+// ---------------------------------------------------------------------------------------------------------
+
+const Property* Tree::find(Handle instance, Symbol name) const {
+    const State& s = *state_;
+    const Node& node = s.require(instance);
+    if (const Property* declared = s.classes[node.class_id].property(name)) return declared;
+    if (!node.has_ad_hoc || !name) return nullptr;
+    const auto& own = s.ad_hoc.at(instance.index);
+    const auto found = own.find(name.text());
+    return found == own.end() ? nullptr : found->second.first;
+}
+
+const Property* Tree::find(Handle instance, std::string_view name) const {
+    return find(instance, Symbol::find(name));
+}
+
+const Property& Tree::property(Handle instance, std::string_view name) const {
+    if (const Property* found = find(instance, name)) return *found;
+    std::vector<std::string> names = class_of(instance).member_names();
+    for (const Property* own : ad_hoc(instance)) names.push_back(own->name);
+    for (const Handle c : children(instance)) names.push_back(this->name(c));
+    throw Error(ErrorKind::unknown_name, path(instance) + " has no property \"" +
+                                             std::string(name) + "\"" + suggestion(name, names));
+}
+
+std::vector<const Property*> Tree::ad_hoc(Handle instance) const {
+    std::vector<const Property*> all;
+    if (state_->require(instance).has_ad_hoc)
+        for (const auto& [name, own] : state_->ad_hoc.at(instance.index)) all.push_back(own.first);
+    return all;
+}
+
+std::vector<const Property*> Tree::properties(Handle instance) const {
+    std::vector<const Property*> all = class_of(instance).properties();
+    for (const Property* own : ad_hoc(instance)) all.push_back(own);
+    return all;
+}
+
+// --- Reading
+// ---------------------------------------------------------------------------------------------------------
+
+Value Tree::State::read(std::uint32_t index, const Node& node, const Property& property) const {
+    const Binding& binding = property.binding;
+    switch (binding.kind) {
+        case BindingKind::column:
+            return read_column(property, cell_of(binding, node.row));
+        case BindingKind::accessor:
+            return binding.get(binding.context, node.row);
+        case BindingKind::stored:
+            return stored[node.class_id]->get(property, node.stored_row);
+        case BindingKind::node:
+            return binding.node_get(binding.context, tree, nodes.handle(index));
+        case BindingKind::ad_hoc: {
+            if (!node.has_ad_hoc) return {};
+            const auto& own = ad_hoc.at(index);
+            const auto found = own.find(property.name);
+            return found == own.end() ? Value() : found->second.second;
+        }
+    }
+    return {};
+}
+
+Value Tree::get(Handle instance, const Property& property) const {
+    return state_->read(instance.index, state_->require(instance), property);
+}
+
+Value Tree::get(Handle instance, std::string_view name) const {
+    return get(instance, property(instance, name));
+}
+
+// --- Editing
+// ---------------------------------------------------------------------------------------------------------
+
+Value Tree::coerce(Handle instance, const Property& property, const Value& value) const {
+    const CellName cell{*this, instance, property};
+    return coerce_value(property, value, {.tree = this, .path = &path_of_cell, .what = &cell});
+}
+
+void Tree::State::write(std::uint32_t index, const Node& node, const Property& property,
+                        const Value& value) {
+    const Binding& binding = property.binding;
+    switch (binding.kind) {
+        case BindingKind::column:
+            // A setter of its own goes before the plain store: it can refuse, and it does the store
+            // itself.
+            if (binding.set != nullptr)
+                binding.set(binding.context, node.row, value);
+            else
+                write_column(property, cell_of(binding, node.row), value);
+            break;
+        case BindingKind::accessor:
+            binding.set(binding.context, node.row, value);
+            break;
+        case BindingKind::stored:
+            stored[node.class_id]->set(property, node.stored_row, value);
+            break;
+        case BindingKind::node:
+            binding.node_set(binding.context, tree, nodes.handle(index), value);
+            break;
+        case BindingKind::ad_hoc:
+            ad_hoc.at(index).at(property.name).second = value;
+            break;
+    }
+    if (binding.invalidate != nullptr) binding.invalidate(binding.context, nodes[index].row);
+}
+
+void Tree::State::written(Handle handle, const Node& node, const Property& property,
+                          const Value& old_value) {
+    edited = true;
+    if (!shadows.empty()) last_edit = tree.cause();
+    if (!node.watched && property.interest == 0) return;
+    const Value now = read(handle.index, node, property);
+    if (now == old_value) return;
+    queue_change(handle, property, old_value, now, tree.cause());
+}
+
+void Tree::set(Handle instance, const Property& property, const Value& value) {
+    State& s = *state_;
+    const Node& node = s.require(instance);
+    if (property.read_only)
+        throw Error(ErrorKind::read_only,
+                    path(instance, property) + " is read-only" +
+                        (property.derives_from.empty() ? "" : ": it is derived"));
+    if (value.is_nil() && !property.nullable && property.type != Type::reference) {
+        if (property.binding.kind == BindingKind::ad_hoc)
+            return remove_ad_hoc(instance, property.name);
+        return reset(instance, property);
+    }
+    const Value next = coerce(instance, property, value);
+    const Value old = s.read(instance.index, node, property);
+    const bool stands = property.binding.overridden == nullptr ||
+                        property.binding.overridden(property.binding.context, node.row);
+    if (old == next && stands) return;
+    try {
+        s.write(instance.index, node, property, next);
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+    }
+    // The setter may have moved nodes (a rename, another parent), so the node is looked up again.
+    if (const Node* after = s.nodes.find(instance)) s.written(instance, *after, property, old);
+}
+
+void Tree::set(Handle instance, std::string_view name, const Value& value) {
+    set(instance, property(instance, name), value);
+}
+
+void Tree::reset(Handle instance, const Property& property) {
+    State& s = *state_;
+    const Node& node = s.require(instance);
+    if (property.read_only)
+        throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
+    if (property.binding.kind == BindingKind::ad_hoc) return remove_ad_hoc(instance, property.name);
+    if (property.binding.kind == BindingKind::node)
+        throw Error(ErrorKind::wrong_type,
+                    path(instance, property) + ": expected " + expectation(property) + ", got nil");
+    const bool redeclared = property.owner != nullptr && property.owner->base() != nullptr &&
+                            property.owner->base()->property(property.symbol) != nullptr;
+    if (property.binding.reset == nullptr || redeclared)
+        return set(instance, property, property.default_value);
+    const Value old = s.read(instance.index, node, property);
+    property.binding.reset(property.binding.context, node.row);
+    if (property.binding.invalidate != nullptr)
+        property.binding.invalidate(property.binding.context, node.row);
+    s.written(instance, node, property, old);
+}
+
+bool Tree::overridden(Handle instance, const Property& property) const {
+    const Node& node = state_->require(instance);
+    if (property.binding.kind == BindingKind::ad_hoc) return true;
+    if (property.read_only) return false;
+    if (property.binding.overridden != nullptr)
+        return property.binding.overridden(property.binding.context, node.row);
+    if (property.binding.kind == BindingKind::node) return false;
+    return !(state_->read(instance.index, node, property) == property.default_value);
+}
+
+// --- Ad-hoc properties
+// -----------------------------------------------------------------------------------------------
+
+const Property& Tree::State::ad_hoc_property(Symbol name) {
+    std::unique_ptr<Property>& slot = ad_hoc_properties[name];
+    if (slot == nullptr) {
+        slot = std::make_unique<Property>();
+        slot->name = name.text();
+        slot->symbol = name;
+        slot->type = Type::nil;
+        slot->any_type = slot->infinity = true;
+        slot->doc = "Added to this instance by a user.";
+        slot->binding.kind = BindingKind::ad_hoc;
+        slot->interest = watchers.interest(*slot, nullptr);
+    }
+    return *slot;
+}
+
+void Tree::set_or_add(Handle instance, std::string_view name, const Value& value) {
+    if (const Property* found = find(instance, name)) return set(instance, *found, value);
+    State& s = *state_;
+    const Class& of = class_of(instance);
+    const auto refuse = [&](ErrorKind kind, const std::string& reason) {
+        throw Error(kind, path(instance) + ": " + reason);
+    };
+    const std::string quoted = "\"" + std::string(name) + "\"";
+    if (name.empty()) refuse(ErrorKind::bad_name, "the name of a property cannot be empty");
+    if (of.method(name) != nullptr)
+        refuse(ErrorKind::bad_name, quoted + " is a method of " + of.name());
+    if (child(instance, name)) refuse(ErrorKind::bad_name, quoted + " is a child here");
+    for (const std::string& declared : of.member_names())
+        if (near_miss(name, declared))
+            refuse(ErrorKind::near_miss, of.name() + " has no property " + quoted +
+                                             " (did you mean \"" + declared + "\"?)");
+    if (value.is_nil()) return;
+    const Property& added = s.ad_hoc_property(Symbol(name));
+    const Value next = coerce(instance, added, value);
+    s.ad_hoc[instance.index].emplace(added.name, std::pair(&added, next));
+    Node& node = s.require(instance);
+    node.has_ad_hoc = true;
+    s.written(instance, node, added, Value());
+}
+
+void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
+    State& s = *state_;
+    Node& node = s.require(instance);
+    if (!node.has_ad_hoc) return;
+    auto& own = s.ad_hoc.at(instance.index);
+    const auto found = own.find(std::string(name));
+    if (found == own.end()) return;
+    const auto [property, old] = found->second;
+    own.erase(found);
+    if (own.empty()) {
+        s.ad_hoc.erase(instance.index);
+        node.has_ad_hoc = false;
+    }
+    s.written(instance, node, *property, old);
+}
+
+std::string Tree::text(const Value& value, Precision precision) const {
+    if (value.is(Type::reference)) {
+        if (!value.reference()) return "nil";
+        return alive(value.reference()) ? path(value.reference()) : "(deleted)";
+    }
+    if (!value.is(Type::list)) return value_text(value, precision);
+    std::string out = "{";
+    for (const Value& element : value.list()) {
+        if (out.size() > 1) out += ", ";
+        out += text(element, precision);
+    }
+    return out + "}";
+}
+
+// --- Methods
+// ---------------------------------------------------------------------------------------------------------
+
+Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
+    const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
+    if (arguments.size() < method.required || arguments.size() > method.parameters.size())
+        throw Error(ErrorKind::wrong_type,
+                    where() + ": expected " + std::to_string(method.required) +
+                        (method.required == method.parameters.size()
+                             ? ""
+                             : " to " + std::to_string(method.parameters.size())) +
+                        " arguments, got " + std::to_string(arguments.size()));
+    std::vector<Value> coerced(method.parameters.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const Field& parameter = method.parameters[i];
+        Property as;
+        as.name = parameter.name;
+        as.type = parameter.type;
+        as.any_type = parameter.type == Type::nil;
+        as.unit = parameter.unit;
+        as.nullable = i >= method.required;
+        struct Argument {
+            std::string call, name;
+        } argument{where(), parameter.name};
+        const auto name = [](const void* what) {
+            const auto& a = *static_cast<const Argument*>(what);
+            return a.call + ": argument \"" + a.name + "\"";
+        };
+        coerced[i] =
+            coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
+    }
+    try {
+        return method.call(method.context, *this, instance, row(instance), coerced);
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected, where() + ": " + refusal.what());
+    }
+}
+
+Result Tree::call(Handle instance, std::string_view method,
+                  std::initializer_list<Value> arguments) {
+    const Class& of = class_of(instance);
+    if (const Method* found = of.method(method))
+        return call(instance, *found, std::span(arguments.begin(), arguments.size()));
+    std::vector<std::string> names;
+    for (const Method* m : of.methods()) names.push_back(m->name);
+    throw Error(ErrorKind::unknown_name, path(instance) + " has no method \"" +
+                                             std::string(method) + "\"" +
+                                             suggestion(method, names));
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,111 @@
+// How values are written down: for the console, for messages, and so that Lua reads the same value
+// back.
+
+#include <charconv>
+#include <cmath>
+
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+std::string_view type_name(Type type) {
+    switch (type) {
+        case Type::nil:
+            return "nil";
+        case Type::boolean:
+            return "boolean";
+        case Type::integer:
+            return "integer";
+        case Type::number:
+            return "number";
+        case Type::text:
+            return "text";
+        case Type::vec2:
+            return "vec2";
+        case Type::color:
+            return "color";
+        case Type::reference:
+            return "reference";
+        case Type::list:
+            return "list";
+    }
+    return "?";
+}
+
+std::string number_text(double number, Precision precision) {
+    if (std::isnan(number)) return "nan";
+    if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
+    char buffer[40];
+    const auto narrow = static_cast<float>(number);
+    // A number that is not a float is not shortened to one, whatever its property claims.
+    const bool as_float =
+        precision == Precision::single_precision && static_cast<double>(narrow) == number;
+    const std::to_chars_result end = as_float
+                                         ? std::to_chars(buffer, buffer + sizeof buffer, narrow)
+                                         : std::to_chars(buffer, buffer + sizeof buffer, number);
+    return {buffer, end.ptr};
+}
+
+namespace {
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (c == '\n') {
+            out += "\\n";
+        } else if (c == '\t') {
+            out += "\\t";
+        } else if (byte < 32 || byte == 127) {
+            // Three digits always, so that a digit that follows is not taken for part of the
+            // escape.
+            const char digits[] = {'\\', static_cast<char>('0' + byte / 100),
+                                   static_cast<char>('0' + byte / 10 % 10),
+                                   static_cast<char>('0' + byte % 10), 0};
+            out += digits;
+        } else {
+            out += c;
+        }
+    }
+    return out + '"';
+}
+
+}  // namespace
+
+std::string value_text(const Value& value, Precision precision) {
+    switch (value.type()) {
+        case Type::nil:
+            return "nil";
+        case Type::boolean:
+            return value.boolean() ? "true" : "false";
+        case Type::integer:
+            return std::to_string(value.integer());
+        case Type::number:
+            return number_text(value.number(), precision);
+        case Type::text:
+            return quoted(value.text());
+        case Type::vec2:
+            return "vec(" + number_text(value.vec2().x(), precision) + ", " +
+                   number_text(value.vec2().y(), precision) + ")";
+        case Type::color:
+            return "color(\"" + color_text(value.color()) + "\")";
+        case Type::reference:
+            if (!value.reference()) return "nil";
+            return "#" + std::to_string(value.reference().index) + ":" +
+                   std::to_string(value.reference().generation);
+        case Type::list: {
+            std::string out = "{";
+            for (const Value& element : value.list()) {
+                if (out.size() > 1) out += ", ";
+                out += value_text(element, precision);
+            }
+            return out + "}";
+        }
+    }
+    return "?";
+}
+
+}  // namespace fettle::property

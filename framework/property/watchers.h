@@ -1,0 +1,109 @@
+#pragma once
+// Watchers: who wants to hear of what. They are found by what they watch, called in the order they
+// were registered, and survive whatever a handler does to them meanwhile.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/property/change.h>
+#include <fettle/property/path.h>
+
+namespace fettle::property {
+
+/// A cell: one property of one instance, by name, so that a class may redeclare the property.
+struct Cell {
+    std::uint32_t index = 0;
+    Symbol property;
+    friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+struct CellHash {
+    std::size_t operator()(const Cell& cell) const noexcept {
+        return (std::uint64_t{cell.index} << 32 | cell.property.id()) * 0x9e3779b97f4a7c15u >> 13;
+    }
+};
+
+using WatcherId = std::uint64_t;
+
+enum class WatchKind : std::uint8_t {
+    cell,
+    instance,
+    of_class,
+    pattern,
+    created,
+    deleted,
+    event,
+    class_event
+};
+
+struct Watcher {
+    WatcherId id = 0;
+    WatchKind kind = WatchKind::cell;
+    std::uint32_t index = 0;       // cell, instance, deleted, event
+    Symbol property;               // cell, of_class (empty: every one)
+    const Class* of = nullptr;     // of_class, created, deleted, class_event
+    const Event* event = nullptr;  // event, class_event
+    std::unique_ptr<Pattern> pattern;
+    ChangeHandler on_change;
+    ExistenceHandler on_existence;
+    EventHandler on_event;
+    std::string label;
+    bool active = true;
+
+    bool broad() const { return kind == WatchKind::of_class || kind == WatchKind::pattern; }
+};
+
+class Watchers {
+  public:
+    explicit Watchers(Tree& tree) : tree_(tree), self_(std::make_shared<Watchers*>(this)) {}
+
+    Connection add(Watcher watcher);
+    void stop(WatcherId id);
+    bool active(WatcherId id) const { return all_.contains(id); }
+    std::shared_ptr<Watcher> find(WatcherId id) const;
+    std::size_t size() const { return all_.size(); }
+    WatcherId last_id() const { return last_id_; }
+
+    // Those who want to hear, in order of registration; only those registered up to `until`.
+    std::vector<WatcherId> of_change(const Change& change, WatcherId until) const;
+    std::vector<WatcherId> of_event(Handle instance, const Event& event, WatcherId until) const;
+    std::vector<WatcherId> of_creation(const Class& instance_class, WatcherId until) const;
+    std::vector<WatcherId> of_deletion(std::uint32_t index, const Class& instance_class) const;
+
+    /// Whether any pattern or class watcher wants this property of this instance.
+    bool broadly_watched(Handle instance, const Property& property) const;
+    /// Whether a watcher of this very cell or of its instance exists.
+    bool directly_watched(Cell cell) const {
+        return cells_.contains(cell) || instances_.contains(cell.index);
+    }
+    bool any_on(std::uint32_t index) const { return on_index_.contains(index); }
+    bool any_broad() const { return !broad_.empty(); }
+    bool any_created() const { return !created_.empty(); }
+    /// How many broad watchers may want a property of that name: kept in `Property::interest`.
+    std::uint32_t interest(const Property& property, const Class* of) const;
+
+    /// The instance is gone: its watchers are no longer found by it (its slot may be somebody
+    /// else's soon). Those in `keep` stay callable until they are stopped.
+    void retire(std::uint32_t index, const std::vector<WatcherId>& keep);
+
+  private:
+    bool wants(const Watcher& watcher, Handle instance, const Property& property) const;
+    std::vector<WatcherId>* list_of(const Watcher& watcher);
+    void unlist(const Watcher& watcher);
+
+    Tree& tree_;
+    std::shared_ptr<Watchers*> self_;
+    WatcherId last_id_ = 0;
+    std::unordered_map<WatcherId, std::shared_ptr<Watcher>> all_;
+    std::unordered_map<Cell, std::vector<WatcherId>, CellHash> cells_;
+    std::unordered_map<std::uint32_t, std::vector<WatcherId>> instances_;
+    std::unordered_map<std::uint32_t, std::vector<WatcherId>> deleted_on_;
+    std::unordered_map<Cell, std::vector<WatcherId>, CellHash> events_;
+    std::unordered_map<std::uint32_t, std::vector<WatcherId>> on_index_;  // of any of these kinds
+    std::vector<WatcherId> broad_, created_, deleted_, class_events_;
+};
+
+}  // namespace fettle::property
