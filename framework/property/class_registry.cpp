@@ -16,6 +16,14 @@ std::string lower_case(std::string text) {
     return text;
 }
 
+// Properties may be called as nothing else may: the keys "0" and "end" of a keyboard, say.
+bool is_word(std::string_view name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+               (c >= 'A' && c <= 'Z');
+    });
+}
+
 // What a property of this type holds when its descriptor names no default.
 Value zero_of(const Property& property) {
     if (property.nullable || property.any_type) return {};
@@ -110,7 +118,7 @@ void ClassRegistry::inherit(Class& made) {
 
 void ClassRegistry::add_property(Class& made, Property property) {
     property.symbol = Symbol(property.name);
-    if (!is_identifier(property.name) || made.method(property.symbol) != nullptr)
+    if (!is_word(property.name) || made.method(property.symbol) != nullptr)
         throw Error(ErrorKind::bad_name, "class " + made.name() + ": \"" + property.name +
                                              "\" cannot be the name of a property");
     const Property* inherited = made.property(property.symbol);

@@ -33,7 +33,7 @@ void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
     while (group < groups_.size() && groups_[group].property != property.symbol) ++group;
     if (group == groups_.size()) groups_.push_back({property.symbol, true, {}});
     // A derived value may change by an edit too, so its group is always compared.
-    if (!property.simulated) groups_[group].only_stepped = false;
+    if (!property.simulated || !property.derives_from.empty()) groups_[group].only_stepped = false;
     std::vector<Row>& rows = groups_[group].rows;
     places_[{instance.index, property.symbol}] = {group, static_cast<std::uint32_t>(rows.size())};
     rows.push_back({instance, &property, tree.get(instance, property)});

@@ -35,14 +35,18 @@ std::string_view type_name(Type type) {
 std::string number_text(double number, Precision precision) {
     if (std::isnan(number)) return "nan";
     if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
-    char buffer[40];
     const auto narrow = static_cast<float>(number);
     // A number that is not a float is not shortened to one, whatever its property claims.
     const bool as_float =
         precision == Precision::single_precision && static_cast<double>(narrow) == number;
-    const std::to_chars_result end = as_float
-                                         ? std::to_chars(buffer, buffer + sizeof buffer, narrow)
-                                         : std::to_chars(buffer, buffer + sizeof buffer, number);
+    // Left alone, the shortest form of a million is 1e+06: nobody types it like that.
+    const double size = std::fabs(number);
+    const auto format = size == 0 || (size >= 1e-5 && size < 1e15) ? std::chars_format::fixed
+                                                                   : std::chars_format::scientific;
+    char buffer[40];
+    const std::to_chars_result end =
+        as_float ? std::to_chars(buffer, buffer + sizeof buffer, narrow, format)
+                 : std::to_chars(buffer, buffer + sizeof buffer, number, format);
     return {buffer, end.ptr};
 }
 

@@ -412,19 +412,14 @@ class SceneLoader {
     /// An absolute path may lead to where this very scene is about to be.
     Handle walk(Handle at, const std::vector<Segment>& segments, const std::string& text,
                 const Node& node) const {
-        std::size_t first = 0;
-        if (at == tree_.root() && !segments.empty() && !segments[0].is_index() &&
-            std::get<std::string>(segments[0].key) == tree_.name(at)) {
-            first = 1;
-        }
-        for (std::size_t i = first; i < segments.size(); ++i) {
+        for (const Segment& segment : segments) {
             Handle next;
-            if (!segments[i].is_index()) {
-                const std::string& name = std::get<std::string>(segments[i].key);
+            if (!segment.is_index()) {
+                const std::string& name = std::get<std::string>(segment.key);
                 next = tree_.child(at, name);
                 if (!next && at == parent_ && name == top_name()) next = instances_.front().handle;
             }
-            if (!next) no_such_instance(at, segments[i], text, node);
+            if (!next) no_such_instance(at, segment, text, node);
             at = next;
         }
         return at;

@@ -1,0 +1,138 @@
+#include "catch.h"
+#include "fixture.h"
+
+using namespace fettle::property;
+using namespace fettle::property::testing;
+
+namespace {
+struct Fixture {
+    Tree tree;
+    BallModule module{tree};
+    Handle world = tree.create(tree.object_class(), tree.root(), "world");
+
+    std::vector<std::string> child_names(Handle of) {
+        std::vector<std::string> names;
+        for (const Handle c : tree.children(of)) names.push_back(tree.name(c));
+        return names;
+    }
+};
+using Names = std::vector<std::string>;
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "children keep their order and names number themselves") {
+    tree.create(*module.type, world);
+    tree.create(*module.type, world, "odd name");
+    tree.create(*module.type, world);
+    CHECK(child_names(world) == Names{"ball_1", "odd name", "ball_2"});
+    const Handle odd = tree.child(world, "odd name");
+    CHECK(tree.path(odd) == "world[\"odd name\"]");
+    CHECK(resolve(tree, "world[\"odd name\"].mass").instance == odd);
+    tree.destroy(tree.child(world, "ball_2"));
+    tree.create(*module.type, world);
+    CHECK(child_names(world) == Names{"ball_1", "odd name", "ball_3"});
+}
+
+TEST_CASE_METHOD(Fixture, "unnamed children of a constructor are plain first and then numbered") {
+    for (int i = 0; i < 3; ++i) tree.move(tree.create(*module.type), world, "", true);
+    CHECK(child_names(world) == Names{"ball", "ball_2", "ball_3"});
+}
+
+TEST_CASE_METHOD(Fixture, "renaming keeps the place among the siblings") {
+    for (const char* name : {"a", "b", "c"}) tree.create(*module.type, world, name);
+    tree.set(tree.child(world, "a"), "name", "z");
+    CHECK(child_names(world) == Names{"z", "b", "c"});
+    CHECK_FALSE(tree.child(world, "a"));
+    CHECK(tree.path(tree.child(world, "z")) == "world.z");
+    CHECK_THAT(message_of([&] { tree.rename(tree.child(world, "z"), "b"); }),
+               contains("has a child \"b\" already"));
+    CHECK_THAT(
+        message_of([&] { tree.create(tree.object_class(), tree.child(world, "z"), "mass"); }),
+        contains("a property of Ball"));
+}
+
+TEST_CASE_METHOD(Fixture, "a dangling handle is detected and tells who deleted it and when") {
+    const Handle ball = tree.create(*module.type, world, "ball");
+    tree.set_step(412);
+    {
+        Tree::CauseScope scope(tree, Writer::console);
+        tree.destroy(ball);
+    }
+    CHECK_FALSE(tree.alive(ball));
+    CHECK(message_of([&] { tree.get(ball, "mass"); }) ==
+          "world.ball was deleted at step 412 by console");
+    // Its slot is used again; the old handle still means the old ball.
+    const Handle next = tree.create(*module.type, world, "ball");
+    CHECK(next.index == ball.index);
+    CHECK_FALSE(tree.alive(ball));
+    CHECK(message_of([&] { tree.set(ball, "mass", 2); }) ==
+          "world.ball was deleted at step 412 by console");
+    CHECK(tree.get(next, "mass") == Value(1.0));
+}
+
+TEST_CASE_METHOD(Fixture, "deleting takes what is below along and tells the module of each") {
+    const Handle ball = tree.create(*module.type, world, "ball");
+    const Handle part = tree.create(*module.type, ball, "part");
+    const Handle deep = tree.create(*module.type, part, "deep");
+    tree.destroy(ball);
+    CHECK(module.destroyed == 3);
+    CHECK_FALSE(tree.alive(part));
+    CHECK_FALSE(tree.alive(deep));
+    CHECK(tree.child_count(world) == 0);
+    CHECK_THROWS_AS(tree.destroy(tree.root()), Error);
+}
+
+TEST_CASE_METHOD(Fixture, "moving places the whole branch and cannot make a loop") {
+    const Handle ball = tree.create(*module.type);
+    const Handle part = tree.create(*module.type, ball, "part");
+    CHECK(tree.path(part) == "(detached ball).part");
+    module.placed = 0;
+    tree.move(ball, world);
+    CHECK(module.placed == 2);
+    CHECK(tree.path(part) == "world.ball_1.part");
+    CHECK_THAT(message_of([&] { tree.move(world, part); }), contains("below itself"));
+    CHECK(tree.is_below(part, world));
+    tree.set(part, "parent", world);
+    CHECK(tree.path(part) == "world.part");
+    CHECK(tree.child_count(ball) == 0);
+}
+
+TEST_CASE_METHOD(Fixture, "a hundred thousand instances are made and found by name and deleted") {
+    std::vector<Handle> all;
+    for (int i = 0; i < 100000; ++i) all.push_back(tree.create(*module.type, world));
+    CHECK(tree.child(world, "ball_77777") == all[77776]);
+    for (std::size_t i = 0; i < all.size(); i += 2) tree.destroy(all[i]);
+    CHECK_FALSE(tree.child(world, "ball_1"));
+    CHECK(tree.child(world, "ball_2") == all[1]);
+    CHECK(tree.child_count(world) == 50000);
+    tree.destroy(world);
+    CHECK(tree.size() == 1);
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "names of unlinked and linked children stay findable under random changes") {
+    // The table of children shifts entries back on deletion; a naive list tells what it should
+    // find.
+    std::vector<std::pair<std::string, Handle>> model;
+    std::uint32_t seed = 7;
+    const auto random = [&](std::uint32_t below) {
+        seed = seed * 1664525u + 1013904223u;
+        return (seed >> 8) % below;
+    };
+    for (int i = 0; i < 20000; ++i) {
+        if (model.empty() || random(5) < 3) {
+            const std::string name = "n" + std::to_string(random(3)) + "_" + std::to_string(i + 1);
+            model.emplace_back(name, tree.create(*module.type, world, name));
+        } else {
+            const std::size_t at = random(static_cast<std::uint32_t>(model.size()));
+            tree.destroy(model[at].second);
+            model.erase(model.begin() + static_cast<std::ptrdiff_t>(at));
+        }
+    }
+    REQUIRE(tree.child_count(world) == model.size());
+    std::size_t found = 0;
+    const std::vector<Handle> children = tree.children(world);
+    for (std::size_t i = 0; i < model.size(); ++i)
+        found +=
+            tree.child(world, model[i].first) == model[i].second && children[i] == model[i].second;
+    CHECK(found == model.size());
+}

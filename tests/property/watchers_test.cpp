@@ -1,0 +1,290 @@
+#include <optional>
+
+#include "catch.h"
+#include "fixture.h"
+
+using namespace fettle::property;
+using namespace fettle::property::testing;
+
+namespace {
+struct Fixture {
+    Tree tree;
+    BallModule module{tree};
+    Handle world = tree.create(tree.object_class(), tree.root(), "world");
+    Handle ball = tree.create(*module.type, world, "ball");
+    std::vector<std::string> log;
+
+    ChangeHandler note(const std::string& who) {
+        return [this, who](const Change& c) {
+            log.push_back(who + " " + tree.path(c.instance, *c.property) + " " +
+                          tree.text(c.old_value) + ">" + tree.text(c.new_value));
+        };
+    }
+};
+using Log = std::vector<std::string>;
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "changes arrive at the barrier coalesced and in order of registration") {
+    tree.watch(ball, "mass", note("a"));
+    tree.watch(*module.type, module.type->property("mass"), note("b"));
+    tree.watch_pattern("world.*.mass", note("c"));
+    tree.watch(ball, note("d"));
+    tree.set(ball, "mass", 2);
+    tree.set(ball, "mass", 3);
+    CHECK(log.empty());
+    tree.barrier();
+    CHECK(log == Log{"a world.ball.mass 1>3", "b world.ball.mass 1>3", "c world.ball.mass 1>3",
+                     "d world.ball.mass 1>3"});
+    tree.barrier();
+    CHECK(log.size() == 4);
+}
+
+TEST_CASE_METHOD(Fixture, "a value that comes back to what it was is no change") {
+    tree.watch(ball, "mass", note("a"));
+    tree.set(ball, "mass", 2);
+    tree.set(ball, "mass", 1);
+    tree.barrier();
+    CHECK(log.empty());
+}
+
+TEST_CASE_METHOD(Fixture, "changes carry who caused them and when") {
+    std::optional<Change> seen;
+    tree.watch(ball, "mass", [&](const Change& c) { seen = c; });
+    tree.set_step(30);
+    std::function<std::string()> locate = [] { return std::string("main.lua:30"); };
+    {
+        Tree::CauseScope scope(tree, Writer::script, &locate);
+        tree.set(ball, "mass", 2);
+    }
+    tree.barrier();
+    REQUIRE(seen);
+    CHECK(seen->cause.writer == Writer::script);
+    CHECK(seen->cause.text() == "main.lua:30, step 30");
+}
+
+TEST_CASE_METHOD(Fixture, "what the simulation writes is seen at the barrier after the step") {
+    tree.watch(ball, "velocity", note("a"));
+    module.ball(ball).velocity[0] = 5;
+    tree.barrier();
+    CHECK(log.empty());  // nobody stepped
+    tree.set_step(1);
+    tree.barrier();
+    CHECK(log == Log{"a world.ball.velocity vec(0, 0)>vec(5, 0)"});
+    tree.set_step(2);
+    tree.barrier();
+    CHECK(log.size() == 1);
+}
+
+TEST_CASE_METHOD(Fixture, "an edit of a simulated property is told once") {
+    tree.watch(ball, "velocity", note("a"));
+    tree.set(ball, "velocity", Vec2(1, 0));
+    tree.set_step(1);
+    tree.barrier();
+    CHECK(log == Log{"a world.ball.velocity vec(0, 0)>vec(1, 0)"});
+}
+
+TEST_CASE_METHOD(Fixture, "pattern and class watchers follow instances that come and move and go") {
+    tree.watch_pattern("world.*.velocity", note("p"));
+    const Handle late = tree.create(*module.type, world, "late");
+    const Handle away = tree.create(*module.type, tree.root(), "away");
+    module.ball(late).velocity[1] = 1;
+    module.ball(away).velocity[1] = 1;
+    tree.set_step(1);
+    tree.barrier();
+    CHECK(log == Log{"p world.late.velocity vec(0, 0)>vec(0, 1)"});
+    tree.move(away, world);
+    module.ball(away).velocity[1] = 2;
+    tree.destroy(late);
+    tree.set_step(2);
+    tree.barrier();
+    CHECK(log.size() == 2);
+    CHECK(log.back() == "p world.away.velocity vec(0, 1)>vec(0, 2)");
+}
+
+TEST_CASE_METHOD(Fixture, "a watcher of a derived value is told when its source is edited") {
+    tree.get(ball, "area");
+    tree.watch(ball, "area", note("a"));
+    tree.set(ball, "radius", 1.0);
+    tree.barrier();
+    CHECK(log == Log{"a world.ball.area 0.75>3"});
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "writes made by a handler come in the next generation of the same barrier") {
+    tree.watch(ball, "mass", [&](const Change& c) {
+        log.push_back("mass " + tree.text(c.new_value));
+        if (c.new_value.number() < 4) tree.set(ball, "mass", c.new_value.number() + 1);
+    });
+    tree.set(ball, "mass", 2);
+    tree.barrier();
+    CHECK(log == Log{"mass 2", "mass 3", "mass 4"});
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "handlers that never settle stop the barrier with the chain of paths and causes") {
+    const Handle other = tree.create(*module.type, world, "other");
+    tree.watch(ball, "mass",
+               [&](const Change& c) { tree.set(other, "mass", c.new_value.number() + 1); });
+    tree.watch(other, "mass",
+               [&](const Change& c) { tree.set(ball, "mass", c.new_value.number() + 1); });
+    tree.set(ball, "mass", 2);
+    const std::string message = message_of([&] { tree.barrier(); });
+    CHECK_THAT(message, contains("16 generations") &&
+                            contains("world.ball.mass by module, step 0") &&
+                            contains("world.other.mass"));
+    tree.barrier();  // and goes on
+    CHECK(tree.get(ball, "mass") == Value(18.0));
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "a handler may remove itself and others and nothing is skipped or called twice") {
+    Connection first, second, third;
+    first = tree.watch(ball, "mass", [&](const Change&) {
+        log.push_back("first");
+        first.stop();
+        third.stop();
+    });
+    second = tree.watch(ball, "mass", [&](const Change&) { log.push_back("second"); });
+    third = tree.watch(ball, "mass", [&](const Change&) { log.push_back("third"); });
+    tree.watch(ball, "mass", [&](const Change&) { log.push_back("fourth"); });
+    tree.set(ball, "mass", 2);
+    tree.barrier();
+    CHECK(log == Log{"first", "second", "fourth"});
+    CHECK_FALSE(first.active());
+    CHECK(second.active());
+    tree.set(ball, "mass", 3);
+    tree.barrier();
+    CHECK(log == Log{"first", "second", "fourth", "second", "fourth"});
+}
+
+TEST_CASE_METHOD(
+    Fixture, "a handler may delete the instance it is about and the others still hear the change") {
+    tree.watch(*module.type, module.type->property("mass"), [&](const Change& c) {
+        log.push_back("first");
+        tree.destroy(c.instance);
+    });
+    tree.watch(*module.type, module.type->property("mass"), [&](const Change& c) {
+        log.push_back(tree.alive(c.instance) ? "alive" : "second");
+    });
+    tree.watch_deleted(*module.type,
+                       [&](const Existence& e) { log.push_back("deleted " + e.path); });
+    tree.set(ball, "mass", 2);
+    tree.barrier();
+    CHECK(log == Log{"first", "second", "deleted world.ball"});
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "deletion is told once with the last values and ends the instance's watchers") {
+    tree.set(ball, "mass", 8);
+    int deleted = 0;
+    tree.watch(ball, "mass", note("cell"));
+    const Connection gone = tree.watch_deleted(ball, [&](const Existence& e) {
+        ++deleted;
+        CHECK(e.path == "world.ball");
+        CHECK_FALSE(tree.alive(e.instance));
+        for (const auto& [property, value] : e.last_values)
+            if (property->name == "mass") CHECK(value == Value(8.0));
+    });
+    tree.on(ball, *module.type->event("deleted"),
+            [&](const Occurrence& o) { log.push_back("event " + o.record.get("path").text()); });
+    tree.destroy(ball);
+    // The slot is taken again before the barrier: its new owner inherits no watcher.
+    const Handle next = tree.create(*module.type, world, "next");
+    REQUIRE(next.index == ball.index);
+    tree.set(next, "mass", 3);
+    tree.barrier();
+    CHECK(deleted == 1);
+    CHECK(log == Log{"event world.ball"});
+    CHECK(tree.watcher_count() == 0);
+    CHECK_FALSE(gone.active());
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "a handler may create instances and watchers which hear what comes later only") {
+    tree.watch(ball, "mass", [&](const Change&) {
+        const Handle made = tree.create(*module.type, world, "made");
+        tree.watch(ball, "mass", note("late"));
+        tree.watch(made, "mass", note("made"));
+        tree.set(made, "mass", 7);
+    });
+    tree.set(ball, "mass", 2);
+    tree.barrier();
+    CHECK(log == Log{"made world.made.mass 1>7"});
+}
+
+TEST_CASE_METHOD(Fixture, "a handler that throws is named and the others run") {
+    std::vector<HandlerError> errors;
+    tree.on_handler_error([&](const HandlerError& e) { errors.push_back(e); });
+    tree.watch(ball, "mass", [](const Change&) { throw std::runtime_error("boom"); },
+               {.label = "main.lua:12"});
+    tree.watch(ball, "mass", note("b"));
+    tree.set(ball, "mass", 2);
+    tree.barrier();
+    CHECK(log.size() == 1);
+    REQUIRE(errors.size() == 1);
+    CHECK(errors[0].path == "world.ball.mass");
+    CHECK(errors[0].where == "main.lua:12");
+    CHECK(errors[0].message == "boom");
+}
+
+TEST_CASE_METHOD(Fixture, "a new watcher that asks is given the current value") {
+    tree.watch(ball, "mass", note("a"), {.initial = true});
+    tree.watch_pattern("**.radius", note("p"), {.initial = true});
+    tree.set(ball, "mass", 2);
+    tree.barrier();
+    CHECK(log ==
+          Log{"a world.ball.mass nil>2", "p world.ball.radius nil>0.5", "a world.ball.mass 1>2"});
+}
+
+TEST_CASE_METHOD(Fixture, "ad-hoc properties are watched like declared ones") {
+    tree.watch_pattern("world.ball.*", note("p"));
+    tree.set_or_add(ball, "lives", 3);
+    tree.barrier();
+    tree.set(ball, "lives", 2);
+    tree.barrier();
+    tree.remove_ad_hoc(ball, "lives");
+    tree.barrier();
+    CHECK(log ==
+          Log{"p world.ball.lives nil>3", "p world.ball.lives 3>2", "p world.ball.lives 2>nil"});
+}
+
+TEST_CASE_METHOD(Fixture, "events reach listeners of the instance and of its class") {
+    const Event& bounced = *module.type->event("bounced");
+    CHECK_FALSE(tree.listens(ball, bounced));
+    tree.emit(ball, bounced, {1.0});  // nobody listens: nothing is kept
+    tree.on(ball, bounced,
+            [&](const Occurrence& o) { log.push_back("one " + tree.text(o.record.get("speed"))); });
+    tree.on(*module.type, bounced, [&](const Occurrence&) { log.push_back("class"); });
+    CHECK(tree.listens(ball, bounced));
+    tree.emit(ball, bounced, {2.5});
+    tree.barrier();
+    CHECK(log == Log{"one 2.5", "class"});
+}
+
+TEST_CASE("patterns match names and any depth") {
+    Tree tree;
+    const Handle a = tree.create(tree.object_class(), tree.root(), "a");
+    const Handle b = tree.create(tree.object_class(), a, "ball_1");
+    const Handle c = tree.create(tree.object_class(), b, "c");
+    CHECK(Pattern("a.*").matches(tree, b));
+    CHECK_FALSE(Pattern("a.*").matches(tree, c));
+    CHECK(Pattern("a.**").matches(tree, c));
+    CHECK(Pattern("**.c").matches(tree, c));
+    CHECK(Pattern("a.ball_*.c").matches(tree, c));
+    CHECK(Pattern("a.b*l*_1").matches(tree, b));
+    CHECK_FALSE(Pattern("a.b*x").matches(tree, b));
+    CHECK(Pattern("game.a").matches(tree, a));
+    for (const char* bad : {"", "a.", "a..b", "a[b]", "a[\"b"})
+        CHECK_THROWS_AS(Pattern(bad), Error);
+}
+
+TEST_CASE("a connection outlives its tree") {
+    Connection connection;
+    {
+        Tree tree;
+        connection = tree.watch_pattern("**", [](const Change&) {});
+        CHECK(connection.active());
+    }
+    CHECK_FALSE(connection.active());
+    connection.stop();
+}
