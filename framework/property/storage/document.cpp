@@ -121,10 +121,11 @@ class DocumentReader : public nlohmann::json_sax<Json> {
         } else if (reason.starts_with("[")) {
             reason.erase(0, reason.find("] ") + 2);
         }
+        // Reading cannot have stopped behind `position`: a comma too many is not skipped either.
         const bool in_string = reason.find("invalid string") != std::string::npos;
-        const std::size_t at = in_string && position > 0
-                                   ? std::min(position - 1, document_.source_.size())
-                                   : token_start(document_.source_, cursor_);
+        const std::size_t last = std::min(position - (position > 0), document_.source_.size());
+        const std::size_t at =
+            in_string ? last : std::min(last, token_start(document_.source_, cursor_));
         document_.fail(ErrorKind::bad_structure, at, "not JSON: " + reason);
     }
 

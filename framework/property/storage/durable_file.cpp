@@ -129,7 +129,7 @@ class Replacement {
         }
         if (S_ISDIR(status.st_mode)) fail("it is a folder");
         if (!S_ISREG(status.st_mode)) fail("it is not a regular file");
-        if (::access(target_.c_str(), W_OK) != 0) fail(errno);
+        if (::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
         replaces_ = true;
         mode_ = status.st_mode & 07777;
     }

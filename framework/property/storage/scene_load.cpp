@@ -97,13 +97,13 @@ class SceneLoader {
     }
 
     /// Where the scene's top will be.
-    std::string future_path() const {
-        const std::string name = top_name();
+    std::string future_path(const std::string& name) const {
         if (!parent_) return name;
         const std::string suffix = path_suffix(name);
         if (parent_ == tree_.root() && suffix.starts_with('.')) return name;
         return tree_.path(parent_) + suffix;
     }
+    std::string future_path() const { return future_path(top_name()); }
     std::string top_name() const {
         if (!name_.empty()) return name_;
         const Instance& top = instances_.front();
@@ -233,9 +233,11 @@ class SceneLoader {
         } catch (const Error& e) {
             const Node* own = document_.member(node, "name");
             std::string where = parent == none ? "" : path(parent);
-            if (own != nullptr && own->kind == Kind::text) {
+            if (parent == none && !name_.empty()) {
+                where = future_path(name_);
+            } else if (own != nullptr && own->kind == Kind::text) {
                 const std::string& text = document_.text(*own);
-                where = parent == none ? text : where + path_suffix(text);
+                where = parent == none ? future_path(text) : where + path_suffix(text);
             }
             fail(e.kind(), name->begin, (where.empty() ? "" : where + ": ") + e.what());
         }
