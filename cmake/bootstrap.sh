@@ -35,7 +35,7 @@ with_progress() {
 
 # --- Packages -------------------------------------------------------------------------------------
 
-# The lines of cmake/packages.txt for these purposes, each as "NAME|ALTERNATIVE|...".
+# The lines of cmake/packages.txt for these purposes, each as "NAME|ALTERNATIVE|..." or "NAME?".
 packages_for() {
     local purposes=" $* " purpose names
     while read -r purpose names; do
@@ -48,24 +48,27 @@ not_installed() {
     local line name installed
     installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p')
     for line in "$@"; do
-        for name in ${line//|/ }; do
+        for name in ${line//[|?]/ }; do
             grep -qxF -- "$name" <<<"$installed" && continue 2
         done
         printf '%s\n' "$line"
     done
 }
 
-# The alternative of each line that apt can install; the first one where it knows none.
+known_to_apt() { apt-cache show -- "$1" >/dev/null 2>&1; }
+
+# What to install for each line: the first alternative that apt knows. Where it knows none, the first one,
+# or nothing for an optional line.
 installable() {
     local line name
     for line in "$@"; do
-        for name in ${line//|/ }; do
-            if apt-cache show -- "$name" >/dev/null 2>&1; then
+        for name in ${line//[|?]/ }; do
+            if known_to_apt "$name"; then
                 printf '%s\n' "$name"
                 continue 2
             fi
         done
-        printf '%s\n' "${line%%|*}"
+        [[ $line == *\? ]] || printf '%s\n' "${line%%|*}"
     done
 }
 
@@ -93,36 +96,32 @@ run_apt() {
 # Makes sure that the packages for these purposes are there. Does not touch the network when they are.
 # Exits with 2 when they are not and this user may not install them.
 ensure_packages() {
-    local lines missing
+    local lines missing names
     mapfile -t lines < <(packages_for "$@")
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         say "not a Debian; these packages, under the names used here, should be there: ${lines[*]}"
         return 0
     fi
     mapfile -t missing < <(not_installed "${lines[@]}")
-    ((${#missing[@]})) || return 0
+    mapfile -t names < <(installable "${missing[@]}")
+    ((${#names[@]})) || return 0
 
-    local may_install=0
-    if is_root || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; then
-        may_install=1
-    fi
-    if ((!may_install)); then
-        mapfile -t missing < <(installable "${missing[@]}")
-        complain "missing packages: ${missing[*]}"
+    if ! is_root && ! { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; then
+        complain "missing packages: ${names[*]}"
         complain "install them with this line, then run ${0##*/} again:"
         printf '    sudo apt-get update && sudo apt-get install -y --no-install-recommends %s\n' \
-            "${missing[*]}" >&2
+            "${names[*]}" >&2
         exit 2
     fi
 
-    local log updated=0 names
+    local log updated=0
     log=$(mktemp "${TMPDIR:-/tmp}/fettle-apt.XXXXXX")
-    if ! apt-cache show -- "${missing[0]%%|*}" >/dev/null 2>&1; then
+    if ! known_to_apt "${names[0]}"; then
         say "reading the package lists"
         run_apt "$log" update || complain "apt-get update failed; going on with the lists there are"
         updated=1
+        mapfile -t names < <(installable "${missing[@]}")
     fi
-    mapfile -t names < <(installable "${missing[@]}")
     say "installing ${#names[@]} missing packages: ${names[*]}"
     if ! run_apt "$log" install "${names[@]}"; then
         # Old package lists name versions that the mirror no longer has.

@@ -31,6 +31,7 @@ play   driver
 display screen
 bench  rival
 test   driver
+test   nicety ?
 LIST
     printf '%s\n' compiler new-name driver screen rival | tee "$known" >"$installed"
 
@@ -148,6 +149,15 @@ case_the_first_alternative_that_apt_knows_is_installed() {
     run "$project/check"
     expect_status 0
     expect_asked "install old-name"
+}
+
+case_an_optional_package_is_installed_only_where_apt_knows_it() {
+    run "$project/check"
+    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+    echo nicety >>"$known"
+    run "$project/check"
+    expect_status 0
+    expect_asked "install nicety"
 }
 
 case_missing_package_lists_are_read_first() {
