@@ -114,7 +114,7 @@ class Body {
         const;  ///< touching contacts of the last step, sleeping ones too
 
     uint64_t user_data() const;
-    void set_user_data(uint64_t data);
+    void set_user_data(uint64_t value);
 
   private:
     World* world_ = nullptr;

@@ -36,7 +36,7 @@ class MouseJoint {
     Vec2 force() const;  ///< N, what it pulled with in the last step
 
     uint64_t user_data() const;
-    void set_user_data(uint64_t data);
+    void set_user_data(uint64_t value);
 
   private:
     World* world_ = nullptr;

@@ -93,7 +93,7 @@ class Shape {
     uint32_t rebuilds() const;  ///< how often its derived geometry was computed anew
 
     uint64_t user_data() const;
-    void set_user_data(uint64_t data);
+    void set_user_data(uint64_t value);
 
   private:
     World* world_ = nullptr;

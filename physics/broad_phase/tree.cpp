@@ -1,0 +1,217 @@
+#include <broad_phase/tree.h>
+
+namespace fettle::physics::detail {
+
+int32_t Tree::allocate() {
+    if (free_ != none) {
+        const int32_t node = free_;
+        free_ = int32_t(nodes_[size_t(node)].item) - 1;
+        nodes_[size_t(node)] = Node{};
+        return node;
+    }
+    nodes_.emplace_back();
+    return int32_t(nodes_.size()) - 1;
+}
+
+void Tree::release(int32_t node) {
+    nodes_[size_t(node)] = Node{};
+    nodes_[size_t(node)].item = uint32_t(free_ + 1);
+    free_ = node;
+}
+
+int32_t Tree::insert(const Box4& box, uint32_t item) {
+    const int32_t leaf = allocate();
+    nodes_[size_t(leaf)].box = box;
+    nodes_[size_t(leaf)].item = item;
+    ++leaves_;
+    link_leaf(leaf);
+    return leaf;
+}
+
+void Tree::remove(int32_t leaf) {
+    unlink_leaf(leaf);
+    release(leaf);
+    --leaves_;
+}
+
+void Tree::move(int32_t leaf, const Box4& box) {
+    unlink_leaf(leaf);
+    nodes_[size_t(leaf)].box = box;
+    link_leaf(leaf);
+}
+
+/// Greedy descent by the surface-area heuristic: the cost of a place is the perimeter of the new
+/// parent plus what every ancestor grows by (J. Goldsmith, J. Salmon, "Automatic Creation of Object
+/// Hierarchies for Ray Tracing", 1987).
+int32_t Tree::best_sibling(const Box4& box) const {
+    const float own = perimeter(box);
+    int32_t index = root_;
+    float node_area = perimeter(nodes_[size_t(index)].box);
+    float here = perimeter(
+        unite(nodes_[size_t(index)].box, box));  // as sibling of `index`, growth above included
+    float growth = 0.0f;                         // of the ancestors of `index`
+    float best_cost = here;
+    int32_t best = index;
+    while (!nodes_[size_t(index)].is_leaf()) {
+        growth += here - growth - node_area;  // `index` itself grows if the leaf goes below it
+        const int32_t children[2] = {nodes_[size_t(index)].left, nodes_[size_t(index)].right};
+        float cost[2], bound[2], area[2];
+        for (int k = 0; k < 2; ++k) {
+            const Node& child = nodes_[size_t(children[k])];
+            const float united = perimeter(unite(child.box, box));
+            area[k] = perimeter(child.box);
+            cost[k] = united + growth;
+            if (cost[k] < best_cost) {
+                best_cost = cost[k];
+                best = children[k];
+            }
+            // No place below this child can cost less than this.
+            bound[k] = child.is_leaf() ? cost[k] : own + growth + (united - area[k]);
+        }
+        int k = bound[1] < bound[0] ? 1 : 0;
+        if (nodes_[size_t(children[k])].is_leaf() && !nodes_[size_t(children[1 - k])].is_leaf())
+            k = 1 - k;
+        if (nodes_[size_t(children[k])].is_leaf() || bound[k] >= best_cost) break;
+        index = children[k];
+        node_area = area[k];
+        here = cost[k];
+    }
+    return best;
+}
+
+void Tree::link_leaf(int32_t leaf) {
+    if (root_ == none) {
+        root_ = leaf;
+        nodes_[size_t(leaf)].parent = none;
+        return;
+    }
+    const int32_t sibling = best_sibling(nodes_[size_t(leaf)].box);
+    const int32_t parent = allocate();
+    const int32_t above = nodes_[size_t(sibling)].parent;
+    Node& node = nodes_[size_t(parent)];
+    node.parent = above;
+    node.left = sibling;
+    node.right = leaf;
+    nodes_[size_t(sibling)].parent = parent;
+    nodes_[size_t(leaf)].parent = parent;
+    if (above == none) {
+        root_ = parent;
+    } else if (nodes_[size_t(above)].left == sibling) {
+        nodes_[size_t(above)].left = parent;
+    } else {
+        nodes_[size_t(above)].right = parent;
+    }
+    refit_upwards(parent);
+}
+
+void Tree::unlink_leaf(int32_t leaf) {
+    const int32_t parent = nodes_[size_t(leaf)].parent;
+    if (parent == none) {
+        root_ = none;
+        return;
+    }
+    const int32_t above = nodes_[size_t(parent)].parent;
+    const int32_t sibling = nodes_[size_t(parent)].left == leaf ? nodes_[size_t(parent)].right
+                                                                : nodes_[size_t(parent)].left;
+    nodes_[size_t(sibling)].parent = above;
+    nodes_[size_t(leaf)].parent = none;
+    release(parent);
+    if (above == none) {
+        root_ = sibling;
+        return;
+    }
+    (nodes_[size_t(above)].left == parent ? nodes_[size_t(above)].left
+                                          : nodes_[size_t(above)].right) = sibling;
+    refit_upwards(above);
+}
+
+void Tree::refit_upwards(int32_t index) {
+    while (index != none) {
+        Node& node = nodes_[size_t(index)];
+        node.box = unite(nodes_[size_t(node.left)].box, nodes_[size_t(node.right)].box);
+        rotate(index);
+        index = nodes_[size_t(index)].parent;
+    }
+}
+
+/// Exchanges a child with a grandchild on the other side where that shrinks the box between (D.
+/// Kopta et al., "Fast, Effective BVH Updates for Animated Scenes", 2012). The box of `index`
+/// itself does not change.
+void Tree::rotate(int32_t index) {
+    const int32_t sides[2] = {nodes_[size_t(index)].left, nodes_[size_t(index)].right};
+    float best_gain = 0.0f;
+    int32_t best_child = none, best_grandchild = none;
+    for (int k = 0; k < 2; ++k) {
+        const Node& inner = nodes_[size_t(sides[k])];
+        if (inner.is_leaf()) continue;
+        const int32_t other = sides[1 - k];
+        const Box4& moved = nodes_[size_t(other)].box;
+        const float area = perimeter(inner.box);
+        // `other` takes the place of one grandchild and is united with the one that stays.
+        const float gain_left = area - perimeter(unite(moved, nodes_[size_t(inner.right)].box));
+        const float gain_right = area - perimeter(unite(moved, nodes_[size_t(inner.left)].box));
+        if (gain_left > best_gain) {
+            best_gain = gain_left;
+            best_child = other;
+            best_grandchild = inner.left;
+        }
+        if (gain_right > best_gain) {
+            best_gain = gain_right;
+            best_child = other;
+            best_grandchild = inner.right;
+        }
+    }
+    if (best_child != none) exchange(best_child, best_grandchild);
+}
+
+void Tree::exchange(int32_t child, int32_t grandchild) {
+    const int32_t top = nodes_[size_t(child)].parent;
+    const int32_t inner = nodes_[size_t(grandchild)].parent;
+    (nodes_[size_t(top)].left == child ? nodes_[size_t(top)].left : nodes_[size_t(top)].right) =
+        grandchild;
+    (nodes_[size_t(inner)].left == grandchild ? nodes_[size_t(inner)].left
+                                              : nodes_[size_t(inner)].right) = child;
+    nodes_[size_t(grandchild)].parent = top;
+    nodes_[size_t(child)].parent = inner;
+    nodes_[size_t(inner)].box = unite(nodes_[size_t(nodes_[size_t(inner)].left)].box,
+                                      nodes_[size_t(nodes_[size_t(inner)].right)].box);
+}
+
+int Tree::height_of(int32_t index) const {
+    // Iterative, one level at a time: a degenerate tree must not overflow the call stack.
+    std::vector<int32_t> level = {index}, next;
+    int height = 0;
+    for (; !level.empty(); ++height) {
+        next.clear();
+        for (int32_t i : level) {
+            const Node& node = nodes_[size_t(i)];
+            if (!node.is_leaf()) next.insert(next.end(), {node.left, node.right});
+        }
+        level.swap(next);
+    }
+    return height;
+}
+
+bool Tree::is_consistent() const {
+    if (root_ == none) return leaves_ == 0;
+    if (nodes_[size_t(root_)].parent != none) return false;
+    uint32_t found = 0;
+    std::vector<int32_t> open = {root_};
+    while (!open.empty()) {
+        const int32_t index = open.back();
+        open.pop_back();
+        const Node& node = nodes_[size_t(index)];
+        if (node.is_leaf()) {
+            ++found;
+            continue;
+        }
+        for (int32_t child : {node.left, node.right}) {
+            if (nodes_[size_t(child)].parent != index) return false;
+            if (!contains(node.box, nodes_[size_t(child)].box)) return false;
+            open.push_back(child);
+        }
+    }
+    return found == leaves_;
+}
+
+}  // namespace fettle::physics::detail

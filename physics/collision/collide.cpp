@@ -1,0 +1,281 @@
+#include <collision/manifold.h>
+
+#include <utility>
+
+// Separating axes and clipping. For two convex polygons the axis of least overlap is the normal of
+// one of their edges (D. Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC 2013;
+// in the plane there are no cross products of edges). The edge it belongs to is the reference; the
+// most anti-parallel edge of the other polygon is clipped against its ends. Pairs of vertex and
+// edge give the points their identity from step to step.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Below this a gap counts as none (m): decides between faces that are equally deep, so that
+/// contacts do not flip.
+constexpr float face_preference = 0.0005f;
+
+struct Axis {
+    int edge = 0;
+    float separation = -1e30f;  // of the cores, without radii
+};
+
+/// The edge of `a` that `b` is farthest outside of. `offset` is the origin of b relative to a's.
+Axis deepest_axis(const Convex& a, const Convex& b, V2 offset) {
+    Axis best;
+    for (int i = 0; i < a.count; ++i) {
+        const V2 n = a.normals[i];
+        float nearest = dot(n, b.vertices[0]);
+        for (int j = 1; j < b.count; ++j) nearest = min(nearest, dot(n, b.vertices[j]));
+        const float separation = nearest + dot(n, offset) - a.offsets[i];
+        if (separation > best.separation) best = {i, separation};
+    }
+    return best;
+}
+
+/// The same for two quadrilaterals, most shapes of most games: no inner loop left to predict.
+Axis deepest_axis_quads(const Convex& a, const Convex& b, V2 offset) {
+    Axis best;
+    for (int i = 0; i < 4; ++i) {
+        const V2 n = a.normals[i];
+        const float near01 = min(dot(n, b.vertices[0]), dot(n, b.vertices[1]));
+        const float near23 = min(dot(n, b.vertices[2]), dot(n, b.vertices[3]));
+        const float separation = min(near01, near23) + dot(n, offset) - a.offsets[i];
+        if (separation > best.separation) best = {i, separation};
+    }
+    return best;
+}
+
+/// The edge whose normal is most opposed to `normal`.
+int incident_edge(const Convex& shape, V2 normal) {
+    int edge = 0;
+    float least = dot(normal, shape.normals[0]);
+    for (int i = 1; i < shape.count; ++i) {
+        const float d = dot(normal, shape.normals[i]);
+        if (d < least) {
+            least = d;
+            edge = i;
+        }
+    }
+    return edge;
+}
+
+uint16_t feature_of(int vertex_a, int vertex_b) {
+    return uint16_t((vertex_a & 255) << 8 | (vertex_b & 255));
+}
+
+/// One point with the normal along the line between `p` on a and `q` on b.
+void single_point(V2 p, V2 q, V2 fallback, const Convex& a, const Convex& b, V2 offset,
+                  float margin, uint16_t feature, Manifold& m) {
+    const V2 d = q - p;
+    const float distance = length(d);
+    const float separation = distance - a.radius - b.radius;
+    if (separation > margin) return;
+    m.normal = distance > 1e-9f ? (1.0f / distance) * d : fallback;
+    const V2 surface_a = p + a.radius * m.normal;
+    const V2 surface_b = q - b.radius * m.normal;
+    const V2 middle = 0.5f * (surface_a + surface_b);
+    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature};
+    m.count = 1;
+}
+
+/// Circle (one vertex) against anything.
+void collide_circle(const Convex& a, const Convex& circle, V2 offset, float margin, Manifold& m) {
+    const V2 c = circle.vertices[0] + offset;
+    if (a.count == 1) {
+        single_point(a.vertices[0], c, {0.0f, 1.0f}, a, circle, offset, margin, 0, m);
+        return;
+    }
+    Axis best;
+    for (int i = 0; i < a.count; ++i) {
+        const float s = dot(a.normals[i], c) - a.offsets[i];
+        if (s > best.separation) best = {i, s};
+    }
+    if (best.separation > a.radius + circle.radius + margin) return;
+    const V2 n = a.normals[best.edge];
+    const int next = best.edge + 1 < a.count ? best.edge + 1 : 0;
+    const V2 v1 = a.vertices[best.edge], v2 = a.vertices[next];
+    const V2 along = v2 - v1;
+    const float t1 = dot(c - v1, along), t2 = dot(v2 - c, along);
+    // A segment has no inside: beside its ends the end itself is nearest even at no distance.
+    const bool outside = best.separation > 1e-7f || a.count == 2;
+    if (outside && t1 < 0.0f) {
+        single_point(v1, c, n, a, circle, offset, margin, feature_of(best.edge, 255), m);
+    } else if (outside && t2 < 0.0f) {
+        single_point(v2, c, n, a, circle, offset, margin, feature_of(next, 255), m);
+    } else {
+        const float separation = best.separation - a.radius - circle.radius;
+        const V2 surface_a = c + (a.radius - best.separation) * n;
+        const V2 surface_b = c - circle.radius * n;
+        const V2 middle = 0.5f * (surface_a + surface_b);
+        m.normal = n;
+        m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature_of(best.edge, 254)};
+        m.count = 1;
+    }
+}
+
+/// Nearest points of two segments that do not cross, as fractions of each; true when both are ends.
+bool nearest_ends(V2 p1, V2 p2, V2 q1, V2 q2, float& s, float& t) {
+    // C. Ericson, "Real-Time Collision Detection", 5.1.9.
+    const V2 d1 = p2 - p1, d2 = q2 - q1, r = p1 - q1;
+    const float a = dot(d1, d1), e = dot(d2, d2), f = dot(d2, r), c = dot(d1, r), b = dot(d1, d2);
+    const float denominator = a * e - b * b;
+    s = denominator > 1e-12f * a * e ? clamp((b * f - c * e) / denominator, 0.0f, 1.0f) : 0.0f;
+    t = e > 0.0f ? (b * s + f) / e : 0.0f;
+    if (t < 0.0f) {
+        t = 0.0f;
+        s = a > 0.0f ? clamp(-c / a, 0.0f, 1.0f) : 0.0f;
+    } else if (t > 1.0f) {
+        t = 1.0f;
+        s = a > 0.0f ? clamp((b - c) / a, 0.0f, 1.0f) : 0.0f;
+    }
+    return (s == 0.0f || s == 1.0f) && (t == 0.0f || t == 1.0f);
+}
+
+/// Clips the incident edge of `other` against the reference edge. Everything is in the frame of
+/// `reference`; `to_other` is the origin of `other` in it. `flipped`: the reference belongs to
+/// shape b of the manifold.
+void clip(const Convex& reference, int edge, const Convex& other, int incident, V2 to_other,
+          bool flipped, float margin, V2 offset, Manifold& m) {
+    const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
+    const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
+    const V2 n = reference.normals[edge];
+    const V2 v1 = reference.vertices[edge], v2 = reference.vertices[edge2];
+    // The incident edge runs against the reference edge: its second vertex is at the reference's
+    // first.
+    const V2 w1 = other.vertices[incident2] + to_other, w2 = other.vertices[incident] + to_other;
+    const V2 tangent = {-n.y, n.x};
+    const float low = dot(tangent, v1), high = dot(tangent, v2);
+    const float x1 = dot(tangent, w1), x2 = dot(tangent, w2);
+    const float run = x2 - x1;
+    const V2 along = w2 - w1;
+    V2 c1 = w1, c2 = w2;
+    if (x2 < low) {
+        c1 = w2;  // beside each other: no part of the edges faces the other, the nearer end is all
+                  // there is
+    } else if (x1 > high) {
+        c2 = w1;
+    } else {
+        if (x1 < low && run > 1e-9f) c1 = w1 + ((low - x1) / run) * along;
+        if (x2 > high && run > 1e-9f) c2 = w1 + ((high - x1) / run) * along;
+    }
+
+    const float radii = reference.radius + other.radius;
+    const float plane = reference.offsets[edge];
+    const V2 candidates[2] = {c1, c2};
+    const int reference_vertex[2] = {edge, edge2};
+    const int other_vertex[2] = {incident2, incident};
+    m.normal = flipped ? -n : n;
+    m.count = 0;
+    for (int k = 0; k < 2; ++k) {
+        const float gap = dot(n, candidates[k]) - plane;
+        const float separation = gap - radii;
+        if (separation > margin) continue;
+        // Midway between the two surfaces.
+        const V2 middle = candidates[k] + (0.5f * (reference.radius - other.radius - gap)) * n;
+        ManifoldPoint& point = m.points[m.count++];
+        point.anchor_a = flipped ? middle + offset : middle;
+        point.anchor_b = flipped ? middle : middle - offset;
+        point.separation = separation;
+        point.normal_impulse = 0.0f;
+        point.tangent_impulse = 0.0f;
+        point.feature = flipped ? feature_of(other_vertex[k], reference_vertex[k])
+                                : feature_of(reference_vertex[k], other_vertex[k]);
+    }
+}
+
+}  // namespace
+
+void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold& m) {
+    m.count = 0;
+    if (b.count == 1) {
+        collide_circle(a, b, offset, margin, m);
+        return;
+    }
+    if (a.count == 1) {
+        collide_circle(b, a, -offset, margin, m);
+        m.normal = -m.normal;
+        if (m.count > 0) {
+            std::swap(m.points[0].anchor_a, m.points[0].anchor_b);
+        }
+        return;
+    }
+    const bool quads = a.count == 4 && b.count == 4;
+    const float reach = a.radius + b.radius + margin;
+    const Axis on_a = quads ? deepest_axis_quads(a, b, offset) : deepest_axis(a, b, offset);
+    if (on_a.separation > reach) return;
+    const Axis on_b = quads ? deepest_axis_quads(b, a, -offset) : deepest_axis(b, a, -offset);
+    if (on_b.separation > reach) return;
+
+    const bool flipped = on_b.separation > on_a.separation + face_preference;
+    const Convex& reference = flipped ? b : a;
+    const Convex& other = flipped ? a : b;
+    const V2 to_other = flipped ? -offset : offset;
+    const int edge = flipped ? on_b.edge : on_a.edge;
+    const int incident = incident_edge(other, reference.normals[edge]);
+
+    if ((flipped ? on_b.separation : on_a.separation) > face_preference) {
+        // The cores are apart: where two vertices are nearest, no edge normal is the direction
+        // between the shapes.
+        const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
+        const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
+        float s, t;
+        if (nearest_ends(reference.vertices[edge], reference.vertices[edge2],
+                         other.vertices[incident] + to_other, other.vertices[incident2] + to_other,
+                         s, t)) {
+            const int r = s == 0.0f ? edge : edge2;
+            const int o = t == 0.0f ? incident : incident2;
+            const V2 p = reference.vertices[r], q = other.vertices[o] + to_other;
+            const V2 n = reference.normals[edge];
+            const V2 along = {-n.y, n.x};
+            // Facing edges whose ends are level are a face contact, not a vertex one.
+            const V2 d = q - p;
+            if (std::fabs(dot(d, along)) > 1e-3f * length(d)) {
+                if (!flipped) {
+                    single_point(p, q, n, a, b, offset, margin, feature_of(r, o), m);
+                } else {
+                    // In the frame of b: carried over to a's.
+                    single_point(q + offset, p + offset, -n, a, b, offset, margin, feature_of(o, r),
+                                 m);
+                }
+                return;
+            }
+        }
+    }
+    clip(reference, edge, other, incident, to_other, flipped, margin, offset, m);
+}
+
+void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,
+                        Manifold& m) {
+    m.count = 0;
+    m.normal = normal;
+    const float base = dot(normal, center_b) - depth - b.radius;
+    int deepest = 0;
+    float least = dot(normal, b.vertices[0]);
+    for (int i = 1; i < b.count; ++i) {
+        const float s = dot(normal, b.vertices[i]);
+        if (s < least) {
+            least = s;
+            deepest = i;
+        }
+    }
+    auto add = [&](int vertex) {
+        const float separation = dot(normal, b.vertices[vertex]) + base;
+        if (separation > margin) return;
+        const V2 anchor = b.vertices[vertex] - (b.radius + 0.5f * separation) * normal;
+        m.points[m.count++] = {anchor + center_b,        anchor, separation, 0.0f, 0.0f,
+                               uint16_t(vertex & 0xffff)};
+    };
+    add(deepest);
+    if (b.count < 2 || m.count == 0) return;
+    const int before = deepest > 0 ? deepest - 1 : b.count - 1;
+    const int after = deepest + 1 < b.count ? deepest + 1 : 0;
+    const int second =
+        dot(normal, b.vertices[before]) < dot(normal, b.vertices[after]) ? before : after;
+    add(second);
+    // Always in the order of the vertices, so that the solver does not see them change places.
+    if (m.count == 2 && m.points[1].feature < m.points[0].feature)
+        std::swap(m.points[0], m.points[1]);
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <geometry/vector.h>
+
+#include <cstdint>
+
+namespace fettle::physics::detail {
+
+/// A convex shape where it is: vertices, edge normals and n·v of each edge, already rotated but
+/// relative to the center of mass of its body. Rotations are shared by all contacts of the shape
+/// and no precision is lost far from the origin. One vertex is a circle, two are a segment (its two
+/// sides are its two edges).
+struct Convex {
+    const V2* vertices;
+    const V2* normals;
+    const float* offsets;
+    int count;
+    float radius;
+};
+
+struct ManifoldPoint {
+    V2 anchor_a;  ///< from the center of mass of body a to the point, world axes
+    V2 anchor_b;
+    float separation = 0.0f;
+    float normal_impulse = 0.0f;
+    float tangent_impulse = 0.0f;
+    uint16_t feature = 0;
+};
+
+struct Manifold {
+    V2 normal;  ///< from a to b
+    int count = 0;
+    ManifoldPoint points[2];
+};
+
+/// Contact points of a and b that are closer than `margin` (m); `offset` is the center of mass of b
+/// minus that of a. Sets normal, count, anchors, separations and features; leaves impulses zero.
+void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold& manifold);
+
+/// The half-plane of points p with normal·p <= depth, p relative to `offset` from the center of
+/// mass of b: a is solid there. The normal points out of it.
+void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,
+                        Manifold& manifold);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,67 @@
+#include <collision/probe.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+float distance_to_edge(V2 a, V2 b, V2 p) {
+    const V2 d = b - a;
+    const float l = length_squared(d);
+    const float t = l > 0.0f ? clamp(dot(p - a, d) / l, 0.0f, 1.0f) : 0.0f;
+    return length(p - (a + t * d));
+}
+
+void cast_circle(V2 center, float radius, V2 p, V2 d, Probe& best) {
+    if (!(radius > 0.0f)) return;
+    // |p + t·d - c|² = r². Measured from the point of the line nearest to the center: no
+    // cancellation from afar.
+    const float l = length(d);
+    if (!(l > 0.0f)) return;
+    const V2 u = (1.0f / l) * d;
+    const float along = dot(center - p, u);
+    const V2 nearest = p + along * u - center;
+    const float half = radius * radius - length_squared(nearest);
+    if (half < 0.0f) return;
+    const float t = (along - std::sqrt(half)) / l;
+    if (t < 0.0f || t > 1.0f || t >= best.fraction) return;
+    best.fraction = t;
+    best.normal = normalized(p + t * d - center);
+}
+
+}  // namespace
+
+float signed_distance(const Convex& shape, V2 p) {
+    if (shape.count == 1) return length(p - shape.vertices[0]) - shape.radius;
+    float outside = -1e30f;
+    for (int i = 0; i < shape.count; ++i) {
+        outside = max(outside, dot(shape.normals[i], p) - shape.offsets[i]);
+    }
+    if (outside <= 0.0f && shape.count > 2) return outside - shape.radius;
+    float distance = 1e30f;
+    for (int i = 0; i < shape.count; ++i) {
+        const int next = i + 1 < shape.count ? i + 1 : 0;
+        distance = min(distance, distance_to_edge(shape.vertices[i], shape.vertices[next], p));
+    }
+    return distance - shape.radius;
+}
+
+Probe cast_segment(const Convex& shape, V2 p, V2 d) {
+    Probe best;
+    if ((shape.count > 2 || shape.radius > 0.0f) && signed_distance(shape, p) < 0.0f) return best;
+    for (int i = 0; i < shape.count && shape.count > 1; ++i) {
+        const V2 n = shape.normals[i];
+        const float speed = dot(n, d);
+        if (!(speed < 0.0f)) continue;
+        const float t = (shape.offsets[i] + shape.radius - dot(n, p)) / speed;
+        if (t < 0.0f || t > 1.0f || t >= best.fraction) continue;
+        // On the part of the line that is the edge?
+        const V2 a = shape.vertices[i], b = shape.vertices[i + 1 < shape.count ? i + 1 : 0];
+        const V2 hit = p + t * d - shape.radius * n;
+        const float x = dot(hit - a, b - a);
+        if (x < 0.0f || x > length_squared(b - a)) continue;
+        best = {t, n};
+    }
+    for (int i = 0; i < shape.count; ++i) cast_circle(shape.vertices[i], shape.radius, p, d, best);
+    return best;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <collision/manifold.h>
+
+namespace fettle::physics::detail {
+
+/// Distance from a point to the surface of a shape, negative inside; `p` relative to the shape's
+/// center of mass.
+float signed_distance(const Convex& shape, V2 p);
+
+struct Probe {
+    float fraction = 2.0f;  ///< more than 1: missed
+    V2 normal;
+};
+
+/// Where the segment from `p` along `d` enters the shape. A start inside is a miss.
+Probe cast_segment(const Convex& shape, V2 p, V2 d);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <fettle/physics/types.h>
+
+#include <cmath>
+
+// The step computes with these plain structs rather than with Eigen: they are trivially copyable
+// members of hot records, and every operation is written out, so that no compiler reorders it.
+
+namespace fettle::physics::detail {
+
+struct V2 {
+    float x = 0.0f;
+    float y = 0.0f;
+};
+
+inline V2 to_v2(const Vec2& v) {
+    return {v.x(), v.y()};
+}
+inline Vec2 to_vec2(V2 v) {
+    return {v.x, v.y};
+}
+
+inline V2 operator+(V2 a, V2 b) {
+    return {a.x + b.x, a.y + b.y};
+}
+inline V2 operator-(V2 a, V2 b) {
+    return {a.x - b.x, a.y - b.y};
+}
+inline V2 operator-(V2 a) {
+    return {-a.x, -a.y};
+}
+inline V2 operator*(float s, V2 a) {
+    return {s * a.x, s * a.y};
+}
+inline float dot(V2 a, V2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+inline float cross(V2 a, V2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+/// ω × r in the plane.
+inline V2 cross(float w, V2 r) {
+    return {-w * r.y, w * r.x};
+}
+/// A quarter turn clockwise: the outward normal of a counter-clockwise edge, the tangent of a
+/// normal.
+inline V2 right_perp(V2 a) {
+    return {a.y, -a.x};
+}
+inline float length_squared(V2 a) {
+    return a.x * a.x + a.y * a.y;
+}
+inline float length(V2 a) {
+    return std::sqrt(length_squared(a));
+}
+/// The zero vector where there is no direction.
+inline V2 normalized(V2 a) {
+    const float l = length(a);
+    return l > 1e-20f ? (1.0f / l) * a : V2{};
+}
+inline float min(float a, float b) {
+    return a < b ? a : b;
+}
+inline float max(float a, float b) {
+    return a > b ? a : b;
+}
+inline float clamp(float v, float low, float high) {
+    return v < low ? low : (v > high ? high : v);
+}
+
+/// A rotation as cosine and sine.
+struct Rotation {
+    float c = 1.0f;
+    float s = 0.0f;
+};
+inline V2 rotate(Rotation q, V2 v) {
+    return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
+}
+inline V2 unrotate(Rotation q, V2 v) {
+    return {q.c * v.x + q.s * v.y, q.c * v.y - q.s * v.x};
+}
+
+/// An axis-aligned box of plain floats.
+struct Box4 {
+    V2 low;
+    V2 high;
+};
+inline bool overlap(const Box4& a, const Box4& b) {
+    // Bitwise and: four compares without branches.
+    return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) &
+           (b.low.y <= a.high.y);
+}
+inline bool contains(const Box4& outer, const Box4& inner) {
+    return (outer.low.x <= inner.low.x) & (outer.low.y <= inner.low.y) &
+           (inner.high.x <= outer.high.x) & (inner.high.y <= outer.high.y);
+}
+inline Box4 unite(const Box4& a, const Box4& b) {
+    return {{min(a.low.x, b.low.x), min(a.low.y, b.low.y)},
+            {max(a.high.x, b.high.x), max(a.high.y, b.high.y)}};
+}
+inline Box4 grow(const Box4& a, float margin) {
+    return {{a.low.x - margin, a.low.y - margin}, {a.high.x + margin, a.high.y + margin}};
+}
+inline float perimeter(const Box4& a) {
+    return 2.0f * ((a.high.x - a.low.x) + (a.high.y - a.low.y));
+}
+
+}  // namespace fettle::physics::detail

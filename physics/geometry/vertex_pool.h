@@ -1,0 +1,48 @@
+#pragma once
+
+#include <geometry/vector.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace fettle::physics::detail {
+
+/// Vertices of all shapes in contiguous arrays, in blocks of powers of two that are reused. A shape
+/// knows where its block begins. Body coordinates, and the same rotated about the body's center of
+/// mass, side by side.
+struct VertexPool {
+    std::vector<V2> local;       ///< body coordinates
+    std::vector<V2> normals;     ///< outward normal of the edge from i to i+1, body coordinates
+    std::vector<V2> vertices;    ///< rotated, relative to the center of mass
+    std::vector<V2> directions;  ///< rotated normals
+    std::vector<float> offsets;  ///< directions·vertices: does not change with rotation
+
+    static uint32_t capacity_for(uint32_t count) { return std::bit_ceil(count < 1 ? 1u : count); }
+
+    uint32_t allocate(uint32_t capacity) {
+        auto& bin = free_[size_t(std::countr_zero(capacity))];
+        if (!bin.empty()) {
+            const uint32_t begin = bin.back();
+            bin.pop_back();
+            return begin;
+        }
+        const uint32_t begin = uint32_t(local.size());
+        const size_t size = local.size() + capacity;
+        local.resize(size);
+        normals.resize(size);
+        vertices.resize(size);
+        directions.resize(size);
+        offsets.resize(size);
+        return begin;
+    }
+    void release(uint32_t begin, uint32_t capacity) {
+        if (capacity > 0) free_[size_t(std::countr_zero(capacity))].push_back(begin);
+    }
+
+  private:
+    std::array<std::vector<uint32_t>, 32> free_;  // by power of two
+};
+
+}  // namespace fettle::physics::detail

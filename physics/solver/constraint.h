@@ -1,0 +1,88 @@
+#pragma once
+
+#include <geometry/vector.h>
+
+#include <cstdint>
+
+// What the solver iterates over: contiguous, gathered from the records before the sub-steps and
+// stored back after them.
+
+namespace fettle::physics::detail {
+
+/// 32 bytes of a body. Index 0 is the one that does not move: all that is fixed or asleep shares
+/// it.
+struct alignas(32) SolverBody {
+    V2 velocity;
+    float angular_velocity = 0.0f;
+    float inverse_mass = 0.0f;
+    V2 shift;           ///< of the center of mass since the step began, m
+    float turn = 0.0f;  ///< since the step began, rad
+    float inverse_inertia = 0.0f;
+};
+static_assert(sizeof(SolverBody) == 32);
+
+/// What gravity, forces and damping do to a body in one sub-step: v ← (v + change) · keep.
+struct SolverForce {
+    V2 change;
+    float turn_change = 0.0f;
+    float keep = 1.0f;
+    float turn_keep = 1.0f;
+};
+
+/// Coefficients of a soft constraint.
+struct Softness {
+    float bias_rate = 0.0f;
+    float mass_scale = 1.0f;
+    float impulse_scale = 0.0f;
+};
+
+/// `hertz` 0 is rigid without position correction. With ω = 2π·hertz and sub-step h: a1 = 2ζ + hω,
+/// a2 = hω·a1 (E. Catto, "Soft Constraints", GDC 2011).
+inline Softness make_softness(float hertz, float damping_ratio, float h) {
+    if (!(hertz > 0.0f)) return {0.0f, 1.0f, 0.0f};
+    const float omega = 6.2831853f * hertz;
+    const float a1 = 2.0f * damping_ratio + h * omega;
+    const float a2 = h * omega * a1;
+    const float a3 = 1.0f / (1.0f + a2);
+    return {omega / a1, a2 * a3, a3};
+}
+
+/// One point of a contact. The rows of the Jacobian are kept as their lever arms: r×n and r×t of
+/// both bodies. The separation follows the bodies to first order, s = s₀ + n·Δd + (r_b×n)·Δθ_b -
+/// (r_a×n)·Δθ_a, which is exact for circles that roll and costs the same dot products as the
+/// velocity.
+struct ConstraintPoint {
+    float normal_lever_a, normal_lever_b;
+    float tangent_lever_a, tangent_lever_b;
+    float separation;
+    float normal_mass, tangent_mass;
+    float normal_impulse, tangent_impulse;
+};
+
+struct ContactConstraint {
+    uint32_t a, b;  ///< solver bodies
+    V2 normal;
+    float friction;
+    uint32_t contact;       ///< record to store into
+    uint32_t extra;         ///< index + 1 of what only special contacts need; 0: none
+    uint16_t count;         ///< points
+    uint16_t fixed;         ///< 1: one side does not move: stiffer
+    float coupling_normal;  ///< change of the normal velocity of point 2 for a unit impulse at
+                            ///< point 1
+    float coupling_tangent;
+    ConstraintPoint points[2];
+};
+
+struct ContactExtra {
+    float restitution = 0.0f;
+    float rolling_resistance =
+        0.0f;  ///< m: times the normal impulse is the greatest angular impulse
+    float rolling_mass = 0.0f;
+    float rolling_impulse = 0.0f;
+    float surface_speed = 0.0f;
+    float approach[2] = {};  ///< relative normal velocity before the step
+    float greatest[2] = {};  ///< normal impulse of any sub-step
+    float total[2] = {};     ///< sum of normal impulses over the sub-steps
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,226 @@
+#include <solver/contact_solver.h>
+
+// Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
+// with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
+// other, but the change that the first makes to the relative velocity of the second is known
+// beforehand (`coupling`), so that both velocities are read at once and the chain of dependent
+// operations is short.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Velocities of the two bodies of a contact, in registers while it is solved.
+struct Pair {
+    V2 va, vb;
+    float wa, wb;
+    float ma, mb, ia, ib;
+
+    Pair(const SolverBody& a, const SolverBody& b)
+        : va(a.velocity),
+          vb(b.velocity),
+          wa(a.angular_velocity),
+          wb(b.angular_velocity),
+          ma(a.inverse_mass),
+          mb(b.inverse_mass),
+          ia(a.inverse_inertia),
+          ib(b.inverse_inertia) {}
+
+    /// Impulse `p` along `direction`, with the angular impulses it makes through the lever arms.
+    void apply(V2 direction, float p, float angular_a, float angular_b) {
+        va.x -= ma * p * direction.x;
+        va.y -= ma * p * direction.y;
+        wa -= ia * angular_a;
+        vb.x += mb * p * direction.x;
+        vb.y += mb * p * direction.y;
+        wb += ib * angular_b;
+    }
+    void store(SolverBody& a, SolverBody& b) const {
+        a.velocity = va;
+        a.angular_velocity = wa;
+        b.velocity = vb;
+        b.angular_velocity = wb;
+    }
+};
+
+/// Normal impulse that a point still needs. Biased: soft where it overlaps. Apart: it may just
+/// close the gap.
+template <bool biased>
+inline float normal_impulse(ConstraintPoint& p, float separation, float velocity,
+                            const Softness& soft, float inverse_h, float push_speed) {
+    float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;
+    if (separation > 0.0f) {
+        bias = separation * inverse_h;
+    } else if constexpr (biased) {
+        bias = max(soft.bias_rate * separation, -push_speed);
+        mass_scale = soft.mass_scale;
+        impulse_scale = soft.impulse_scale;
+    }
+    const float wanted =
+        -p.normal_mass * mass_scale * (velocity + bias) - impulse_scale * p.normal_impulse;
+    const float total = max(p.normal_impulse + wanted, 0.0f);
+    const float impulse = total - p.normal_impulse;
+    p.normal_impulse = total;
+    return impulse;
+}
+
+template <bool biased>
+inline void solve_normals(ContactConstraint& c, const SolverBody& a, const SolverBody& b,
+                          Pair& pair, const Softness& soft, float inverse_h, float push_speed) {
+    const V2 n = c.normal;
+    const float approach = dot(n, pair.vb - pair.va);
+    const float shift = dot(n, b.shift - a.shift);
+    ConstraintPoint& p = c.points[0];
+    const float s1 = p.separation + shift + (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
+    const float v1 = approach + (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
+    if (c.count == 1) {
+        const float impulse = normal_impulse<biased>(p, s1, v1, soft, inverse_h, push_speed);
+        pair.apply(n, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
+        return;
+    }
+    ConstraintPoint& q = c.points[1];
+    const float s2 = q.separation + shift + (q.normal_lever_b * b.turn - q.normal_lever_a * a.turn);
+    const float v2 = approach + (q.normal_lever_b * pair.wb - q.normal_lever_a * pair.wa);
+    const float i1 = normal_impulse<biased>(p, s1, v1, soft, inverse_h, push_speed);
+    const float i2 =
+        normal_impulse<biased>(q, s2, v2 + c.coupling_normal * i1, soft, inverse_h, push_speed);
+    pair.apply(n, i1 + i2, p.normal_lever_a * i1 + q.normal_lever_a * i2,
+               p.normal_lever_b * i1 + q.normal_lever_b * i2);
+}
+
+inline float tangent_impulse(ConstraintPoint& p, float velocity, float friction) {
+    const float greatest = friction * p.normal_impulse;
+    const float total = clamp(p.tangent_impulse - p.tangent_mass * velocity, -greatest, greatest);
+    const float impulse = total - p.tangent_impulse;
+    p.tangent_impulse = total;
+    return impulse;
+}
+
+inline void solve_friction(ContactConstraint& c, Pair& pair, float surface_speed) {
+    const V2 t = right_perp(c.normal);
+    const float slip = dot(t, pair.vb - pair.va) + surface_speed;
+    ConstraintPoint& p = c.points[0];
+    const float v1 = slip + (p.tangent_lever_b * pair.wb - p.tangent_lever_a * pair.wa);
+    if (c.count == 1) {
+        const float impulse = tangent_impulse(p, v1, c.friction);
+        pair.apply(t, impulse, p.tangent_lever_a * impulse, p.tangent_lever_b * impulse);
+        return;
+    }
+    ConstraintPoint& q = c.points[1];
+    const float v2 = slip + (q.tangent_lever_b * pair.wb - q.tangent_lever_a * pair.wa);
+    const float i1 = tangent_impulse(p, v1, c.friction);
+    const float i2 = tangent_impulse(q, v2 + c.coupling_tangent * i1, c.friction);
+    pair.apply(t, i1 + i2, p.tangent_lever_a * i1 + q.tangent_lever_a * i2,
+               p.tangent_lever_b * i1 + q.tangent_lever_b * i2);
+}
+
+inline void solve_rolling(ContactConstraint& c, ContactExtra& extra, Pair& pair) {
+    if (!(extra.rolling_resistance > 0.0f)) return;
+    float normal = c.points[0].normal_impulse;
+    if (c.count == 2) normal += c.points[1].normal_impulse;
+    const float greatest = extra.rolling_resistance * normal;
+    const float wanted = extra.rolling_impulse - extra.rolling_mass * (pair.wb - pair.wa);
+    const float total = clamp(wanted, -greatest, greatest);
+    const float impulse = total - extra.rolling_impulse;
+    extra.rolling_impulse = total;
+    pair.wa -= pair.ia * impulse;
+    pair.wb += pair.ib * impulse;
+}
+
+/// What events and restitution need to know about the impulses of a sub-step.
+inline void record_impulses(const ContactConstraint& c, ContactExtra& extra) {
+    for (int k = 0; k < c.count; ++k) {
+        extra.greatest[k] = max(extra.greatest[k], c.points[k].normal_impulse);
+        extra.total[k] += c.points[k].normal_impulse;
+    }
+}
+
+}  // namespace
+
+void ContactSolver::warm_start() {
+    for (const ContactConstraint& c : constraints) {
+        SolverBody& a = bodies[c.a];
+        SolverBody& b = bodies[c.b];
+        Pair pair(a, b);
+        const V2 t = right_perp(c.normal);
+        const ConstraintPoint& p = c.points[0];
+        float pn = p.normal_impulse, pt = p.tangent_impulse;
+        float angular_a = p.normal_lever_a * pn + p.tangent_lever_a * pt;
+        float angular_b = p.normal_lever_b * pn + p.tangent_lever_b * pt;
+        if (c.count == 2) {
+            const ConstraintPoint& q = c.points[1];
+            angular_a +=
+                q.normal_lever_a * q.normal_impulse + q.tangent_lever_a * q.tangent_impulse;
+            angular_b +=
+                q.normal_lever_b * q.normal_impulse + q.tangent_lever_b * q.tangent_impulse;
+            pn += q.normal_impulse;
+            pt += q.tangent_impulse;
+        }
+        if (c.extra != 0) {
+            angular_a += extras[c.extra - 1].rolling_impulse;
+            angular_b += extras[c.extra - 1].rolling_impulse;
+        }
+        const V2 impulse = {c.normal.x * pn + t.x * pt, c.normal.y * pn + t.y * pt};
+        pair.apply(impulse, 1.0f, angular_a, angular_b);
+        pair.store(a, b);
+    }
+    bodies[0] = SolverBody{};
+}
+
+void ContactSolver::solve_biased() {
+    for (ContactConstraint& c : constraints) {
+        SolverBody& a = bodies[c.a];
+        SolverBody& b = bodies[c.b];
+        Pair pair(a, b);
+        solve_normals<true>(c, a, b, pair, softness[c.fixed], inverse_h, push_speed);
+        pair.store(a, b);
+    }
+    bodies[0] = SolverBody{};
+}
+
+void ContactSolver::relax() {
+    for (ContactConstraint& c : constraints) {
+        SolverBody& a = bodies[c.a];
+        SolverBody& b = bodies[c.b];
+        Pair pair(a, b);
+        solve_normals<false>(c, a, b, pair, softness[0], inverse_h, push_speed);
+        if (c.extra == 0) {
+            solve_friction(c, pair, 0.0f);
+        } else {
+            ContactExtra& extra = extras[c.extra - 1];
+            solve_rolling(c, extra, pair);
+            solve_friction(c, pair, extra.surface_speed);
+            record_impulses(c, extra);
+        }
+        pair.store(a, b);
+    }
+    bodies[0] = SolverBody{};
+}
+
+void ContactSolver::restitute() {
+    if (extras.empty()) return;
+    for (ContactConstraint& c : constraints) {
+        if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
+        ContactExtra& extra = extras[c.extra - 1];
+        SolverBody& a = bodies[c.a];
+        SolverBody& b = bodies[c.b];
+        Pair pair(a, b);
+        for (int k = 0; k < c.count; ++k) {
+            ConstraintPoint& p = c.points[k];
+            if (extra.approach[k] > -restitution_threshold || !(extra.greatest[k] > 0.0f)) continue;
+            const float velocity = dot(c.normal, pair.vb - pair.va) +
+                                   (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
+            const float wanted =
+                -p.normal_mass * (velocity + extra.restitution * extra.approach[k]);
+            const float total = max(p.normal_impulse + wanted, 0.0f);
+            const float impulse = total - p.normal_impulse;
+            p.normal_impulse = total;
+            extra.greatest[k] = max(extra.greatest[k], total);
+            extra.total[k] += impulse;
+            pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
+        }
+        pair.store(a, b);
+    }
+    bodies[0] = SolverBody{};
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <solver/constraint.h>
+
+#include <span>
+
+namespace fettle::physics::detail {
+
+struct ContactSolver {
+    std::span<SolverBody> bodies;
+    std::span<ContactConstraint> constraints;
+    std::span<ContactExtra> extras;
+    Softness softness[2];  ///< between two that move; with one fixed side
+    float inverse_h = 0.0f;
+    float push_speed = 3.0f;
+    float restitution_threshold = 1.0f;
+
+    void warm_start();
+    /// Soft: overlap is pushed out at a bias velocity. Normal directions only.
+    void solve_biased();
+    /// After the positions moved: takes the bias velocity out again, then friction and rolling.
+    /// Friction in this pass only is what makes tall stacks stand.
+    void relax();
+    /// Once after all sub-steps: what hit fast enough leaves with its share of the approach
+    /// velocity.
+    void restitute();
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,175 @@
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+namespace fettle::physics::detail {
+namespace {
+
+constexpr float least_size = 1e-5f, greatest_size = 1e6f;
+
+std::string text(float value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%g", double(value));
+    return buffer;
+}
+
+[[noreturn]] void refuse(const char* what, const std::string& value, const std::string& expected) {
+    throw std::invalid_argument(std::string(what) + " = " + value + ": expected " + expected);
+}
+
+std::string text(const Vec2& v) {
+    return "(" + text(v.x()) + ", " + text(v.y()) + ")";
+}
+
+const char* name_of(ShapeType type) {
+    switch (type) {
+        case ShapeType::circle:
+            return "a circle";
+        case ShapeType::box:
+            return "a box";
+        case ShapeType::segment:
+            return "a segment";
+        case ShapeType::polygon:
+            return "a polygon";
+        case ShapeType::border:
+            return "the border of the world";
+    }
+    return "a shape";
+}
+
+}  // namespace
+
+float check_finite(const char* what, float value) {
+    if (!std::isfinite(value)) refuse(what, text(value), "a finite number");
+    return value;
+}
+
+float check_not_negative(const char* what, float value) {
+    if (!(value >= 0.0f) || !std::isfinite(value))
+        refuse(what, text(value), "a finite number of at least 0");
+    return value;
+}
+
+float check_range(const char* what, float value, float low, float high) {
+    if (!(value >= low && value <= high))
+        refuse(what, text(value), "a number from " + text(low) + " to " + text(high));
+    return value;
+}
+
+const Vec2& check_finite(const char* what, const Vec2& value) {
+    if (!std::isfinite(value.x()) || !std::isfinite(value.y()))
+        refuse(what, text(value), "two finite numbers");
+    return value;
+}
+
+const Vec2& check_coordinates(const char* what, const Vec2& value) {
+    const float limit = greatest_coordinate;
+    if (!(std::fabs(value.x()) <= limit && std::fabs(value.y()) <= limit)) {
+        refuse(what, text(value), "coordinates between -" + text(limit) + " and " + text(limit));
+    }
+    return value;
+}
+
+std::optional<float> check_inertial(const char* what, std::optional<float> value) {
+    if (value && !(*value > 0.0f)) refuse(what, text(*value), "a positive number or infinity");
+    return value;
+}
+
+const Aabb& check_bounds(const Aabb& value) {
+    check_coordinates("bounds.min", value.min);
+    check_coordinates("bounds.max", value.max);
+    if (!(value.min.x() < value.max.x() && value.min.y() < value.max.y())) {
+        refuse("bounds", text(value.min) + " to " + text(value.max),
+               "a lower left and an upper right corner");
+    }
+    return value;
+}
+
+void check(const WorldDef& def) {
+    check_finite("gravity", def.gravity);
+    check_range("substeps", float(def.substeps), 1.0f, 64.0f);
+    if (def.bounds) check_bounds(*def.bounds);
+    check_not_negative("bounds_friction", def.bounds_friction);
+    check_range("bounds_restitution", def.bounds_restitution, 0.0f, 1.0f);
+    check_not_negative("restitution_threshold", def.restitution_threshold);
+    check_not_negative("hit_threshold", def.hit_threshold);
+    check_not_negative("sleep_speed", def.sleep_speed);
+    check_not_negative("sleep_delay", def.sleep_delay);
+    check_not_negative("contact_hertz", def.contact_hertz);
+    check_not_negative("contact_damping", def.contact_damping);
+    check_not_negative("push_speed", def.push_speed);
+}
+
+void check(const BodyDef& def) {
+    check_coordinates("position", def.position);
+    check_range("angle", def.angle, -greatest_coordinate, greatest_coordinate);
+    check_finite("velocity", def.velocity);
+    check_finite("angular_velocity", def.angular_velocity);
+    check_finite("force", def.force);
+    check_finite("torque", def.torque);
+    check_finite("gravity_scale", def.gravity_scale);
+    check_not_negative("linear_damping", def.linear_damping);
+    check_not_negative("angular_damping", def.angular_damping);
+    check_inertial("mass", def.mass);
+    check_inertial("inertia", def.inertia);
+    if (def.center)
+        check_range("center", def.center->lpNorm<Eigen::Infinity>(), 0.0f, greatest_size);
+}
+
+void check(const ShapeDef& def) {
+    check_not_negative("density", def.density);
+    check_not_negative("friction", def.friction);
+    check_range("restitution", def.restitution, 0.0f, 1.0f);
+    check_not_negative("rolling_resistance", def.rolling_resistance);
+    check_finite("surface_speed", def.surface_speed);
+}
+
+void check(const Geometry& geometry) {
+    auto point = [](const char* what, const Vec2& p) {
+        check_range(what, p.x(), -greatest_size, greatest_size);
+        check_range(what, p.y(), -greatest_size, greatest_size);
+    };
+    if (const Circle* circle = std::get_if<Circle>(&geometry)) {
+        check_range("radius", circle->radius, least_size, greatest_size);
+        point("center", circle->center);
+    } else if (const Box* box = std::get_if<Box>(&geometry)) {
+        check_range("width", box->width, least_size, greatest_size);
+        check_range("height", box->height, least_size, greatest_size);
+        check_range("rounding", box->rounding, 0.0f, 0.5f * min(box->width, box->height));
+        check_range("angle", box->angle, -greatest_coordinate, greatest_coordinate);
+        point("center", box->center);
+    } else if (const Segment* segment = std::get_if<Segment>(&geometry)) {
+        point("from", segment->from);
+        point("to", segment->to);
+        check_range("rounding", segment->rounding, 0.0f, greatest_size);
+        if (!((segment->to - segment->from).norm() >= least_size)) {
+            refuse("to", text(segment->to), "a point other than from");
+        }
+    } else {
+        const Polygon& polygon = std::get<Polygon>(geometry);
+        check_range("rounding", polygon.rounding, 0.0f, greatest_size);
+        std::vector<Vec2> hull;
+        const HullStatus status = convex_hull(polygon.vertices, hull);
+        if (status != HullStatus::ok)
+            throw std::invalid_argument(std::string("vertices: ") + describe(status));
+        for (const Vec2& v : hull) point("vertices", v);
+    }
+}
+
+void dangling(const char* kind, uint32_t index, uint32_t generation) {
+    if (generation == 0) throw std::invalid_argument(std::string("this handle names no ") + kind);
+    throw std::invalid_argument(std::string(kind) + " " + std::to_string(index) +
+                                " of generation " + std::to_string(generation) +
+                                " does not exist any more");
+}
+
+void wrong_type(const char* property, ShapeType type) {
+    throw std::invalid_argument(std::string(property) + ": " + name_of(type) +
+                                " has no such property");
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <fettle/physics/definitions.h>
+#include <fettle/physics/hull.h>
+#include <fettle/physics/shape.h>
+
+// Checks of what callers hand in. Each returns its argument or throws std::invalid_argument with
+// the name of the value, what it was and what was expected. `what` reads like "linear_damping".
+
+namespace fettle::physics::detail {
+
+float check_finite(const char* what, float value);
+float check_not_negative(const char* what, float value);  ///< finite and >= 0
+float check_range(const char* what, float value, float low, float high);
+const Vec2& check_finite(const char* what, const Vec2& value);
+const Vec2& check_coordinates(const char* what, const Vec2& value);  ///< within ±1e8
+/// Positive or infinite: mass, inertia.
+std::optional<float> check_inertial(const char* what, std::optional<float> value);
+const Aabb& check_bounds(const Aabb& value);
+
+void check(const WorldDef& def);
+void check(const BodyDef& def);
+void check(const ShapeDef& def);
+void check(const Geometry& geometry);  ///< polygons: also that there is a hull
+
+[[noreturn]] void dangling(const char* kind, uint32_t index, uint32_t generation);
+[[noreturn]] void wrong_type(const char* property, ShapeType type);
+
+}  // namespace fettle::physics::detail

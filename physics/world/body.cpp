@@ -1,0 +1,512 @@
+#include <geometry/trigonometry.h>
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <type_traits>
+
+namespace fettle::physics {
+
+using namespace detail;
+
+namespace {
+
+WorldData& live(World* world, WorldData* data, BodyId id) {
+    if (world == nullptr || !world->is_valid(id)) dangling("body", id.index, id.generation);
+    return *data;
+}
+
+Rotation rotation(const BodyState& state) {
+    return {state.cosine, state.sine};
+}
+
+/// Puts a body elsewhere: who rested on it falls, what is derived from the pose is out of date,
+/// nothing is drawn between.
+void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
+    data.wake_for_edit(body);
+    data.wake_touching(body);
+    BodyState& state = data.states[body];
+    state.position = position;
+    if (state.angle != angle) {
+        const Rotation q = rotation_of(angle);
+        state.angle = angle;
+        state.cosine = q.c;
+        state.sine = q.s;
+        data.bodies[body].angle_rest = 0.0f;
+    }
+    data.previous[body] = {position, angle};
+    data.bodies[body].center =
+        to_v2(position) + rotate(rotation(state), data.bodies[body].local_center);
+    data.mark_placement(body);
+}
+
+}  // namespace
+
+// The body of every method that needs a live body: `data`, and its records.
+#define FETTLE_LIVE_BODY                                                         \
+    WorldData& data = live(world_, world_ ? world_->data_.get() : nullptr, id_); \
+    [[maybe_unused]] BodyRecord& record = data.bodies[id_.index];                \
+    [[maybe_unused]] BodyState& state = data.states[id_.index];
+
+bool Body::is_valid() const {
+    return world_ != nullptr && world_->is_valid(id_);
+}
+
+void Body::destroy() {
+    FETTLE_LIVE_BODY
+    data.destroy_body(id_.index);
+}
+
+BodyType Body::type() const {
+    FETTLE_LIVE_BODY
+    return record.type;
+}
+
+void Body::set_type(BodyType type) {
+    FETTLE_LIVE_BODY
+    if (type == record.type) return;
+    data.wake_for_edit(id_.index);
+    record.type = type;
+    data.mark_mass(id_.index);
+    data.refresh_mass(
+        id_.index);  // at once: reading `awake` or setting a velocity next depends on it
+}
+
+Vec2 Body::position() const {
+    FETTLE_LIVE_BODY
+    return state.position;
+}
+
+void Body::set_position(const Vec2& position) {
+    FETTLE_LIVE_BODY
+    teleport(data, id_.index, check_coordinates("position", position), state.angle);
+}
+
+float Body::angle() const {
+    FETTLE_LIVE_BODY
+    return state.angle;
+}
+
+void Body::set_angle(float angle) {
+    FETTLE_LIVE_BODY
+    teleport(data, id_.index, state.position,
+             check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
+}
+
+void Body::set_pose(const Pose& pose) {
+    FETTLE_LIVE_BODY
+    check_coordinates("position", pose.position);
+    check_range("angle", pose.angle, -greatest_coordinate, greatest_coordinate);
+    teleport(data, id_.index, pose.position, pose.angle);
+}
+
+Vec2 Body::velocity() const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);  // a center of mass that moves changes it
+    return data.states[id_.index].velocity;
+}
+
+void Body::set_velocity(const Vec2& velocity) {
+    FETTLE_LIVE_BODY
+    check_finite("velocity", velocity);
+    data.refresh_mass(id_.index);
+    if (record.mobility == Mobility::fixed) return;
+    data.wake_for_edit(id_.index);
+    state.velocity = velocity;
+}
+
+float Body::angular_velocity() const {
+    FETTLE_LIVE_BODY
+    return state.angular_velocity;
+}
+
+void Body::set_angular_velocity(float angular_velocity) {
+    FETTLE_LIVE_BODY
+    check_finite("angular_velocity", angular_velocity);
+    data.refresh_mass(id_.index);
+    if (record.mobility == Mobility::fixed) return;
+    data.wake_for_edit(id_.index);
+    state.angular_velocity = angular_velocity;
+}
+
+Vec2 Body::force() const {
+    FETTLE_LIVE_BODY
+    return to_vec2(record.force);
+}
+
+void Body::set_force(const Vec2& force) {
+    FETTLE_LIVE_BODY
+    record.force = to_v2(check_finite("force", force));
+    data.wake_body(id_.index);
+}
+
+float Body::torque() const {
+    FETTLE_LIVE_BODY
+    return record.torque;
+}
+
+void Body::set_torque(float torque) {
+    FETTLE_LIVE_BODY
+    record.torque = check_finite("torque", torque);
+    data.wake_body(id_.index);
+}
+
+void Body::apply_force(const Vec2& force) {
+    FETTLE_LIVE_BODY
+    check_finite("force", force);
+    data.wake_body(id_.index);
+    record.step_force = record.step_force + to_v2(force);
+}
+
+void Body::apply_force(const Vec2& force, const Vec2& world_point) {
+    FETTLE_LIVE_BODY
+    check_finite("force", force);
+    check_finite("world_point", world_point);
+    data.refresh_mass(id_.index);
+    data.wake_body(id_.index);
+    record.step_force = record.step_force + to_v2(force);
+    record.step_torque += cross(to_v2(world_point) - record.center, to_v2(force));
+}
+
+void Body::apply_torque(float torque) {
+    FETTLE_LIVE_BODY
+    check_finite("torque", torque);
+    data.wake_body(id_.index);
+    record.step_torque += torque;
+}
+
+void Body::apply_impulse(const Vec2& impulse) {
+    FETTLE_LIVE_BODY
+    check_finite("impulse", impulse);
+    data.refresh_mass(id_.index);
+    data.wake_body(id_.index);
+    state.velocity += record.inverse_mass * impulse;
+}
+
+void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
+    FETTLE_LIVE_BODY
+    check_finite("impulse", impulse);
+    check_finite("world_point", world_point);
+    data.refresh_mass(id_.index);
+    data.wake_body(id_.index);
+    state.velocity += record.inverse_mass * impulse;
+    state.angular_velocity +=
+        record.inverse_inertia * cross(to_v2(world_point) - record.center, to_v2(impulse));
+}
+
+void Body::apply_angular_impulse(float impulse) {
+    FETTLE_LIVE_BODY
+    check_finite("impulse", impulse);
+    data.refresh_mass(id_.index);
+    data.wake_body(id_.index);
+    state.angular_velocity += record.inverse_inertia * impulse;
+}
+
+float Body::gravity_scale() const {
+    FETTLE_LIVE_BODY
+    return record.gravity_scale;
+}
+
+void Body::set_gravity_scale(float scale) {
+    FETTLE_LIVE_BODY
+    record.gravity_scale = check_finite("gravity_scale", scale);
+    data.wake_body(id_.index);
+}
+
+float Body::linear_damping() const {
+    FETTLE_LIVE_BODY
+    return record.linear_damping;
+}
+
+void Body::set_linear_damping(float damping) {
+    FETTLE_LIVE_BODY
+    record.linear_damping = check_not_negative("linear_damping", damping);
+    data.wake_body(id_.index);
+}
+
+float Body::angular_damping() const {
+    FETTLE_LIVE_BODY
+    return record.angular_damping;
+}
+
+void Body::set_angular_damping(float damping) {
+    FETTLE_LIVE_BODY
+    record.angular_damping = check_not_negative("angular_damping", damping);
+    data.wake_body(id_.index);
+}
+
+bool Body::awake() const {
+    FETTLE_LIVE_BODY
+    return record.solver_index != 0;
+}
+
+void Body::set_awake(bool awake) {
+    FETTLE_LIVE_BODY
+    if (awake) {
+        data.wake_body(id_.index);
+    } else if (data.settings.sleeping) {
+        data.refresh();
+        data.put_group_to_sleep(id_.index);
+    }
+}
+
+bool Body::can_sleep() const {
+    FETTLE_LIVE_BODY
+    return record.can_sleep;
+}
+
+void Body::set_can_sleep(bool can_sleep) {
+    FETTLE_LIVE_BODY
+    record.can_sleep = can_sleep;
+    if (!can_sleep) data.wake_body(id_.index);
+}
+
+bool Body::bullet() const {
+    FETTLE_LIVE_BODY
+    return record.bullet;
+}
+
+void Body::set_bullet(bool bullet) {
+    FETTLE_LIVE_BODY
+    record.bullet = bullet;
+}
+
+namespace {
+
+void set_lock(WorldData& data, uint32_t body, bool BodyRecord::*lock, bool locked) {
+    data.bodies[body].*lock = locked;
+    data.mark_mass(body);
+    data.wake_body(body);
+}
+
+}  // namespace
+
+bool Body::locked_x() const {
+    FETTLE_LIVE_BODY
+    return record.locked_x;
+}
+void Body::set_locked_x(bool locked) {
+    FETTLE_LIVE_BODY
+    set_lock(data, id_.index, &BodyRecord::locked_x, locked);
+}
+bool Body::locked_y() const {
+    FETTLE_LIVE_BODY
+    return record.locked_y;
+}
+void Body::set_locked_y(bool locked) {
+    FETTLE_LIVE_BODY
+    set_lock(data, id_.index, &BodyRecord::locked_y, locked);
+}
+bool Body::locked_rotation() const {
+    FETTLE_LIVE_BODY
+    return record.locked_rotation;
+}
+void Body::set_locked_rotation(bool locked) {
+    FETTLE_LIVE_BODY
+    set_lock(data, id_.index, &BodyRecord::locked_rotation, locked);
+}
+
+float Body::mass() const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);
+    return record.mass;
+}
+
+void Body::set_mass(std::optional<float> mass) {
+    FETTLE_LIVE_BODY
+    record.mass_override = check_inertial("mass", mass);
+    data.wake_for_edit(id_.index);
+    data.mark_mass(id_.index);
+}
+
+std::optional<float> Body::mass_override() const {
+    FETTLE_LIVE_BODY
+    return record.mass_override;
+}
+
+float Body::inertia() const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);
+    return record.inertia;
+}
+
+void Body::set_inertia(std::optional<float> inertia) {
+    FETTLE_LIVE_BODY
+    record.inertia_override = check_inertial("inertia", inertia);
+    data.wake_body(id_.index);
+    data.mark_mass(id_.index);
+}
+
+std::optional<float> Body::inertia_override() const {
+    FETTLE_LIVE_BODY
+    return record.inertia_override;
+}
+
+Vec2 Body::center() const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);
+    return to_vec2(record.local_center);
+}
+
+void Body::set_center(std::optional<Vec2> center) {
+    FETTLE_LIVE_BODY
+    std::optional<V2> wanted;
+    if (center) wanted = to_v2(check_coordinates("center", *center));
+    record.center_override = wanted;
+    data.wake_body(id_.index);
+    data.mark_mass(id_.index);
+}
+
+std::optional<Vec2> Body::center_override() const {
+    FETTLE_LIVE_BODY
+    if (!record.center_override) return std::nullopt;
+    return to_vec2(*record.center_override);
+}
+
+Vec2 Body::world_center() const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);
+    return to_vec2(record.center);
+}
+
+float Body::area() const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);
+    return record.area;
+}
+
+Aabb Body::aabb() const {
+    FETTLE_LIVE_BODY
+    data.refresh();
+    if (record.first_shape == none) return {state.position, state.position};
+    Box4 box = data.boxes[record.first_shape];
+    for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
+        box = unite(box, data.boxes[s]);
+    return {to_vec2(box.low), to_vec2(box.high)};
+}
+
+uint32_t Body::rebuilds() const {
+    FETTLE_LIVE_BODY
+    return record.rebuilds;
+}
+
+Pose Body::previous_pose() const {
+    FETTLE_LIVE_BODY
+    return data.previous[id_.index];
+}
+
+Pose Body::interpolated(float fraction) const {
+    FETTLE_LIVE_BODY
+    const Pose& from = data.previous[id_.index];
+    return {from.position + fraction * (state.position - from.position),
+            from.angle + fraction * (state.angle - from.angle)};
+}
+
+Vec2 Body::world_point(const Vec2& local) const {
+    FETTLE_LIVE_BODY
+    return state.position + to_vec2(rotate(rotation(state), to_v2(local)));
+}
+
+Vec2 Body::local_point(const Vec2& world) const {
+    FETTLE_LIVE_BODY
+    return to_vec2(unrotate(rotation(state), to_v2(world) - to_v2(state.position)));
+}
+
+Vec2 Body::world_vector(const Vec2& local) const {
+    FETTLE_LIVE_BODY
+    return to_vec2(rotate(rotation(state), to_v2(local)));
+}
+
+Vec2 Body::local_vector(const Vec2& world) const {
+    FETTLE_LIVE_BODY
+    return to_vec2(unrotate(rotation(state), to_v2(world)));
+}
+
+Vec2 Body::velocity_at(const Vec2& world_point) const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);
+    return state.velocity +
+           to_vec2(cross(state.angular_velocity, to_v2(world_point) - record.center));
+}
+
+float Body::kinetic_energy() const {
+    FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);
+    if (record.mobility != Mobility::dynamic) return 0.0f;
+    float energy = 0.5f * record.mass * state.velocity.squaredNorm();
+    if (record.inverse_inertia > 0.0f) {
+        energy += 0.5f * record.inertia * state.angular_velocity * state.angular_velocity;
+    }
+    return energy;
+}
+
+namespace {
+
+template <typename Any>
+Shape add_shape(World* world, WorldData& data, BodyId body, const Any& geometry,
+                const ShapeDef& def) {
+    const Shape shape = world->create_shape(geometry, def);
+    data.attach_shape(shape.index(), body.index);
+    return shape;
+}
+
+}  // namespace
+
+Shape Body::add(const Circle& circle, const ShapeDef& def) {
+    FETTLE_LIVE_BODY
+    return add_shape(world_, data, id_, circle, def);
+}
+Shape Body::add(const Box& box, const ShapeDef& def) {
+    FETTLE_LIVE_BODY
+    return add_shape(world_, data, id_, box, def);
+}
+Shape Body::add(const Segment& segment, const ShapeDef& def) {
+    FETTLE_LIVE_BODY
+    return add_shape(world_, data, id_, segment, def);
+}
+Shape Body::add(const Polygon& polygon, const ShapeDef& def) {
+    FETTLE_LIVE_BODY
+    return add_shape(world_, data, id_, polygon, def);
+}
+
+uint32_t Body::shape_count() const {
+    FETTLE_LIVE_BODY
+    return record.shape_count;
+}
+
+std::vector<Shape> Body::shapes() const {
+    FETTLE_LIVE_BODY
+    std::vector<Shape> all;
+    for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next) {
+        all.emplace_back(world_, data.shape_id(s));
+    }
+    return all;
+}
+
+bool Body::is_touching() const {
+    FETTLE_LIVE_BODY
+    return record.touching > 0;
+}
+
+std::vector<Contact> Body::contacts() const {
+    FETTLE_LIVE_BODY
+    std::vector<Contact> all;
+    data.for_each_contact(id_.index, [&](uint32_t contact) {
+        const ContactRecord& c = data.contacts[contact];
+        if (c.touching && !c.sensor) all.push_back(data.view(c));
+    });
+    return all;
+}
+
+uint64_t Body::user_data() const {
+    FETTLE_LIVE_BODY
+    return record.user_data;
+}
+
+void Body::set_user_data(uint64_t value) {
+    FETTLE_LIVE_BODY
+    record.user_data = value;
+}
+
+#undef FETTLE_LIVE_BODY
+
+}  // namespace fettle::physics

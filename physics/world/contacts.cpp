@@ -1,0 +1,257 @@
+#include <world/world_data.h>
+
+#include <algorithm>
+
+// Pairs of shapes: found by the trees, kept while their fat boxes overlap, given a manifold each
+// step while one of the two bodies is awake.
+
+namespace fettle::physics::detail {
+
+bool WorldData::may_collide(uint32_t a, uint32_t b) const {
+    const uint32_t body_a = forms[a].body, body_b = forms[b].body;
+    if (body_a == body_b) return false;
+    if (bodies[body_a].mobility != Mobility::dynamic &&
+        bodies[body_b].mobility != Mobility::dynamic)
+        return false;
+    const ShapeDef& sa = shapes[a].surface;
+    const ShapeDef& sb = shapes[b].surface;
+    if (sa.sensor && (sb.sensor || shapes[b].type == ShapeType::border)) return false;
+    if (sb.sensor && shapes[a].type == ShapeType::border) return false;
+    if (sa.group != 0 && sa.group == sb.group) return sa.group > 0;
+    return (sa.mask & sb.category) != 0 && (sb.mask & sa.category) != 0;
+}
+
+void WorldData::try_pair(uint32_t shape, uint32_t other) {
+    // Two that moved find each other twice: the lower one makes the pair.
+    if (other == shape || (shapes[other].moved && other < shape)) return;
+    if (!may_collide(shape, other) || pairs.find(shape, other) != PairSet::absent) return;
+    create_contact(std::min(shape, other), std::max(shape, other));
+}
+
+void WorldData::find_pairs() {
+    for (uint32_t shape : moved_shapes) {
+        if (forms[shape].body == none || shape_generations[shape] == 0) continue;
+        const Mobility mobility = bodies[forms[shape].body].mobility;
+        const Box4& fat = fat_boxes[shape];
+        auto pair = [&](uint32_t other) { try_pair(shape, other); };
+        moving_tree.query(fat, pair);
+        if (mobility != Mobility::dynamic) continue;
+        fixed_tree.query(fat, pair);
+        if (!settings.bounds) continue;
+        for (uint32_t side = 0; side < 4; ++side) {
+            if (overlap(fat, fat_boxes[side])) try_pair(shape, side);
+        }
+    }
+    for (uint32_t shape : moved_shapes) shapes[shape].moved = false;
+    moved_shapes.clear();
+}
+
+void WorldData::remix(ContactRecord& c) const {
+    const ShapeDef& a = shapes[c.shape_a].surface;
+    const ShapeDef& b = shapes[c.shape_b].surface;
+    c.friction = std::sqrt(a.friction * b.friction);
+    c.restitution = max(a.restitution, b.restitution);
+    c.rolling_resistance = max(a.rolling_resistance * forms[c.shape_a].radius,
+                               b.rolling_resistance * forms[c.shape_b].radius);
+    c.surface_speed = a.surface_speed + b.surface_speed;
+    c.hit_events = a.hit_events || b.hit_events;
+    c.special = c.hit_events || c.restitution > 0.0f || c.rolling_resistance > 0.0f ||
+                c.surface_speed != 0.0f;
+}
+
+void WorldData::remix_shape(uint32_t shape) {
+    if (forms[shape].body == none) return;
+    for_each_contact(forms[shape].body, [&](uint32_t contact) {
+        ContactRecord& c = contacts[contact];
+        if (c.shape_a == shape || c.shape_b == shape) remix(c);
+    });
+}
+
+void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
+    uint32_t slot = free_contact;
+    if (slot != none) {
+        free_contact = contacts[slot].next_free;
+        contacts[slot] = {};
+    } else {
+        slot = uint32_t(contacts.size());
+        contacts.emplace_back();
+    }
+    ++contact_count;
+    ContactRecord& c = contacts[slot];
+    c.shape_a = shape_a;
+    c.shape_b = shape_b;
+    c.body_a = forms[shape_a].body;
+    c.body_b = forms[shape_b].body;
+    c.sensor = shapes[shape_a].surface.sensor || shapes[shape_b].surface.sensor;
+    remix(c);
+    const uint32_t owners[2] = {c.body_a, c.body_b};
+    for (uint32_t side = 0; side < 2; ++side) {
+        BodyRecord& body = bodies[owners[side]];
+        const uint32_t edge = slot << 1 | side;
+        c.edges[side] = {none, body.first_contact};
+        if (body.first_contact != none) {
+            contacts[body.first_contact >> 1].edges[body.first_contact & 1].previous = edge;
+        }
+        body.first_contact = edge;
+        ++body.contact_count;
+    }
+    pairs.insert(shape_a, shape_b, slot);
+    if (bodies[c.body_a].solver_index != 0 || bodies[c.body_b].solver_index != 0)
+        add_awake_contact(slot);
+}
+
+void WorldData::destroy_contact(uint32_t slot, bool in_narrow_phase) {
+    ContactRecord& c = contacts[slot];
+    if (c.touching) set_touching(slot, false);
+    if (c.awake_index != none && !in_narrow_phase) remove_awake_contact(slot);
+    const uint32_t owners[2] = {c.body_a, c.body_b};
+    for (uint32_t side = 0; side < 2; ++side) {
+        BodyRecord& body = bodies[owners[side]];
+        const ContactRecord::Edge edge = c.edges[side];
+        if (edge.previous != none)
+            contacts[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
+        else
+            body.first_contact = edge.next;
+        if (edge.next != none)
+            contacts[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
+        --body.contact_count;
+    }
+    pairs.erase(c.shape_a, c.shape_b);
+    c = {};
+    c.next_free = free_contact;
+    free_contact = slot;
+    --contact_count;
+}
+
+void WorldData::destroy_contacts_of_shape(uint32_t shape) {
+    if (forms[shape].body == none) return;
+    for_each_contact(forms[shape].body, [&](uint32_t contact) {
+        if (contacts[contact].shape_a == shape || contacts[contact].shape_b == shape)
+            destroy_contact(contact);
+    });
+}
+
+void WorldData::refilter(uint32_t shape) {
+    const uint32_t body = forms[shape].body;
+    if (body == none) return;
+    wake_for_edit(body);
+    for_each_contact(body, [&](uint32_t contact) {
+        const ContactRecord& c = contacts[contact];
+        if (c.shape_a != shape && c.shape_b != shape) return;
+        const bool sensor = shapes[c.shape_a].surface.sensor || shapes[c.shape_b].surface.sensor;
+        if (c.sensor != sensor || !may_collide(c.shape_a, c.shape_b)) destroy_contact(contact);
+    });
+    mark_moved(shape);
+}
+
+void WorldData::set_touching(uint32_t slot, bool touching) {
+    ContactRecord& c = contacts[slot];
+    c.touching = touching;
+    const uint32_t step = touching ? 1u : ~0u;  // ± 1, modulo 2³²
+    shapes[c.shape_a].touching += step;
+    shapes[c.shape_b].touching += step;
+    const ShapeId a = shape_id(c.shape_a), b = shape_id(c.shape_b);
+    const BodyId body_a = body_id(c.body_a), body_b = body_id(c.body_b);
+    Events& sink = event_sink();
+    if (c.sensor) {
+        auto& list = touching ? sink.sensor_begin : sink.sensor_end;
+        if (shapes[c.shape_a].surface.sensor)
+            list.push_back({a, b, body_a, body_b});
+        else
+            list.push_back({b, a, body_b, body_a});
+        return;
+    }
+    bodies[c.body_a].touching += step;
+    bodies[c.body_b].touching += step;
+    if (touching) {
+        const Manifold& m = c.manifold;
+        V2 middle = m.points[0].anchor_a;
+        if (m.count == 2) middle = 0.5f * (m.points[0].anchor_a + m.points[1].anchor_a);
+        sink.contact_begin.push_back(
+            {a, b, body_a, body_b, to_vec2(bodies[c.body_a].center + middle), to_vec2(m.normal)});
+    } else {
+        sink.contact_end.push_back({a, b, body_a, body_b});
+    }
+}
+
+bool WorldData::update_manifold(ContactRecord& c) {
+    const Manifold old = c.manifold;
+    Manifold& m = c.manifold;
+    m.count = 0;
+    const float margin = c.sensor ? 0.0f : speculative_margin;
+    if (overlap(grow(boxes[c.shape_a], margin), boxes[c.shape_b])) {
+        const V2 center_b = bodies[c.body_b].center;
+        if (forms[c.shape_a].count == 0) {
+            const Aabb& bounds = *settings.bounds;
+            const V2 normals[4] = {{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}};
+            const float depths[4] = {bounds.min.x(), -bounds.max.x(), bounds.min.y(),
+                                     -bounds.max.y()};
+            collide_half_plane(normals[c.shape_a], depths[c.shape_a], convex(c.shape_b), center_b,
+                               margin, m);
+        } else {
+            collide(convex(c.shape_a), convex(c.shape_b), center_b - bodies[c.body_a].center,
+                    margin, m);
+        }
+    }
+    // Points that are still the same vertex on the same edge go on with their impulses: the warm
+    // start.
+    for (int i = 0; i < m.count; ++i) {
+        for (int k = 0; k < old.count; ++k) {
+            if (old.points[k].feature != m.points[i].feature) continue;
+            m.points[i].normal_impulse = old.points[k].normal_impulse;
+            m.points[i].tangent_impulse = old.points[k].tangent_impulse;
+            break;
+        }
+    }
+    return m.count > 0;
+}
+
+void WorldData::narrow_phase() {
+    size_t kept = 0;
+    // Waking appends to the list while it is walked.
+    for (size_t i = 0; i < awake_contacts.size(); ++i) {
+        const uint32_t slot = awake_contacts[i];
+        ContactRecord& c = contacts[slot];
+        if (!overlap(fat_boxes[c.shape_a], fat_boxes[c.shape_b])) {
+            destroy_contact(slot, true);
+            continue;
+        }
+        awake_contacts[kept] = slot;
+        c.awake_index = uint32_t(kept++);
+        const bool active = update_manifold(c);
+        if (c.sensor) {
+            if (active != c.touching) set_touching(slot, active);
+        } else if (!active) {
+            if (c.touching) set_touching(slot, false);
+            c.rolling_impulse = 0.0f;
+        } else {
+            // Whoever is asleep and about to be hit takes part in this very step.
+            if (bodies[c.body_a].asleep() && in_motion(c.body_b))
+                wake_body(c.body_a);
+            else if (bodies[c.body_b].asleep() && in_motion(c.body_a))
+                wake_body(c.body_b);
+        }
+    }
+    awake_contacts.resize(kept);
+}
+
+Contact WorldData::view(const ContactRecord& c) const {
+    Contact contact;
+    contact.body_a = body_id(c.body_a);
+    contact.body_b = body_id(c.body_b);
+    contact.shape_a = shape_id(c.shape_a);
+    contact.shape_b = shape_id(c.shape_b);
+    contact.normal = to_vec2(c.manifold.normal);
+    contact.point_count = c.manifold.count;
+    contact.friction = c.friction;
+    contact.restitution = c.restitution;
+    for (int k = 0; k < c.manifold.count; ++k) {
+        const ManifoldPoint& p = c.manifold.points[k];
+        contact.points[size_t(k)] = {to_vec2(bodies[c.body_a].center + p.anchor_a), p.separation,
+                                     p.normal_impulse, p.tangent_impulse, p.feature};
+        if (last_substep > 0.0f) contact.normal_force += p.normal_impulse / last_substep;
+    }
+    return contact;
+}
+
+}  // namespace fettle::physics::detail

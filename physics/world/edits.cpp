@@ -1,0 +1,286 @@
+#include <geometry/trigonometry.h>
+#include <world/world_data.h>
+
+#include <algorithm>
+
+// Derived data is pulled: an edit marks what it leaves out of date and puts it on a list; it is
+// computed when somebody reads it or before the next step, whichever is first, and once however
+// many edits there were.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Mass and inertia are kept in this range, so that their inverses and products stay finite.
+constexpr double least_mass = 1e-12, greatest_mass = 1e18;
+
+float bounded_inverse(double value) {
+    if (!(value > 0.0) || !(value < greatest_mass)) return 0.0f;
+    return float(1.0 / std::max(value, least_mass));
+}
+
+}  // namespace
+
+void WorldData::list_body(uint32_t body) {
+    if (bodies[body].listed) return;
+    bodies[body].listed = true;
+    edited_bodies.push_back(body);
+}
+
+void WorldData::mark_geometry(uint32_t shape) {
+    shapes[shape].geometry_dirty = true;
+    if (!shapes[shape].listed) {
+        shapes[shape].listed = true;
+        edited_shapes.push_back(shape);
+    }
+    if (forms[shape].body == none) return;
+    mark_mass(forms[shape].body);
+    mark_placement(forms[shape].body);
+}
+
+void WorldData::mark_mass(uint32_t body) {
+    bodies[body].mass_dirty = true;
+    list_body(body);
+}
+
+void WorldData::mark_placement(uint32_t body) {
+    bodies[body].placement_dirty = true;
+    list_body(body);
+}
+
+void WorldData::mark_moved(uint32_t shape) {
+    if (shapes[shape].moved) return;
+    shapes[shape].moved = true;
+    moved_shapes.push_back(shape);
+}
+
+void WorldData::wake_for_edit(uint32_t body) {
+    wake_body(body);
+    if (bodies[body].mobility != Mobility::dynamic) wake_touching(body);
+}
+
+void WorldData::refresh() {
+    // Refreshing a shape marks its body, refreshing a mass may mark a placement: shapes first,
+    // bodies while there are.
+    for (size_t i = 0; i < edited_shapes.size(); ++i) {
+        const uint32_t shape = edited_shapes[i];
+        if (!shapes[shape].listed) continue;  // destroyed meanwhile
+        shapes[shape].listed = false;
+        refresh_shape(shape);
+    }
+    edited_shapes.clear();
+    for (size_t i = 0; i < edited_bodies.size(); ++i) {
+        const uint32_t body = edited_bodies[i];
+        if (!bodies[body].listed) continue;
+        refresh_mass(body);
+        refresh_placement(body);
+        bodies[body].listed = false;
+    }
+    edited_bodies.clear();
+}
+
+namespace {
+
+/// Corners of a box without its rounding; the core never vanishes, so that it stays a polygon.
+void box_corners(const Box& box, V2* out) {
+    const float least = min(box.width, box.height) * 1e-3f;
+    const float hx = 0.5f * max(box.width - 2.0f * box.rounding, least);
+    const float hy = 0.5f * max(box.height - 2.0f * box.rounding, least);
+    const Rotation q = rotation_of(box.angle);
+    const V2 corners[4] = {{-hx, -hy}, {hx, -hy}, {hx, hy}, {-hx, hy}};
+    for (int i = 0; i < 4; ++i) out[i] = to_v2(box.center) + rotate(q, corners[i]);
+}
+
+}  // namespace
+
+void WorldData::refresh_shape(uint32_t shape) {
+    ShapeRecord& record = shapes[shape];
+    if (!record.geometry_dirty) return;
+    record.geometry_dirty = false;
+    ++record.rebuilds;
+    ShapeForm& form = forms[shape];
+    V2* local = &pool.local[form.begin];
+    switch (record.type) {
+        case ShapeType::circle:
+            local[0] = to_v2(record.circle.center);
+            form.radius = record.circle.radius;
+            break;
+        case ShapeType::box:
+            box_corners(record.box, local);
+            form.radius = record.box.rounding;
+            break;
+        case ShapeType::segment:
+            local[0] = to_v2(record.segment.from);
+            local[1] = to_v2(record.segment.to);
+            form.radius = record.segment.rounding;
+            break;
+        default:
+            form.radius = record.polygon_rounding;
+            break;  // its hull is already in the pool
+    }
+    for (uint32_t i = 0; i < form.count && form.count > 1; ++i) {
+        pool.normals[form.begin + i] =
+            normalized(right_perp(local[(i + 1) % form.count] - local[i]));
+    }
+    record.moments = moments_of({local, form.count}, form.radius);
+    remix_shape(shape);  // rolling resistance depends on the radius
+    if (form.body == none) place_shape(shape, {});
+}
+
+void WorldData::place_shape(uint32_t shape, Rotation q) {
+    const ShapeForm& form = forms[shape];
+    if (form.count == 0) return;
+    V2 center, local_center;
+    if (form.body != none) {
+        center = bodies[form.body].center;
+        local_center = bodies[form.body].local_center;
+    }
+    V2 low, high;
+    for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
+        const V2 v = rotate(q, pool.local[i] - local_center);
+        pool.vertices[i] = v;
+        pool.directions[i] = rotate(q, pool.normals[i]);
+        pool.offsets[i] = dot(pool.normals[i], pool.local[i] - local_center);
+        low = i == form.begin ? v : V2{min(low.x, v.x), min(low.y, v.y)};
+        high = i == form.begin ? v : V2{max(high.x, v.x), max(high.y, v.y)};
+    }
+    boxes[shape] = grow({center + low, center + high}, form.radius);
+}
+
+void WorldData::refresh_mass(uint32_t body) {
+    BodyRecord& record = bodies[body];
+    for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) refresh_shape(s);
+    if (!record.mass_dirty) return;
+    record.mass_dirty = false;
+    ++record.rebuilds;
+
+    double area = 0.0, mass = 0.0, first_x = 0.0, first_y = 0.0;
+    for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
+        const AreaMoments& m = shapes[s].moments;
+        const double part = m.area * double(shapes[s].surface.density);
+        area += m.area;
+        mass += part;
+        first_x += part * m.center_x;
+        first_y += part * m.center_y;
+    }
+    double cx = mass > 0.0 ? first_x / mass : 0.0, cy = mass > 0.0 ? first_y / mass : 0.0;
+    if (record.center_override) {
+        cx = record.center_override->x;
+        cy = record.center_override->y;
+    }
+    double inertia = 0.0;
+    float extent = 0.0f, thickness = infinity;
+    for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
+        const AreaMoments& m = shapes[s].moments;
+        const double dx = m.center_x - cx, dy = m.center_y - cy;
+        inertia += double(shapes[s].surface.density) * (m.moment + m.area * (dx * dx + dy * dy));
+        const ShapeForm& form = forms[s];
+        V2 middle = {float(m.center_x), float(m.center_y)};
+        float inner = infinity;
+        for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
+            const V2 v = pool.local[i] - V2{float(cx), float(cy)};
+            extent = max(extent, length(v) + form.radius);
+            if (form.count > 2) inner = min(inner, dot(pool.normals[i], pool.local[i] - middle));
+        }
+        thickness = min(thickness, form.count > 2 ? max(inner, 0.0f) + form.radius : form.radius);
+    }
+    const bool weightless = !(mass > 0.0);
+    if (record.mass_override) {
+        const double wanted = double(*record.mass_override);
+        if (std::isfinite(wanted)) inertia = weightless ? 0.0 : inertia * (wanted / mass);
+        mass = wanted;
+    } else if (weightless && record.type == BodyType::dynamic_body) {
+        mass = 1.0;
+    }
+    if (record.inertia_override) inertia = double(*record.inertia_override);
+
+    const BodyState& state = states[body];
+    const V2 old_center = record.center;
+    record.area = float(area);
+    record.mass = float(mass);
+    record.inertia = float(inertia);
+    record.extent = extent;
+    record.thickness = thickness == infinity ? 0.0f : thickness;
+    record.local_center = {float(cx), float(cy)};
+    record.center = to_v2(state.position) + rotate({state.cosine, state.sine}, record.local_center);
+    // The body goes on as it moved: only the point whose velocity is kept is another one.
+    const V2 drift = cross(state.angular_velocity, record.center - old_center);
+    states[body].velocity += to_vec2(drift);
+    mark_placement(body);
+    update_mobility(body);
+    const bool moves = record.mobility == Mobility::dynamic;
+    record.inverse_mass =
+        moves && !(record.locked_x && record.locked_y) ? bounded_inverse(mass) : 0.0f;
+    record.inverse_inertia = moves && !record.locked_rotation ? bounded_inverse(inertia) : 0.0f;
+}
+
+void WorldData::refresh_placement(uint32_t body) {
+    BodyRecord& record = bodies[body];
+    if (!record.placement_dirty) return;
+    record.placement_dirty = false;
+    const BodyState& state = states[body];
+    const Rotation q = {state.cosine, state.sine};
+    record.center = to_v2(state.position) + rotate(q, record.local_center);
+    for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
+        place_shape(s, q);
+        set_proxy(s);
+        mark_moved(s);
+    }
+}
+
+/// Static, kinematic or dynamic as the step sees it; where that changes, so does the tree its
+/// shapes are in and whom they collide with.
+void WorldData::update_mobility(uint32_t body) {
+    BodyRecord& record = bodies[body];
+    Mobility mobility = Mobility::dynamic;
+    if (record.type == BodyType::kinematic_body) mobility = Mobility::kinematic;
+    if (record.type == BodyType::static_body) mobility = Mobility::fixed;
+    if (record.type == BodyType::dynamic_body && !(record.mass < float(greatest_mass)))
+        mobility = Mobility::fixed;
+    if (mobility == record.mobility) return;
+
+    wake_for_edit(body);
+    wake_touching(body);
+    for (uint32_t s = record.first_shape; s != none; s = shapes[s].next)
+        destroy_contacts_of_shape(s);
+    record.mobility = mobility;
+    if (mobility == Mobility::fixed) {
+        if (record.solver_index != 0) remove_awake(body);
+        states[body].velocity.setZero();
+        states[body].angular_velocity = 0.0f;
+        previous[body] = {states[body].position, states[body].angle};
+    } else if (record.solver_index == 0) {
+        add_awake(body);
+    }
+    record.sleep_time = 0.0f;
+    mark_placement(body);
+}
+
+float WorldData::fat_margin(uint32_t shape) const {
+    const Box4& box = boxes[shape];
+    const float extent = 0.5f * max(box.high.x - box.low.x, box.high.y - box.low.y);
+    return speculative_margin + min(0.05f, 0.125f * extent);
+}
+
+void WorldData::set_proxy(uint32_t shape) {
+    ShapeRecord& record = shapes[shape];
+    const Mobility mobility = bodies[forms[shape].body].mobility;
+    const Mobility tree = mobility == Mobility::fixed ? Mobility::fixed : Mobility::dynamic;
+    fat_boxes[shape] =
+        mobility == Mobility::fixed ? boxes[shape] : grow(boxes[shape], fat_margin(shape));
+    if (record.proxy != Tree::none && record.tree != tree) remove_proxy(shape);
+    Tree& target = tree == Mobility::fixed ? fixed_tree : moving_tree;
+    if (record.proxy == Tree::none)
+        record.proxy = target.insert(fat_boxes[shape], shape);
+    else
+        target.move(record.proxy, fat_boxes[shape]);
+    record.tree = tree;
+}
+
+void WorldData::remove_proxy(uint32_t shape) {
+    ShapeRecord& record = shapes[shape];
+    if (record.proxy == Tree::none) return;
+    (record.tree == Mobility::fixed ? fixed_tree : moving_tree).remove(record.proxy);
+    record.proxy = Tree::none;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,143 @@
+#include <collision/probe.h>
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <algorithm>
+
+namespace fettle::physics {
+
+using namespace detail;
+
+namespace detail {
+
+bool WorldData::shape_contains(uint32_t shape, V2 point) const {
+    const uint32_t body = forms[shape].body;
+    return signed_distance(convex(shape), body == none ? point : point - bodies[body].center) <=
+           0.0f;
+}
+
+}  // namespace detail
+
+namespace {
+
+/// What the filter lets through, as a handle.
+bool accepted(World* world, const WorldData& data, const QueryFilter& filter, uint32_t shape) {
+    const ShapeDef& surface = data.shapes[shape].surface;
+    if (surface.sensor && !filter.sensors) return false;
+    if ((surface.mask & filter.category) == 0 || (surface.category & filter.mask) == 0)
+        return false;
+    return !filter.accept || filter.accept(Shape(world, data.shape_id(shape)));
+}
+
+Probe cast_shape(const WorldData& data, uint32_t shape, V2 from, V2 d) {
+    const V2 center = data.bodies[data.forms[shape].body].center;
+    return cast_segment(data.convex(shape), from - center, d);
+}
+
+/// The border is seen from inside: a ray that leaves the bounds ends there.
+Probe cast_border(const Aabb& bounds, uint32_t side, V2 from, V2 d) {
+    const V2 normals[4] = {{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}};
+    const float depths[4] = {bounds.min.x(), -bounds.max.x(), bounds.min.y(), -bounds.max.y()};
+    const float distance = dot(normals[side], from) - depths[side];
+    const float speed = dot(normals[side], d);
+    if (distance < 0.0f || !(speed < 0.0f) || -distance / speed > 1.0f) return {};
+    return {-distance / speed, normals[side]};
+}
+
+/// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
+/// of the ray.
+template <typename Hit>
+void cast_all(World* world, WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& hit) {
+    const V2 d = to - from;
+    float far = 1.0f;
+    auto visit = [&](uint32_t shape, float) {
+        if (!accepted(world, data, filter, shape)) return far;
+        const Probe probe = cast_shape(data, shape, from, d);
+        if (probe.fraction <= far) far = hit(shape, probe, far);
+        return far;
+    };
+    data.fixed_tree.cast(from, to, visit);
+    data.moving_tree.cast(from, to, visit);
+    for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
+        const Probe probe = cast_border(*data.settings.bounds, side, from, d);
+        if (probe.fraction <= far && accepted(world, data, filter, side))
+            far = hit(side, probe, far);
+    }
+}
+
+}  // namespace
+
+std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filter) {
+    check_coordinates("point", point);
+    data_->refresh();
+    std::vector<Shape> found;
+    const V2 p = to_v2(point);
+    auto visit = [&](uint32_t shape) {
+        if (accepted(this, *data_, filter, shape) && data_->shape_contains(shape, p)) {
+            found.emplace_back(this, data_->shape_id(shape));
+        }
+    };
+    data_->moving_tree.query({p, p}, visit);
+    data_->fixed_tree.query({p, p}, visit);
+    return found;
+}
+
+std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) {
+    check_coordinates("box.min", box.min);
+    check_coordinates("box.max", box.max);
+    data_->refresh();
+    std::vector<Shape> found;
+    const Box4 area = {{min(box.min.x(), box.max.x()), min(box.min.y(), box.max.y())},
+                       {max(box.min.x(), box.max.x()), max(box.min.y(), box.max.y())}};
+    const V2 center = 0.5f * (area.low + area.high), half = area.high - center;
+    const V2 corners[4] = {
+        {-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
+    const V2 normals[4] = {{0.0f, -1.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}};
+    const float offsets[4] = {half.y, half.x, half.y, half.x};
+    const Convex probe = {corners, normals, offsets, 4, 0.0f};
+    auto visit = [&](uint32_t shape) {
+        if (!accepted(this, *data_, filter, shape) || !overlap(data_->boxes[shape], area)) return;
+        Manifold manifold;
+        collide(probe, data_->convex(shape),
+                data_->bodies[data_->forms[shape].body].center - center, 0.0f, manifold);
+        if (manifold.count > 0) found.emplace_back(this, data_->shape_id(shape));
+    };
+    data_->moving_tree.query(area, visit);
+    data_->fixed_tree.query(area, visit);
+    return found;
+}
+
+std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to, const QueryFilter& filter) {
+    check_coordinates("from", from);
+    check_coordinates("to", to);
+    data_->refresh();
+    std::optional<RayHit> nearest;
+    cast_all(this, *data_, to_v2(from), to_v2(to), filter,
+             [&](uint32_t shape, const Probe& probe, float) {
+                 const Vec2 point = from + probe.fraction * (to - from);
+                 nearest = RayHit{Shape(this, data_->shape_id(shape)), point, to_vec2(probe.normal),
+                                  probe.fraction};
+                 return probe.fraction;
+             });
+    return nearest;
+}
+
+std::vector<RayHit> World::cast_ray_all(const Vec2& from, const Vec2& to,
+                                        const QueryFilter& filter) {
+    check_coordinates("from", from);
+    check_coordinates("to", to);
+    data_->refresh();
+    std::vector<RayHit> hits;
+    cast_all(this, *data_, to_v2(from), to_v2(to), filter,
+             [&](uint32_t shape, const Probe& probe, float far) {
+                 const Vec2 point = from + probe.fraction * (to - from);
+                 hits.push_back({Shape(this, data_->shape_id(shape)), point, to_vec2(probe.normal),
+                                 probe.fraction});
+                 return far;
+             });
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const RayHit& a, const RayHit& b) { return a.fraction < b.fraction; });
+    return hits;
+}
+
+}  // namespace fettle::physics

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <collision/manifold.h>
+#include <fettle/physics/definitions.h>
+#include <geometry/mass.h>
+#include <geometry/vector.h>
+
+#include <optional>
+#include <vector>
+
+// What a world keeps per body, shape, contact and joint. Indices instead of pointers and no
+// ownership anywhere, so that the vectors of these records can be copied as they are.
+
+namespace fettle::physics::detail {
+
+inline constexpr uint32_t none = 0xffffffffu;
+
+/// How a body takes part in the step. An infinitely heavy dynamic body is fixed.
+enum class Mobility : uint8_t { fixed, kinematic, dynamic };
+
+struct BodyRecord {
+    // What the step gathers of an awake body.
+    V2 center;        ///< center of mass, world
+    V2 local_center;  ///< center of mass, body coordinates
+    float inverse_mass = 0.0f;
+    float inverse_inertia = 0.0f;
+    float gravity_scale = 1.0f;
+    float linear_damping = 0.0f;
+    float angular_damping = 0.0f;
+    V2 force;
+    float torque = 0.0f;
+    V2 step_force;  ///< for the next step only
+    float step_torque = 0.0f;
+    float angle_rest =
+        0.0f;  ///< what the float `angle` could not hold: slow turning adds up at any angle
+    float extent = 0.0f;  ///< farthest point of the shapes from the center of mass, m
+    float thickness =
+        0.0f;  ///< least half width of the shapes, m: moving farther in a step is fast
+    float sleep_time = 0.0f;    ///< s under the sleep speed
+    uint32_t solver_index = 0;  ///< 1 + place among the awake; 0: fixed or asleep
+    Mobility mobility = Mobility::fixed;
+    BodyType type = BodyType::dynamic_body;
+    bool locked_x = false, locked_y = false, locked_rotation = false;
+    bool can_sleep = true;
+    bool bullet = false;
+
+    bool mass_dirty = false;
+    bool placement_dirty =
+        false;            ///< moved by an edit: rotated vertices, boxes and proxies are out of date
+    bool listed = false;  ///< in the list of bodies to refresh
+    uint32_t first_shape = none, last_shape = none, shape_count = 0;
+    uint32_t first_contact = none;  ///< edge: contact << 1 | side
+    uint32_t contact_count = 0;
+    uint32_t touching = 0;   ///< contacts, sensors not counted
+    uint32_t island = none;  ///< among the sleeping islands
+    uint32_t joint_count = 0;
+
+    float mass = 0.0f, inertia = 0.0f, area = 0.0f;
+    std::optional<float> mass_override, inertia_override;
+    std::optional<V2> center_override;
+    uint32_t rebuilds = 0;
+    uint32_t next_free = none;
+    uint64_t user_data = 0;
+
+    bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
+};
+
+/// What the narrow phase needs of a shape, packed.
+struct ShapeForm {
+    uint32_t begin = 0;  ///< in the vertex pool
+    uint32_t count = 0;  ///< vertices; 0: a half-plane of the border, `begin` says which
+    float radius = 0.0f;
+    uint32_t body = none;
+};
+
+struct ShapeRecord {
+    ShapeType type = ShapeType::circle;
+    ShapeDef surface;
+    Circle circle;
+    Box box;
+    Segment segment;
+    float polygon_rounding = 0.0f;
+    uint32_t capacity = 0;  ///< vertices reserved in the pool
+
+    bool geometry_dirty = false;
+    bool moved = false;   ///< in the list of shapes to find pairs for
+    bool listed = false;  ///< in the list of shapes to refresh
+    int32_t proxy = -1;
+    Mobility tree = Mobility::fixed;        ///< which tree the proxy is in: fixed or another
+    uint32_t previous = none, next = none;  ///< in the body
+    uint32_t touching = 0;
+    AreaMoments moments;
+    uint32_t rebuilds = 0;
+    uint32_t next_free = none;
+};
+
+/// A pair of shapes whose fat boxes overlap. Lives in a slot; the awake ones are listed by slot.
+struct ContactRecord {
+    uint32_t shape_a = none, shape_b = none;  ///< shape_a < shape_b
+    uint32_t body_a = none, body_b = none;
+    uint32_t awake_index = none;
+    bool touching = false;  ///< as events tell it
+    bool sensor = false;
+    bool special = false;  ///< rolling resistance, surface speed, restitution or hit events
+    bool hit_events = false;
+    float friction = 0.0f, restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
+    float rolling_impulse = 0.0f;
+    Manifold manifold;
+    struct Edge {
+        uint32_t previous = none, next = none;
+    } edges[2];  ///< in the contact lists of body a and b
+    uint32_t next_free = none;
+};
+
+struct JointRecord {
+    uint32_t body = none;
+    V2 anchor;  ///< body coordinates
+    V2 target;
+    float hertz = 5.0f, damping_ratio = 0.7f, max_force = infinity;
+    bool enabled = true;
+    V2 impulse;  ///< of the last sub-step, for warm starting
+    uint64_t user_data = 0;
+    uint32_t next_free = none;
+};
+
+/// Bodies that fell asleep together and wake together.
+struct Island {
+    std::vector<uint32_t> bodies;
+    uint32_t next_free = none;
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,258 @@
+#include <geometry/trigonometry.h>
+#include <solver/contact_solver.h>
+#include <solver/mouse_solver.h>
+#include <world/world_data.h>
+
+#include <chrono>
+#include <utility>
+
+// One step: edits → pairs → manifolds → gather → sub-steps → store → poses → sleep.
+// docs/design/physics.md tells the why.
+
+namespace fettle::physics::detail {
+namespace {
+
+class StageClock {
+  public:
+    /// Milliseconds since the last call.
+    float lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<float, std::milli> passed = now - last_;
+        last_ = now;
+        return passed.count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Infinities to the limit, NaN to zero: whatever forces and masses multiply to, the state stays
+/// finite.
+float bounded(float v, float limit) {
+    if (v > limit) return limit;
+    if (v < -limit) return -limit;
+    return v == v ? v : 0.0f;
+}
+
+void integrate_velocities(std::vector<SolverBody>& bodies, const std::vector<SolverForce>& forces,
+                          float h) {
+    const float turn_limit = greatest_turn / h;
+    for (size_t i = 1; i < bodies.size(); ++i) {
+        SolverBody& b = bodies[i];
+        const SolverForce& f = forces[i];
+        b.velocity.x = clamp((b.velocity.x + f.change.x) * f.keep, -greatest_speed, greatest_speed);
+        b.velocity.y = clamp((b.velocity.y + f.change.y) * f.keep, -greatest_speed, greatest_speed);
+        b.angular_velocity =
+            clamp((b.angular_velocity + f.turn_change) * f.turn_keep, -turn_limit, turn_limit);
+    }
+}
+
+void integrate_positions(std::vector<SolverBody>& bodies, float h) {
+    for (size_t i = 1; i < bodies.size(); ++i) {
+        SolverBody& b = bodies[i];
+        b.shift = b.shift + h * b.velocity;
+        b.turn += h * b.angular_velocity;
+    }
+}
+
+}  // namespace
+
+void WorldData::gather_bodies(float h) {
+    const size_t count = awake_bodies.size();
+    solver_bodies.resize(count + 1);
+    solver_forces.resize(count + 1);
+    locked.clear();
+    solver_bodies[0] = {};
+    const V2 gravity = to_v2(settings.gravity);
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t slot = awake_bodies[i];
+        const BodyRecord& record = bodies[slot];
+        const BodyState& state = states[slot];
+        previous[slot] = {state.position, state.angle};
+        SolverBody& b = solver_bodies[i + 1];
+        b.velocity = to_v2(state.velocity);
+        b.angular_velocity = state.angular_velocity;
+        b.inverse_mass = record.inverse_mass;
+        b.inverse_inertia = record.inverse_inertia;
+        b.shift = {};
+        b.turn = 0.0f;
+        SolverForce& f = solver_forces[i + 1];
+        f = {};
+        if (record.mobility != Mobility::dynamic) continue;
+        const V2 force = record.force + record.step_force;
+        const float torque = record.torque + record.step_torque;
+        f.change = {bounded(h * (record.gravity_scale * gravity.x + record.inverse_mass * force.x),
+                            2 * greatest_speed),
+                    bounded(h * (record.gravity_scale * gravity.y + record.inverse_mass * force.y),
+                            2 * greatest_speed)};
+        f.turn_change = bounded(h * record.inverse_inertia * torque, 2 * greatest_speed);
+        // Implicit: stable for any damping.
+        f.keep = 1.0f / (1.0f + h * record.linear_damping);
+        f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
+        if (record.locked_x || record.locked_y || record.locked_rotation)
+            locked.push_back(uint32_t(i + 1));
+    }
+}
+
+void WorldData::zero_locked() {
+    for (uint32_t i : locked) {
+        const BodyRecord& record = bodies[awake_bodies[i - 1]];
+        SolverBody& b = solver_bodies[i];
+        if (record.locked_x) b.velocity.x = 0.0f;
+        if (record.locked_y) b.velocity.y = 0.0f;
+        if (record.locked_rotation) b.angular_velocity = 0.0f;
+    }
+}
+
+void WorldData::solve(float dt) {
+    const int substeps = settings.substeps;
+    const float h = dt / float(substeps);
+    gather_bodies(h);
+    prepare_contacts(h);
+    std::vector<MouseConstraint> mice = prepare_joints(h);
+
+    ContactSolver contact_solver;
+    contact_solver.bodies = solver_bodies;
+    contact_solver.constraints = constraints;
+    contact_solver.extras = extras;
+    contact_solver.inverse_h = 1.0f / h;
+    contact_solver.push_speed = settings.push_speed;
+    contact_solver.restitution_threshold = settings.restitution_threshold;
+    const float hertz = min(settings.contact_hertz, 0.125f / h);
+    contact_solver.softness[0] = make_softness(hertz, settings.contact_damping, h);
+    contact_solver.softness[1] = make_softness(2.0f * hertz, settings.contact_damping, h);
+
+    for (int substep = 0; substep < substeps; ++substep) {
+        integrate_velocities(solver_bodies, solver_forces, h);
+        zero_locked();
+        for (MouseConstraint& m : mice) m.warm_start(solver_bodies[m.body]);
+        contact_solver.warm_start();
+        for (MouseConstraint& m : mice) m.solve(solver_bodies[m.body]);
+        contact_solver.solve_biased();
+        zero_locked();
+        integrate_positions(solver_bodies, h);
+        contact_solver.relax();
+        zero_locked();
+    }
+    contact_solver.restitute();
+    zero_locked();
+
+    last_substep = h;
+    for (const MouseConstraint& m : mice) joints[m.joint].impulse = m.impulse;
+    store_contacts();
+}
+
+std::vector<MouseConstraint> WorldData::prepare_joints(float h) {
+    std::vector<MouseConstraint> mice;
+    if (joint_count == 0) return mice;
+    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+    for (uint32_t j = 0; j < joints.size(); ++j) {
+        if (joint_generations[j] == 0) continue;
+        JointRecord& joint = joints[j];
+        const BodyRecord& body = bodies[joint.body];
+        if (!joint.enabled || body.solver_index == 0 || body.mobility != Mobility::dynamic) {
+            joint.impulse = {};
+            continue;
+        }
+        const BodyState& state = states[joint.body];
+        MouseConstraint m;
+        m.body = body.solver_index;
+        m.joint = j;
+        m.lever = rotate({state.cosine, state.sine}, joint.anchor - body.local_center);
+        m.gap = body.center + m.lever - joint.target;
+        m.impulse = ratio * joint.impulse;
+        m.greatest_impulse = joint.max_force * h;
+        m.softness = make_softness(joint.hertz, joint.damping_ratio, h);
+        m.prepare(solver_bodies[m.body]);
+        // A slack joint pulls nothing.
+        if (!(joint.hertz > 0.0f)) m.mass_xx = m.mass_xy = m.mass_yy = 0.0f;
+        mice.push_back(m);
+    }
+    return mice;
+}
+
+void WorldData::finish_bodies(float dt) {
+    sleep_candidates = 0;
+    for (size_t i = 0; i < awake_bodies.size(); ++i) {
+        const uint32_t slot = awake_bodies[i];
+        BodyRecord& record = bodies[slot];
+        BodyState& state = states[slot];
+        const SolverBody& b = solver_bodies[i + 1];
+        const float speed_limit = 1.5f * greatest_speed;
+        state.velocity = {bounded(b.velocity.x, speed_limit), bounded(b.velocity.y, speed_limit)};
+        state.angular_velocity = bounded(b.angular_velocity, 1e6f);
+        record.step_force = {};
+        record.step_torque = 0.0f;
+
+        V2 shift = {bounded(b.shift.x, 1e6f), bounded(b.shift.y, 1e6f)};
+        const float turn = bounded(b.turn, 1e3f);
+        record.center = record.center + shift;
+        record.center = {bounded(record.center.x, greatest_coordinate),
+                         bounded(record.center.y, greatest_coordinate)};
+        if (turn != 0.0f) {
+            // The part of the turn that the angle is too coarse to hold is kept for the next step.
+            const float sum = turn + record.angle_rest;
+            const float angle = state.angle + sum;
+            record.angle_rest = sum - (angle - state.angle);
+            state.angle = angle;
+            const Rotation q = rotation_of(double(angle) + double(record.angle_rest));
+            state.cosine = q.c;
+            state.sine = q.s;
+        }
+        const Rotation q = {state.cosine, state.sine};
+        state.position = to_vec2(record.center - rotate(q, record.local_center));
+        finish_shapes(slot, q);
+
+        const float speed =
+            max(length(to_v2(state.velocity)), std::fabs(state.angular_velocity) * record.extent);
+        record.sleep_time = speed < settings.sleep_speed ? record.sleep_time + dt : 0.0f;
+        sleep_candidates += record.sleep_time >= settings.sleep_delay;
+    }
+}
+
+void WorldData::finish_shapes(uint32_t body, Rotation q) {
+    for (uint32_t s = bodies[body].first_shape; s != none; s = shapes[s].next) {
+        place_shape(s, q);
+        if (contains(fat_boxes[s], grow(boxes[s], speculative_margin))) continue;
+        ++statistics.moved_proxies;
+        fat_boxes[s] = grow(boxes[s], fat_margin(s));
+        moving_tree.move(shapes[s].proxy, fat_boxes[s]);
+        mark_moved(s);
+    }
+}
+
+void WorldData::step(float dt) {
+    if (!(dt > 0.0f) || !(dt < infinity)) return;
+    StageClock total, clock;
+    refresh();
+    std::swap(events, pending);
+    pending = {};
+    stepping = true;
+    statistics.moved_proxies = 0;
+    statistics.edits_ms = clock.lap();
+    find_pairs();
+    statistics.pairs_ms = clock.lap();
+    narrow_phase();
+    statistics.narrow_ms = clock.lap();
+    solve(dt);
+    statistics.solve_ms = clock.lap();
+    finish_bodies(dt);
+    statistics.finish_ms = clock.lap();
+    ++steps;
+    sleep_resting_islands();
+    statistics.sleep_ms = clock.lap();
+    stepping = false;
+    statistics.total_ms = total.lap();
+
+    statistics.steps = steps;
+    statistics.bodies = body_count;
+    statistics.shapes = shape_count;
+    statistics.joints = joint_count;
+    statistics.contacts = contact_count;
+    statistics.awake_bodies = uint32_t(awake_bodies.size());
+    statistics.awake_contacts = uint32_t(awake_contacts.size());
+    statistics.touching = uint32_t(constraints.size());
+    statistics.islands = island_count;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,265 @@
+#include <geometry/trigonometry.h>
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <cstring>
+
+namespace fettle::physics {
+
+using namespace detail;
+
+World::World(const WorldDef& def) {
+    check(def);
+    data_ = std::make_unique<WorldData>();
+    columns_ = data_.get();
+    data_->settings = def;
+    data_->make_border();
+}
+
+World::~World() = default;
+
+World::World(const World& other)
+    : data_(std::make_unique<WorldData>(*other.data_)), columns_(data_.get()) {}
+
+World& World::operator=(const World& other) {
+    if (this != &other) *data_ = *other.data_;
+    return *this;
+}
+
+void World::step(float dt) {
+    data_->step(dt);
+}
+
+Vec2 World::gravity() const {
+    return data_->settings.gravity;
+}
+void World::set_gravity(const Vec2& gravity) {
+    data_->settings.gravity = check_finite("gravity", gravity);
+    data_->wake_all();
+}
+
+int World::substeps() const {
+    return data_->settings.substeps;
+}
+void World::set_substeps(int substeps) {
+    data_->settings.substeps = int(check_range("substeps", float(substeps), 1.0f, 64.0f));
+}
+
+const std::optional<Aabb>& World::bounds() const {
+    return data_->settings.bounds;
+}
+void World::set_bounds(const std::optional<Aabb>& bounds) {
+    if (bounds) check_bounds(*bounds);
+    data_->settings.bounds = bounds;
+    data_->apply_bounds();
+}
+
+float World::bounds_friction() const {
+    return data_->settings.bounds_friction;
+}
+void World::set_bounds_friction(float friction) {
+    data_->settings.bounds_friction = check_not_negative("bounds_friction", friction);
+    data_->apply_bounds();
+}
+
+float World::bounds_restitution() const {
+    return data_->settings.bounds_restitution;
+}
+void World::set_bounds_restitution(float restitution) {
+    data_->settings.bounds_restitution = check_range("bounds_restitution", restitution, 0.0f, 1.0f);
+    data_->apply_bounds();
+}
+
+bool World::sleeping() const {
+    return data_->settings.sleeping;
+}
+void World::set_sleeping(bool enabled) {
+    data_->settings.sleeping = enabled;
+    if (!enabled) data_->wake_all();
+}
+
+bool World::continuous() const {
+    return data_->settings.continuous;
+}
+void World::set_continuous(bool enabled) {
+    data_->settings.continuous = enabled;
+}
+
+float World::restitution_threshold() const {
+    return data_->settings.restitution_threshold;
+}
+void World::set_restitution_threshold(float speed) {
+    data_->settings.restitution_threshold = check_not_negative("restitution_threshold", speed);
+}
+
+float World::hit_threshold() const {
+    return data_->settings.hit_threshold;
+}
+void World::set_hit_threshold(float speed) {
+    data_->settings.hit_threshold = check_not_negative("hit_threshold", speed);
+}
+
+float World::sleep_speed() const {
+    return data_->settings.sleep_speed;
+}
+void World::set_sleep_speed(float speed) {
+    data_->settings.sleep_speed = check_not_negative("sleep_speed", speed);
+    data_->wake_all();
+}
+
+float World::sleep_delay() const {
+    return data_->settings.sleep_delay;
+}
+void World::set_sleep_delay(float seconds) {
+    data_->settings.sleep_delay = check_not_negative("sleep_delay", seconds);
+    data_->wake_all();
+}
+
+float World::contact_hertz() const {
+    return data_->settings.contact_hertz;
+}
+void World::set_contact_hertz(float hertz) {
+    data_->settings.contact_hertz = check_not_negative("contact_hertz", hertz);
+    data_->wake_all();
+}
+
+float World::contact_damping() const {
+    return data_->settings.contact_damping;
+}
+void World::set_contact_damping(float ratio) {
+    data_->settings.contact_damping = check_not_negative("contact_damping", ratio);
+    data_->wake_all();
+}
+
+float World::push_speed() const {
+    return data_->settings.push_speed;
+}
+void World::set_push_speed(float speed) {
+    data_->settings.push_speed = check_not_negative("push_speed", speed);
+    data_->wake_all();
+}
+
+void World::wake_all() {
+    data_->wake_all();
+}
+
+Body World::create_body(const BodyDef& def) {
+    check(def);
+    return {this, data_->body_id(data_->create_body(def))};
+}
+
+namespace {
+
+Shape make_shape(World* world, WorldData& data, const Geometry& geometry, const ShapeDef& def) {
+    check(def);
+    check(geometry);
+    return {world, data.shape_id(data.create_shape(def, geometry))};
+}
+
+}  // namespace
+
+Shape World::create_shape(const Circle& circle, const ShapeDef& def) {
+    return make_shape(this, *data_, circle, def);
+}
+Shape World::create_shape(const Box& box, const ShapeDef& def) {
+    return make_shape(this, *data_, box, def);
+}
+Shape World::create_shape(const Segment& segment, const ShapeDef& def) {
+    return make_shape(this, *data_, segment, def);
+}
+Shape World::create_shape(const Polygon& polygon, const ShapeDef& def) {
+    return make_shape(this, *data_, polygon, def);
+}
+
+MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
+    if (!is_valid(def.body)) dangling("body", def.body.index, def.body.generation);
+    JointRecord record;
+    record.body = def.body.index;
+    record.target = to_v2(check_coordinates("target", def.target));
+    record.hertz = check_not_negative("hertz", def.hertz);
+    record.damping_ratio = check_not_negative("damping_ratio", def.damping_ratio);
+    record.max_force = check_range("max_force", def.max_force, 0.0f, infinity);
+    record.enabled = def.enabled;
+    record.user_data = def.user_data;
+    record.anchor = to_v2(def.anchor ? check_coordinates("anchor", *def.anchor)
+                                     : body(def.body).local_point(def.target));
+    const uint32_t slot = data_->create_joint(record);
+    return {this, {slot, data_->joint_generations[slot]}};
+}
+
+void World::clear() {
+    for (Body b : bodies()) b.destroy();
+    for (Shape s : shapes()) s.destroy();
+}
+
+std::vector<Body> World::bodies() {
+    std::vector<Body> all;
+    for (uint32_t i = 1; i < data_->bodies.size(); ++i) {
+        if (data_->body_generations[i] != 0) all.emplace_back(this, data_->body_id(i));
+    }
+    return all;
+}
+
+std::vector<Shape> World::shapes() {
+    std::vector<Shape> all;
+    for (uint32_t i = 4; i < data_->shapes.size(); ++i) {
+        if (data_->shape_generations[i] != 0) all.emplace_back(this, data_->shape_id(i));
+    }
+    return all;
+}
+
+std::vector<MouseJoint> World::joints() {
+    std::vector<MouseJoint> all;
+    for (uint32_t i = 0; i < data_->joints.size(); ++i) {
+        if (data_->joint_generations[i] != 0)
+            all.emplace_back(this, JointId{i, data_->joint_generations[i]});
+    }
+    return all;
+}
+
+std::vector<Contact> World::contacts() const {
+    std::vector<Contact> all;
+    for (const ContactRecord& c : data_->contacts) {
+        if (c.touching && !c.sensor) all.push_back(data_->view(c));
+    }
+    return all;
+}
+
+uint32_t World::body_count() const {
+    return data_->body_count;
+}
+uint32_t World::shape_count() const {
+    return data_->shape_count;
+}
+uint32_t World::joint_count() const {
+    return data_->joint_count;
+}
+const Events& World::events() const {
+    return data_->events;
+}
+const StepStatistics& World::statistics() const {
+    return data_->statistics;
+}
+
+uint64_t World::hash() const {
+    // FNV-1a over whole words, each mixed first: cheap, and every bit counts.
+    uint64_t hash = 0xcbf29ce484222325u;
+    auto add = [&hash](float a, float b) {
+        uint32_t words[2];
+        std::memcpy(&words[0], &a, 4);
+        std::memcpy(&words[1], &b, 4);
+        uint64_t word = uint64_t{words[1]} << 32 | words[0];
+        word *= 0x9e3779b97f4a7c15u;
+        hash = (hash ^ word ^ (word >> 31)) * 0x100000001b3u;
+    };
+    for (uint32_t i = 1; i < data_->states.size(); ++i) {
+        if (data_->body_generations[i] == 0) continue;
+        const BodyState& s = data_->states[i];
+        add(s.position.x(), s.position.y());
+        add(s.angle, s.angular_velocity);
+        add(s.velocity.x(), s.velocity.y());
+    }
+    return hash;
+}
+
+}  // namespace fettle::physics

@@ -1,0 +1,168 @@
+#pragma once
+
+#include <broad_phase/pair_set.h>
+#include <broad_phase/tree.h>
+#include <fettle/physics/world.h>
+#include <geometry/vertex_pool.h>
+#include <solver/constraint.h>
+#include <solver/mouse_solver.h>
+#include <world/records.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fettle::physics::detail {
+
+/// Gap up to which contacts are made before shapes meet, m.
+inline constexpr float speculative_margin = 0.02f;
+/// Shapes this close count as touching, m.
+inline constexpr float touch_distance = 0.005f;
+/// Coordinates and speeds beyond these are cut off: far from where a float resolves a millimetre,
+/// near enough that no square of them overflows.
+inline constexpr float greatest_coordinate = 1e8f;
+inline constexpr float greatest_speed = 1e4f;
+/// Turning in one sub-step, rad.
+inline constexpr float greatest_turn = 3.0f;
+
+/// Everything of a world: arrays addressed by slot, lists of what is awake, lists of what an edit
+/// left out of date. The member functions are grouped by the file that defines them.
+struct WorldData : Columns {
+    WorldDef settings;
+
+    std::vector<BodyRecord> bodies;
+    std::vector<ShapeRecord> shapes;
+    std::vector<ContactRecord> contacts;
+    std::vector<JointRecord> joints;
+    std::vector<Island> islands;
+    uint32_t free_body = none, free_shape = none, free_contact = none, free_joint = none,
+             free_island = none;
+    uint32_t body_count = 0, shape_count = 0, contact_count = 0, joint_count = 0, island_count = 0;
+    uint32_t next_generation = 1;  ///< one sequence for all slots: an identity never comes back
+
+    // By shape slot.
+    std::vector<ShapeForm> forms;
+    std::vector<Box4> boxes;      ///< tight
+    std::vector<Box4> fat_boxes;  ///< in the tree
+    VertexPool pool;
+
+    Tree fixed_tree, moving_tree;
+    PairSet pairs;
+    std::vector<uint32_t> moved_shapes;                  ///< look for new pairs
+    std::vector<uint32_t> awake_bodies;                  ///< slots; solver index is the place + 1
+    std::vector<uint32_t> awake_contacts;                ///< slots
+    std::vector<uint32_t> edited_bodies, edited_shapes;  ///< to refresh
+
+    // Of the step; kept for their capacity.
+    std::vector<SolverBody> solver_bodies;
+    std::vector<SolverForce> solver_forces;
+    std::vector<ContactConstraint> constraints;
+    std::vector<ContactExtra> extras;
+    std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
+    float last_substep = 0.0f;     ///< s; warm-start impulses are scaled by the ratio
+    uint64_t steps = 0;
+    uint32_t sleep_candidates = 0;  ///< bodies that rested long enough, as of the last step
+
+    Events events;   ///< of the last step
+    Events pending;  ///< made by edits since
+    bool stepping = false;
+    StepStatistics statistics;
+
+    Events& event_sink() { return stepping ? events : pending; }
+    BodyId body_id(uint32_t slot) const { return {slot, body_generations[slot]}; }
+    ShapeId shape_id(uint32_t slot) const { return {slot, shape_generations[slot]}; }
+    Convex convex(uint32_t shape) const {
+        const ShapeForm& form = forms[shape];
+        return {&pool.vertices[form.begin], &pool.directions[form.begin], &pool.offsets[form.begin],
+                int(form.count), form.radius};
+    }
+
+    // slots.cpp: birth and death
+    void make_border();
+    void apply_bounds();
+    uint32_t create_body(const BodyDef& def);
+    void destroy_body(uint32_t body);
+    uint32_t create_shape(const ShapeDef& def, const Geometry& geometry);
+    void set_form(uint32_t shape, const Geometry& geometry, const std::vector<Vec2>& hull);
+    void destroy_shape(uint32_t shape);
+    void attach_shape(uint32_t shape, uint32_t body);
+    void detach_shape(uint32_t shape);
+    uint32_t create_joint(const JointRecord& record);
+    void destroy_joint(uint32_t joint);
+
+    // edits.cpp: what an edit leaves to do, and doing it when somebody looks
+    void mark_geometry(uint32_t shape);
+    void mark_mass(uint32_t body);
+    void mark_placement(uint32_t body);
+    void list_body(uint32_t body);
+    void refresh();
+    void refresh_shape(uint32_t shape);
+    void refresh_mass(uint32_t body);
+    void refresh_placement(uint32_t body);
+    void place_shape(uint32_t shape, Rotation q);
+    void update_mobility(uint32_t body);
+    void mark_moved(uint32_t shape);
+    void set_proxy(uint32_t shape);
+    void remove_proxy(uint32_t shape);
+    float fat_margin(uint32_t shape) const;
+    void wake_for_edit(uint32_t body);
+
+    // contacts.cpp: pairs and manifolds
+    void find_pairs();
+    bool may_collide(uint32_t shape_a, uint32_t shape_b) const;
+    void try_pair(uint32_t shape, uint32_t other);
+    void create_contact(uint32_t shape_a, uint32_t shape_b);
+    void destroy_contact(uint32_t contact, bool in_narrow_phase = false);
+    void destroy_contacts_of_shape(uint32_t shape);
+    void refilter(uint32_t shape);
+    void remix(ContactRecord& contact) const;
+    void remix_shape(uint32_t shape);
+    void narrow_phase();
+    bool update_manifold(ContactRecord& contact);
+    void set_touching(uint32_t contact, bool touching);
+    Contact view(const ContactRecord& contact) const;
+    template <typename Visit>
+    void for_each_contact(uint32_t body, Visit&& visit) const {
+        for (uint32_t edge = bodies[body].first_contact; edge != none;) {
+            const uint32_t next = contacts[edge >> 1].edges[edge & 1].next;
+            visit(edge >> 1);
+            edge = next;
+        }
+    }
+    uint32_t other_body(uint32_t contact, uint32_t body) const {
+        const ContactRecord& c = contacts[contact];
+        return c.body_a == body ? c.body_b : c.body_a;
+    }
+
+    // islands.cpp: sleeping and waking
+    void wake_body(uint32_t body);
+    void wake_touching(uint32_t body);
+    void wake_all();
+    void put_to_sleep(std::span<const uint32_t> group);
+    void put_group_to_sleep(uint32_t body);
+    void sleep_resting_islands();
+    void add_awake(uint32_t body);
+    void remove_awake(uint32_t body);
+    void add_awake_contact(uint32_t contact);
+    void remove_awake_contact(uint32_t contact);
+    void leave_island(uint32_t body);
+    bool in_motion(uint32_t body) const;
+
+    // step.cpp
+    void step(float dt);
+    void solve(float dt);
+    void gather_bodies(float h);
+    std::vector<MouseConstraint> prepare_joints(float h);
+    void finish_bodies(float dt);
+    void finish_shapes(uint32_t body, Rotation q);
+    // ../solver
+    void prepare_contacts(float h);
+    void store_contacts();
+    void zero_locked();
+
+    // queries.cpp
+    bool shape_contains(uint32_t shape, V2 point) const;
+    std::optional<std::string> validate() const;
+};
+
+}  // namespace fettle::physics::detail
