@@ -21,7 +21,9 @@ enum class EventKind : std::uint8_t {
     closing,
     gamepad_pressed,
     gamepad_released,
-    gamepad_axis
+    gamepad_axis,
+    gamepad_connected,
+    gamepad_disconnected
 };
 
 struct InputEvent {
@@ -32,11 +34,13 @@ struct InputEvent {
     /// "right_system" "menu" "pause" "grave" "minus" "equal" "left_bracket" "right_bracket"
     /// "backslash" "semicolon" "apostrophe" "comma" "period" "slash" "numpad_0" to "numpad_9"
     /// "numpad_add" "numpad_subtract" "numpad_multiply" "numpad_divide".
-    /// Mouse: "left" "right" "middle" "extra_1" "extra_2". Gamepad: button number or axis name.
+    /// Mouse: "left" "right" "middle" "extra_1" "extra_2". Gamepad: button number ("1" ...) or
+    /// axis: "left_x" "left_y" "right_x" "right_y" "left_trigger" "right_trigger" "pad_x" "pad_y".
     std::string name{};
     char32_t character = 0;  // text
     float x = 0, y = 0;      // mouse position in pixels from the top left; new size when resized
-    float delta = 0;         // wheel: notches, away from the user positive; axis: -1 to 1
+    float delta = 0;         // wheel: notches, away from the user positive; axis: -1 to 1, up
+                             // and right positive
     int gamepad = 0;         // from 1
     bool control = false, shift = false, alt = false;
     bool repeated = false;  // key held down

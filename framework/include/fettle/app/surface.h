@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace fettle::app {
 
@@ -12,6 +13,12 @@ struct SurfaceVertex {
     float u, v;               // 0 to 1
     std::uint8_t r, g, b, a;  // straight alpha
 };
+
+struct SurfaceColor {
+    std::uint8_t r = 255, g = 255, b = 255, a = 255;
+};
+
+enum class Face : std::uint8_t { plain, bold, monospace };
 
 struct ClipRectangle {
     float left, top, width, height;  // pixels
@@ -32,6 +39,15 @@ class Surface {
     virtual void triangles(std::span<const SurfaceVertex> vertices,
                            std::span<const std::uint16_t> indices, Texture texture,
                            const ClipRectangle& clip) = 0;
+
+    /// One line of UTF-8 text, its top left corner at x, y, in a face `size` pixels high. Returns
+    /// its width in pixels; with `color.a` 0 it is only measured. A surface without a font draws
+    /// nothing and returns 0.
+    virtual float text(float x, float y, std::string_view line, float size, SurfaceColor color,
+                       Face face) {
+        (void)x, (void)y, (void)line, (void)size, (void)color, (void)face;
+        return 0;
+    }
 };
 
 }  // namespace fettle::app

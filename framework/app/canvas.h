@@ -1,0 +1,86 @@
+#pragma once
+// Draws figures, text and a layer's triangles on a window or a picture. Everything but a layer's
+// own textures goes into one batch of triangles with one texture.
+
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/app/surface.h>
+#include <fettle/app/view.h>
+#include <fettle/property/painter.h>
+
+#include "atlas.h"
+#include "outline.h"
+#include "sfml.h"
+
+namespace fettle::app {
+
+class Canvas : public property::Painter, public Surface {
+  public:
+    explicit Canvas(sf::RenderTarget& target) : target_(target) {}
+
+    void begin(property::Color background);
+    void set_view(const View& view);
+    /// Draws what is batched.
+    void flush();
+    void release_textures() { textures_.clear(); }
+
+    // Painter: world units, or pixels between begin_screen and end_screen.
+    void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
+    void polygon(std::span<const property::Vec2> vertices, double rounding,
+                 const property::Paint& paint) override;
+    void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
+              float width) override;
+    void point(const property::Vec2& position, property::Color color, float size) override;
+    void text(const property::Vec2& position, std::string_view text, double height,
+              property::Color color) override;
+    bool shows(property::Overlay overlay) const override { return view_.show.overlay(overlay); }
+    bool sees(const property::Vec2& lower, const property::Vec2& upper) const override;
+    void begin_screen() override { in_pixels_ = true; }
+    void end_screen() override { in_pixels_ = false; }
+
+    // Surface: pixels.
+    float width() const override { return static_cast<float>(target_.getSize().x); }
+    float height() const override { return static_cast<float>(target_.getSize().y); }
+    Texture create_texture(unsigned width, unsigned height, const std::uint8_t* rgba) override;
+    void update_texture(Texture texture, unsigned x, unsigned y, unsigned width, unsigned height,
+                        const std::uint8_t* rgba) override;
+    void destroy_texture(Texture texture) override;
+    void triangles(std::span<const SurfaceVertex> vertices, std::span<const std::uint16_t> indices,
+                   Texture texture, const ClipRectangle& clip) override;
+    float text(float x, float y, std::string_view line, float size, SurfaceColor color,
+               Face face) override;
+
+  private:
+    struct Run;  // of text, ready to be drawn
+
+    sf::Vector2f pixel(const property::Vec2& position) const;
+    float pixels(double length) const;
+    bool outside(sf::Vector2f lower, sf::Vector2f upper) const;
+    void figure(float rounding, const property::Paint& paint);  // of corners_
+    void draw_outline(const property::Paint& paint);
+    void draw_disc(sf::Vector2f center, float radius, sf::Color color);
+    void draw_ring(float outer, sf::Color outer_color, float inner, sf::Color inner_color);
+    void draw_inside(float depth, sf::Color color);
+    void draw_text(const Run& run, sf::Vector2f baseline, sf::Color color);
+    bool lay_out(Run& run, std::string_view text, float size, Face face);
+
+    void start_strip(sf::Vector2f first, sf::Color color);
+    void add(sf::Vector2f position, sf::Color color);
+    void add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color);
+
+    sf::RenderTarget& target_;
+    Atlas atlas_{};
+    View view_{};
+    bool in_pixels_ = false;
+    std::vector<sf::Vertex> strip_{};  // one strip of triangles; figures are joined by empty ones
+    Outline outline_{};
+    std::vector<sf::Vector2f> corners_{}, outer_{}, inner_{};
+    std::unordered_map<Texture, std::unique_ptr<sf::Texture>> textures_{};
+    Texture next_texture_ = 1;
+    std::vector<sf::Vertex> layer_{};
+};
+
+}  // namespace fettle::app

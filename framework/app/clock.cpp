@@ -1,0 +1,147 @@
+#include <fettle/app/clock.h>
+
+namespace fettle::app {
+
+using property::Native;
+using property::Property;
+using property::Type;
+
+namespace {
+
+/// What the loop keeps: it changes every frame without telling, and is no part of a saved game.
+Property kept(Property property) {
+    property.read_only = true;
+    property.simulated = true;
+    property.transient = true;
+    return property;
+}
+
+std::vector<Property> set_by_users(Clock& clock) {
+    return {
+        {.name = "dt",
+         .type = Type::number,
+         .default_value = 1.0 / 60,
+         .unit = "s",
+         .range = {1e-5, 1},
+         .doc = "Length of a fixed step. Smaller steps are more exact and cost more.",
+         .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.dt; })},
+        {.name = "scale",
+         .type = Type::number,
+         .default_value = 1.0,
+         .range = {0, 100},
+         .doc = "Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it.",
+         .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.scale; })},
+        {.name = "paused",
+         .type = Type::boolean,
+         .default_value = false,
+         .doc = "Whether simulation time stands still. update and draw are still called.",
+         .binding = column(clock, Native::boolean, 0, [](Clock& c) { return &c.paused; })},
+        {.name = "step_once",
+         .type = Type::boolean,
+         .default_value = false,
+         .doc = "Set it to make one step while paused; it is false again when the step is made.",
+         .binding = column(clock, Native::boolean, 0, [](Clock& c) { return &c.step_once; }),
+         .transient = true},
+        {.name = "max_steps",
+         .type = Type::integer,
+         .default_value = 5,
+         .range = {1, 1000},
+         .doc = "How many steps a slow frame may make to catch up. What is due beyond that is "
+                "dropped: the game slows down.",
+         .binding = column(clock, Native::i32, 0, [](Clock& c) { return &c.max_steps; })},
+    };
+}
+
+std::vector<Property> kept_by_the_loop(Clock& clock) {
+    return {
+        kept({.name = "step",
+              .type = Type::integer,
+              .default_value = 0,
+              .doc = "Fixed steps made since the game started.",
+              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.step; })}),
+        kept({.name = "now",
+              .type = Type::number,
+              .unit = "s",
+              .doc = "Simulation time since the game started.",
+              .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.now; })}),
+        kept({.name = "frame",
+              .type = Type::integer,
+              .default_value = 0,
+              .doc = "Frames made since the game started.",
+              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.frame; })}),
+        kept({.name = "dropped_steps",
+              .type = Type::integer,
+              .default_value = 0,
+              .doc = "Steps that were due but given up, since frames took too long.",
+              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.dropped_steps; })}),
+        kept({.name = "alpha",
+              .type = Type::number,
+              .default_value = 1.0,
+              .range = {0, 1},
+              .doc = "How far the picture is between the last two steps.",
+              .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.alpha; })}),
+        kept({.name = "fps",
+              .type = Type::number,
+              .unit = "1/s",
+              .doc = "Frames a second, smoothed. 0 in a headless run.",
+              .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.fps; })}),
+    };
+}
+
+template <class Base>
+Property timing(Timings& timings, const char* name, const char* doc, Base base) {
+    return kept({.name = name,
+                 .type = Type::number,
+                 .unit = "ms",
+                 .doc = doc,
+                 .binding = column(timings, Native::f64, 0, base)});
+}
+
+std::vector<Property> timings_of(Timings& timings) {
+    return {
+        timing(timings, "input", "Delivering input to the game.",
+               [](Timings& t) { return &t.input; }),
+        timing(timings, "update", "The game's update(dt).", [](Timings& t) { return &t.update; }),
+        timing(timings, "scripts", "Timers, coroutines and step(dt).",
+               [](Timings& t) { return &t.scripts; }),
+        timing(timings, "modules", "Steps of the modules: the physics.",
+               [](Timings& t) { return &t.modules; }),
+        timing(timings, "handlers", "Barriers: watchers and event handlers.",
+               [](Timings& t) { return &t.handlers; }),
+        timing(timings, "draw", "Drawing, layers included.", [](Timings& t) { return &t.draw; }),
+        timing(timings, "frame", "The whole frame, waiting for the screen included.",
+               [](Timings& t) { return &t.frame; }),
+    };
+}
+
+}  // namespace
+
+void Clock::advance() {
+    if (dt != origin_dt_) {
+        origin_ = now;
+        origin_step_ = step;
+        origin_dt_ = dt;
+    }
+    ++step;
+    now = origin_ + static_cast<double>(step - origin_step_) * dt;
+}
+
+property::Handle define_clock(property::Tree& tree, Clock& clock) {
+    std::vector<Property> properties = set_by_users(clock);
+    for (Property& property : kept_by_the_loop(clock)) properties.push_back(std::move(property));
+    const property::Class& time =
+        tree.define({.name = "Time",
+                     .doc = "Simulation time: how fast it passes, and how far it is.",
+                     .creatable = false,
+                     .properties = std::move(properties)});
+    const property::Class& timings =
+        tree.define({.name = "Timings",
+                     .doc = "Where a frame's time goes, smoothed over about half a second.",
+                     .creatable = false,
+                     .properties = timings_of(clock.timings)});
+    const property::Handle instance = tree.create(time, tree.root(), "time");
+    tree.create(timings, instance, "timings");
+    return instance;
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,106 @@
+// The last phase of a frame: the picture.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include <fettle/app/loop.h>
+#include <fettle/app/screen.h>
+
+namespace fettle::app {
+
+using property::Color;
+using property::Vec2;
+
+namespace {
+
+/// Black or white, whichever can be seen on `background`, with an opacity.
+Color contrasting(Color background, float opacity) {
+    const float light = 0.299f * background.r + 0.587f * background.g + 0.114f * background.b;
+    const float shade = light < 0.5f ? 1.0f : 0.0f;
+    return {shade, shade, shade, opacity};
+}
+
+/// Lines a power of ten of metres apart, so that they are 20 to 200 pixels apart on the screen.
+void draw_grid(property::Painter& painter, const View& view) {
+    const double spacing = std::pow(10, std::ceil(std::log10(20 / view.zoom())));
+    const Vec2 lower = view.lower(), upper = view.upper();
+    const auto line = [&](double at, int axis) {
+        Vec2 from = lower, to = upper;
+        from[axis] = to[axis] = at;
+        const bool tenth = std::abs(std::remainder(at, 10 * spacing)) < 0.01 * spacing;
+        const bool origin = std::abs(at) < 0.01 * spacing;
+        const float opacity = origin ? 0.3f : tenth ? 0.14f : 0.06f;
+        painter.line(from, to, contrasting(view.background, opacity), 1);
+    };
+    for (int axis = 0; axis < 2; ++axis)
+        for (double n = std::ceil(lower[axis] / spacing); n * spacing <= upper[axis]; ++n)
+            line(n * spacing, axis);
+}
+
+/// Frames a second and a bar for each phase of a frame, at the top right.
+void draw_timings(Surface& surface, const Clock& clock) {
+    struct Row {
+        const char* name;
+        double ms;
+    };
+    const Timings& t = clock.timings;
+    const std::array<Row, 6> rows{{{"input", t.input},
+                                   {"update", t.update},
+                                   {"scripts", t.scripts},
+                                   {"modules", t.modules},
+                                   {"handlers", t.handlers},
+                                   {"draw", t.draw}}};
+    constexpr float row_height = 17, width = 220, padding = 10;
+    const float height = row_height * (rows.size() + 1) + 2 * padding;
+    const float left = surface.width() - width - 12, top = 12;
+    const auto box = [&](float x, float y, float w, float h, SurfaceColor c) {
+        const SurfaceVertex corners[] = {{x, y, 0, 0, c.r, c.g, c.b, c.a},
+                                         {x + w, y, 0, 0, c.r, c.g, c.b, c.a},
+                                         {x + w, y + h, 0, 0, c.r, c.g, c.b, c.a},
+                                         {x, y + h, 0, 0, c.r, c.g, c.b, c.a}};
+        constexpr std::uint16_t order[] = {0, 1, 2, 0, 2, 3};
+        surface.triangles(corners, order, 0, {0, 0, surface.width(), surface.height()});
+    };
+    constexpr SurfaceColor ink{230, 233, 240, 255}, pale{150, 158, 172, 255};
+    box(left, top, width, height, {16, 19, 25, 210});
+    std::array<char, 64> text{};
+    float y = top + padding;
+    std::snprintf(text.data(), text.size(), "%.0f fps   %.1f ms   %lld dropped", clock.fps, t.frame,
+                  static_cast<long long>(clock.dropped_steps));
+    surface.text(left + padding, y, text.data(), 12, ink, Face::plain);
+    for (const Row& row : rows) {
+        y += row_height;
+        surface.text(left + padding, y, row.name, 12, pale, Face::plain);
+        std::snprintf(text.data(), text.size(), "%.2f", row.ms);
+        surface.text(left + width - padding - 34, y, text.data(), 12, ink, Face::plain);
+        // The whole bar is a frame of 60 a second.
+        const float share = std::min(1.0f, static_cast<float>(row.ms * 60 / 1000));
+        constexpr float bar = 84;
+        box(left + 76, y + 5, bar, 6, {255, 255, 255, 24});
+        if (share > 0) box(left + 76, y + 5, std::max(1.0f, bar * share), 6, {110, 190, 255, 255});
+    }
+}
+
+}  // namespace
+
+void Loop::draw(Screen& screen, double seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    View& view = services_.view;
+    Clock& clock = services_.clock;
+    screen.begin(view.background);
+    property::Painter& painter = screen.painter(view);
+    if (view.show.grid) draw_grid(painter, view);
+    tree_.draw(tree_.root(), painter, clock.alpha);
+    if (!halted_) runtime_.draw(painter);
+    if (view.show.timings) draw_timings(screen.surface(), clock);
+    for (Layer* layer : layers_) layer->draw(screen.surface(), seconds);
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+    if (seconds > 0)
+        clock.timings.draw += (spent.count() - clock.timings.draw) * (1 - std::exp(-seconds / 0.5));
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,207 @@
+#include <fettle/app/error_screen.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace fettle::app {
+
+namespace {
+
+constexpr SurfaceColor white{240, 242, 246, 255};
+constexpr SurfaceColor pale{150, 158, 172, 255};
+constexpr SurfaceColor red{255, 112, 104, 255};
+constexpr SurfaceColor amber{255, 205, 120, 255};
+constexpr SurfaceColor green{166, 218, 149, 255};
+
+constexpr float margin = 48;  // px
+
+void fill(Surface& surface, float x, float y, float w, float h, SurfaceColor c) {
+    const SurfaceVertex corners[] = {{x, y, 0, 0, c.r, c.g, c.b, c.a},
+                                     {x + w, y, 0, 0, c.r, c.g, c.b, c.a},
+                                     {x + w, y + h, 0, 0, c.r, c.g, c.b, c.a},
+                                     {x, y + h, 0, 0, c.r, c.g, c.b, c.a}};
+    constexpr std::uint16_t order[] = {0, 1, 2, 0, 2, 3};
+    surface.triangles(corners, order, 0, {0, 0, surface.width(), surface.height()});
+}
+
+/// Where `text` must be cut so that it fits `width` pixels: behind a space if there is one.
+std::size_t fitting(Surface& surface, std::string_view text, float width, float size, Face face) {
+    const auto fits = [&](std::size_t length) {
+        return surface.text(0, 0, text.substr(0, length), size, {0, 0, 0, 0}, face) <= width;
+    };
+    if (fits(text.size())) return text.size();
+    std::size_t low = 1, high = text.size();
+    while (low + 1 < high) {
+        const std::size_t middle = (low + high) / 2;
+        (fits(middle) ? low : high) = middle;
+    }
+    // Not inside a character of several bytes.
+    while (low > 1 && (static_cast<unsigned char>(text[low]) & 0xC0) == 0x80) --low;
+    const std::size_t space = text.substr(0, low).rfind(' ');
+    return space == std::string_view::npos || space < low / 2 ? low : space + 1;
+}
+
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        std::string spaced;
+        for (const char c : line) c == '\t' ? spaced += "    " : spaced += c;
+        lines.push_back(std::move(spaced));
+    }
+    return lines;
+}
+
+std::string place_of(const script::ScriptError& error) {
+    if (error.file.empty()) return {};
+    return error.line > 0 ? error.file + ":" + std::to_string(error.line) : error.file;
+}
+
+}  // namespace
+
+struct ErrorScreen::Line {
+    std::string text{};
+    float size = 15;  // px
+    SurfaceColor color = white;
+    Face face = Face::plain;
+    float above = 0;     // px of space before it
+    bool boxed = false;  // on a darker ground: code
+};
+
+std::string error_text(const script::ScriptError& error) {
+    std::ostringstream out;
+    out << "error";
+    if (!error.context.empty()) out << " in " << error.context;
+    out << ": " << error.message << '\n';
+    if (!error.source_line.empty()) {
+        const std::string number = std::to_string(error.line);
+        out << "  " << number << " | " << error.source_line << '\n';
+        if (error.column > 0)
+            out << "  " << std::string(number.size(), ' ') << " | "
+                << std::string(static_cast<std::size_t>(error.column - 1), ' ') << "^\n";
+    }
+    const auto section = [&](const char* title, const std::string& text) {
+        if (text.empty()) return;
+        out << title << '\n';
+        for (const std::string& line : split(text)) out << "  " << line << '\n';
+    };
+    section("traceback:", error.traceback);
+    section("local variables:", error.locals);
+    return out.str();
+}
+
+void ErrorScreen::show(const script::ScriptError& error) {
+    if (error_) {
+        ++further_errors_;
+        return;
+    }
+    error_ = error;
+    further_errors_ = 0;
+    scroll_ = 0;
+}
+
+std::vector<ErrorScreen::Line> ErrorScreen::lines() const {
+    std::vector<Line> lines;
+    const script::ScriptError& e = *error_;
+    lines.push_back({.text = "The game stopped at an error" +
+                             (e.context.empty() ? std::string() : " in " + e.context),
+                     .size = 16,
+                     .color = pale});
+    lines.push_back({.text = e.message, .size = 21, .color = red, .face = Face::bold, .above = 8});
+    if (!e.source_line.empty()) {
+        const std::string prefix = (e.line > 0 ? std::to_string(e.line) : std::string()) + "  ";
+        lines.push_back({.text = place_of(e), .color = pale, .above = 18});
+        lines.push_back({.text = prefix + e.source_line,
+                         .size = 16,
+                         .color = amber,
+                         .face = Face::monospace,
+                         .above = 6,
+                         .boxed = true});
+        if (e.column > 0)
+            lines.push_back(
+                {.text =
+                     std::string(prefix.size() + static_cast<std::size_t>(e.column - 1), ' ') + "^",
+                 .size = 16,
+                 .color = red,
+                 .face = Face::monospace,
+                 .boxed = true});
+    }
+    const auto section = [&](const char* title, const std::string& text, SurfaceColor color) {
+        if (text.empty()) return;
+        lines.push_back({.text = title, .color = pale, .above = 18});
+        for (std::string& line : split(text))
+            lines.push_back({.text = std::move(line),
+                             .size = 14,
+                             .color = color,
+                             .face = Face::monospace,
+                             .above = 1});
+    };
+    section("Called from", e.traceback, white);
+    section("Local variables", e.locals, green);
+    if (further_errors_ > 0)
+        lines.push_back(
+            {.text = std::to_string(further_errors_) + " more since", .color = pale, .above = 18});
+    return lines;
+}
+
+bool ErrorScreen::handle(const InputEvent& event) {
+    if (!error_) return false;
+    switch (event.kind) {
+        case EventKind::key_pressed:
+            if (event.name == "up") scroll_ = std::max(0, scroll_ - 1);
+            if (event.name == "down") ++scroll_;
+            if (event.name == "page_up") scroll_ = std::max(0, scroll_ - 10);
+            if (event.name == "page_down") scroll_ += 10;
+            if (event.repeated) return true;
+            if (event.name == "c" && actions_.copy) actions_.copy(error_text(*error_));
+            if (event.name == "r" && actions_.reload) {
+                actions_.reload();
+            } else if (event.name == "escape" && actions_.go_on) {
+                hide();
+                actions_.go_on();
+            }
+            return true;
+        case EventKind::wheel:
+            scroll_ = std::max(0, scroll_ - static_cast<int>(3 * event.delta));
+            return true;
+        case EventKind::resized:
+        case EventKind::focus:
+        case EventKind::closing:
+            return false;
+        default:
+            return true;  // the game rests
+    }
+}
+
+void ErrorScreen::draw(Surface& surface, double) {
+    if (!error_) return;
+    const float width = surface.width(), height = surface.height();
+    fill(surface, 0, 0, width, height, {18, 20, 26, 238});
+    fill(surface, 0, 0, 5, height, red);
+    const float room = std::max(100.0f, width - 2 * margin);
+    const float bottom = height - 44;
+    const std::vector<Line> all = lines();
+    scroll_ = std::clamp(scroll_, 0, static_cast<int>(all.size()) - 1);
+    float y = margin;
+    for (std::size_t i = static_cast<std::size_t>(scroll_); i < all.size() && y < bottom; ++i) {
+        const Line& line = all[i];
+        y += line.above;
+        std::string_view rest = line.text;
+        do {
+            const std::size_t length = fitting(surface, rest, room, line.size, line.face);
+            const float step = 1.32f * line.size;
+            if (y + step > bottom) break;
+            if (line.boxed) fill(surface, margin - 10, y - 2, room + 20, step + 4, {8, 9, 12, 255});
+            surface.text(margin, y, rest.substr(0, length), line.size, line.color, line.face);
+            y += step;
+            rest.remove_prefix(length);
+        } while (!rest.empty());
+    }
+    fill(surface, 0, bottom + 4, width, height - bottom - 4, {10, 11, 15, 255});
+    surface.text(
+        margin, bottom + 16,
+        "R  reload      Esc  go on      C  copy      `  console      \u2191 \u2193  scroll", 14,
+        pale, Face::plain);
+}
+
+}  // namespace fettle::app

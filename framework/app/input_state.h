@@ -1,0 +1,68 @@
+#pragma once
+// What input there is now, as the tree's properties are bound to it, and the callbacks it causes.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fettle/app/input.h>
+
+namespace fettle::app {
+
+inline constexpr std::array<std::string_view, 5> mouse_button_names{"left", "right", "middle",
+                                                                    "extra_1", "extra_2"};
+
+struct Input::State {
+    State(property::Tree& the_tree, View& the_view) : tree(the_tree), view(the_view) {}
+    State(const State&) = delete;  // properties are bound to its members
+
+    /// A key or a mouse button.
+    struct Switch {
+        State* state = nullptr;
+        std::string name{};
+        bool down = false;
+    };
+    struct Gamepad {
+        property::Handle instance{};
+        bool connected = false;
+        property::Vec2 left{0, 0}, right{0, 0}, pad{0, 0};
+        double left_trigger = 0, right_trigger = 0;
+        std::array<bool, gamepad_buttons> buttons{};
+    };
+    /// One button of all gamepads: what a property of their class is bound to.
+    struct GamepadButton {
+        State* state = nullptr;
+        std::size_t index = 0;
+        std::string name{};  // "1", what callbacks are told; the property is button_1
+    };
+    struct Call {
+        std::string_view callback;
+        std::vector<property::Value> arguments;
+    };
+
+    property::Tree& tree;
+    View& view;
+    property::Handle keys_instance{}, mouse_instance{};
+    std::vector<Switch> keys{};
+    std::array<Switch, mouse_button_names.size()> buttons{};
+    std::array<Gamepad, gamepad_count> gamepads{};
+    std::array<GamepadButton, gamepad_buttons> gamepad_button_columns{};
+    property::Vec2 mouse{0, 0};  // px
+    double wheel = 0;            // notches in this frame
+    std::vector<Call> calls{};
+    bool silent = false;  // the mouse moves, but the game is not told
+
+    /// Makes classes and instances.
+    void define();
+
+    void queue(std::string_view callback, std::vector<property::Value> arguments);
+    void move_mouse(const property::Vec2& pixels);
+    void turn_wheel(double notches);
+
+  private:
+    void define_keys(property::Handle input);
+    void define_mouse(property::Handle input);
+    void define_gamepads(property::Handle input);
+};
+
+}  // namespace fettle::app

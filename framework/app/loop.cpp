@@ -1,0 +1,223 @@
+#include <fettle/app/loop.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "state_hash.h"
+
+namespace fettle::app {
+
+/// Times the phases of a frame: each `lap` adds the time since the last to a phase.
+class Loop::Stopwatch {
+  public:
+    Stopwatch() : last_(Clock::now()) {}
+    void lap(double& phase) {
+        const Clock::time_point now = Clock::now();
+        phase += std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+    }
+    Timings phases{};
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_;
+};
+
+namespace {
+
+/// Moves `average` towards `sample` so that half a second of frames counts most.
+void smooth(double& average, double sample, double seconds) {
+    average += (sample - average) * (1 - std::exp(-seconds / 0.5));
+}
+
+}  // namespace
+
+Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
+    : tree_(tree), runtime_(runtime), services_(services), time_(tree.child(tree.root(), "time")) {}
+
+void Loop::add(SteppedModule module) {
+    modules_.push_back(std::move(module));
+}
+void Loop::add(Layer& layer) {
+    layers_.push_back(&layer);
+}
+void Loop::before_step(std::function<void(std::uint64_t)> hook) {
+    before_step_ = std::move(hook);
+}
+
+void Loop::handle(const InputEvent& event) {
+    if (event.kind == EventKind::closing) closing_ = true;
+    bool taken = false;
+    for (auto layer = layers_.rbegin(); layer != layers_.rend() && !taken; ++layer)
+        taken = (*layer)->handle(event);
+    if (taken)
+        services_.input.observe(event);
+    else
+        services_.input.apply(event);
+}
+
+void Loop::barrier() {
+    try {
+        tree_.barrier();
+    } catch (const std::exception& error) {
+        // Handlers that never come to rest: the game's fault, and no reason to fall over.
+        if (!on_error_) throw;
+        script::ScriptError told;
+        told.message = error.what();
+        told.context = "barrier";
+        on_error_(told);
+    }
+}
+
+void Loop::on_error(std::function<void(const script::ScriptError&)> sink) {
+    on_error_ = std::move(sink);
+}
+
+void Loop::announce(std::uint64_t step) {
+    if (step <= announced_ || !before_step_) return;
+    announced_ = step;
+    before_step_(step);
+}
+
+/// Input, barrier, update, barrier. False when the frame ends here.
+bool Loop::prelude(double dt, Stopwatch& watch) {
+    if (halted_) {
+        services_.input.drop();
+        barrier();  // edits from the console still take effect
+        return false;
+    }
+    services_.input.deliver(runtime_);
+    watch.lap(watch.phases.input);
+    if (stopped()) return false;
+    barrier();
+    watch.lap(watch.phases.handlers);
+    if (stopped()) return false;
+    runtime_.call("update", {dt});
+    watch.lap(watch.phases.update);
+    if (stopped()) return false;
+    barrier();
+    watch.lap(watch.phases.handlers);
+    return !stopped();
+}
+
+/// One fixed step. False when it was the last.
+bool Loop::make_step(Stopwatch& watch) {
+    Clock& clock = services_.clock;
+    const double dt = clock.dt;
+    clock.advance();
+    tree_.set_step(static_cast<std::uint64_t>(clock.step));
+    runtime_.step(clock.now, dt);
+    watch.lap(watch.phases.scripts);
+    if (stopped()) return false;
+    barrier();
+    watch.lap(watch.phases.handlers);
+    if (stopped()) return false;
+    {
+        const property::Tree::CauseScope cause(tree_, property::Writer::simulation);
+        for (const SteppedModule& module : modules_) module.step(dt);
+        for (const SteppedModule& module : modules_)
+            if (module.report) module.report();
+    }
+    watch.lap(watch.phases.modules);
+    barrier();
+    watch.lap(watch.phases.handlers);
+    return !stopped();
+}
+
+void Loop::frame(double seconds, std::int64_t step_limit) {
+    Stopwatch watch;
+    Clock& clock = services_.clock;
+    seconds = std::max(0.0, seconds);
+    const double passed = clock.paused ? 0 : seconds * clock.scale;
+    const bool will_step = clock.paused ? clock.step_once : owed_ + passed >= clock.dt;
+    if (will_step && !halted_ && clock.step < step_limit)
+        announce(static_cast<std::uint64_t>(clock.step) + 1);
+    // update is never told of more time than the frame may step through.
+    if (prelude(std::min(passed, clock.max_steps * clock.dt), watch)) {
+        if (clock.paused) {
+            // A step is due the moment the game goes on, and the picture shows the last one.
+            owed_ = clock.dt;
+            if (clock.step_once) {
+                announce(static_cast<std::uint64_t>(clock.step) + 1);
+                make_step(watch);
+                tree_.set(time_, "step_once", false);
+            }
+        } else {
+            if (clock.step_once) tree_.set(time_, "step_once", false);
+            owed_ += passed;
+            catch_up(step_limit, watch);
+        }
+    }
+    clock.alpha = clock.paused || halted_ || clock.step >= step_limit
+                      ? 1.0
+                      : std::clamp(owed_ / clock.dt, 0.0, 1.0);
+    end_frame(watch, seconds);
+}
+
+void Loop::catch_up(std::int64_t step_limit, Stopwatch& watch) {
+    Clock& clock = services_.clock;
+    // Sixty frames of 1/60 s are sixty steps although their sum is not quite one second.
+    const auto due = [&] { return owed_ >= clock.dt * (1 - 1e-9); };
+    for (int made = 0; due() && !clock.paused && clock.step < step_limit; ++made) {
+        if (made == clock.max_steps) {
+            const double dropped = std::floor(owed_ / clock.dt);
+            clock.dropped_steps += static_cast<std::int64_t>(dropped);
+            owed_ -= dropped * clock.dt;
+            break;
+        }
+        announce(static_cast<std::uint64_t>(clock.step) + 1);
+        if (stopped()) break;
+        owed_ = std::max(0.0, owed_ - clock.dt);
+        if (!make_step(watch)) break;
+    }
+}
+
+void Loop::turn() {
+    Stopwatch watch;
+    Clock& clock = services_.clock;
+    announce(++turns_);
+    if (stopped()) return;
+    if (!prelude(clock.paused ? 0 : clock.dt, watch)) return;
+    if (!clock.paused || clock.step_once) {
+        const bool once = clock.step_once;
+        make_step(watch);
+        if (once) tree_.set(time_, "step_once", false);
+    }
+    clock.alpha = 1;
+    end_frame(watch, 0);
+}
+
+void Loop::end_frame(const Stopwatch& watch, double seconds) {
+    Clock& clock = services_.clock;
+    services_.input.end_frame();
+    ++clock.frame;
+    if (seconds <= 0) return;
+    Timings& average = clock.timings;
+    smooth(average.input, watch.phases.input, seconds);
+    smooth(average.update, watch.phases.update, seconds);
+    smooth(average.scripts, watch.phases.scripts, seconds);
+    smooth(average.modules, watch.phases.modules, seconds);
+    smooth(average.handlers, watch.phases.handlers, seconds);
+    smooth(average.frame, 1000 * seconds, seconds);
+    clock.fps = average.frame > 0 ? 1000 / average.frame : 0;
+}
+
+void Loop::resume() {
+    halted_ = false;
+    owed_ = 0;
+}
+
+std::uint64_t Loop::hash() const {
+    StateHash hash;
+    hash.add(static_cast<std::uint64_t>(services_.clock.step));
+    hash.add(services_.clock.now);
+    hash.add_stored_values(tree_);
+    for (const SteppedModule& module : modules_) {
+        hash.add(module.name);
+        if (module.hash) hash.add(module.hash());
+    }
+    return hash.result();
+}
+
+}  // namespace fettle::app

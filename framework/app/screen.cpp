@@ -1,0 +1,208 @@
+#include <fettle/app/screen.h>
+
+#include <chrono>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "canvas.h"
+#include "sfml.h"
+
+namespace fettle::app {
+
+namespace {
+
+constexpr unsigned samples = 4;  // of multi-sampling, where the graphics system has it
+
+void require_display() {
+    if (!display_available())
+        throw std::runtime_error(
+            "there is no display to draw on: set DISPLAY, use xvfb-run, or run with --headless");
+}
+
+void write_image(const sf::Image& image, const std::filesystem::path& file) {
+    std::error_code ignored;
+    const std::filesystem::path folder = file.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        throw std::runtime_error(file.string() + ": cannot be written, since there is no folder " +
+                                 folder.string());
+    // SFML explains itself on a stream of its own; one message is enough.
+    std::ostringstream reason;
+    std::streambuf* before = sf::err().rdbuf(reason.rdbuf());
+    const bool written = image.saveToFile(file.string());
+    sf::err().rdbuf(before);
+    if (!written)
+        throw std::runtime_error(file.string() +
+                                 ": the picture cannot be written (endings known: .png .jpg .bmp "
+                                 ".tga)");
+}
+
+class SystemClipboard : public Clipboard {
+  public:
+    std::string read() override {
+        const auto text = sf::Clipboard::getString().toUtf8();
+        return {text.begin(), text.end()};
+    }
+    void write(std::string_view text) override {
+        sf::Clipboard::setString(sf::String::fromUtf8(text.begin(), text.end()));
+    }
+};
+
+/// Of a picture: nobody else to share it with.
+class OwnClipboard : public Clipboard {
+  public:
+    std::string read() override { return text_; }
+    void write(std::string_view text) override { text_ = text; }
+
+  private:
+    std::string text_;
+};
+
+class Picture : public Screen {
+  public:
+    Picture(unsigned width, unsigned height) {
+        if (!sfml::create(target_, width, height, samples) &&
+            !sfml::create(target_, width, height, 0))
+            throw std::runtime_error("a picture of " + std::to_string(width) + " x " +
+                                     std::to_string(height) + " pixels cannot be made");
+        canvas_ = std::make_unique<Canvas>(target_);
+    }
+    property::Vec2 size() const override {
+        return {static_cast<double>(target_.getSize().x), static_cast<double>(target_.getSize().y)};
+    }
+    void begin(property::Color background) override { canvas_->begin(background); }
+    property::Painter& painter(const View& view) override {
+        canvas_->set_view(view);
+        return *canvas_;
+    }
+    Surface& surface() override { return *canvas_; }
+    void present() override {
+        canvas_->flush();
+        target_.display();
+    }
+    void save(const std::filesystem::path& file) override {
+        write_image(target_.getTexture().copyToImage(), file);
+    }
+    void release_textures() override { canvas_->release_textures(); }
+    Clipboard& clipboard() override { return clipboard_; }
+
+  private:
+    sf::RenderTexture target_;
+    std::unique_ptr<Canvas> canvas_;
+    OwnClipboard clipboard_;
+};
+
+/// Makes frames wait where the system does not: some drivers ignore the wish for vertical
+/// synchronisation, and virtual displays have nothing to wait for.
+class Pacer {
+  public:
+    void wait(bool vsync) {
+        using namespace std::chrono;
+        const auto now = steady_clock::now();
+        const auto spent = now - last_;
+        last_ = now;
+        if (!vsync) {
+            fast_frames_ = 0;
+            return;
+        }
+        fast_frames_ = spent < 4ms ? fast_frames_ + 1 : 0;
+        if (fast_frames_ > 20) waits_ = true;
+        if (!waits_) return;
+        constexpr auto frame = duration_cast<steady_clock::duration>(1s) / 60;
+        next_ = std::max(next_ + frame, now);
+        if (next_ > now + frame) next_ = now + frame;
+        std::this_thread::sleep_until(next_);
+        last_ = steady_clock::now();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point next_ = last_;
+    int fast_frames_ = 0;
+    bool waits_ = false;
+};
+
+class SfmlWindow : public Window {
+  public:
+    explicit SfmlWindow(const WindowOptions& options) : title_(options.title) {
+        sfml::open(window_, title_, options.width, options.height, samples);
+        window_.setVerticalSyncEnabled(true);
+        window_.setKeyRepeatEnabled(true);  // for the console; the game is told of the first only
+        canvas_ = std::make_unique<Canvas>(window_);
+    }
+    property::Vec2 size() const override {
+        return {static_cast<double>(window_.getSize().x), static_cast<double>(window_.getSize().y)};
+    }
+    void begin(property::Color background) override { canvas_->begin(background); }
+    property::Painter& painter(const View& view) override {
+        canvas_->set_view(view);
+        return *canvas_;
+    }
+    Surface& surface() override { return *canvas_; }
+    void present() override {
+        canvas_->flush();
+        if (keep_frame_) {
+            if (!frame_) frame_ = std::make_unique<sf::Texture>();
+            if (frame_->getSize() != window_.getSize())
+                (void)sfml::create(*frame_, window_.getSize().x, window_.getSize().y);
+            frame_->update(window_);
+        }
+        window_.display();
+        pacer_.wait(vsync_);
+    }
+    void save(const std::filesystem::path& file) override {
+        if (!frame_) throw std::runtime_error(file.string() + ": no frame was kept for a picture");
+        write_image(frame_->copyToImage(), file);
+    }
+    void keep_frame() override { keep_frame_ = true; }
+    void release_textures() override { canvas_->release_textures(); }
+    Clipboard& clipboard() override { return clipboard_; }
+
+    bool poll(InputEvent& event) override {
+        if (!sfml::poll(window_, event)) return false;
+        if (event.kind == EventKind::key_pressed)
+            event.repeated = !down_.insert(event.name).second;
+        else if (event.kind == EventKind::key_released)
+            down_.erase(event.name);
+        else if (event.kind == EventKind::focus && !event.focused)
+            down_.clear();
+        return true;
+    }
+    bool focused() const override { return window_.hasFocus(); }
+    void set_title(const std::string& title) override {
+        if (title == title_) return;
+        title_ = title;
+        window_.setTitle(sf::String::fromUtf8(title_.begin(), title_.end()));
+    }
+    void set_vsync(bool on) override {
+        if (on == vsync_) return;
+        vsync_ = on;
+        window_.setVerticalSyncEnabled(on);
+    }
+
+  private:
+    std::string title_;
+    sf::RenderWindow window_;
+    std::unique_ptr<Canvas> canvas_;
+    std::unique_ptr<sf::Texture> frame_;
+    SystemClipboard clipboard_;
+    Pacer pacer_;
+    std::set<std::string> down_;
+    bool vsync_ = true;
+    bool keep_frame_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> open_window(const WindowOptions& options) {
+    require_display();
+    return std::make_unique<SfmlWindow>(options);
+}
+
+std::unique_ptr<Screen> make_picture(unsigned width, unsigned height) {
+    require_display();
+    return std::make_unique<Picture>(width, height);
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,297 @@
+#pragma once
+// SFML 2 and 3 behind one set of names. The rest of the application layer is written against this
+// header and against what both versions spell alike.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <SFML/Config.hpp>
+#include <SFML/Graphics.hpp>
+#include <SFML/Window.hpp>
+
+#include <fettle/app/event.h>
+
+namespace fettle::app::sfml {
+
+/// The name of a key, "" for one that has none. In sfml_events.cpp, like the next two.
+std::string key_name(sf::Keyboard::Key key);
+std::string button_name(sf::Mouse::Button button);
+/// Of an axis at `position` percent, y down positive: name and delta of the event.
+void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);
+
+#if SFML_VERSION_MAJOR >= 3
+
+using Byte = std::uint8_t;
+inline constexpr auto key_apostrophe = sf::Keyboard::Key::Apostrophe;
+inline constexpr auto key_grave = sf::Keyboard::Key::Grave;
+inline constexpr auto button_extra_1 = sf::Mouse::Button::Extra1;
+inline constexpr auto button_extra_2 = sf::Mouse::Button::Extra2;
+
+inline sf::FloatRect rectangle(float left, float top, float width, float height) {
+    return {{left, top}, {width, height}};
+}
+inline float left(const sf::FloatRect& r) {
+    return r.position.x;
+}
+inline float top(const sf::FloatRect& r) {
+    return r.position.y;
+}
+inline float width(const sf::FloatRect& r) {
+    return r.size.x;
+}
+inline float height(const sf::FloatRect& r) {
+    return r.size.y;
+}
+inline int left(const sf::IntRect& r) {
+    return r.position.x;
+}
+inline int top(const sf::IntRect& r) {
+    return r.position.y;
+}
+inline int width(const sf::IntRect& r) {
+    return r.size.x;
+}
+inline int height(const sf::IntRect& r) {
+    return r.size.y;
+}
+
+inline void open(sf::RenderWindow& window, const std::string& title, unsigned width,
+                 unsigned height, unsigned samples) {
+    sf::ContextSettings settings;
+    settings.antiAliasingLevel = samples;
+    window.create(sf::VideoMode({width, height}), sf::String::fromUtf8(title.begin(), title.end()),
+                  sf::Style::Default, sf::State::Windowed, settings);
+}
+inline bool create(sf::RenderTexture& target, unsigned width, unsigned height, unsigned samples) {
+    sf::ContextSettings settings;
+    settings.antiAliasingLevel = samples;
+    return target.resize({width, height}, settings);
+}
+inline bool create(sf::Texture& texture, unsigned width, unsigned height) {
+    return texture.resize({width, height});
+}
+inline void update(sf::Texture& texture, const std::uint8_t* rgba, unsigned width, unsigned height,
+                   unsigned x, unsigned y) {
+    texture.update(rgba, {width, height}, {x, y});
+}
+inline bool load(sf::Font& font, const std::string& file) {
+    return font.openFromFile(file);
+}
+
+/// The next event as the rest of the program knows it; kinds that nobody needs are passed over.
+inline bool poll(sf::RenderWindow& window, InputEvent& out) {
+    while (const std::optional<sf::Event> event = window.pollEvent()) {
+        out = {};
+        const auto place = [&](sf::Vector2i at) {
+            out.x = static_cast<float>(at.x);
+            out.y = static_cast<float>(at.y);
+        };
+        const auto key = [&](EventKind kind, const auto& e) {
+            out.kind = kind;
+            out.name = key_name(e.code);
+            out.control = e.control, out.shift = e.shift, out.alt = e.alt;
+        };
+        const auto button = [&](EventKind kind, const auto& e) {
+            out.kind = kind;
+            out.name = button_name(e.button);
+            place(e.position);
+        };
+        const auto gamepad = [&](EventKind kind, unsigned number) {
+            out.kind = kind;
+            out.gamepad = static_cast<int>(number) + 1;
+        };
+        if (event->is<sf::Event::Closed>()) {
+            out.kind = EventKind::closing;
+        } else if (const auto* e = event->getIf<sf::Event::Resized>()) {
+            out.kind = EventKind::resized;
+            place(sf::Vector2i(e->size));
+        } else if (event->is<sf::Event::FocusGained>() || event->is<sf::Event::FocusLost>()) {
+            out.kind = EventKind::focus;
+            out.focused = event->is<sf::Event::FocusGained>();
+        } else if (const auto* e = event->getIf<sf::Event::TextEntered>()) {
+            out.kind = EventKind::text;
+            out.character = e->unicode;
+        } else if (const auto* e = event->getIf<sf::Event::KeyPressed>()) {
+            key(EventKind::key_pressed, *e);
+        } else if (const auto* e = event->getIf<sf::Event::KeyReleased>()) {
+            key(EventKind::key_released, *e);
+        } else if (const auto* e = event->getIf<sf::Event::MouseButtonPressed>()) {
+            button(EventKind::mouse_pressed, *e);
+        } else if (const auto* e = event->getIf<sf::Event::MouseButtonReleased>()) {
+            button(EventKind::mouse_released, *e);
+        } else if (const auto* e = event->getIf<sf::Event::MouseMoved>()) {
+            out.kind = EventKind::mouse_moved;
+            place(e->position);
+        } else if (const auto* e = event->getIf<sf::Event::MouseWheelScrolled>()) {
+            if (e->wheel != sf::Mouse::Wheel::Vertical) continue;
+            out.kind = EventKind::wheel;
+            out.delta = e->delta;
+            place(e->position);
+        } else if (const auto* e = event->getIf<sf::Event::JoystickButtonPressed>()) {
+            gamepad(EventKind::gamepad_pressed, e->joystickId);
+            out.name = std::to_string(e->button + 1);
+        } else if (const auto* e = event->getIf<sf::Event::JoystickButtonReleased>()) {
+            gamepad(EventKind::gamepad_released, e->joystickId);
+            out.name = std::to_string(e->button + 1);
+        } else if (const auto* e = event->getIf<sf::Event::JoystickMoved>()) {
+            gamepad(EventKind::gamepad_axis, e->joystickId);
+            set_axis(out, e->axis, e->position);
+        } else if (const auto* e = event->getIf<sf::Event::JoystickConnected>()) {
+            gamepad(EventKind::gamepad_connected, e->joystickId);
+        } else if (const auto* e = event->getIf<sf::Event::JoystickDisconnected>()) {
+            gamepad(EventKind::gamepad_disconnected, e->joystickId);
+        } else {
+            continue;
+        }
+        return true;
+    }
+    return false;
+}
+
+#else
+
+using Byte = sf::Uint8;
+inline constexpr auto key_apostrophe = sf::Keyboard::Key::Quote;
+inline constexpr auto key_grave = sf::Keyboard::Key::Tilde;
+inline constexpr auto button_extra_1 = sf::Mouse::Button::XButton1;
+inline constexpr auto button_extra_2 = sf::Mouse::Button::XButton2;
+
+inline sf::FloatRect rectangle(float left, float top, float width, float height) {
+    return {left, top, width, height};
+}
+inline float left(const sf::FloatRect& r) {
+    return r.left;
+}
+inline float top(const sf::FloatRect& r) {
+    return r.top;
+}
+inline float width(const sf::FloatRect& r) {
+    return r.width;
+}
+inline float height(const sf::FloatRect& r) {
+    return r.height;
+}
+inline int left(const sf::IntRect& r) {
+    return r.left;
+}
+inline int top(const sf::IntRect& r) {
+    return r.top;
+}
+inline int width(const sf::IntRect& r) {
+    return r.width;
+}
+inline int height(const sf::IntRect& r) {
+    return r.height;
+}
+
+inline void open(sf::RenderWindow& window, const std::string& title, unsigned width,
+                 unsigned height, unsigned samples) {
+    window.create(sf::VideoMode(width, height), sf::String::fromUtf8(title.begin(), title.end()),
+                  sf::Style::Default, sf::ContextSettings(0, 0, samples));
+}
+inline bool create(sf::RenderTexture& target, unsigned width, unsigned height, unsigned samples) {
+    return target.create(width, height, sf::ContextSettings(0, 0, samples));
+}
+inline bool create(sf::Texture& texture, unsigned width, unsigned height) {
+    return texture.create(width, height);
+}
+inline void update(sf::Texture& texture, const std::uint8_t* rgba, unsigned width, unsigned height,
+                   unsigned x, unsigned y) {
+    texture.update(rgba, width, height, x, y);
+}
+inline bool load(sf::Font& font, const std::string& file) {
+    return font.loadFromFile(file);
+}
+
+/// The next event as the rest of the program knows it; kinds that nobody needs are passed over.
+inline bool poll(sf::RenderWindow& window, InputEvent& out) {
+    sf::Event event;
+    while (window.pollEvent(event)) {
+        out = {};
+        const auto place = [&](auto x, auto y) {
+            out.x = static_cast<float>(x);
+            out.y = static_cast<float>(y);
+        };
+        const auto key = [&](EventKind kind) {
+            out.kind = kind;
+            out.name = key_name(event.key.code);
+            out.control = event.key.control, out.shift = event.key.shift, out.alt = event.key.alt;
+        };
+        const auto button = [&](EventKind kind) {
+            out.kind = kind;
+            out.name = button_name(event.mouseButton.button);
+            place(event.mouseButton.x, event.mouseButton.y);
+        };
+        const auto gamepad = [&](EventKind kind, unsigned number) {
+            out.kind = kind;
+            out.gamepad = static_cast<int>(number) + 1;
+        };
+        switch (event.type) {
+            case sf::Event::Closed:
+                out.kind = EventKind::closing;
+                break;
+            case sf::Event::Resized:
+                out.kind = EventKind::resized;
+                place(event.size.width, event.size.height);
+                break;
+            case sf::Event::GainedFocus:
+            case sf::Event::LostFocus:
+                out.kind = EventKind::focus;
+                out.focused = event.type == sf::Event::GainedFocus;
+                break;
+            case sf::Event::TextEntered:
+                out.kind = EventKind::text;
+                out.character = event.text.unicode;
+                break;
+            case sf::Event::KeyPressed:
+                key(EventKind::key_pressed);
+                break;
+            case sf::Event::KeyReleased:
+                key(EventKind::key_released);
+                break;
+            case sf::Event::MouseButtonPressed:
+                button(EventKind::mouse_pressed);
+                break;
+            case sf::Event::MouseButtonReleased:
+                button(EventKind::mouse_released);
+                break;
+            case sf::Event::MouseMoved:
+                out.kind = EventKind::mouse_moved;
+                place(event.mouseMove.x, event.mouseMove.y);
+                break;
+            case sf::Event::MouseWheelScrolled:
+                if (event.mouseWheelScroll.wheel != sf::Mouse::VerticalWheel) continue;
+                out.kind = EventKind::wheel;
+                out.delta = event.mouseWheelScroll.delta;
+                place(event.mouseWheelScroll.x, event.mouseWheelScroll.y);
+                break;
+            case sf::Event::JoystickButtonPressed:
+            case sf::Event::JoystickButtonReleased:
+                gamepad(event.type == sf::Event::JoystickButtonPressed
+                            ? EventKind::gamepad_pressed
+                            : EventKind::gamepad_released,
+                        event.joystickButton.joystickId);
+                out.name = std::to_string(event.joystickButton.button + 1);
+                break;
+            case sf::Event::JoystickMoved:
+                gamepad(EventKind::gamepad_axis, event.joystickMove.joystickId);
+                set_axis(out, event.joystickMove.axis, event.joystickMove.position);
+                break;
+            case sf::Event::JoystickConnected:
+                gamepad(EventKind::gamepad_connected, event.joystickConnect.joystickId);
+                break;
+            case sf::Event::JoystickDisconnected:
+                gamepad(EventKind::gamepad_disconnected, event.joystickConnect.joystickId);
+                break;
+            default:
+                continue;
+        }
+        return true;
+    }
+    return false;
+}
+
+#endif
+
+}  // namespace fettle::app::sfml

@@ -1,0 +1,26 @@
+#pragma once
+// A hash of the state of a game, equal in every run that went the same way.
+
+#include <cstdint>
+#include <string_view>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::app {
+
+class StateHash {
+  public:
+    void add(std::uint64_t bits);
+    void add(double number);
+    void add(std::string_view text);
+    void add(const property::Value& value, const property::Tree& tree);
+    /// Instances in the order of the tree, with names and classes, and every value that the tree
+    /// itself keeps and saves. What modules keep is theirs to hash.
+    void add_stored_values(const property::Tree& tree);
+    std::uint64_t result() const { return state_; }
+
+  private:
+    std::uint64_t state_ = 0x9e3779b97f4a7c15u;
+};
+
+}  // namespace fettle::app

@@ -1,0 +1,222 @@
+#include <fettle/app/view.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace fettle::app {
+
+using property::accessor;
+using property::Native;
+using property::Overlay;
+using property::Property;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+bool Show::overlay(Overlay overlay) const {
+    switch (overlay) {
+        case Overlay::aabbs:
+            return aabbs;
+        case Overlay::contacts:
+            return contacts;
+        case Overlay::joints:
+            return joints;
+        case Overlay::centers:
+            return centers;
+        case Overlay::velocities:
+            return velocities;
+        case Overlay::names:
+            return names;
+        case Overlay::islands:
+            return islands;
+    }
+    return false;
+}
+
+Vec2 View::to_screen(const Vec2& world) const {
+    const Vec2 offset = (world - center) * zoom();
+    return {0.5 * screen.x() + offset.x(), 0.5 * screen.y() - offset.y()};
+}
+
+Vec2 View::to_world(const Vec2& pixels) const {
+    const Vec2 offset = pixels - 0.5 * screen;
+    return center + Vec2(offset.x(), -offset.y()) / zoom();
+}
+
+namespace {
+
+constexpr property::Range heights{1e-3, 1e6};
+
+Property derived(Property property, std::vector<std::string> sources) {
+    property.read_only = true;
+    property.transient = true;
+    property.derives_from = std::move(sources);
+    return property;
+}
+
+std::vector<Property> where(View& view) {
+    return {
+        {.name = "center",
+         .type = Type::vec2,
+         .unit = "m",
+         .range = {-1e9, 1e9},
+         .doc = "The point of the world in the middle of the screen.",
+         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.center.data(); })},
+        {.name = "height",
+         .type = Type::number,
+         .default_value = 20.0,
+         .unit = "m",
+         .range = heights,
+         .doc = "How much of the world is seen from the bottom of the screen to its top.",
+         .binding = column(view, Native::f64, 0, [](View& v) { return &v.height; })},
+        derived({.name = "width",
+                 .type = Type::number,
+                 .unit = "m",
+                 .doc = "How much of the world is seen from side to side.",
+                 .binding = accessor(view, [](View& v, property::Row) { return v.width(); })},
+                {"height", "screen"}),
+        // Another way to say `height`; it changes with the size of the window, hence simulated.
+        {.name = "zoom",
+         .type = Type::number,
+         .default_value = 40.0,
+         .unit = "px/m",
+         .range = {1e-3, 1e6},
+         .doc = "Pixels a metre. Setting it changes the height.",
+         .binding = accessor(
+             view, [](View& v, property::Row) { return v.zoom(); },
+             [](View& v, property::Row, const Value& zoom) {
+                 const double height = v.screen.y() / zoom.number();
+                 if (height < heights.min || height > heights.max)
+                     throw std::invalid_argument("the height seen would be " +
+                                                 property::number_text(height) +
+                                                 " m, not between 0.001 and 1e+06 m");
+                 v.height = height;
+             }),
+         .transient = true,
+         .simulated = true},
+        derived({.name = "lower",
+                 .type = Type::vec2,
+                 .unit = "m",
+                 .doc = "The corner of the world seen at the bottom left.",
+                 .binding = accessor(view, [](View& v, property::Row) { return v.lower(); })},
+                {"center", "height", "screen"}),
+        derived({.name = "upper",
+                 .type = Type::vec2,
+                 .unit = "m",
+                 .doc = "The corner of the world seen at the top right.",
+                 .binding = accessor(view, [](View& v, property::Row) { return v.upper(); })},
+                {"center", "height", "screen"}),
+    };
+}
+
+std::vector<Property> looks(View& view) {
+    return {
+        {.name = "background",
+         .type = Type::color,
+         .default_value = view.background,
+         .range = {0, 1},
+         .doc = "The color behind everything.",
+         .binding = column(view, Native::color, 0, [](View& v) { return &v.background; })},
+        {.name = "screen",
+         .type = Type::vec2,
+         .default_value = view.screen,
+         .unit = "px",
+         .doc = "Size of the window. A headless run pretends to have one.",
+         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.screen.data(); }),
+         .read_only = true,
+         .transient = true,
+         .simulated = true},
+        {.name = "title",
+         .type = Type::text,
+         .default_value = view.title,
+         .doc = "Title of the window.",
+         .binding = accessor(
+             view, [](View& v, property::Row) { return v.title; },
+             [](View& v, property::Row, const Value& title) { v.title = title.text(); })},
+        {.name = "vsync",
+         .type = Type::boolean,
+         .default_value = true,
+         .doc = "Whether frames wait for the screen. Off, they are drawn as fast as they go.",
+         .binding = column(view, Native::boolean, 0, [](View& v) { return &v.vsync; })},
+    };
+}
+
+template <class Base>
+Property overlay(Show& show, const char* name, const char* doc, Base base) {
+    return {.name = name,
+            .type = Type::boolean,
+            .default_value = false,
+            .doc = doc,
+            .binding = column(show, Native::boolean, 0, base)};
+}
+
+std::vector<Property> overlays(Show& show) {
+    return {
+        overlay(show, "aabbs", "Axis-aligned bounding boxes of shapes.",
+                [](Show& s) { return &s.aabbs; }),
+        overlay(show, "contacts", "Contact points, their normals and impulses.",
+                [](Show& s) { return &s.contacts; }),
+        overlay(show, "joints", "Joints and their anchors.", [](Show& s) { return &s.joints; }),
+        overlay(show, "centers", "Centers of mass.", [](Show& s) { return &s.centers; }),
+        overlay(show, "velocities", "Velocities of bodies, as lines.",
+                [](Show& s) { return &s.velocities; }),
+        overlay(show, "names", "Names of bodies.", [](Show& s) { return &s.names; }),
+        overlay(show, "islands", "Islands: bodies that sleep and wake together.",
+                [](Show& s) { return &s.islands; }),
+        overlay(show, "grid", "A grid of metres.", [](Show& s) { return &s.grid; }),
+        overlay(show, "timings", "Frames a second, and where a frame's time goes.",
+                [](Show& s) { return &s.timings; }),
+    };
+}
+
+const View& view_of(void* context) {
+    return *static_cast<View*>(context);
+}
+
+std::vector<property::Method> conversions(View& view) {
+    return {
+        {.name = "to_screen",
+         .parameters = {{.name = "point", .type = Type::vec2, .unit = "m"}},
+         .required = 1,
+         .returns = {{.name = "pixels", .type = Type::vec2, .unit = "px"}},
+         .doc = "Where a point of the world is on the screen, from the top left corner, y down.",
+         .context = &view,
+         .call = [](void* context, property::Tree&, property::Handle, property::Row,
+                    std::span<const Value> arguments) -> property::Result {
+             return Value(view_of(context).to_screen(arguments[0].vec2()));
+         }},
+        {.name = "to_world",
+         .parameters = {{.name = "pixels", .type = Type::vec2, .unit = "px"}},
+         .required = 1,
+         .returns = {{.name = "point", .type = Type::vec2, .unit = "m"}},
+         .doc = "The point of the world that is seen at a point of the screen.",
+         .context = &view,
+         .call = [](void* context, property::Tree&, property::Handle, property::Row,
+                    std::span<const Value> arguments) -> property::Result {
+             return Value(view_of(context).to_world(arguments[0].vec2()));
+         }},
+    };
+}
+
+}  // namespace
+
+property::Handle define_view(property::Tree& tree, View& view) {
+    std::vector<Property> properties = where(view);
+    for (Property& property : looks(view)) properties.push_back(std::move(property));
+    const property::Class& view_class =
+        tree.define({.name = "View",
+                     .doc = "Which part of the world is seen, and what lies over it.",
+                     .creatable = false,
+                     .properties = std::move(properties),
+                     .methods = conversions(view)});
+    const property::Class& show_class =
+        tree.define({.name = "Show",
+                     .doc = "What is shown over the picture, for looking into a game.",
+                     .creatable = false,
+                     .properties = overlays(view.show)});
+    const property::Handle instance = tree.create(view_class, tree.root(), "view");
+    tree.create(show_class, instance, "show");
+    return instance;
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,52 @@
+#pragma once
+// The clock: how simulation time passes. Seen in the tree as `time`.
+
+#include <cstdint>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::app {
+
+/// Where a frame's time goes, in milliseconds, smoothed over about half a second. `time.timings`.
+struct Timings {
+    double input = 0;     // delivering input to the game
+    double update = 0;    // the game's update(dt)
+    double scripts = 0;   // timers, coroutines and step(dt)
+    double modules = 0;   // modules' steps and reports: the physics
+    double handlers = 0;  // barriers: watchers and event handlers
+    double draw = 0;      // drawing, layers included
+    double frame = 0;     // the whole frame, waiting for the screen included
+};
+
+struct Clock {
+    // Set by whoever likes.
+    double dt = 1.0 / 60;        // s, one fixed step
+    double scale = 1;            // simulated seconds a real second
+    bool paused = false;         // no steps are made
+    bool step_once = false;      // one step although paused; false again when it is made
+    std::int32_t max_steps = 5;  // steps one frame may make to catch up
+
+    // Kept by the loop.
+    std::int64_t step = 0;           // fixed steps made
+    double now = 0;                  // s, simulation time
+    std::int64_t frame = 0;          // frames made
+    std::int64_t dropped_steps = 0;  // steps that were due but given up since the game was too slow
+    double alpha = 1;                // how far drawing is between the last two steps, 0 to 1
+    double fps = 0;                  // frames a second, smoothed
+    Timings timings{};
+
+    /// One fixed step passes.
+    void advance();
+
+  private:
+    // Time is a multiple of dt from the last change of dt, so that 60 steps of 1/60 s are 1 s.
+    double origin_ = 0;
+    std::int64_t origin_step_ = 0;
+    double origin_dt_ = 0;
+};
+
+/// Puts the clock into the tree as `time`, with `time.timings`. The clock must outlive the tree's
+/// use.
+property::Handle define_clock(property::Tree& tree, Clock& clock);
+
+}  // namespace fettle::app

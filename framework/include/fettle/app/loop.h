@@ -1,0 +1,94 @@
+#pragma once
+// The loop: one frame of a game, with or without a window.
+//
+//   input -> barrier -> update(dt) -> barrier
+//     -> while a fixed step is due { timers, step(dt) -> barrier -> modules step -> barrier }
+//     -> draw
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fettle/app/event.h>
+#include <fettle/app/layer.h>
+#include <fettle/app/services.h>
+#include <fettle/property/tree.h>
+#include <fettle/script/runtime.h>
+
+namespace fettle::app {
+
+class Screen;
+
+/// What the loop asks of a module.
+struct SteppedModule {
+    std::string name;
+    std::function<void(double dt)> step;
+    std::function<void()> report;
+    std::function<std::uint64_t()> hash;
+};
+
+class Loop {
+  public:
+    Loop(property::Tree& tree, script::Runtime& runtime, Services& services);
+
+    void add(SteppedModule module);
+    /// Layers get events last added first, and are drawn last added last. Not owned.
+    void add(Layer& layer);
+    /// Called before the callbacks of step `n`, the first being 1. A headless run counts turns, so
+    /// that a paused game can be woken.
+    void before_step(std::function<void(std::uint64_t n)> hook);
+
+    /// Told when a barrier fails as a whole (handlers that never come to rest); without it, the
+    /// exception leaves the frame.
+    void on_error(std::function<void(const script::ScriptError&)> sink);
+
+    /// An event from the window: layers first, then the tree. The game's callbacks follow in the
+    /// next frame.
+    void handle(const InputEvent& event);
+    /// A frame, `seconds` of real time after the last. Steps that are due are made,
+    /// `time.max_steps` at most; `step_limit`: none beyond this step.
+    void frame(double seconds, std::int64_t step_limit = INT64_MAX);
+    /// A frame of a headless run: one step, unless paused, however long it takes.
+    void turn();
+    /// Draws the game and the layers. `seconds`: real time since the last.
+    void draw(Screen& screen, double seconds);
+
+    /// After an error: input, updates and steps rest, edits still take effect.
+    void halt() { halted_ = true; }
+    void resume();
+    bool halted() const { return halted_; }
+    /// Halted, or the game has called quit().
+    bool stopped() const { return halted_ || runtime_.quit_status().has_value(); }
+    /// The window was asked to close.
+    bool closing() const { return closing_; }
+
+    /// Of everything that influences later steps: modules, the clock, and the values the tree
+    /// keeps.
+    std::uint64_t hash() const;
+
+  private:
+    class Stopwatch;
+    void announce(std::uint64_t step);
+    bool prelude(double dt, Stopwatch& watch);
+    bool make_step(Stopwatch& watch);
+    void catch_up(std::int64_t step_limit, Stopwatch& watch);
+    void barrier();
+    void end_frame(const Stopwatch& watch, double seconds);
+
+    property::Tree& tree_;
+    script::Runtime& runtime_;
+    Services& services_;
+    property::Handle time_;
+    std::vector<SteppedModule> modules_;
+    std::vector<Layer*> layers_;
+    std::function<void(std::uint64_t)> before_step_;
+    std::function<void(const script::ScriptError&)> on_error_;
+    double owed_ = 0;  // s of simulation time not yet stepped
+    std::uint64_t announced_ = 0;
+    std::uint64_t turns_ = 0;
+    bool halted_ = false;
+    bool closing_ = false;
+};
+
+}  // namespace fettle::app

@@ -1,0 +1,33 @@
+#pragma once
+// What every game finds in its tree beside the world: `time`, `view`, `input`, `audio`.
+
+#include <fettle/app/clock.h>
+#include <fettle/app/input.h>
+#include <fettle/app/view.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::app {
+
+struct Audio {
+    double volume = 1;  // of everything, 0 to 1
+    bool muted = false;
+};
+
+/// Owns the services' values and puts them into a tree, which must outlive it. Order: tree,
+/// modules, services, runtime.
+class Services {
+  public:
+    explicit Services(property::Tree& tree);
+    Services(const Services&) = delete;
+    Services& operator=(const Services&) = delete;
+
+    Clock clock;
+    View view;
+    Audio audio;
+    Input input;
+
+  private:
+    property::Tree& define(property::Tree& tree);
+};
+
+}  // namespace fettle::app

@@ -1,0 +1,48 @@
+#pragma once
+// The view: which part of the world is seen, and how big. Seen in the tree as `view`.
+
+#include <array>
+#include <string>
+
+#include <fettle/property/painter.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::app {
+
+/// What is shown over the picture; `view.show`.
+struct Show {
+    bool aabbs = false;
+    bool contacts = false;
+    bool joints = false;
+    bool centers = false;
+    bool velocities = false;
+    bool names = false;
+    bool islands = false;
+    bool grid = false;
+    bool timings = false;
+    bool overlay(property::Overlay overlay) const;
+};
+
+/// World units are metres with y up; screen units are pixels from the top left corner with y down.
+struct View {
+    property::Vec2 center{0, 0};  // m, in the middle of the screen
+    double height = 20;           // m, visible from bottom to top
+    property::Color background{0.105f, 0.122f, 0.153f, 1};
+    property::Vec2 screen{1280, 800};  // px
+    std::string title = "Fettle";      // of the window
+    bool vsync = true;                 // frames wait for the screen
+    Show show{};
+
+    double zoom() const { return screen.y() / height; }   // px/m
+    double width() const { return screen.x() / zoom(); }  // m
+    property::Vec2 lower() const { return center - 0.5 * property::Vec2(width(), height); }
+    property::Vec2 upper() const { return center + 0.5 * property::Vec2(width(), height); }
+
+    property::Vec2 to_screen(const property::Vec2& world) const;
+    property::Vec2 to_world(const property::Vec2& pixels) const;
+};
+
+/// Puts the view into the tree as `view`, with `view.show`. The view must outlive the tree's use.
+property::Handle define_view(property::Tree& tree, View& view);
+
+}  // namespace fettle::app
