@@ -313,12 +313,16 @@ Violations careless_headers(const SourceTree& tree) {
             found.push_back(path + ": a header has one line #pragma once");
         }
     }
-    const auto is_header = [](const SourceFile& file) { return file.is_header(); };
-    each_line(tree, is_header, [&](const SourceFile& file, int line, const std::string& text) {
-        if (std::regex_match(text, opens)) {
-            found.push_back(at(file, line, "a header opens no namespace for those who include it"));
-        }
-    });
+    const auto is_header_of_a_part = [](const SourceFile& file) {
+        return file.is_header() && part_of(file.path);
+    };
+    each_line(tree, is_header_of_a_part,
+              [&](const SourceFile& file, int line, const std::string& text) {
+                  if (std::regex_match(text, opens)) {
+                      found.push_back(
+                          at(file, line, "a header opens no namespace for those who include it"));
+                  }
+              });
     return found;
 }
 

@@ -34,7 +34,8 @@ Violations vague_names(const SourceTree& tree);
 /// A file is one idea: at most 500 lines.
 Violations overlong_files(const SourceTree& tree);
 
-/// Headers guard themselves with `#pragma once` and open no namespace for whoever includes them.
+/// Headers guard themselves with `#pragma once`; those of a part open no namespace for whoever
+/// includes them.
 Violations careless_headers(const SourceTree& tree);
 
 /// One file a library knows that there are several versions of it.
