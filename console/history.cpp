@@ -10,6 +10,8 @@
 #include <fstream>
 #include <utility>
 
+#include <fettle/console/console.h>
+
 #include "utf8.h"
 
 namespace fettle::console {

@@ -52,8 +52,4 @@ class History {
     bool writable_ = true;
 };
 
-/// `console_history` in `$XDG_STATE_HOME/fettle`, or in `~/.local/state/fettle`; empty when neither
-/// variable is set.
-std::filesystem::path default_history_file();
-
 }  // namespace fettle::console

@@ -1,0 +1,36 @@
+#pragma once
+// Who was told that a key or button went down is told that it went up, whoever has the focus by
+// then: a game does not run on because the console opened over a held arrow key.
+
+#include <set>
+#include <string>
+
+namespace fettle::console {
+
+class HeldKeys {
+  public:
+    enum class Owner { nobody, game, console };
+
+    void press(const std::string& name, Owner owner) {
+        (owner == Owner::game ? game_ : console_).insert(name);
+    }
+    bool held_by_game(const std::string& name) const { return game_.contains(name); }
+    bool held_by_console(const std::string& name) const { return console_.contains(name); }
+    /// Who must hear of the release.
+    Owner release(const std::string& name) {
+        if (game_.erase(name) > 0) return Owner::game;
+        if (console_.erase(name) > 0) return Owner::console;
+        return Owner::nobody;
+    }
+    bool any_of_game() const { return !game_.empty(); }
+    bool any_of_console() const { return !console_.empty(); }
+    void clear() {
+        game_.clear();
+        console_.clear();
+    }
+
+  private:
+    std::set<std::string> game_, console_;
+};
+
+}  // namespace fettle::console

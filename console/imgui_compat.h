@@ -1,0 +1,214 @@
+#pragma once
+// The versions of Dear ImGui differ in how keys are fed (1.87), where the clipboard is set (1.91.1)
+// and who makes textures (1.92). All of it is settled here, and nowhere else.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include <fettle/app/surface.h>
+
+namespace fettle::console::compat {
+
+inline ImTextureID texture_id(app::Surface::Texture texture) {
+    return (ImTextureID)(std::uintptr_t)texture;  // a pointer before 1.91.4, an integer since
+}
+
+inline app::Surface::Texture texture_of(const ImDrawCmd& command) {
+    return static_cast<app::Surface::Texture>((std::uintptr_t)command.GetTexID());
+}
+
+#if IMGUI_VERSION_NUM >= 18700
+using KeyCode = ImGuiKey;
+#else
+using KeyCode = int;
+#endif
+
+/// The keys that widgets react to, by the names of app::InputEvent.
+inline constexpr std::pair<std::string_view, KeyCode> keys[] = {
+    {"tab", ImGuiKey_Tab},
+    {"left", ImGuiKey_LeftArrow},
+    {"right", ImGuiKey_RightArrow},
+    {"up", ImGuiKey_UpArrow},
+    {"down", ImGuiKey_DownArrow},
+    {"page_up", ImGuiKey_PageUp},
+    {"page_down", ImGuiKey_PageDown},
+    {"home", ImGuiKey_Home},
+    {"end", ImGuiKey_End},
+    {"insert", ImGuiKey_Insert},
+    {"delete", ImGuiKey_Delete},
+    {"backspace", ImGuiKey_Backspace},
+    {"space", ImGuiKey_Space},
+    {"enter", ImGuiKey_Enter},
+    {"escape", ImGuiKey_Escape},
+    {"a", ImGuiKey_A},
+    {"c", ImGuiKey_C},
+    {"v", ImGuiKey_V},
+    {"x", ImGuiKey_X},
+    {"y", ImGuiKey_Y},
+    {"z", ImGuiKey_Z},
+};
+
+struct Modifiers {
+    bool control = false, shift = false, alt = false;
+};
+
+using ReadClipboard = const char* (*)(void* user);
+using WriteClipboard = void (*)(void* user, const char* text);
+
+#if IMGUI_VERSION_NUM >= 18700
+
+inline void prepare_keys(ImGuiIO& io) {
+    io.ConfigInputTrickleEventQueue = false;  // our own frames keep events apart
+}
+inline void key(ImGuiIO& io, KeyCode code, bool down) {
+    io.AddKeyEvent(code, down);
+}
+inline void modifiers(ImGuiIO& io, Modifiers m) {
+#if IMGUI_VERSION_NUM >= 18900
+    io.AddKeyEvent(ImGuiMod_Ctrl, m.control);
+    io.AddKeyEvent(ImGuiMod_Shift, m.shift);
+    io.AddKeyEvent(ImGuiMod_Alt, m.alt);
+#else
+    io.AddKeyEvent(ImGuiKey_ModCtrl, m.control);
+    io.AddKeyEvent(ImGuiKey_ModShift, m.shift);
+    io.AddKeyEvent(ImGuiKey_ModAlt, m.alt);
+#endif
+}
+inline void release_keys(ImGuiIO& io) {
+    for (const auto& [name, code] : keys) io.AddKeyEvent(code, false);
+    modifiers(io, {});
+}
+inline void mouse_position(ImGuiIO& io, float x, float y) {
+    io.AddMousePosEvent(x, y);
+}
+inline void mouse_button(ImGuiIO& io, int button, bool down) {
+    io.AddMouseButtonEvent(button, down);
+}
+inline void mouse_wheel(ImGuiIO& io, float notches) {
+    io.AddMouseWheelEvent(0, notches);
+}
+
+#else
+
+inline void prepare_keys(ImGuiIO& io) {
+    for (const auto& [name, code] : keys) io.KeyMap[code] = code;
+}
+inline void key(ImGuiIO& io, KeyCode code, bool down) {
+    io.KeysDown[code] = down;
+}
+inline void modifiers(ImGuiIO& io, Modifiers m) {
+    io.KeyCtrl = m.control;
+    io.KeyShift = m.shift;
+    io.KeyAlt = m.alt;
+}
+inline void release_keys(ImGuiIO& io) {
+    for (const auto& [name, code] : keys) io.KeysDown[code] = false;
+    modifiers(io, {});
+}
+inline void mouse_position(ImGuiIO& io, float x, float y) {
+    io.MousePos = ImVec2(x, y);
+}
+inline void mouse_button(ImGuiIO& io, int button, bool down) {
+    io.MouseDown[button] = down;
+}
+inline void mouse_wheel(ImGuiIO& io, float notches) {
+    io.MouseWheel += notches;
+}
+
+#endif
+
+/// Another face in the size in use. Ends with ImGui::PopFont().
+inline void push_font(ImFont* font) {
+#if IMGUI_VERSION_NUM >= 19200
+    ImGui::PushFont(font, 0.0f);
+#else
+    ImGui::PushFont(font);
+#endif
+}
+
+#if IMGUI_VERSION_NUM >= 19110
+
+/// `user` comes back as the first argument of both functions.
+inline void clipboard(void* user, ReadClipboard read, WriteClipboard write) {
+    static thread_local ReadClipboard reader;
+    static thread_local WriteClipboard writer;
+    reader = read;
+    writer = write;
+    ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
+    platform.Platform_ClipboardUserData = user;
+    platform.Platform_GetClipboardTextFn = [](ImGuiContext*) {
+        return reader(ImGui::GetPlatformIO().Platform_ClipboardUserData);
+    };
+    platform.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
+        writer(ImGui::GetPlatformIO().Platform_ClipboardUserData, text);
+    };
+}
+
+#else
+
+inline void clipboard(void* user, ReadClipboard read, WriteClipboard write) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = user;
+    io.GetClipboardTextFn = read;
+    io.SetClipboardTextFn = write;
+}
+
+#endif
+
+#if IMGUI_VERSION_NUM >= 19200
+
+inline void prepare_textures(ImGuiIO& io) {
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+}
+/// Before drawing: brings the surface's textures up to date. `stale`: the surface is another one,
+/// or the fonts were built anew.
+inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale) {
+    if (data.Textures == nullptr) return;
+    for (ImTextureData* texture : *data.Textures) {
+        auto width = static_cast<unsigned>(texture->Width);
+        auto height = static_cast<unsigned>(texture->Height);
+        auto known = static_cast<app::Surface::Texture>((std::uintptr_t)texture->TexID);
+        if (texture->Status == ImTextureStatus_WantCreate ||
+            (stale && texture->Status == ImTextureStatus_OK)) {
+            auto* pixels = static_cast<const std::uint8_t*>(texture->GetPixels());
+            texture->SetTexID(texture_id(surface.create_texture(width, height, pixels)));
+            texture->SetStatus(ImTextureStatus_OK);
+        } else if (texture->Status == ImTextureStatus_WantUpdates) {
+            // Whole rows, so that the pixels lie together.
+            auto top = static_cast<unsigned>(texture->UpdateRect.y);
+            auto* pixels =
+                static_cast<const std::uint8_t*>(texture->GetPixelsAt(0, texture->UpdateRect.y));
+            surface.update_texture(known, 0, top, width, texture->UpdateRect.h, pixels);
+            texture->SetStatus(ImTextureStatus_OK);
+        } else if (texture->Status == ImTextureStatus_WantDestroy) {
+            surface.destroy_texture(known);
+            texture->SetTexID(ImTextureID_Invalid);
+            texture->SetStatus(ImTextureStatus_Destroyed);
+        }
+    }
+}
+
+#else
+
+inline void prepare_textures(ImGuiIO& io) {
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);  // builds the atlas before a frame
+}
+inline void update_textures(ImDrawData&, app::Surface& surface, bool stale) {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    if (!stale) return;
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    fonts.GetTexDataAsRGBA32(&pixels, &width, &height);
+    auto made =
+        surface.create_texture(static_cast<unsigned>(width), static_cast<unsigned>(height), pixels);
+    fonts.SetTexID(texture_id(made));
+}
+
+#endif
+
+}  // namespace fettle::console::compat

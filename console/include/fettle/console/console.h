@@ -1,0 +1,64 @@
+#pragma once
+// The in-game console and inspector: a layer over the running game.
+//
+// The grave key opens and closes it. While it is open the keyboard is its own, and so is the mouse
+// over its windows; a click on a body of the game selects that body. Everything it does is a
+// property of the instance `console`: `console.open = true`, `console.pauses = true`.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include <fettle/app/layer.h>
+#include <fettle/console/interpreter.h>
+#include <fettle/property/tree.h>
+#include <fettle/script/runtime.h>
+
+namespace fettle::console {
+
+struct Options {
+    app::Clipboard* clipboard = nullptr;  // null: copies stay inside the console
+    /// Where what was typed is kept from run to run; empty: nowhere. A file that cannot be read or
+    /// written is reported in the console once and else ignored.
+    std::filesystem::path history_file{};
+    /// The game's view: pixels from the top left to world units, and back. Without them bodies
+    /// cannot be clicked.
+    std::function<property::Vec2(float x, float y)> to_world{};
+    std::function<property::Vec2(property::Vec2 world)> to_pixels{};
+};
+
+/// `console_history` in `$XDG_STATE_HOME/fettle`, or in `~/.local/state/fettle`; empty when neither
+/// variable is set.
+std::filesystem::path default_history_file();
+
+class Console : public app::Layer {
+  public:
+    /// Registers the class `Console` (once a tree) and creates the instance `game.console`. Tree,
+    /// runtime and clipboard must outlive the console.
+    Console(property::Tree& tree, script::Runtime& runtime, Options options = {});
+    Console(property::Tree& tree, Interpreter interpreter, Options options = {});
+    ~Console() override;
+
+    bool handle(const app::InputEvent& event) override;
+    void draw(app::Surface& surface, double seconds) override;
+
+    bool is_open() const;
+    void open(bool open = true);
+    /// Makes it `it`, shows it in the inspector and outlines it in the game.
+    void select(property::Handle instance);
+    /// A null handle when nothing is selected or what was is deleted.
+    property::Handle selected() const;
+
+    /// Text of the game's own `print`; an error of the game.
+    void print(std::string_view text);
+    void report(const script::ScriptError& error);
+
+    struct State;
+    State& state() { return *state_; }
+
+  private:
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fettle::console

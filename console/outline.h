@@ -1,0 +1,19 @@
+#pragma once
+// The line around the selected instance in the game's picture.
+
+#include <imgui.h>
+
+#include <functional>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::console {
+
+using ToPixels = std::function<property::Vec2(property::Vec2 world)>;
+
+/// Follows the shapes of the instance and of its children: `world_vertices` where they have them,
+/// `radius` and `center` of circles, `aabb` of anything else. `seconds` lets it pulse.
+void draw_outline(ImDrawList& list, const property::Tree& tree, property::Handle instance,
+                  const ToPixels& to_pixels, double seconds);
+
+}  // namespace fettle::console

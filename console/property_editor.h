@@ -1,0 +1,76 @@
+#pragma once
+// One property as a row: name, the widget its descriptor implies, its error, its way back to the
+// default. Values are read when the row is in sight, and written through the tree like any edit.
+
+#include <imgui.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include <fettle/property/tree.h>
+
+#include "fields.h"
+#include "rect.h"
+
+namespace fettle::console {
+
+class PropertyEditor {
+  public:
+    explicit PropertyEditor(property::Tree& tree) : tree_(tree) {}
+
+    /// A reference was clicked.
+    std::function<void(property::Handle)> follow;
+
+    void draw(property::Handle instance, const property::Property& property, ImFont* bold);
+    /// Call once a frame, before and after all rows.
+    void begin_frame() { widgets_.clear(); }
+    void end_frame() { fields_.end_frame(); }
+    /// Where the widget of a property was drawn in the last frame; empty when it was out of sight.
+    Rect widget_rect(const property::Property& property) const;
+    bool about_to_type() const { return fields_.about_to_type(); }
+    /// Forgets errors shown: another instance is edited.
+    void forget() { problems_.clear(); }
+
+    Fields& fields() { return fields_; }
+
+  private:
+    struct Target {
+        property::Handle instance;
+        const property::Property* property;
+    };
+    void label(const Target& target, float width, bool overridden, ImFont* bold);
+    void tooltip(const Target& target, ImFont* bold);
+    void reset_button(const Target& target);
+    void widget(const Target& target, const property::Value& value, float width);
+    void boolean(const Target& target, const property::Value& value);
+    void number(const Target& target, const property::Value& value, float width);
+    void text(const Target& target, const property::Value& value, float width);
+    void enumerator(const Target& target, const property::Value& value, float width);
+    void vector(const Target& target, const property::Value& value, float width);
+    void color(const Target& target, const property::Value& value, float width);
+    void reference(const property::Value& value, float width);
+    void nil(const Target& target, float width);
+    void list(const Target& target, const property::Value& value, float width);
+    void element(const Target& target, const property::List& elements, std::size_t index,
+                 float width);
+    /// The new vector when either of its two fields changed.
+    std::optional<property::Vec2> vector_fields(const Target& target, property::Vec2 value,
+                                                float width);
+    static NumberLook look_of(const property::Property& property);
+    void write(const Target& target, const property::Value& value);
+    /// Runs an edit; what it throws is shown below the row.
+    void attempt(const Target& target, const std::function<void()>& edit);
+
+    property::Tree& tree_;
+    Fields fields_;
+    std::unordered_map<const property::Property*, std::string> problems_;
+    property::Handle problems_of_;
+    std::unordered_map<const property::Property*, Rect> widgets_;
+};
+
+/// "number · kg · 0 to inf · default 1": what a descriptor says in one line.
+std::string describe(const property::Tree& tree, const property::Property& property);
+
+}  // namespace fettle::console

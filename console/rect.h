@@ -1,0 +1,26 @@
+#pragma once
+
+#include <imgui.h>
+
+namespace fettle::console {
+
+/// A part of the screen, in pixels.
+struct Rect {
+    ImVec2 low{0, 0}, high{0, 0};
+    bool contains(float x, float y) const {
+        return x >= low.x && x < high.x && y >= low.y && y < high.y;
+    }
+    ImVec2 middle() const { return ImVec2((low.x + high.x) / 2, (low.y + high.y) / 2); }
+    bool empty() const { return low.x >= high.x || low.y >= high.y; }
+};
+
+/// Of the window being drawn, and of the widget drawn last.
+inline Rect window_rect() {
+    ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    return {at, ImVec2(at.x + size.x, at.y + size.y)};
+}
+inline Rect item_rect() {
+    return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+}
+
+}  // namespace fettle::console
