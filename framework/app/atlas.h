@@ -38,8 +38,8 @@ class Atlas {
     Atlas();
 
     const sf::Texture& texture() const { return texture_; }
-    /// The middle of the white patch.
-    sf::Vector2f white() const { return {2, 2}; }
+    /// Both coordinates of the middle of the white patch.
+    static constexpr float white = 2;
 
     static constexpr float largest_disc = 56;  // px
     /// The smallest disc that is no smaller than `radius`, which is at most `largest_disc`.

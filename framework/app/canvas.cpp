@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace fettle::app {
 
@@ -45,10 +46,19 @@ void Canvas::set_view(const View& view) {
 void Canvas::flush() {
     if (strip_.empty()) return;
     target_.setView(sf::View(sfml::rectangle(0, 0, width(), height())));
-    sf::RenderStates states;
-    states.texture = &atlas_.texture();
-    target_.draw(strip_.data(), strip_.size(), sf::PrimitiveType::TriangleStrip, states);
+    draw(strip_, sf::PrimitiveType::TriangleStrip, atlas_.texture());
     strip_.clear();
+}
+
+void Canvas::draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType type,
+                  const sf::Texture& texture) {
+    static_assert(sizeof(CanvasVertex) == sizeof(sf::Vertex) &&
+                  offsetof(CanvasVertex, r) == offsetof(sf::Vertex, color) &&
+                  offsetof(CanvasVertex, u) == offsetof(sf::Vertex, texCoords));
+    sf::RenderStates states;
+    states.texture = &texture;
+    target_.draw(reinterpret_cast<const sf::Vertex*>(vertices.data()), vertices.size(), type,
+                 states);
 }
 
 sf::Vector2f Canvas::pixel(const Vec2& position) const {
@@ -145,42 +155,50 @@ void Canvas::draw_outline(const Paint& paint) {
     const float limit = outline_.depth_limit();
     const auto within = [limit](float depth) { return std::min(depth, limit); };
     const sf::Color fill = native(paint.fill);
+    rings_.clear();
+    const auto ring = [&](float depth, sf::Color color) {
+        outline_.ring(depth, rings_);
+        ring_colors_[rings_.size() / outline_.size() - 1] = color;
+    };
     if (paint.border.a <= 0 || paint.border_width <= 0) {
-        draw_ring(-0.5f, clear(fill), within(0.5f), fill);
-        draw_inside(within(0.5f), fill);
-        return;
+        ring(-0.5f, clear(fill));
+        ring(within(0.5f), fill);
+    } else {
+        // A border thinner than a pixel is a paler one.
+        const float width = std::max(paint.border_width, 1.0f);
+        const sf::Color border = native(paint.border, std::min(paint.border_width, 1.0f));
+        ring(-0.5f, clear(border));
+        ring(within(0.5f), border);
+        // Nobody sees how crisp the border of a figure of ten pixels is; thousands of them count.
+        if (width > 1 && limit > 5) ring(within(width - 0.5f), border);
+        ring(within(width + 0.5f), fill.a > 0 ? fill : clear(border));
     }
-    const float width = std::max(paint.border_width, 1.0f);
-    const sf::Color border = native(paint.border, std::min(paint.border_width, 1.0f));
-    const sf::Color inside = fill.a > 0 ? fill : clear(border);
-    draw_ring(-0.5f, clear(border), within(0.5f), border);
-    if (width > 1) draw_ring(within(0.5f), border, within(width - 0.5f), border);
-    draw_ring(within(width - 0.5f), border, within(width + 0.5f), inside);
-    if (fill.a > 0) draw_inside(within(width + 0.5f), fill);
+    draw_rings(fill.a > 0);
 }
 
-void Canvas::draw_ring(float outer, sf::Color outer_color, float inner, sf::Color inner_color) {
-    outline_.ring(outer, outer_);
-    outline_.ring(inner, inner_);
-    const std::size_t n = outer_.size();
-    if (n == 0) return;
-    start_strip(outer_[0], outer_color);
-    for (std::size_t i = 0; i <= n; ++i) {
-        add(outer_[i % n], outer_color);
-        add(inner_[i % n], inner_color);
+/// Strips between neighbouring rings of rings_, and the inside of the innermost.
+void Canvas::draw_rings(bool filled) {
+    const std::size_t n = outline_.size();
+    const std::size_t count = rings_.size() / n;
+    for (std::size_t r = 0; r + 1 < count; ++r) {
+        const sf::Vector2f* outer = rings_.data() + r * n;
+        const sf::Vector2f* inner = outer + n;
+        CanvasVertex* out = start_strip(2 * (n + 1), outer[0]);
+        for (std::size_t i = 0; i <= n; ++i) {
+            const std::size_t at = i == n ? 0 : i;
+            *out++ = plain(outer[at], ring_colors_[r]);
+            *out++ = plain(inner[at], ring_colors_[r + 1]);
+        }
     }
-}
-
-void Canvas::draw_inside(float depth, sf::Color color) {
-    outline_.ring(depth, inner_);
-    const std::size_t n = inner_.size();
-    if (n < 3) return;
+    if (!filled || n < 3) return;
     // A convex polygon as a strip: zigzag from one end to the other.
-    start_strip(inner_[0], color);
-    add(inner_[0], color);
+    const sf::Vector2f* inside = rings_.data() + (count - 1) * n;
+    const sf::Color color = ring_colors_[count - 1];
+    CanvasVertex* out = start_strip(n, inside[0]);
+    *out++ = plain(inside[0], color);
     for (std::size_t low = 1, high = n - 1; low <= high; ++low, --high) {
-        add(inner_[low], color);
-        if (high > low) add(inner_[high], color);
+        *out++ = plain(inside[low], color);
+        if (high > low) *out++ = plain(inside[high], color);
     }
 }
 
@@ -193,37 +211,34 @@ void Canvas::draw_disc(sf::Vector2f center, float radius, sf::Color color) {
 
 // --- The batch -----------------------------------------------------------------------------------
 
-void Canvas::start_strip(sf::Vector2f first, sf::Color color) {
-    if (strip_.empty()) return;
-    strip_.push_back(strip_.back());
-    add(first, color);
+CanvasVertex Canvas::plain(sf::Vector2f position, sf::Color color) const {
+    constexpr float white = Atlas::white;
+    return {position.x, position.y, color.r, color.g, color.b, color.a, white, white};
 }
 
-void Canvas::add(sf::Vector2f position, sf::Color color) {
-    sf::Vertex& vertex = strip_.emplace_back();
-    vertex.position = position;
-    vertex.color = color;
-    vertex.texCoords = atlas_.white();
+/// Room for a strip of `count` vertices, joined to what stands before by triangles without area.
+CanvasVertex* Canvas::start_strip(std::size_t count, sf::Vector2f first) {
+    const std::size_t size = strip_.size();
+    if (size == 0) {
+        strip_.resize(count);
+        return strip_.data();
+    }
+    strip_.resize(size + 2 + count);
+    strip_[size] = strip_[size - 1];
+    strip_[size + 1] = plain(first, sf::Color::Transparent);
+    return strip_.data() + size + 2;
 }
 
 void Canvas::add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color) {
-    const auto corner = [&](float x, float y, float u, float v) {
-        sf::Vertex vertex;
-        vertex.position = {x, y};
-        vertex.color = color;
-        vertex.texCoords = {u, v};
-        return vertex;
+    const auto corner = [color](float x, float y, float u, float v) {
+        return CanvasVertex{x, y, color.r, color.g, color.b, color.a, u, v};
     };
     const float right = patch.left + patch.width, bottom = patch.top + patch.height;
-    const sf::Vertex first = corner(lower.x, lower.y, patch.left, patch.top);
-    if (!strip_.empty()) {
-        strip_.push_back(strip_.back());
-        strip_.push_back(first);
-    }
-    strip_.push_back(first);
-    strip_.push_back(corner(upper.x, lower.y, right, patch.top));
-    strip_.push_back(corner(lower.x, upper.y, patch.left, bottom));
-    strip_.push_back(corner(upper.x, upper.y, right, bottom));
+    CanvasVertex* out = start_strip(4, lower);
+    out[0] = corner(lower.x, lower.y, patch.left, patch.top);
+    out[1] = corner(upper.x, lower.y, right, patch.top);
+    out[2] = corner(lower.x, upper.y, patch.left, bottom);
+    out[3] = corner(upper.x, upper.y, right, bottom);
 }
 
 // --- Text ----------------------------------------------------------------------------------------
@@ -325,19 +340,16 @@ void Canvas::triangles(std::span<const SurfaceVertex> vertices,
                        const ClipRectangle& clip) {
     flush();
     const auto found = textures_.find(texture);
-    const sf::Texture& source = found == textures_.end() ? atlas_.texture() : *found->second;
-    const auto size = source.getSize();
+    const bool plain = found == textures_.end();
+    const sf::Texture& source = plain ? atlas_.texture() : *found->second;
+    const auto wide = static_cast<float>(source.getSize().x);
+    const auto high = static_cast<float>(source.getSize().y);
     layer_.clear();
     for (const std::uint16_t index : indices) {
         if (index >= vertices.size()) return;
-        const SurfaceVertex& from = vertices[index];
-        sf::Vertex& vertex = layer_.emplace_back();
-        vertex.position = {from.x, from.y};
-        vertex.color = {from.r, from.g, from.b, from.a};
-        vertex.texCoords = found == textures_.end()
-                               ? atlas_.white()
-                               : sf::Vector2f{from.u * static_cast<float>(size.x),
-                                              from.v * static_cast<float>(size.y)};
+        const SurfaceVertex& v = vertices[index];
+        layer_.push_back({v.x, v.y, v.r, v.g, v.b, v.a, plain ? Atlas::white : v.u * wide,
+                          plain ? Atlas::white : v.v * high});
     }
     // A view on the clip rectangle alone: nothing beyond its edges is drawn.
     const float left = std::clamp(std::floor(clip.left), 0.0f, width());
@@ -349,9 +361,7 @@ void Canvas::triangles(std::span<const SurfaceVertex> vertices,
     view.setViewport(sfml::rectangle(left / width(), top / height(), (right - left) / width(),
                                      (bottom - top) / height()));
     target_.setView(view);
-    sf::RenderStates states;
-    states.texture = &source;
-    target_.draw(layer_.data(), layer_.size(), sf::PrimitiveType::Triangles, states);
+    draw(layer_, sf::PrimitiveType::Triangles, source);
 }
 
 }  // namespace fettle::app

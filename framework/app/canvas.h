@@ -2,6 +2,7 @@
 // Draws figures, text and a layer's triangles on a window or a picture. Everything but a layer's
 // own textures goes into one batch of triangles with one texture.
 
+#include <array>
 #include <memory>
 #include <span>
 #include <unordered_map>
@@ -16,6 +17,14 @@
 #include "sfml.h"
 
 namespace fettle::app {
+
+/// A vertex as SFML lays it out. SFML's own has constructors that are calls into its library, forty
+/// of them for a bordered box.
+struct CanvasVertex {
+    float x, y;
+    std::uint8_t r, g, b, a;
+    float u, v;  // texels
+};
 
 class Canvas : public property::Painter, public Surface {
   public:
@@ -56,31 +65,34 @@ class Canvas : public property::Painter, public Surface {
   private:
     struct Run;  // of text, ready to be drawn
 
+    void draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType type,
+              const sf::Texture& texture);
     sf::Vector2f pixel(const property::Vec2& position) const;
     float pixels(double length) const;
     bool outside(sf::Vector2f lower, sf::Vector2f upper) const;
     void figure(float rounding, const property::Paint& paint);  // of corners_
     void draw_outline(const property::Paint& paint);
     void draw_disc(sf::Vector2f center, float radius, sf::Color color);
-    void draw_ring(float outer, sf::Color outer_color, float inner, sf::Color inner_color);
-    void draw_inside(float depth, sf::Color color);
+    void draw_rings(bool filled);
     void draw_text(const Run& run, sf::Vector2f baseline, sf::Color color);
     bool lay_out(Run& run, std::string_view text, float size, Face face);
 
-    void start_strip(sf::Vector2f first, sf::Color color);
-    void add(sf::Vector2f position, sf::Color color);
+    CanvasVertex plain(sf::Vector2f position, sf::Color color) const;
+    CanvasVertex* start_strip(std::size_t count, sf::Vector2f first);
     void add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color);
 
     sf::RenderTarget& target_;
     Atlas atlas_{};
     View view_{};
     bool in_pixels_ = false;
-    std::vector<sf::Vertex> strip_{};  // one strip of triangles; figures are joined by empty ones
+    std::vector<CanvasVertex> strip_{};  // one strip of triangles; figures are joined by empty ones
     Outline outline_{};
-    std::vector<sf::Vector2f> corners_{}, outer_{}, inner_{};
+    std::vector<sf::Vector2f> corners_{};
+    std::vector<sf::Vector2f> rings_{};  // of outline_, outermost first, one after another
+    std::array<sf::Color, 4> ring_colors_{};
     std::unordered_map<Texture, std::unique_ptr<sf::Texture>> textures_{};
     Texture next_texture_ = 1;
-    std::vector<sf::Vertex> layer_{};
+    std::vector<CanvasVertex> layer_{};
 };
 
 }  // namespace fettle::app

@@ -13,21 +13,26 @@ namespace fettle::app {
 
 #if defined(__unix__) && !defined(__APPLE__)
 
-bool display_available() {
+namespace {
+
+bool look_for_display() {
     const char* name = std::getenv("DISPLAY");
     if (name == nullptr || *name == '\0') return false;
     // SFML's own library for windows; already loaded, hence not worth a dependency.
     void* x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL);
     if (x11 == nullptr) return false;
     using Open = void* (*)(const char*);
-    using Close = int (*)(void*);
     const auto open = reinterpret_cast<Open>(dlsym(x11, "XOpenDisplay"));
-    const auto close = reinterpret_cast<Close>(dlsym(x11, "XCloseDisplay"));
-    if (open == nullptr || close == nullptr) return false;
-    void* display = open(nullptr);
-    if (display == nullptr) return false;
-    close(display);
-    return true;  // the library stays loaded: SFML is about to use it
+    // The connection stays open as long as the program runs: a server whose last client leaves
+    // starts anew, and would turn away SFML, which comes next.
+    return open != nullptr && open(nullptr) != nullptr;
+}
+
+}  // namespace
+
+bool display_available() {
+    static const bool available = look_for_display();
+    return available;
 }
 
 #else

@@ -52,7 +52,8 @@ void Outline::set(std::span<const Vector> corners, float rounding) {
     float inner = n < 3 ? 0 : std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < n && n > 1; ++i) {
         const Vector edge = corners_[(i + 1) % n] - corners_[i];
-        const Vector normal = Vector{edge.y, -edge.x} / std::hypot(edge.x, edge.y);
+        const Vector normal =
+            Vector{edge.y, -edge.x} / std::sqrt(edge.x * edge.x + edge.y * edge.y);
         normals_.push_back(normal);
         if (n > 2) inner = std::min(inner, dot(corners_[i] - middle, normal));
     }
@@ -88,7 +89,6 @@ void Outline::add_corner(Vector corner, Vector before, Vector after) {
 }
 
 void Outline::ring(float depth, std::vector<Vector>& points) const {
-    points.clear();
     for (const Point& p : points_) {
         // Within the rounding a ring is an arc around the corner; deeper it has a sharp corner.
         if (rounding_ == 0)

@@ -16,7 +16,7 @@ class Outline {
     /// `corners` in pixels, convex, either way round, at least one; `rounding` is a radius around
     /// them in pixels.
     void set(std::span<const sf::Vector2f> corners, float rounding);
-    /// Points at `depth` pixels inside the rim (negative: outside), the same number for any depth.
+    /// Appends `size()` points at `depth` pixels inside the rim (negative: outside).
     void ring(float depth, std::vector<sf::Vector2f>& points) const;
     /// How deep a ring can lie before it would turn inside out.
     float depth_limit() const { return depth_limit_; }

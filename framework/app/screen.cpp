@@ -13,7 +13,10 @@ namespace fettle::app {
 
 namespace {
 
-constexpr unsigned samples = 4;  // of multi-sampling, where the graphics system has it
+// No multi-sampling: figures bring smooth rims of their own, the picture looks the same, and
+// software rendering takes a fifth of the time (10 000 circles at 1280 x 800: 23 ms instead of
+// 135).
+constexpr unsigned samples = 0;
 
 void require_display() {
     if (!display_available())
@@ -62,8 +65,7 @@ class OwnClipboard : public Clipboard {
 class Picture : public Screen {
   public:
     Picture(unsigned width, unsigned height) {
-        if (!sfml::create(target_, width, height, samples) &&
-            !sfml::create(target_, width, height, 0))
+        if (!sfml::create(target_, width, height, samples))
             throw std::runtime_error("a picture of " + std::to_string(width) + " x " +
                                      std::to_string(height) + " pixels cannot be made");
         canvas_ = std::make_unique<Canvas>(target_);
