@@ -8,20 +8,21 @@ say() { printf '%s: %s\n' "${0##*/}" "$*"; }
 complain() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
 
 # with_progress AWK-ARGUMENT...: an awk program over some tool's output that may call
-# progress(WHAT, DONE, ALL) and pass_on(LINE). Progress is a bar on a terminal, elsewhere a plain line every tenth part.
+# progress(WHAT, DONE, ALL[, TEXT]) and pass_on(LINE). Progress is a bar on a terminal, elsewhere a plain line every tenth part.
 with_progress() {
     local terminal=0
     [[ -t 1 ]] && terminal=1
     local program=${*: -1} options=("${@:1:$#-1}")
     awk -v who="${0##*/}" -v terminal="$terminal" "${options[@]}" '
-        function progress(what, done, all,    tenth) {
+        function progress(what, done, all, text,    tenth) {
             tenth = int(10 * done / all)
+            if (text == "") text = done " of " all
             if (terminal) {
-                printf "\r\033[K%s: %s [%s%s] %d of %d", who, what, substr("##########", 1, tenth),
-                    substr("----------", 1, 10 - tenth), done, all
+                printf "\r\033[K%s: %s [%s%s] %s", who, what, substr("##########", 1, tenth),
+                    substr("----------", 1, 10 - tenth), text
                 drawn = 1
             } else if (what != last_what || tenth != last_tenth) {
-                printf "%s: %s, %d of %d\n", who, what, done, all
+                printf "%s: %s, %s\n", who, what, text
             }
             last_what = what
             last_tenth = tenth
@@ -75,8 +76,8 @@ installable() {
 # Reads apt's status lines (KIND:PACKAGE:PERCENT:TEXT).
 apt_progress() {
     with_progress -F: '
-        $1 == "dlstatus" { progress("downloading packages", int($3), 100) }
-        $1 == "pmstatus" { progress("installing packages", int($3), 100) }'
+        $1 == "dlstatus" { progress("downloading packages", int($3), 100, int($3) " %") }
+        $1 == "pmstatus" { progress("installing packages", int($3), 100, int($3) " %") }'
 }
 
 is_root() { [[ $(id -u) == 0 ]]; }
