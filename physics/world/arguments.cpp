@@ -139,16 +139,13 @@ void check(const Geometry& geometry) {
     } else if (const Box* box = std::get_if<Box>(&geometry)) {
         check_range("width", box->width, least_size, greatest_size);
         check_range("height", box->height, least_size, greatest_size);
-        check_range("rounding", box->rounding, 0.0f, 0.5f * min(box->width, box->height));
+        check_range("rounding", box->rounding, 0.0f, greatest_size);
         check_range("angle", box->angle, -greatest_coordinate, greatest_coordinate);
         point("center", box->center);
     } else if (const Segment* segment = std::get_if<Segment>(&geometry)) {
         point("from", segment->from);
         point("to", segment->to);
         check_range("rounding", segment->rounding, 0.0f, greatest_size);
-        if (!((segment->to - segment->from).norm() >= least_size)) {
-            refuse("to", text(segment->to), "a point other than from");
-        }
     } else {
         const Polygon& polygon = std::get<Polygon>(geometry);
         check_range("rounding", polygon.rounding, 0.0f, greatest_size);

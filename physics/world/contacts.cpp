@@ -144,6 +144,25 @@ void WorldData::refilter(uint32_t shape) {
     mark_moved(shape);
 }
 
+/// Until the poses are finished, the states hold the velocities before the step.
+float WorldData::approach_speed(const ContactRecord& c, V2 point) const {
+    const BodyState &a = states[c.body_a], &b = states[c.body_b];
+    const V2 at_a = to_v2(a.velocity) + cross(a.angular_velocity, point - bodies[c.body_a].center);
+    const V2 at_b = to_v2(b.velocity) + cross(b.angular_velocity, point - bodies[c.body_b].center);
+    return max(0.0f, dot(c.manifold.normal, at_a - at_b));
+}
+
+/// Impulse per speed of approach: the effective mass along the normal, 1 / (n·M⁻¹·n), and the
+/// share of the bounce.
+float WorldData::impact_mass(const ContactRecord& c, V2 point) const {
+    const BodyRecord &a = bodies[c.body_a], &b = bodies[c.body_b];
+    const float lever_a = cross(point - a.center, c.manifold.normal);
+    const float lever_b = cross(point - b.center, c.manifold.normal);
+    const float inverse = a.inverse_mass + b.inverse_mass + a.inverse_inertia * lever_a * lever_a +
+                          b.inverse_inertia * lever_b * lever_b;
+    return inverse > 0.0f ? (1.0f + c.restitution) / inverse : 0.0f;
+}
+
 void WorldData::set_touching(uint32_t slot, bool touching) {
     ContactRecord& c = contacts[slot];
     c.touching = touching;
@@ -167,8 +186,10 @@ void WorldData::set_touching(uint32_t slot, bool touching) {
         const Manifold& m = c.manifold;
         V2 middle = m.points[0].anchor_a;
         if (m.count == 2) middle = 0.5f * (m.points[0].anchor_a + m.points[1].anchor_a);
-        sink.contact_begin.push_back(
-            {a, b, body_a, body_b, to_vec2(bodies[c.body_a].center + middle), to_vec2(m.normal)});
+        const V2 point = bodies[c.body_a].center + middle;
+        const float speed = approach_speed(c, point);
+        sink.contact_begin.push_back({a, b, body_a, body_b, to_vec2(point), to_vec2(m.normal),
+                                      speed, speed * impact_mass(c, point)});
     } else {
         sink.contact_end.push_back({a, b, body_a, body_b});
     }

@@ -80,14 +80,28 @@ void WorldData::refresh() {
 
 namespace {
 
+/// What fits into the box. Sides and rounding are set one after the other, in any order: what is
+/// too much for now is kept and limited here rather than refused.
+float fitting_rounding(const Box& box) {
+    return min(box.rounding, 0.5f * min(box.width, box.height));
+}
+
 /// Corners of a box without its rounding; the core never vanishes, so that it stays a polygon.
 void box_corners(const Box& box, V2* out) {
     const float least = min(box.width, box.height) * 1e-3f;
-    const float hx = 0.5f * max(box.width - 2.0f * box.rounding, least);
-    const float hy = 0.5f * max(box.height - 2.0f * box.rounding, least);
+    const float rounding = fitting_rounding(box);
+    const float hx = 0.5f * max(box.width - 2.0f * rounding, least);
+    const float hy = 0.5f * max(box.height - 2.0f * rounding, least);
     const Rotation q = rotation_of(box.angle);
     const V2 corners[4] = {{-hx, -hy}, {hx, -hy}, {hx, hy}, {-hx, hy}};
     for (int i = 0; i < 4; ++i) out[i] = to_v2(box.center) + rotate(q, corners[i]);
+}
+
+/// The ends of a segment are set one after the other too: while they are the same point, it is as
+/// short as one can be.
+V2 apart(V2 to, V2 from) {
+    const float least = 1e-4f + 1e-6f * max(std::fabs(from.x), std::fabs(from.y));
+    return length(to - from) >= least ? to : from + V2{least, 0.0f};
 }
 
 }  // namespace
@@ -106,11 +120,11 @@ void WorldData::refresh_shape(uint32_t shape) {
             break;
         case ShapeType::box:
             box_corners(record.box, local);
-            form.radius = record.box.rounding;
+            form.radius = fitting_rounding(record.box);
             break;
         case ShapeType::segment:
             local[0] = to_v2(record.segment.from);
-            local[1] = to_v2(record.segment.to);
+            local[1] = apart(to_v2(record.segment.to), local[0]);
             form.radius = record.segment.rounding;
             break;
         default:

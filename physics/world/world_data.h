@@ -119,6 +119,8 @@ struct WorldData : Columns {
     void remix_shape(uint32_t shape);
     void narrow_phase();
     bool update_manifold(ContactRecord& contact);
+    float approach_speed(const ContactRecord& contact, V2 point) const;
+    float impact_mass(const ContactRecord& contact, V2 point) const;
     void set_touching(uint32_t contact, bool touching);
     Contact view(const ContactRecord& contact) const;
     template <typename Visit>

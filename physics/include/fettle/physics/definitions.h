@@ -82,9 +82,10 @@ struct Box {
     float height = 1.0f;
     Vec2 center = Vec2::Zero();
     float angle = 0.0f;
-    float rounding = 0.0f;  ///< corner radius, at most half the smaller side
+    float rounding = 0.0f;  ///< corner radius; more than half the smaller side counts as half
 };
 
+/// Ends at the same point make it as short as one can be.
 struct Segment {
     Vec2 from = {-0.5f, 0.0f};
     Vec2 to = {0.5f, 0.0f};

@@ -16,6 +16,8 @@ struct ContactBeginEvent {
     BodyId body_b;
     Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold
     Vec2 normal = Vec2::Zero();  ///< from a to b
+    float speed = 0.0f;          ///< m/s, approach along the normal before the step
+    float impulse = 0.0f;        ///< N s, what it takes to end that approach and to bounce off
 };
 
 struct ContactEndEvent {
