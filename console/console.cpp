@@ -116,9 +116,6 @@ void Console::State::follow_link(std::string_view path, bool insert) {
 // --- The layer
 // ------------------------------------------------------------------------------------------------------
 
-Console::Console(property::Tree& tree, script::Runtime& runtime, Options options)
-    : Console(tree, interpreter_of(runtime), std::move(options)) {}
-
 Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
     : state_(std::make_unique<State>(tree, std::move(interpreter), std::move(options))) {}
 

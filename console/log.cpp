@@ -7,6 +7,21 @@
 
 namespace fettle::console {
 
+namespace {
+
+/// The word at a column counted from 1.
+Span span_at(std::string_view source, std::size_t column) {
+    std::size_t begin = std::min(code_point_offset(source, column - 1), source.size());
+    std::size_t end = begin;
+    for (const Span& span : highlight_command(source))
+        if (span.begin <= begin && begin < span.end) end = span.end;
+    // Of a path only the step in question.
+    end = std::min(end, source.find('.', begin));
+    return {begin, end, Token::plain};
+}
+
+}  // namespace
+
 void Log::push(LineKind kind, std::string text) {
     if (text.size() > max_line_bytes) {
         std::size_t whole = text.size();
@@ -43,7 +58,8 @@ void Log::error(const script::ScriptError& error) {
     if (!error.source_line.empty()) {
         std::string source = clean_text(error.source_line);
         std::replace(source.begin(), source.end(), '\n', ' ');
-        Span span = error_span(source, error.message);
+        Span span = error.column > 0 ? span_at(source, static_cast<std::size_t>(error.column))
+                                     : error_span(source, error.message);
         std::size_t before = code_point_count(std::string_view(source).substr(0, span.begin));
         std::size_t length =
             code_point_count(std::string_view(source).substr(span.begin, span.end - span.begin));

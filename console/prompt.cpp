@@ -43,18 +43,6 @@ bool moves_or_ends(const Key& key) {
 
 }  // namespace
 
-Interpreter interpreter_of(script::Runtime& runtime) {
-    Interpreter interpreter;
-    interpreter.evaluate = [&runtime](std::string_view command) {
-        return runtime.evaluate(command);
-    };
-    interpreter.complete = [&runtime](std::string_view input, std::size_t cursor) {
-        return runtime.complete(input, cursor);
-    };
-    interpreter.set_it = [&runtime](property::Handle instance) { runtime.set_it(instance); };
-    return interpreter;
-}
-
 Prompt::Prompt(Interpreter interpreter, Log& log, History& history, app::Clipboard* clipboard)
     : interpreter_(std::move(interpreter)), log_(log), history_(history), clipboard_(clipboard) {}
 

@@ -336,9 +336,9 @@ void PropertyEditor::list(const Target& target, const Value& value, float width)
     const List& elements = value.list();
     std::string head =
         elements.size() == 1 ? "1 value" : std::to_string(elements.size()) + " values";
-    bool open =
-        ImGui::TreeNodeEx("##list", ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s", head.c_str());
-    if (!open) return;
+    int flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_FramePadding |
+                ImGuiTreeNodeFlags_SpanAvailWidth;
+    if (!ImGui::TreeNodeEx("##list", flags, "%s", head.c_str())) return;
     float row = ImGui::GetFrameHeightWithSpacing();
     auto count = static_cast<int>(elements.size());
     ImGui::BeginChild("elements",

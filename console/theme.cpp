@@ -126,7 +126,8 @@ ImU32 line_color(LineKind kind) {
 ImU32 class_color(std::string_view class_name) {
     std::uint32_t hash = 2166136261u;  // FNV-1a
     for (char c : class_name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-    float hue = std::fmod(static_cast<float>(hash % 64) * 0.61803399f, 1.0f);
+    hash ^= hash >> 15;
+    float hue = std::fmod(static_cast<float>(hash % 997) * 0.61803399f, 1.0f);
     float r = 0, g = 0, b = 0;
     ImGui::ColorConvertHSVtoRGB(hue, 0.5f, 0.92f, r, g, b);
     return ImGui::ColorConvertFloat4ToU32(ImVec4(r, g, b, 1));

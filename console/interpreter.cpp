@@ -1,0 +1,26 @@
+// The console on a Lua runtime: the one place here that needs more of it than its types.
+
+#include <fettle/console/interpreter.h>
+
+#include <utility>
+
+#include <fettle/console/console.h>
+
+namespace fettle::console {
+
+Interpreter interpreter_of(script::Runtime& runtime) {
+    Interpreter interpreter;
+    interpreter.evaluate = [&runtime](std::string_view command) {
+        return runtime.evaluate(command);
+    };
+    interpreter.complete = [&runtime](std::string_view input, std::size_t cursor) {
+        return runtime.complete(input, cursor);
+    };
+    interpreter.set_it = [&runtime](property::Handle instance) { runtime.set_it(instance); };
+    return interpreter;
+}
+
+Console::Console(property::Tree& tree, script::Runtime& runtime, Options options)
+    : Console(tree, interpreter_of(runtime), std::move(options)) {}
+
+}  // namespace fettle::console

@@ -1,0 +1,59 @@
+#pragma once
+// A surface that draws in memory, so that pictures of the console can be looked at and compared
+// without a window.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <vector>
+
+#include <fettle/app/surface.h>
+
+namespace fettle::console::test {
+
+using Pixel = std::array<std::uint8_t, 3>;
+
+class RasterSurface : public app::Surface {
+  public:
+    RasterSurface(unsigned width, unsigned height, Pixel background = {52, 64, 82});
+
+    float width() const override { return static_cast<float>(width_); }
+    float height() const override { return static_cast<float>(height_); }
+    Texture create_texture(unsigned width, unsigned height, const std::uint8_t* rgba) override;
+    void update_texture(Texture texture, unsigned x, unsigned y, unsigned width, unsigned height,
+                        const std::uint8_t* rgba) override;
+    void destroy_texture(Texture texture) override { textures_.erase(texture); }
+    void triangles(std::span<const app::SurfaceVertex> vertices,
+                   std::span<const std::uint16_t> indices, Texture texture,
+                   const app::ClipRectangle& clip) override;
+
+    void clear();
+    Pixel at(unsigned x, unsigned y) const { return pixels_[std::size_t{y} * width_ + x]; }
+    const std::vector<Pixel>& pixels() const { return pixels_; }
+    std::size_t triangle_count() const { return triangle_count_; }
+    std::size_t textures() const { return textures_.size(); }
+    /// Triangles with an index or a texture that does not exist.
+    std::size_t faults() const { return faults_; }
+    /// Binary PPM.
+    void save(const std::filesystem::path& file) const;
+
+  private:
+    struct Image {
+        unsigned width, height;
+        std::vector<std::uint8_t> rgba;
+    };
+    void fill(const app::SurfaceVertex& a, const app::SurfaceVertex& b, const app::SurfaceVertex& c,
+              const Image* image, const app::ClipRectangle& clip);
+
+    unsigned width_, height_;
+    Pixel background_;
+    std::vector<Pixel> pixels_;
+    std::map<Texture, Image> textures_;
+    Texture next_ = 1;
+    std::size_t triangle_count_ = 0;
+    std::size_t faults_ = 0;
+};
+
+}  // namespace fettle::console::test
