@@ -69,17 +69,25 @@ void StateHash::add(const property::Value& value, const property::Tree& tree) {
 }
 
 void StateHash::add_stored_values(const property::Tree& tree) {
-    tree.each_below(tree.root(), [&](property::Handle instance) {
-        add(std::string_view(tree.name(instance)));
-        add(std::string_view(tree.class_of(instance).name()));
+    const auto visit = [&](property::Handle instance) {
+        // Services are not the game's, a console may be there or not; but what a game adds to them
+        // is.
+        const bool service = !tree.class_of(instance).creatable();
+        if (!service) {
+            add(std::string_view(tree.name(instance)));
+            add(std::string_view(tree.class_of(instance).name()));
+        }
         for (const property::Property* property : tree.properties(instance)) {
             const BindingKind kind = property->binding.kind;
-            if (kind != BindingKind::stored && kind != BindingKind::ad_hoc) continue;
-            if (property->transient) continue;
+            const bool kept = kind == BindingKind::ad_hoc ||
+                              (kind == BindingKind::stored && !service && !property->transient);
+            if (!kept) continue;
             add(std::string_view(property->name));
             add(tree.get(instance, *property), tree);
         }
-    });
+    };
+    visit(tree.root());
+    tree.each_below(tree.root(), visit);
 }
 
 }  // namespace fettle::app

@@ -15,7 +15,7 @@ class StateHash {
     void add(std::string_view text);
     void add(const property::Value& value, const property::Tree& tree);
     /// Instances in the order of the tree, with names and classes, and every value that the tree
-    /// itself keeps and saves. What modules keep is theirs to hash.
+    /// itself keeps and saves. What modules keep is theirs to hash; services are left out.
     void add_stored_values(const property::Tree& tree);
     std::uint64_t result() const { return state_; }
 

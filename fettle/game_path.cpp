@@ -1,0 +1,63 @@
+#include "game_path.h"
+
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+fs::path showcase() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (const fs::path& folder : {program / "../share/fettle/scripts/showcase",
+                                   fs::path(FETTLE_SOURCE_DIR "/scripts/showcase")})
+        if (fs::exists(folder / "main.lua", error)) return fs::weakly_canonical(folder);
+    throw FileError("the showcase is missing from the installation; name a game to run");
+}
+
+void require_game(const fs::path& game) {
+    std::error_code error;
+    if (!fs::exists(game, error))
+        throw FileError(game.string() + ": there is no such file or folder");
+    if (fs::is_directory(game, error) && !fs::exists(game / "main.lua", error))
+        throw FileError(game.string() + ": this folder is no game, it has no main.lua");
+}
+
+namespace {
+
+bool has_word(std::string_view text, std::string_view word) {
+    const auto in_word = [&](std::size_t at) {
+        return at < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+    };
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1))
+        if ((at == 0 || !in_word(at - 1)) && !in_word(at + word.size())) return true;
+    return false;
+}
+
+bool file_has_word(const fs::path& file, std::string_view word) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return has_word(text, word);
+}
+
+}  // namespace
+
+bool mentions_quit(const fs::path& game, std::span<const std::string> chunks) {
+    constexpr std::string_view word = "quit";
+    for (const std::string& chunk : chunks)
+        if (has_word(chunk, word)) return true;
+    std::error_code error;
+    if (!fs::is_directory(game, error)) return file_has_word(game, word);
+    for (fs::recursive_directory_iterator it(game, error), end; it != end; it.increment(error)) {
+        if (error) break;
+        if (it->path().extension() == ".lua" && file_has_word(it->path(), word)) return true;
+    }
+    return false;
+}
+
+}  // namespace fettle::program

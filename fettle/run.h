@@ -1,0 +1,33 @@
+#pragma once
+// `fettle run`: plays a game in a window, or headless.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace fettle::program {
+
+struct RunOptions {
+    std::filesystem::path game{};  // empty: the showcase
+    bool headless = false;
+    std::optional<std::int64_t> steps{};
+    std::vector<std::string> evals{};
+    std::vector<std::pair<std::uint64_t, std::string>> at{};  // step, chunk
+    std::uint64_t seed = 0;
+    std::filesystem::path screenshot{};
+    bool hash = false;
+};
+
+/// Adds the subcommand; when it is given, it runs and leaves its exit status in `status`.
+void add_run(CLI::App& app, int& status);
+
+int run(const RunOptions& options);
+
+}  // namespace fettle::program

@@ -1,0 +1,120 @@
+#include "session.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fettle/app/error_screen.h>
+#ifdef FETTLE_WITH_PHYSICS
+#include <fettle/physics_module/physics_module.h>
+#endif
+#ifdef FETTLE_WITH_CONSOLE
+#include <fettle/console/console.h>
+#endif
+
+#include "exit_status.h"
+
+namespace fettle::program {
+
+#ifdef FETTLE_WITH_CONSOLE
+struct Session::ConsoleLayer : console::Console {
+    using Console::Console;
+};
+#else
+struct Session::ConsoleLayer {
+    void print(std::string_view) {}
+    void report(const script::ScriptError&) {}
+};
+#endif
+
+Session::Session(const RunOptions& options, app::Clipboard* clipboard,
+                 std::function<void(const script::ScriptError&)> errors)
+    : options_(options), errors_(std::move(errors)) {
+    attach_modules();
+    services_ = std::make_unique<app::Services>(tree_);
+    tree_.on_handler_error([this](const property::HandlerError& error) {
+        script::ScriptError told;
+        told.message = error.message;
+        told.context = "handler of " + error.path;
+        if (!error.where.empty()) told.context += " (" + error.where + ")";
+        fail(told);
+    });
+    runtime_ = std::make_unique<script::Runtime>(tree_, script::Options{.seed = options.seed});
+    runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
+    runtime_->on_print([this](std::string_view text) {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        std::fputc('\n', stdout);
+        if (!options_.headless) std::fflush(stdout);
+        if (console_) console_->print(text);
+    });
+    loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
+    loop_->on_error([this](const script::ScriptError& error) { fail(error); });
+    loop_->before_step([this](std::uint64_t step) { run_at(step); });
+    for (const auto& module : modules_)
+        loop_->add({.name = std::string(module->name()),
+                    .step = [m = module.get()](double dt) { m->step(dt); },
+                    .report = [this, m = module.get()] { m->report(tree_); },
+                    .hash = [m = module.get()] { return m->hash(); }});
+    make_console(clipboard);
+}
+
+Session::~Session() = default;
+
+void Session::attach_modules() {
+#ifdef FETTLE_WITH_PHYSICS
+    modules_.push_back(std::make_unique<physics_module::PhysicsModule>());
+#endif
+    for (const auto& module : modules_) module->attach(tree_);
+}
+
+void Session::make_console(app::Clipboard* clipboard) {
+    (void)clipboard;
+#ifdef FETTLE_WITH_CONSOLE
+    app::View& view = services_->view;
+    console::Options options{
+        .clipboard = clipboard,
+        .to_world =
+            [&view](float x, float y) {
+                return view.to_world({x, y});
+            },
+        .to_pixels = [&view](property::Vec2 world) { return view.to_screen(world); }};
+    if (!options_.headless) options.history_file = console::default_history_file();
+    console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
+#endif
+}
+
+void Session::add_layer(app::Layer& layer) {
+    loop_->add(layer);
+}
+
+void Session::start() {
+#ifdef FETTLE_WITH_CONSOLE
+    loop_->add(*console_);
+#endif
+    if (!runtime_->load(options_.game)) failed_ = true;
+    for (const std::string& chunk : options_.evals) {
+        if (loop_->stopped() || failed_) return;
+        if (!runtime_->run(chunk, "eval")) failed_ = true;
+    }
+}
+
+void Session::run_at(std::uint64_t step) {
+    for (const auto& [when, chunk] : options_.at)
+        if (when == step && !loop_->stopped())
+            (void)runtime_->run(chunk, "at " + std::to_string(step));
+}
+
+void Session::fail(const script::ScriptError& error) {
+    failed_ = true;
+    std::fflush(stdout);
+    std::fputs(app::error_text(error).c_str(), stderr);
+    if (console_) console_->report(error);
+    loop_->halt();
+    if (errors_) errors_(error);
+}
+
+int Session::exit_status() const {
+    if (failed_) return script_error;
+    return runtime_->quit_status().value_or(success);
+}
+
+}  // namespace fettle::program

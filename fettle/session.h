@@ -1,0 +1,60 @@
+#pragma once
+// A running game: tree, modules, services, scripts, console and loop, put together in this order.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <fettle/app/layer.h>
+#include <fettle/app/loop.h>
+#include <fettle/app/services.h>
+#include <fettle/module/module.h>
+#include <fettle/property/tree.h>
+#include <fettle/script/runtime.h>
+
+#include "run.h"
+
+namespace fettle::program {
+
+class Session {
+  public:
+    /// `clipboard`: of the window, null without one. `errors`: told of every uncaught error, after
+    /// it was written to stderr.
+    Session(const RunOptions& options, app::Clipboard* clipboard,
+            std::function<void(const script::ScriptError&)> errors);
+    ~Session();
+    Session(const Session&) = delete;
+
+    /// Loads the game and runs the chunks of --eval. Throws std::filesystem::filesystem_error when
+    /// it cannot be read.
+    void start();
+
+    app::Loop& loop() { return *loop_; }
+    app::Services& services() { return *services_; }
+    script::Runtime& runtime() { return *runtime_; }
+    /// Puts a layer under the console.
+    void add_layer(app::Layer& layer);
+    /// By errors and quit().
+    int exit_status() const;
+    bool failed() const { return failed_; }
+
+  private:
+    void attach_modules();
+    void make_console(app::Clipboard* clipboard);
+    void run_at(std::uint64_t step);
+    void fail(const script::ScriptError& error);
+
+    const RunOptions& options_;
+    std::function<void(const script::ScriptError&)> errors_;
+    // Modules outlive the tree, which calls them as its instances go.
+    std::vector<std::unique_ptr<module::Module>> modules_;
+    property::Tree tree_;
+    std::unique_ptr<app::Services> services_;
+    std::unique_ptr<script::Runtime> runtime_;
+    std::unique_ptr<app::Loop> loop_;
+    struct ConsoleLayer;
+    std::unique_ptr<ConsoleLayer> console_;
+    bool failed_ = false;
+};
+
+}  // namespace fettle::program
