@@ -134,6 +134,11 @@ void ClassRegistry::add_property(Class& made, Property property) {
     // Whoever gives no way to write a value means it to be read only.
     if (property.binding.kind == BindingKind::accessor && property.binding.set == nullptr)
         property.read_only = true;
+    // What the memory cannot hold must be refused, not wrapped around.
+    if (property.binding.kind == BindingKind::column && property.binding.native == Native::i32) {
+        property.range.min = std::max(property.range.min, -0x1p31);
+        property.range.max = std::min(property.range.max, 0x1p31 - 1);
+    }
     property.interest = 0;
     property.enumerator_values.assign(property.enumerators.begin(), property.enumerators.end());
     check_default(made, property);

@@ -43,7 +43,10 @@ std::vector<std::string> split(std::string_view text) {
         if (text[at] == '[') {
             if (at + 1 >= text.size() || text[at + 1] != '"')
                 fail("a quoted name was expected behind \"[\"");
-            for (at += 2; at < text.size() && text[at] != '"'; ++at) segment += text[at];
+            for (at += 2; at < text.size() && text[at] != '"'; ++at) {
+                if (text[at] == '\\' && at + 1 < text.size()) ++at;
+                segment += text[at];
+            }
             if (text.substr(at, 2) != "\"]") fail("\"]\" was expected");
             at += 2;
         } else {

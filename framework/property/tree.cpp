@@ -119,6 +119,8 @@ void Tree::State::check_child_name(Handle parent, std::string_view name) const {
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) throw Error(ErrorKind::bad_name, "the name of an instance cannot be empty");
     if (!parent) return;
+    if (parent == root && name == "game")
+        throw Error(ErrorKind::bad_name, "\"game\" is the root itself, not a child of it");
     const Class& above = tree.class_of(parent);
     if (above.property(name) != nullptr)
         throw Error(ErrorKind::bad_name, tree.path(parent) + ": a child cannot be called " +

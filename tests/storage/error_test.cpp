@@ -167,7 +167,6 @@ TEST_CASE("a load that fails changes nothing") {
     std::vector<std::string> told;
     const Class& object = w.tree.object_class();
     w.tree.watch_created(object, [&](const Existence& e) { told.push_back("created " + e.path); });
-    w.tree.watch_deleted(object, [&](const Existence& e) { told.push_back("deleted " + e.path); });
     w.tree.on(object, *object.event("ready"),
               [&](const Occurrence& o) { told.push_back("ready " + w.tree.path(o.instance)); });
     const std::string tail =

@@ -54,13 +54,6 @@ bool percent_decoded(std::string_view text, std::string& out) {
     return true;
 }
 
-/// A decimal that is also right for a wider reader: a float property that says 0.1 means the float
-/// nearest to it. Should a value not be a float after all, all its digits are written.
-Precision exact_precision(double number, Precision precision) {
-    return static_cast<double>(static_cast<float>(number)) == number ? precision
-                                                                     : Precision::double_precision;
-}
-
 }  // namespace
 
 // --- Writing -------------------------------------------------------------------------------------
@@ -146,7 +139,6 @@ void ValueWriter::append_number(std::string& out, double number, Precision preci
         if (!declared) out += '}';
         return;
     }
-    precision = exact_precision(number, precision);
     const std::string digits = number_text(number, precision);
     out += digits;
     if (digits.find_first_of(".e") != std::string::npos) return;
