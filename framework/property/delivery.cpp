@@ -72,218 +72,6 @@ Cause Tree::cause() const {
             .step = s.step};
 }
 
-// --- Registering
-// -----------------------------------------------------------------------------------------------------
-
-void Tree::State::count_interest(const Watcher& watcher, int sign) {
-    const auto count = [&](const Property& property) {
-        bool may = false;
-        if (watcher.kind == WatchKind::pattern)
-            may = watcher.pattern->may_match(property.symbol);
-        else
-            may = (!watcher.property || watcher.property == property.symbol) &&
-                  (property.owner == nullptr || property.owner->is_a(*watcher.of) ||
-                   watcher.of->is_a(*property.owner));
-        if (may) property.interest += static_cast<std::uint32_t>(sign);
-    };
-    for (std::uint32_t i = 0; i < classes.size(); ++i)
-        for (const Property& property : classes[i].own_properties_) count(property);
-    for (const auto& [name, property] : ad_hoc_properties) count(*property);
-}
-
-void Tree::State::refresh_shadows_below(std::uint32_t top) {
-    visit_below(top, [this](std::uint32_t i) { shadows.refresh(tree, watchers, nodes.handle(i)); });
-}
-
-void Tree::State::watcher_added(const Watcher& watcher) {
-    if (watcher.index != 0) {
-        nodes[watcher.index].watched = true;
-        shadows.refresh(tree, watchers, nodes.handle(watcher.index));
-    } else if (watcher.broad()) {
-        count_interest(watcher, 1);
-        for (std::uint32_t i = 1; i < nodes.end(); ++i)
-            if (nodes[i].alive) shadows.refresh(tree, watchers, nodes.handle(i));
-    }
-}
-
-void Tree::State::watcher_removed(const Watcher& watcher) {
-    if (watcher.index != 0) {
-        nodes[watcher.index].watched = watchers.any_on(watcher.index);
-        shadows.refresh(tree, watchers, nodes.handle(watcher.index));
-    } else if (watcher.broad()) {
-        count_interest(watcher, -1);
-        for (std::uint32_t i = 1; i < nodes.end(); ++i)
-            if (nodes[i].alive) shadows.refresh(tree, watchers, nodes.handle(i));
-    }
-}
-
-namespace {
-
-template <class Visit>
-void each_instance(Tree::State& state, const Class& of, Visit visit) {
-    for (std::uint32_t i = 1; i < state.nodes.end(); ++i)
-        if (state.nodes[i].alive && state.classes[state.nodes[i].class_id].is_a(of))
-            visit(state.nodes.handle(i));
-}
-
-void queue_initial(Tree::State& state, Handle instance, const Property& property,
-                   WatcherId recipient) {
-    QueueItem item;
-    item.kind = QueueItem::Kind::initial;
-    item.what = Change{.instance = instance,
-                       .property = &property,
-                       .old_value = {},
-                       .new_value = {},
-                       .cause = state.tree.cause()};
-    item.recipients = {recipient};
-    state.queue_item(std::move(item));
-}
-
-}  // namespace
-
-Connection Tree::watch(Handle instance, const Property& property, ChangeHandler handler,
-                       WatchOptions options) {
-    State& s = *state_;
-    s.require(instance);
-    Watcher watcher;
-    watcher.kind = WatchKind::cell;
-    watcher.index = instance.index;
-    watcher.property = property.symbol;
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
-    Connection connection = s.watchers.add(std::move(watcher));
-    if (options.initial) queue_initial(s, instance, property, s.watchers.last_id());
-    return connection;
-}
-
-Connection Tree::watch(Handle instance, std::string_view name, ChangeHandler handler,
-                       WatchOptions options) {
-    return watch(instance, property(instance, name), std::move(handler), std::move(options));
-}
-
-Connection Tree::watch(Handle instance, ChangeHandler handler, WatchOptions options) {
-    State& s = *state_;
-    s.require(instance);
-    Watcher watcher;
-    watcher.kind = WatchKind::instance;
-    watcher.index = instance.index;
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
-    Connection connection = s.watchers.add(std::move(watcher));
-    if (options.initial)
-        for (const Property* property : properties(instance))
-            queue_initial(s, instance, *property, s.watchers.last_id());
-    return connection;
-}
-
-Connection Tree::watch(const Class& of, const Property* property, ChangeHandler handler,
-                       WatchOptions options) {
-    State& s = *state_;
-    Watcher watcher;
-    watcher.kind = WatchKind::of_class;
-    watcher.of = &of;
-    if (property != nullptr) watcher.property = property->symbol;
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
-    Connection connection = s.watchers.add(std::move(watcher));
-    if (options.initial)
-        each_instance(s, of, [&](Handle instance) {
-            for (const Property* p : properties(instance))
-                if (property == nullptr || p->symbol == property->symbol)
-                    queue_initial(s, instance, *p, s.watchers.last_id());
-        });
-    return connection;
-}
-
-Connection Tree::watch_pattern(std::string_view pattern, ChangeHandler handler,
-                               WatchOptions options) {
-    State& s = *state_;
-    Watcher watcher;
-    watcher.kind = WatchKind::pattern;
-    watcher.pattern = std::make_unique<Pattern>(pattern);
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
-    Connection connection = s.watchers.add(std::move(watcher));
-    if (options.initial) {
-        const Pattern matching(pattern);
-        each_instance(s, object_class(), [&](Handle instance) {
-            for (const Property* p : properties(instance))
-                if (matching.matches(*this, instance, *p))
-                    queue_initial(s, instance, *p, s.watchers.last_id());
-        });
-    }
-    return connection;
-}
-
-Connection Tree::watch_created(const Class& of, ExistenceHandler handler, WatchOptions options) {
-    State& s = *state_;
-    Watcher watcher;
-    watcher.kind = WatchKind::created;
-    watcher.of = &of;
-    watcher.on_existence = std::move(handler);
-    watcher.label = std::move(options.label);
-    Connection connection = s.watchers.add(std::move(watcher));
-    if (options.initial)
-        each_instance(s, of, [&](Handle instance) {
-            QueueItem item;
-            item.kind = QueueItem::Kind::created;
-            item.what = Existence{.instance = instance,
-                                  .instance_class = &class_of(instance),
-                                  .path = {},
-                                  .cause = cause(),
-                                  .last_values = {}};
-            item.recipients = {s.watchers.last_id()};
-            s.queue_item(std::move(item));
-        });
-    return connection;
-}
-
-Connection Tree::watch_deleted(const Class& of, ExistenceHandler handler, WatchOptions options) {
-    Watcher watcher;
-    watcher.kind = WatchKind::deleted;
-    watcher.of = &of;
-    watcher.on_existence = std::move(handler);
-    watcher.label = std::move(options.label);
-    return state_->watchers.add(std::move(watcher));
-}
-
-Connection Tree::watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options) {
-    state_->require(instance);
-    Watcher watcher;
-    watcher.kind = WatchKind::deleted;
-    watcher.index = instance.index;
-    watcher.on_existence = std::move(handler);
-    watcher.label = std::move(options.label);
-    return state_->watchers.add(std::move(watcher));
-}
-
-Connection Tree::on(Handle instance, const Event& event, EventHandler handler,
-                    WatchOptions options) {
-    state_->require(instance);
-    Watcher watcher;
-    watcher.kind = WatchKind::event;
-    watcher.index = instance.index;
-    watcher.event = &event;
-    watcher.on_event = std::move(handler);
-    watcher.label = std::move(options.label);
-    return state_->watchers.add(std::move(watcher));
-}
-
-Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
-                    WatchOptions options) {
-    Watcher watcher;
-    watcher.kind = WatchKind::class_event;
-    watcher.of = &of;
-    watcher.event = &event;
-    watcher.on_event = std::move(handler);
-    watcher.label = std::move(options.label);
-    return state_->watchers.add(std::move(watcher));
-}
-
-std::size_t Tree::watcher_count() const {
-    return state_->watchers.size();
-}
-
 // --- Queueing
 // --------------------------------------------------------------------------------------------------------
 
@@ -297,8 +85,8 @@ void Tree::State::queue_change(Handle handle, const Property& property, const Va
                                const Value& new_value, const Cause& cause) {
     const Cell cell{handle.index, property.symbol};
     shadows.update(cell, new_value);
-    const auto [place, fresh] = queued_changes.try_emplace(cell, queue.size());
-    if (!fresh) {
+    const auto [place, first] = queued_changes.try_emplace(cell, queue.size());
+    if (!first) {
         Change& waiting = std::get<Change>(queue[place->second].what);
         if (waiting.instance == handle) {
             waiting.new_value = new_value;
@@ -320,7 +108,9 @@ void Tree::State::queue_change(Handle handle, const Property& property, const Va
 void Tree::State::queue_deletion(Handle handle, const Class& of, const std::string& path) {
     const Cause cause = tree.cause();
     std::vector<WatcherId> keep;
-    const std::vector<WatcherId> watching = watchers.of_deletion(handle.index, of);
+    // Who was never told of the instance is not told of its end; its own watchers knew it.
+    const std::vector<WatcherId> watching =
+        watchers.of_deletion(handle.index, of, nodes[handle.index].fresh);
     if (!watching.empty()) {
         Existence gone{.instance = handle,
                        .instance_class = &of,
@@ -485,6 +275,8 @@ void Tree::barrier() {
     State& s = *state_;
     if (s.in_barrier)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
+    for (const std::uint32_t index : s.fresh) s.nodes[index].fresh = false;
+    s.fresh.clear();
     s.compare_shadows();
     if (s.queue.empty()) return;
 

@@ -38,6 +38,7 @@ struct Node {
     std::uint16_t class_id = 0;
     bool alive = false;
     bool watched = false;     // somebody watches this very instance
+    bool fresh = false;       // made since the last barrier: nobody has been told of it
     bool has_ad_hoc = false;  // looked up only then
     bool named = false;       // the user named it, so that a new parent keeps the name
     bool counts_children = false;

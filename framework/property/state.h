@@ -53,6 +53,7 @@ struct Tree::State {
 
     Watchers watchers;
     Shadows shadows;
+    std::vector<std::uint32_t> fresh;  // slots of instances made since the last barrier
     std::vector<QueueItem> queue;
     std::unordered_map<Cell, std::size_t, CellHash>
         queued_changes;  // cell -> its place in the queue

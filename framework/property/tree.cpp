@@ -139,6 +139,8 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     const std::uint32_t index = nodes.allocate();
     nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
     nodes[index].named = named;
+    nodes[index].fresh = true;
+    fresh.push_back(index);
     nodes.link(index, parent, name);
     const Handle self = nodes.handle(index);
     if (stored[of.id_]) {

@@ -168,10 +168,11 @@ std::vector<WatcherId> Watchers::of_creation(const Class& instance_class, Watche
     return in_order(std::move(ids), until);
 }
 
-std::vector<WatcherId> Watchers::of_deletion(std::uint32_t index,
-                                             const Class& instance_class) const {
+std::vector<WatcherId> Watchers::of_deletion(std::uint32_t index, const Class& instance_class,
+                                             bool only_own) const {
     std::vector<WatcherId> ids;
     append(ids, deleted_on_, index);
+    if (only_own) return in_order(std::move(ids), last_id_);
     for (const WatcherId id : deleted_)
         if (instance_class.is_a(*all_.at(id)->of)) ids.push_back(id);
     return in_order(std::move(ids), last_id_);

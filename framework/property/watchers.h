@@ -71,7 +71,8 @@ class Watchers {
     std::vector<WatcherId> of_change(const Change& change, WatcherId until) const;
     std::vector<WatcherId> of_event(Handle instance, const Event& event, WatcherId until) const;
     std::vector<WatcherId> of_creation(const Class& instance_class, WatcherId until) const;
-    std::vector<WatcherId> of_deletion(std::uint32_t index, const Class& instance_class) const;
+    std::vector<WatcherId> of_deletion(std::uint32_t index, const Class& instance_class,
+                                       bool only_own) const;
 
     /// Whether any pattern or class watcher wants this property of this instance.
     bool broadly_watched(Handle instance, const Property& property) const;

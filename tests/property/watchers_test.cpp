@@ -288,3 +288,17 @@ TEST_CASE("a connection outlives its tree") {
     CHECK_FALSE(connection.active());
     connection.stop();
 }
+
+TEST_CASE_METHOD(Fixture, "what comes and goes between two barriers is told to nobody but its own watchers") {
+    tree.barrier();
+    tree.watch_created(*module.type, [&](const Existence&) { log.push_back("created"); });
+    tree.watch_deleted(*module.type, [&](const Existence&) { log.push_back("deleted"); });
+    const Handle brief = tree.create(*module.type, world, "brief");
+    tree.watch_deleted(brief, [&](const Existence& e) { log.push_back("own " + e.path); });
+    tree.destroy(brief);
+    tree.barrier();
+    CHECK(log == Log{"own world.brief"});
+    tree.destroy(ball);
+    tree.barrier();
+    CHECK(log == Log{"own world.brief", "deleted"});
+}
