@@ -59,13 +59,18 @@ double angle_of(double y, double x) {
     const double large = ax > ay ? ax : ay;
     const double small = ax > ay ? ay : ax;
     if (!(large > 0.0)) return 0.0;
-    // atan t = π/8 + atan((t - tan π/8) / (1 + t tan π/8)) brings 0 … 1 into the range of the
-    // series.
+    // atan t = atan c + atan((t - c) / (1 + t c)) brings 0 … 1 into the range of the series, with
+    // tan π/8 or tan π/4 as c.
     constexpr double tan_eighth = 0.41421356237309504880;
     const double t = small / large;
-    double angle = t > 0.19891236737965800691
-                       ? half_pi / 4 + arc_tangent_series((t - tan_eighth) / (1.0 + t * tan_eighth))
-                       : arc_tangent_series(t);
+    double angle = 0.0;
+    if (t <= 0.19891236737965800691) {
+        angle = arc_tangent_series(t);
+    } else if (t <= 0.66817863791929891999) {
+        angle = half_pi / 4 + arc_tangent_series((t - tan_eighth) / (1.0 + t * tan_eighth));
+    } else {
+        angle = half_pi / 2 + arc_tangent_series((t - 1.0) / (1.0 + t));
+    }
     if (ay > ax) angle = half_pi - angle;
     if (x < 0.0) angle = 2.0 * half_pi - angle;
     return y < 0.0 ? -angle : angle;

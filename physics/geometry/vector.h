@@ -69,6 +69,17 @@ inline float clamp(float v, float low, float high) {
     return v < low ? low : (v > high ? high : v);
 }
 
+/// Infinities to the limit, NaN to zero: whatever forces and masses multiply to, the state stays
+/// finite.
+inline float bounded(float v, float limit) {
+    if (v > limit) return limit;
+    if (v < -limit) return -limit;
+    return v == v ? v : 0.0f;
+}
+inline V2 bounded(V2 v, float limit) {
+    return {bounded(v.x, limit), bounded(v.y, limit)};
+}
+
 /// A rotation as cosine and sine.
 struct Rotation {
     float c = 1.0f;

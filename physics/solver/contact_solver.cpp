@@ -42,26 +42,25 @@ struct Pair {
     }
 };
 
-/// Normal impulse that a point still needs. Biased: soft where it overlaps. Apart: it may just
-/// close the gap.
-template <bool biased>
-inline float normal_impulse(ConstraintPoint& p, float separation, float velocity,
-                            const Softness& soft, float inverse_h, float push_speed) {
-    float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;
-    if (separation > 0.0f) {
-        bias = separation * inverse_h;
-    } else if constexpr (biased) {
-        bias = max(soft.bias_rate * separation, -push_speed);
-        mass_scale = soft.mass_scale;
-        impulse_scale = soft.impulse_scale;
+/// Total normal impulse that a point should have. Biased: soft where it overlaps. Apart: it may
+/// just close the gap.
+struct NormalRow {
+    float bias = 0.0f;
+    float mass = 0.0f;
+    float kept;  ///< what softness leaves of the impulse so far
+
+    template <bool biased>
+    static NormalRow make(const ConstraintPoint& p, float separation, const Softness& soft,
+                          float inverse_h, float push_speed) {
+        if (separation > 0.0f) return {separation * inverse_h, p.normal_mass, p.normal_impulse};
+        if constexpr (biased) {
+            return {max(soft.bias_rate * separation, -push_speed), p.normal_mass * soft.mass_scale,
+                    (1.0f - soft.impulse_scale) * p.normal_impulse};
+        }
+        return {0.0f, p.normal_mass, p.normal_impulse};
     }
-    const float wanted =
-        -p.normal_mass * mass_scale * (velocity + bias) - impulse_scale * p.normal_impulse;
-    const float total = max(p.normal_impulse + wanted, 0.0f);
-    const float impulse = total - p.normal_impulse;
-    p.normal_impulse = total;
-    return impulse;
-}
+    float total(float velocity) const { return max(kept - mass * (velocity + bias), 0.0f); }
+};
 
 template <bool biased>
 inline void solve_normals(ContactConstraint& c, const SolverBody& a, const SolverBody& b,
@@ -73,16 +72,24 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
     const float s1 = p.separation + shift + (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
     const float v1 = approach + (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
     if (c.count == 1) {
-        const float impulse = normal_impulse<biased>(p, s1, v1, soft, inverse_h, push_speed);
+        const float total = NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed).total(v1);
+        const float impulse = total - p.normal_impulse;
+        p.normal_impulse = total;
         pair.apply(n, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
         return;
     }
     ConstraintPoint& q = c.points[1];
     const float s2 = q.separation + shift + (q.normal_lever_b * b.turn - q.normal_lever_a * a.turn);
     const float v2 = approach + (q.normal_lever_b * pair.wb - q.normal_lever_a * pair.wa);
-    const float i1 = normal_impulse<biased>(p, s1, v1, soft, inverse_h, push_speed);
-    const float i2 =
-        normal_impulse<biased>(q, s2, v2 + c.coupling_normal * i1, soft, inverse_h, push_speed);
+    const NormalRow row1 = NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed);
+    const NormalRow row2 = NormalRow::make<biased>(q, s2, soft, inverse_h, push_speed);
+    const float old1 = p.normal_impulse, old2 = q.normal_impulse;
+    const float first1 = row1.total(v1), first2 = row2.total(v2);
+    const float second1 = row1.total(v1 + c.coupling_normal * (first2 - old2));
+    const float second2 = row2.total(v2 + c.coupling_normal * (first1 - old1));
+    p.normal_impulse = 0.5f * (first1 + second1);
+    q.normal_impulse = 0.5f * (first2 + second2);
+    const float i1 = p.normal_impulse - old1, i2 = q.normal_impulse - old2;
     pair.apply(n, i1 + i2, p.normal_lever_a * i1 + q.normal_lever_a * i2,
                p.normal_lever_b * i1 + q.normal_lever_b * i2);
 }

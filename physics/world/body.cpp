@@ -39,6 +39,15 @@ void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle)
     data.mark_placement(body);
 }
 
+/// An impulse at the center of mass and an angular one. What does not move is not kicked.
+void kick(const BodyRecord& record, BodyState& state, V2 impulse, float angular_impulse) {
+    if (record.mobility != Mobility::dynamic) return;
+    const V2 velocity = to_v2(state.velocity) + record.inverse_mass * impulse;
+    const float angular = state.angular_velocity + record.inverse_inertia * angular_impulse;
+    state.velocity = to_vec2(bounded(velocity, 1e30f));
+    state.angular_velocity = bounded(angular, 1e30f);
+}
+
 }  // namespace
 
 // The body of every method that needs a live body: `data`, and its records.
@@ -179,7 +188,7 @@ void Body::apply_impulse(const Vec2& impulse) {
     check_finite("impulse", impulse);
     data.refresh_mass(id_.index);
     data.wake_body(id_.index);
-    state.velocity += record.inverse_mass * impulse;
+    kick(record, state, to_v2(impulse), 0.0f);
 }
 
 void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
@@ -188,9 +197,7 @@ void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
     check_finite("world_point", world_point);
     data.refresh_mass(id_.index);
     data.wake_body(id_.index);
-    state.velocity += record.inverse_mass * impulse;
-    state.angular_velocity +=
-        record.inverse_inertia * cross(to_v2(world_point) - record.center, to_v2(impulse));
+    kick(record, state, to_v2(impulse), cross(to_v2(world_point) - record.center, to_v2(impulse)));
 }
 
 void Body::apply_angular_impulse(float impulse) {
@@ -198,7 +205,7 @@ void Body::apply_angular_impulse(float impulse) {
     check_finite("impulse", impulse);
     data.refresh_mass(id_.index);
     data.wake_body(id_.index);
-    state.angular_velocity += record.inverse_inertia * impulse;
+    kick(record, state, {}, impulse);
 }
 
 float Body::gravity_scale() const {

@@ -218,7 +218,7 @@ void WorldData::refresh_mass(uint32_t body) {
     record.center = to_v2(state.position) + rotate({state.cosine, state.sine}, record.local_center);
     // The body goes on as it moved: only the point whose velocity is kept is another one.
     const V2 drift = cross(state.angular_velocity, record.center - old_center);
-    states[body].velocity += to_vec2(drift);
+    states[body].velocity = to_vec2(bounded(to_v2(state.velocity) + drift, 1e30f));
     mark_placement(body);
     update_mobility(body);
     const bool moves = record.mobility == Mobility::dynamic;

@@ -98,6 +98,7 @@ void WorldData::wake_body(uint32_t body) {
     for (uint32_t member : members) {
         bodies[member].island = none;
         bodies[member].sleep_time = 0.0f;
+        bodies[member].never_awake = false;
         add_awake(member);
         event_sink().woke.push_back(body_id(member));
     }

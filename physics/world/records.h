@@ -43,6 +43,7 @@ struct BodyRecord {
     bool locked_x = false, locked_y = false, locked_rotation = false;
     bool can_sleep = true;
     bool bullet = false;
+    bool never_awake = false;  ///< made asleep: gets its shapes without waking
 
     bool mass_dirty = false;
     bool placement_dirty =

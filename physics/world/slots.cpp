@@ -100,11 +100,12 @@ uint32_t WorldData::create_body(const BodyDef& def) {
         state.angular_velocity = def.angular_velocity;
         if (!def.awake && settings.sleeping) {
             // No sleep event for what was never awake: straight into an island of its own.
-            const bool was_stepping = stepping;
             const uint32_t only[1] = {slot};
             put_to_sleep(only);
             event_sink().slept.pop_back();
-            stepping = was_stepping;
+            record.never_awake = true;
+            state.velocity = def.velocity;  // kept until it wakes
+            state.angular_velocity = def.angular_velocity;
         }
     }
     return slot;
@@ -200,7 +201,7 @@ void WorldData::destroy_shape(uint32_t shape) {
 
 void WorldData::attach_shape(uint32_t shape, uint32_t body) {
     if (forms[shape].body != none) detach_shape(shape);
-    wake_for_edit(body);
+    if (!bodies[body].never_awake) wake_for_edit(body);
     ShapeRecord& record = shapes[shape];
     BodyRecord& owner = bodies[body];
     forms[shape].body = body;

@@ -26,14 +26,6 @@ class StageClock {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Infinities to the limit, NaN to zero: whatever forces and masses multiply to, the state stays
-/// finite.
-float bounded(float v, float limit) {
-    if (v > limit) return limit;
-    if (v < -limit) return -limit;
-    return v == v ? v : 0.0f;
-}
-
 void integrate_velocities(std::vector<SolverBody>& bodies, const std::vector<SolverForce>& forces,
                           float h) {
     const float turn_limit = greatest_turn / h;

@@ -13,7 +13,7 @@ struct QueryFilter {
     uint64_t mask =
         ~uint64_t{0};      ///< what it looks for: one of a shape's category bits must be in here
     bool sensors = false;  ///< see sensors too
-    std::function<bool(const Shape&)> accept;  ///< empty: all
+    std::function<bool(const Shape&)> accept = {};  ///< empty: all
 };
 
 struct RayHit {

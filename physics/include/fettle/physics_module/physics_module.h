@@ -1,0 +1,50 @@
+#pragma once
+// Physics in the property tree: worlds, bodies, shapes and joints are instances whose properties
+// are read from and written to the memory the physics library computes with.
+// docs/design/hosting-physics.md tells how.
+
+#include <memory>
+
+#include <fettle/module/module.h>
+#include <fettle/physics/world.h>
+
+namespace fettle::physics_module {
+
+class Hosting;
+
+/// Registers the classes World, Body, Shape (Circle, Box, Segment, Capsule, Polygon) and Joint
+/// (MouseJoint), creates `game.world`, and steps every world that hangs below the root.
+class PhysicsModule : public module::Module {
+  public:
+    PhysicsModule();
+    ~PhysicsModule() override;
+    PhysicsModule(const PhysicsModule&) = delete;
+    PhysicsModule& operator=(const PhysicsModule&) = delete;
+
+    std::string_view name() const override { return "physics"; }
+    /// Throws std::logic_error when it was attached before.
+    void attach(property::Tree& tree) override;
+    void step(double dt) override;
+    void report(property::Tree& tree) override;
+    /// That of the world when there is one, else the worlds' combined in the order they were made.
+    std::uint64_t hash() const override;
+
+    // From an instance to what it stands for, for C++ that wants to go on without the tree. What is
+    // returned is good until the instance is deleted or moved to another world. Throws
+    // property::Error for a deleted instance or one of another class.
+
+    /// The world of a World instance; of a body, shape or anything else below one: the world it is
+    /// in.
+    physics::World& world(property::Handle instance);
+    physics::Body body(property::Handle instance);
+    physics::Shape shape(property::Handle instance);
+
+    /// And back; the null handle for what no instance stands for (a world's border).
+    property::Handle handle(const physics::Body& body) const;
+    property::Handle handle(const physics::Shape& shape) const;
+
+  private:
+    std::unique_ptr<Hosting> hosting_;
+};
+
+}  // namespace fettle::physics_module

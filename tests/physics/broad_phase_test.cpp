@@ -1,0 +1,97 @@
+#include <broad_phase/pair_set.h>
+#include <broad_phase/tree.h>
+#include <geometry/trigonometry.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include "catch.h"
+
+using namespace fettle::physics::detail;
+
+TEST_CASE("the pair set agrees with a map through random insertions and deletions") {
+    std::mt19937 random(3);
+    PairSet set;
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> model;
+    for (int i = 0; i < 20000; ++i) {
+        const uint32_t a = random() % 60, b = 60 + random() % 60;
+        const auto key = std::make_pair(a, b);
+        if (model.count(key) && random() % 2 == 0) {
+            set.erase(b, a);
+            model.erase(key);
+        } else if (!model.count(key)) {
+            set.insert(a, b, uint32_t(i));
+            model[key] = uint32_t(i);
+        }
+        REQUIRE(set.size() == model.size());
+    }
+    for (uint32_t a = 0; a < 60; ++a) {
+        for (uint32_t b = 60; b < 120; ++b) {
+            const auto it = model.find({a, b});
+            REQUIRE(set.find(a, b) == (it == model.end() ? PairSet::absent : it->second));
+            REQUIRE(set.find(b, a) == set.find(a, b));
+        }
+    }
+}
+
+TEST_CASE("the tree finds the same boxes as brute force while they come and move and go") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-20.0f, 20.0f), size(0.1f, 2.0f);
+    auto random_box = [&] {
+        const V2 low = {place(random), place(random)};
+        return Box4{low, {low.x + size(random), low.y + size(random)}};
+    };
+    Tree tree;
+    std::map<uint32_t, std::pair<int32_t, Box4>> model;
+    for (uint32_t i = 0; i < 3000; ++i) {
+        const uint32_t action = random() % 5;
+        if (action < 2 || model.empty()) {
+            const Box4 box = random_box();
+            model[i] = {tree.insert(box, i), box};
+        } else {
+            auto it = std::next(model.begin(), std::ptrdiff_t(random() % model.size()));
+            if (action == 2) {
+                tree.remove(it->second.first);
+                model.erase(it);
+            } else {
+                it->second.second = random_box();
+                tree.move(it->second.first, it->second.second);
+            }
+        }
+        if (i % 50 != 0) continue;
+        REQUIRE(tree.is_consistent());
+        const Box4 query = random_box();
+        std::set<uint32_t> found, expected;
+        tree.query(query, [&](uint32_t item) { REQUIRE(found.insert(item).second); });
+        for (const auto& [item, entry] : model) {
+            if (overlap(entry.second, query)) expected.insert(item);
+        }
+        REQUIRE(found == expected);
+    }
+}
+
+TEST_CASE("a tree of boxes in a row is shallow") {
+    Tree tree;
+    for (uint32_t i = 0; i < 4096; ++i) {
+        const float x = float(i);
+        tree.insert({{x, 0.0f}, {x + 1.0f, 1.0f}}, i);
+    }
+    REQUIRE(tree.height() < 40);
+}
+
+TEST_CASE("our own sine and cosine and arc tangent agree with the library's") {
+    double worst = 0.0;
+    for (int i = -100000; i <= 100000; ++i) {
+        const double angle = i * 0.0007;
+        const Rotation q = rotation_of(angle);
+        worst = std::max({worst, std::fabs(double(q.s) - std::sin(angle)),
+                          std::fabs(double(q.c) - std::cos(angle))});
+        const double y = std::sin(angle) * 3.0, x = std::cos(angle) * 3.0;
+        worst = std::max(worst, std::fabs(angle_of(y, x) - std::atan2(y, x)));
+    }
+    REQUIRE(worst < 1e-7);
+    REQUIRE(angle_of(0.0, 0.0) == 0.0);
+    REQUIRE(rotation_of(INFINITY).c == 1.0f);
+}

@@ -1,0 +1,78 @@
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+namespace {
+
+void fill(World& world) {
+    for (int i = 0; i < 12; ++i) {
+        for (int k = 0; k < 12; ++k) {
+            const Vec2 at = {float(i) * 0.9f - 5.0f, 1.0f + float(k) * 0.9f};
+            Body body = world.create_body({.position = at, .angle = float(i * k)});
+            if ((i + k) % 3 == 0)
+                body.add(Circle{.radius = 0.4f}, {.restitution = 0.3f});
+            else if ((i + k) % 3 == 1)
+                body.add(Box{.width = 0.8f, .height = 0.6f});
+            else
+                body.add(Polygon{.vertices = {{-0.4f, -0.4f}, {0.5f, -0.2f}, {0, 0.5f}}});
+        }
+    }
+}
+
+/// A busy scene with edits and deletions on the way; the hash after every step.
+std::vector<uint64_t> history(int steps) {
+    World world({.bounds = Aabb{{-6, 0}, {6, 30}}});
+    fill(world);
+    std::vector<uint64_t> hashes;
+    for (int i = 0; i < steps; ++i) {
+        auto bodies = world.bodies();
+        if (i % 50 == 20) bodies[size_t(i) % bodies.size()].destroy();
+        if (i % 50 == 30) world.create_body({.position = {0, 20}}).add(Circle{});
+        if (i % 50 == 40) bodies[3].set_velocity({3, 10});
+        world.step(frame);
+        hashes.push_back(world.hash());
+    }
+    REQUIRE_FALSE(world.validate());
+    return hashes;
+}
+
+}  // namespace
+
+TEST_CASE("the same inputs make the same hash in every step") {
+    REQUIRE(history(400) == history(400));
+}
+
+TEST_CASE("a copied world goes on as the original does bit for bit") {
+    World world({.bounds = Aabb{{-6, 0}, {6, 30}}});
+    fill(world);
+    run(world, 1.0f);
+    const World snapshot = world;
+    run(world, 4.0f);
+    const uint64_t expected = world.hash();
+    World copy = snapshot;
+    run(copy, 4.0f);
+    REQUIRE(copy.hash() == expected);
+    world = snapshot;
+    run(world, 4.0f);
+    REQUIRE(world.hash() == expected);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("the hash sees the smallest change") {
+    World a, b;
+    Body x = add_ball(a, {1, 2}), y = add_ball(b, {1, 2});
+    REQUIRE(a.hash() == b.hash());
+    y.set_position({1, std::nextafter(2.0f, 3.0f)});
+    REQUIRE(a.hash() != b.hash());
+    REQUIRE(x.position() == Vec2(1, 2));
+}
+
+TEST_CASE("two worlds do not know each other") {
+    World a, b({.gravity = {0, 0}});
+    Body x = add_ball(a, {0, 0}), y = add_ball(b, {0, 0});
+    run(a, 1.0f);
+    run(b, 1.0f);
+    REQUIRE(x.position().y() < -1.0f);
+    REQUIRE(y.position() == Vec2(0, 0));
+}

@@ -1,0 +1,147 @@
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+TEST_CASE("a contact begins once and ends once") {
+    World world;
+    Body floor = add_floor(world);
+    Body ball = add_ball(world, {0, 1.5f}, 0.5f);
+    int begun = 0, ended = 0;
+    auto count = [&] {
+        begun += int(world.events().contact_begin.size());
+        ended += int(world.events().contact_end.size());
+    };
+    for (int i = 0; i < 120; ++i) {
+        world.step(frame);
+        for (const auto& e : world.events().contact_begin) {
+            REQUIRE((e.body_a == floor.id() || e.body_b == floor.id()));
+            REQUIRE((e.body_a == ball.id() || e.body_b == ball.id()));
+            REQUIRE(e.point.y() == Approx(0.0f).margin(0.03));
+            REQUIRE(std::fabs(e.normal.y()) == Approx(1.0f));
+        }
+        count();
+    }
+    REQUIRE(begun == 1);
+    REQUIRE(ended == 0);
+    REQUIRE(ball.is_touching());
+    ball.set_velocity({0, 5});
+    for (int i = 0; i < 10; ++i) {
+        world.step(frame);
+        count();
+    }
+    REQUIRE(begun == 1);
+    REQUIRE(ended == 1);
+    REQUIRE_FALSE(ball.is_touching());
+}
+
+TEST_CASE("a bounce that is over within a step begins and ends too") {
+    World world({.gravity = {0, 0}});
+    add_floor(world, 50.0f, {.restitution = 1.0f});
+    Body ball = add_ball(world, {0, 3}, 0.5f, {.restitution = 1.0f});
+    ball.set_velocity({0, -7});
+    int begun = 0, ended = 0;
+    for (int i = 0; i < 60; ++i) {
+        world.step(frame);
+        begun += int(world.events().contact_begin.size());
+        ended += int(world.events().contact_end.size());
+    }
+    REQUIRE(ball.velocity().y() > 6.0f);
+    REQUIRE(begun == 1);
+    REQUIRE(ended == 1);
+}
+
+TEST_CASE("a hit reports its speed and impulse and point to who asked") {
+    World world({.gravity = {0, 0}});
+    add_floor(world);
+    Body ball = add_ball(world, {0, 2}, 0.5f, {.hit_events = true});
+    Body quiet = add_ball(world, {5, 2}, 0.5f);
+    ball.set_velocity({0, -4});
+    quiet.set_velocity({0, -4});
+    std::vector<ContactHitEvent> hits;
+    for (int i = 0; i < 60; ++i) {
+        world.step(frame);
+        for (const auto& e : world.events().contact_hit) hits.push_back(e);
+    }
+    REQUIRE(hits.size() == 1);
+    REQUIRE(hits[0].speed == Approx(4.0f).epsilon(0.01));
+    REQUIRE(hits[0].impulse == Approx(4.0f * ball.mass()).epsilon(0.05));
+    REQUIRE(hits[0].point.x() == Approx(0.0f).margin(0.01));
+    world.set_hit_threshold(10.0f);
+    ball.set_position({0, 2});
+    ball.set_velocity({0, -4});
+    for (int i = 0; i < 60; ++i) {
+        world.step(frame);
+        REQUIRE(world.events().contact_hit.empty());
+    }
+}
+
+TEST_CASE("falling asleep and waking are told") {
+    World world;
+    add_floor(world);
+    Body box = add_box(world, {0, 0.5f});
+    int slept = 0;
+    for (int i = 0; i < 180; ++i) {
+        world.step(frame);
+        for (BodyId id : world.events().slept) slept += id == box.id();
+    }
+    REQUIRE(slept == 1);
+    box.set_awake(true);
+    world.step(frame);
+    REQUIRE(world.events().woke == std::vector<BodyId>{box.id()});
+    world.step(frame);
+    REQUIRE(world.events().woke.empty());
+}
+
+TEST_CASE("a sensor tells who enters and who leaves and pushes nobody") {
+    World world;
+    Body zone = world.create_body({.type = BodyType::static_body});
+    Shape sensor = zone.add(Box{.width = 4, .height = 2}, {.sensor = true});
+    Body ball = add_ball(world, {0, 4});
+    int entered = 0, left = 0;
+    for (int i = 0; i < 120; ++i) {
+        world.step(frame);
+        for (const auto& e : world.events().sensor_begin) {
+            REQUIRE(e.sensor == sensor.id());
+            REQUIRE(e.visitor_body == ball.id());
+            ++entered;
+        }
+        left += int(world.events().sensor_end.size());
+        REQUIRE(world.events().contact_begin.empty());
+    }
+    REQUIRE(entered == 1);
+    REQUIRE(left == 1);
+    REQUIRE(ball.velocity().y() == Approx(-20.0f).epsilon(1e-3));
+}
+
+TEST_CASE("destroying a touching body ends its contacts with a dangling id") {
+    World world;
+    Body floor = add_floor(world);
+    Body box = add_box(world, {0, 0.5f});
+    run(world, 0.5f);
+    const BodyId id = box.id();
+    REQUIRE(floor.is_touching());
+    box.destroy();
+    REQUIRE_FALSE(floor.is_touching());
+    world.step(frame);
+    REQUIRE(world.events().contact_end.size() == 1);
+    const auto& e = world.events().contact_end[0];
+    REQUIRE((e.body_a == id || e.body_b == id));
+    REQUIRE_FALSE(world.is_valid(id));
+}
+
+TEST_CASE("the contacts of a resting body carry its weight asleep too") {
+    World world;
+    add_floor(world);
+    Body box = add_box(world, {0, 0.5f}, 1.0f, {.density = 3.0f});
+    run(world, 3.0f);
+    REQUIRE_FALSE(box.awake());
+    const auto contacts = box.contacts();
+    REQUIRE(contacts.size() == 1);
+    REQUIRE(contacts[0].point_count == 2);
+    REQUIRE(contacts[0].normal_force == Approx(30.0f).epsilon(0.02));
+    for (int k = 0; k < 2; ++k) {
+        REQUIRE(std::fabs(contacts[0].points[size_t(k)].point.x()) == Approx(0.5f).margin(0.01));
+        REQUIRE(contacts[0].points[size_t(k)].point.y() == Approx(0.0f).margin(0.01));
+    }
+}

@@ -1,0 +1,224 @@
+#include <limits>
+#include <random>
+
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
+
+TEST_CASE("values without meaning are refused by name and change nothing") {
+    World world;
+    Body body = add_box(world, {1, 2});
+    Shape shape = body.shapes()[0];
+    REQUIRE_THROWS_WITH(body.set_position({not_a_number, 0}), contains("position"));
+    REQUIRE_THROWS_WITH(body.set_position({infinity, 0}), contains("position"));
+    REQUIRE_THROWS_WITH(body.set_angle(not_a_number), contains("angle"));
+    REQUIRE_THROWS_WITH(body.set_velocity({0, not_a_number}), contains("velocity"));
+    REQUIRE_THROWS_WITH(body.set_linear_damping(-1), contains("linear_damping = -1"));
+    REQUIRE_THROWS_WITH(body.set_mass(0.0f), contains("mass"));
+    REQUIRE_THROWS_WITH(body.set_mass(not_a_number), contains("mass"));
+    REQUIRE_THROWS_WITH(body.set_inertia(-2.0f), contains("inertia"));
+    REQUIRE_THROWS_WITH(body.set_force({not_a_number, not_a_number}), contains("force"));
+    REQUIRE_THROWS_WITH(shape.set_width(0), contains("width"));
+    REQUIRE_THROWS_WITH(shape.set_rounding(-2), contains("rounding"));
+    REQUIRE_THROWS_WITH(shape.set_friction(-1), contains("friction"));
+    REQUIRE_THROWS_WITH(shape.set_restitution(1.5f), contains("restitution"));
+    REQUIRE_THROWS_WITH(shape.set_density(infinity), contains("density"));
+    REQUIRE_THROWS_WITH(shape.set_radius(1), contains("a box has no such property"));
+    REQUIRE_THROWS_WITH(world.set_gravity({0, not_a_number}), contains("gravity"));
+    REQUIRE_THROWS_WITH(world.set_substeps(0), contains("substeps"));
+    REQUIRE_THROWS_WITH(world.set_bounds(Aabb{{1, 0}, {0, 1}}), contains("bounds"));
+    REQUIRE_THROWS_WITH(world.create_body({.linear_damping = not_a_number}),
+                        contains("linear_damping"));
+    REQUIRE_THROWS_WITH(body.add(Circle{.radius = -1}), contains("radius"));
+    REQUIRE_THROWS_WITH(body.add(Polygon{.vertices = {{0, 0}, {1, 1}, {2, 2}}}),
+                        contains("one line"));
+    REQUIRE(body.position() == Vec2(1, 2));
+    REQUIRE(body.mass() == Approx(1.0f));
+    REQUIRE(body.shape_count() == 1);
+    REQUIRE(world.body_count() == 1);
+    REQUIRE(world.shape_count() == 1);
+}
+
+TEST_CASE("vertices on a line are refused and the polygon stays as it was") {
+    World world;
+    Body body = world.create_body();
+    Shape shape = body.add(Polygon{.vertices = {{0, 0}, {1, 0}, {0, 1}}});
+    const std::vector<Vec2> line = {{0, 0}, {1, 1}, {2, 2}};
+    REQUIRE(shape.try_set_vertices(line) == HullStatus::collinear);
+    REQUIRE_THROWS_WITH(shape.set_vertices(line), contains("one line"));
+    REQUIRE(shape.vertices().size() == 3);
+    REQUIRE(shape.area() == Approx(0.5f));
+}
+
+TEST_CASE("a handle to what was destroyed is told apart from what came into its place") {
+    World world;
+    Body a = add_box(world, {0, 0});
+    Shape shape = a.shapes()[0];
+    a.destroy();
+    Body b = add_box(world, {5, 5});
+    REQUIRE(b.index() == a.index());
+    REQUIRE_FALSE(a.is_valid());
+    REQUIRE_FALSE(shape.is_valid());
+    REQUIRE_THROWS_WITH(a.position(), contains("does not exist any more"));
+    REQUIRE_THROWS(a.destroy());
+    REQUIRE_THROWS(shape.attach(b));
+    REQUIRE_THROWS_WITH(Body().position(), contains("names no body"));
+    REQUIRE(b.position() == Vec2(5, 5));
+}
+
+TEST_CASE("a step of no or negative or unbounded time does nothing") {
+    World world;
+    Body ball = add_ball(world, {0, 5});
+    for (float dt : {0.0f, -1.0f, not_a_number, infinity}) world.step(dt);
+    REQUIRE(ball.position() == Vec2(0, 5));
+    world.step(1e6f);
+    world.step(1e-30f);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("extreme but finite values never make the state anything but finite") {
+    World world({.bounds = Aabb{{-50, -50}, {50, 50}}});
+    add_floor(world);
+    const std::vector<float> extremes = {1e-30f, 1e-6f, 1e6f, 1e20f, 3e38f, -3e38f};
+    std::vector<Body> bodies;
+    for (size_t i = 0; i < extremes.size(); ++i) {
+        for (size_t k = 0; k < extremes.size(); ++k) {
+            Body body = add_box(world, {float(i) * 2, 1 + float(k) * 2});
+            body.set_velocity({extremes[i], extremes[k]});
+            body.set_angular_velocity(extremes[k]);
+            body.set_force({extremes[k], extremes[i]});
+            body.set_torque(extremes[i]);
+            body.set_gravity_scale(extremes[k]);
+            body.shapes()[0].set_density(std::fabs(extremes[i]));
+            body.shapes()[0].set_friction(std::fabs(extremes[k]));
+            body.set_linear_damping(std::fabs(extremes[k]));
+            body.apply_impulse({extremes[i], extremes[i]}, {extremes[k], 0});
+            bodies.push_back(body);
+        }
+    }
+    world.set_gravity({3e38f, -3e38f});
+    for (int i = 0; i < 100; ++i) {
+        world.step(frame);
+        const auto fault = world.validate();
+        INFO(fault.value_or(""));
+        REQUIRE_FALSE(fault);
+    }
+}
+
+TEST_CASE("shapes of extreme sizes meet without harm") {
+    World world;
+    Body giant = world.create_body({.position = {0, -1e6f}});
+    giant.add(Circle{.radius = 999999.0f}, {.density = 1e-3f});
+    Body speck = world.create_body({.position = {0, 5}});
+    speck.add(Circle{.radius = 1e-5f}, {.density = 1e9f});
+    Body sliver = world.create_body({.position = {1, 5}});
+    sliver.add(Box{.width = 1e6f, .height = 1e-5f});
+    Body far = world.create_body({.position = {1e8f, -1e8f}});
+    far.add(Box{});
+    for (int i = 0; i < 60; ++i) world.step(frame);
+    const auto fault = world.validate();
+    INFO(fault.value_or(""));
+    REQUIRE_FALSE(fault);
+}
+
+TEST_CASE("many bodies in the very same place part without harm") {
+    World world;
+    add_floor(world);
+    for (int i = 0; i < 30; ++i) {
+        if (i % 2 == 0)
+            add_ball(world, {0, 1});
+        else
+            add_box(world, {0, 1});
+    }
+    run(world, 3.0f);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("bodies and shapes die anywhere in random sequences and the world stays consistent") {
+    std::mt19937 random(11);
+    auto pick = [&](auto& list) { return list[size_t(random()) % list.size()]; };
+    World world({.bounds = Aabb{{-8, 0}, {8, 30}}});
+    add_floor(world, 5.0f);
+    for (int i = 0; i < 1500; ++i) {
+        auto bodies = world.bodies();
+        auto shapes = world.shapes();
+        const float x = float(random() % 1000) / 100.0f - 5.0f,
+                    y = float(random() % 1000) / 100.0f + 1.0f;
+        switch (random() % 18) {
+            case 0:
+            case 1:
+            case 2:
+                add_box(world, {x, y}, 0.5f + float(random() % 10) * 0.1f);
+                break;
+            case 3:
+            case 4:
+                add_ball(world, {x, y}, 0.3f, {.restitution = 0.5f, .hit_events = true});
+                break;
+            case 5:
+                if (bodies.size() > 25) pick(bodies).destroy();
+                break;
+            case 6:
+                if (shapes.size() > 20) pick(shapes).destroy();
+                break;
+            case 7:
+                if (!shapes.empty()) pick(shapes).detach();
+                break;
+            case 8:
+                if (!shapes.empty() && !bodies.empty()) pick(shapes).attach(pick(bodies));
+                break;
+            case 9:
+                if (!bodies.empty()) pick(bodies).set_type(BodyType(random() % 3));
+                break;
+            case 10:
+                if (!bodies.empty()) pick(bodies).set_position({x, y});
+                break;
+            case 11:
+                if (!shapes.empty()) pick(shapes).set_sensor(random() % 2 == 0);
+                break;
+            case 12:
+                if (!shapes.empty()) pick(shapes).set_mask(random() % 2 == 0 ? ~0ull : 0);
+                break;
+            case 13:
+                if (!bodies.empty()) pick(bodies).set_awake(random() % 2 == 0);
+                break;
+            case 14:
+                if (!bodies.empty()) {
+                    pick(bodies).set_mass(random() % 2 == 0 ? std::optional<float>(infinity)
+                                                            : std::nullopt);
+                }
+                break;
+            case 15:
+                if (!shapes.empty()) {
+                    pick(shapes).set_geometry(
+                        Polygon{.vertices = {{-0.5f, 0}, {0.5f, -0.3f}, {x * 0.1f, 0.8f}}});
+                }
+                break;
+            case 16:
+                if (!bodies.empty())
+                    world.create_mouse_joint({.body = pick(bodies).id(), .target = {x, y}});
+                break;
+            case 17: {
+                auto joints = world.joints();
+                if (!joints.empty()) pick(joints).destroy();
+                break;
+            }
+        }
+        for (uint32_t n = random() % 4; n > 0; --n) world.step(frame);
+        const auto fault = world.validate();
+        INFO("after edit " << i << ": " << fault.value_or(""));
+        REQUIRE_FALSE(fault);
+    }
+    world.clear();
+    REQUIRE(world.body_count() == 0);
+    REQUIRE(world.shape_count() == 0);
+    REQUIRE(world.joint_count() == 0);
+    REQUIRE_FALSE(world.validate());
+    world.step(frame);
+}

@@ -1,0 +1,86 @@
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+TEST_CASE("a mouse drags a body to its target and follows it") {
+    World world({.gravity = {0, 0}});
+    Body box = add_box(world, {0, 0});
+    MouseJoint mouse = world.create_mouse_joint({.body = box.id(), .target = {0, 0}});
+    mouse.set_target({3, 4});
+    run(world, 2.0f);
+    REQUIRE((box.position() - Vec2(3, 4)).norm() < 0.02f);
+    mouse.destroy();
+    REQUIRE_FALSE(mouse.is_valid());
+    REQUIRE(world.joint_count() == 0);
+}
+
+TEST_CASE("a mouse that grips beside the center hangs the body from there") {
+    World world;
+    Body box = world.create_body({.position = {0, 5}, .angular_damping = 3.0f});
+    box.add(Box{.width = 2, .height = 0.4f});
+    MouseJoint mouse = world.create_mouse_joint({.body = box.id(), .target = {0.8f, 5}});
+    REQUIRE(mouse.anchor().x() == Approx(0.8f));
+    run(world, 6.0f);
+    // The center of mass hangs below the grip.
+    REQUIRE(box.position().x() == Approx(0.8f).margin(0.1));
+    REQUIRE(box.position().y() < 4.5f);
+    REQUIRE(mouse.force().y() == Approx(10.0f * box.mass()).epsilon(0.05));
+}
+
+TEST_CASE("a weak mouse cannot lift a heavy body and a strong one can") {
+    World world;
+    add_floor(world);
+    Body box = add_box(world, {0, 0.5f}, 1.0f, {.density = 10.0f});
+    MouseJoint mouse =
+        world.create_mouse_joint({.body = box.id(), .target = {0, 0.5f}, .max_force = 50.0f});
+    mouse.set_target({0, 5});
+    run(world, 2.0f);
+    REQUIRE(box.position().y() < 0.6f);
+    mouse.set_max_force(500.0f);
+    run(world, 2.0f);
+    REQUIRE(box.position().y() > 4.0f);
+    mouse.set_enabled(false);
+    run(world, 2.0f);
+    REQUIRE(box.position().y() < 0.6f);
+}
+
+TEST_CASE("every property of a mouse is live and wakes its sleeping body") {
+    World world;
+    add_floor(world);
+    Body box = add_box(world, {0, 0.5f}), other = add_box(world, {5, 0.5f});
+    MouseJoint mouse = world.create_mouse_joint({.body = box.id(), .target = {0, 0.5f}});
+    auto settle = [&] {
+        for (int i = 0; i < 600 && (box.awake() || other.awake()); ++i) world.step(frame);
+        REQUIRE_FALSE(box.awake());
+    };
+    settle();
+    mouse.set_hertz(2.0f);
+    REQUIRE(box.awake());
+    REQUIRE(mouse.hertz() == 2.0f);
+    settle();
+    mouse.set_damping_ratio(1.0f);
+    REQUIRE(box.awake());
+    settle();
+    mouse.set_anchor({0.1f, 0});
+    REQUIRE(box.awake());
+    settle();
+    mouse.set_body(other);
+    REQUIRE(box.awake());
+    REQUIRE(other.awake());
+    run(world, 3.0f);
+    REQUIRE(other.position().x() < 4.0f);
+    REQUIRE(mouse.body() == other);
+}
+
+TEST_CASE("the joints of a body die with it") {
+    World world;
+    Body box = add_box(world, {0, 0});
+    MouseJoint a = world.create_mouse_joint({.body = box.id()});
+    MouseJoint b = world.create_mouse_joint({.body = box.id()});
+    box.destroy();
+    REQUIRE_FALSE(a.is_valid());
+    REQUIRE_FALSE(b.is_valid());
+    REQUIRE_THROWS_WITH(a.target(), contains("joint"));
+    world.step(frame);
+}

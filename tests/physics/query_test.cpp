@@ -1,0 +1,132 @@
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+TEST_CASE("a point query finds the shapes under the point") {
+    World world;
+    Body box = world.create_body({.position = {2, 0}, .angle = 0.785398f});
+    Shape shape = box.add(Box{.width = 2, .height = 2});
+    REQUIRE(world.query_point({2, 1.3f}) == std::vector<Shape>{shape});
+    REQUIRE(world.query_point({2.9f, 0.9f}).empty());
+    Body ball = add_ball(world, {2, 1}, 1.0f);
+    REQUIRE(world.query_point({2, 1}).size() == 2);
+    REQUIRE(world.query_point({2, 1.9f}) == ball.shapes());
+}
+
+TEST_CASE("queries are right at once after a teleport and after an edit and after a deletion") {
+    World world;
+    Body ball = add_ball(world, {0, 0});
+    world.step(frame);
+    ball.set_position({40, 7});
+    REQUIRE(world.query_point({0, 0}).empty());
+    REQUIRE(world.query_point({40, 7}).size() == 1);
+    ball.shapes()[0].set_radius(5.0f);
+    REQUIRE(world.query_point({44, 7}).size() == 1);
+    REQUIRE(world.cast_ray({40, 20}, {40, 0})->point.y() == Approx(12.0f));
+    ball.destroy();
+    REQUIRE(world.query_point({40, 7}).empty());
+    REQUIRE_FALSE(world.cast_ray({40, 20}, {40, 0}));
+}
+
+TEST_CASE("a ray stops at the nearest surface with its outward normal") {
+    World world;
+    Body wall = world.create_body({.type = BodyType::static_body, .position = {5, 0}});
+    Shape near = wall.add(Box{.width = 1, .height = 4});
+    Body ball = add_ball(world, {10, 0}, 1.0f);
+    const auto hit = world.cast_ray({0, 0.5f}, {20, 0.5f});
+    REQUIRE(hit);
+    REQUIRE(hit->shape == near);
+    REQUIRE(hit->point.x() == Approx(4.5f));
+    REQUIRE(hit->normal == Vec2(-1, 0));
+    REQUIRE(hit->fraction == Approx(4.5f / 20.0f));
+    const auto all = world.cast_ray_all({0, 0.5f}, {20, 0.5f});
+    REQUIRE(all.size() == 2);
+    REQUIRE(all[1].shape == ball.shapes()[0]);
+    REQUIRE(all[1].point.x() == Approx(10.0f - std::sqrt(0.75f)));
+    REQUIRE(all[1].normal.norm() == Approx(1.0f));
+    REQUIRE_FALSE(world.cast_ray({0, 3}, {20, 3}));
+    REQUIRE_FALSE(world.cast_ray({0, 0.5f}, {4, 0.5f}));
+}
+
+TEST_CASE("a ray hits every kind of shape where it is") {
+    World world;
+    auto first_x = [&](Body body) {
+        const auto hit = world.cast_ray({-10, 0.05f}, {10, 0.05f});
+        REQUIRE(hit);
+        REQUIRE(hit->shape.body() == body);
+        const float x = hit->point.x();
+        body.destroy();
+        return x;
+    };
+    Body a = world.create_body();
+    a.add(Segment{.from = {0, -1}, .to = {0, 1}});
+    REQUIRE(first_x(a) == Approx(0.0f).margin(1e-6));
+    Body b = world.create_body();
+    b.add(Segment{.from = {0, -1}, .to = {0, 1}, .rounding = 0.25f});
+    REQUIRE(first_x(b) == Approx(-0.25f));
+    Body c = world.create_body();
+    c.add(Polygon{.vertices = {{0, -1}, {2, 0.05f}, {0, 1}, {-2, 0.05f}}});
+    REQUIRE(first_x(c) == Approx(-2.0f).margin(1e-4));
+    Body d = world.create_body();
+    d.add(Box{.rounding = 0.5f});
+    REQUIRE(first_x(d) == Approx(-std::sqrt(0.25f - 0.0025f)).margin(2e-3));
+}
+
+TEST_CASE("an AABB query finds what overlaps the box and not what only its own box does") {
+    World world;
+    Body diamond = world.create_body({.angle = 0.785398f});
+    Shape shape = diamond.add(Box{.width = 2, .height = 2});
+    REQUIRE(world.query_aabb({{-0.1f, -0.1f}, {0.1f, 0.1f}}) == std::vector<Shape>{shape});
+    REQUIRE(world.query_aabb({{1.2f, 1.2f}, {1.4f, 1.4f}}).empty());
+    REQUIRE(world.query_aabb({{-9, -9}, {9, 9}}).size() == 1);
+    add_ball(world, {5, 0}, 1.0f);
+    REQUIRE(world.query_aabb({{5.9f, -0.1f}, {7, 0.1f}}).size() == 1);
+    REQUIRE(world.query_aabb({{5.8f, 0.8f}, {7, 2}}).empty());
+}
+
+TEST_CASE("queries see what their filter lets them") {
+    World world;
+    Body a = add_ball(world, {0, 0}, 1.0f, {.category = 2});
+    Body b = add_ball(world, {0, 0}, 1.0f, {.category = 4, .mask = 8});
+    Body c = add_ball(world, {0, 0}, 1.0f, {.sensor = true});
+    REQUIRE(world.query_point({0, 0}).size() == 2);
+    REQUIRE(world.query_point({0, 0}, {.mask = 2}) == a.shapes());
+    REQUIRE(world.query_point({0, 0}, {.category = 8, .mask = 4}) == b.shapes());
+    REQUIRE(world.query_point({0, 0}, {.category = 1, .mask = 4}).empty());
+    REQUIRE(world.query_point({0, 0}, {.sensors = true}).size() == 3);
+    const auto only_c = world.query_point(
+        {0, 0}, {.sensors = true, .accept = [&](const Shape& s) { return s.body() == c; }});
+    REQUIRE(only_c == c.shapes());
+}
+
+TEST_CASE("a ray agrees with brute force over many random shapes") {
+    World world;
+    std::vector<Body> balls;
+    uint32_t seed = 1;
+    auto random = [&seed] {
+        seed = seed * 1664525u + 1013904223u;
+        return float(seed >> 8) / 16777216.0f;
+    };
+    for (int i = 0; i < 300; ++i) {
+        balls.push_back(
+            world.create_body({.position = {random() * 100 - 50, random() * 100 - 50}}));
+        balls.back().add(Circle{.radius = 0.2f + random()});
+    }
+    for (int i = 0; i < 200; ++i) {
+        const Vec2 from = {random() * 120 - 60, random() * 120 - 60},
+                   to = {random() * 120 - 60, random() * 120 - 60};
+        float nearest = 2.0f;
+        for (Body ball : balls) {
+            const Vec2 d = to - from, m = from - ball.position();
+            const float r = ball.shapes()[0].radius();
+            const float b = m.dot(d), c = m.squaredNorm() - r * r, a = d.squaredNorm();
+            if (c < 0 || b * b - a * c < 0) continue;
+            const float t = (-b - std::sqrt(b * b - a * c)) / a;
+            if (t >= 0 && t <= 1) nearest = std::min(nearest, t);
+        }
+        const auto hit = world.cast_ray(from, to);
+        REQUIRE(bool(hit) == (nearest <= 1.0f));
+        if (hit) REQUIRE(hit->fraction == Approx(nearest).margin(1e-4));
+    }
+}

@@ -1,0 +1,91 @@
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+TEST_CASE("a box on a slope sticks below and slides above the angle of friction") {
+    const float mu = 0.5f, limit = std::atan(mu);
+    for (float difference : {-0.03f, 0.03f}) {
+        World world;
+        Slope slope = add_slope(world, limit + difference, mu);
+        run(world, 1.0f);  // settle
+        const Vec2 start = slope.box.position();
+        run(world, 3.0f);
+        const float travelled = (slope.box.position() - start).dot(slope.down);
+        if (difference < 0.0f)
+            REQUIRE(std::fabs(travelled) < 0.01f);
+        else
+            REQUIRE(travelled > 1.0f);
+    }
+}
+
+TEST_CASE("a sliding box accelerates by the gravity that friction leaves") {
+    World world;
+    const float angle = 0.6f, mu = 0.3f;
+    Slope slope = add_slope(world, angle, mu);
+    run(world, 0.5f);
+    const float before = slope.box.velocity().dot(slope.down);
+    run(world, 2.0f);
+    const float measured = (slope.box.velocity().dot(slope.down) - before) / 2.0f;
+    const float expected = 10.0f * (std::sin(angle) - mu * std::cos(angle));
+    REQUIRE(measured == Approx(expected).epsilon(0.01));
+}
+
+TEST_CASE("a circle rolls down a slope at two thirds of the sliding acceleration") {
+    World world;
+    const float angle = 0.3f;
+    Body ground = world.create_body({.type = BodyType::static_body, .angle = angle});
+    ground.add(Box{.width = 400, .height = 1});
+    const Vec2 normal = {-std::sin(angle), std::cos(angle)};
+    Body ball = add_ball(world, normal * 1.0f);
+    run(world, 0.5f);
+    const Vec2 down = {-std::cos(angle), -std::sin(angle)};
+    const float before = ball.velocity().dot(down);
+    run(world, 2.0f);
+    const float measured = (ball.velocity().dot(down) - before) / 2.0f;
+    REQUIRE(measured == Approx(10.0f * std::sin(angle) * 2.0f / 3.0f).epsilon(0.01));
+    // Without slipping: turning speed times radius is the speed. Down is to the left, so it turns
+    // counter-clockwise.
+    REQUIRE(ball.angular_velocity() * 0.5f == Approx(ball.velocity().norm()).epsilon(0.01));
+}
+
+TEST_CASE("rolling resistance stops a rolling ball and none lets it roll") {
+    World world;
+    add_floor(world, 200.0f);
+    Body free = add_ball(world, {0, 0.5f});
+    Body braked = add_ball(world, {0, 0.5f}, 0.5f, {.rolling_resistance = 0.1f});
+    free.shapes()[0].set_mask(1);
+    braked.shapes()[0].set_group(-1);
+    free.shapes()[0].set_group(-1);
+    for (Body ball : {free, braked}) {
+        ball.set_velocity({3, 0});
+        ball.set_angular_velocity(-6);
+    }
+    run(world, 5.0f);
+    REQUIRE(free.velocity().x() == Approx(3.0f).margin(0.1));
+    REQUIRE(std::fabs(braked.velocity().x()) < 0.05f);
+    REQUIRE(braked.position().x() > 0.5f);
+}
+
+TEST_CASE("a conveyor takes a box along its surface") {
+    World world;
+    Body floor = add_floor(world);
+    // Counter-clockwise round the shape: to the left along its top.
+    floor.shapes()[0].set_surface_speed(2.0f);
+    Body box = add_box(world, {0, 0.5f});
+    run(world, 3.0f);
+    REQUIRE(box.velocity().x() == Approx(-2.0f).margin(0.02));
+    floor.shapes()[0].set_surface_speed(-2.0f);
+    run(world, 3.0f);
+    REQUIRE(box.velocity().x() == Approx(2.0f).margin(0.02));
+}
+
+TEST_CASE("friction mixes by the geometric mean and restitution by the greater") {
+    World world;
+    add_floor(world, 50.0f, {.friction = 0.4f, .restitution = 0.1f});
+    Body box = add_box(world, {0, 0.5f}, 1.0f, {.friction = 0.9f, .restitution = 0.3f});
+    run(world, 0.1f);
+    REQUIRE(box.contacts().size() == 1);
+    REQUIRE(box.contacts()[0].friction == Approx(0.6f));
+    REQUIRE(box.contacts()[0].restitution == Approx(0.3f));
+}
