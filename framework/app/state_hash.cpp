@@ -69,7 +69,7 @@ void StateHash::add(const property::Value& value, const property::Tree& tree) {
 }
 
 void StateHash::add_stored_values(const property::Tree& tree) {
-    const auto visit = [&](property::Handle instance) {
+    tree.each_below(tree.root(), [&](property::Handle instance) {
         // Services are not the game's, a console may be there or not; but what a game adds to them
         // is.
         const bool service = !tree.class_of(instance).creatable();
@@ -85,9 +85,7 @@ void StateHash::add_stored_values(const property::Tree& tree) {
             add(std::string_view(property->name));
             add(tree.get(instance, *property), tree);
         }
-    };
-    visit(tree.root());
-    tree.each_below(tree.root(), visit);
+    });
 }
 
 }  // namespace fettle::app

@@ -22,10 +22,10 @@ class Screen;
 
 /// What the loop asks of a module.
 struct SteppedModule {
-    std::string name;
-    std::function<void(double dt)> step;
-    std::function<void()> report;
-    std::function<std::uint64_t()> hash;
+    std::string name{};
+    std::function<void(double dt)> step{};
+    std::function<void()> report{};  // optional, as is the next
+    std::function<std::uint64_t()> hash{};
 };
 
 class Loop {

@@ -1,0 +1,325 @@
+#include <catch.h>
+
+#include <fettle/app/error_screen.h>
+#include <fettle/app/layer.h>
+
+#include "game.h"
+
+namespace fettle::app {
+
+namespace {
+
+using property::Vec2;
+
+constexpr std::string_view listener = R"(
+    function key_pressed(key) print("+" .. key) end
+    function key_released(key) print("-" .. key) end
+    function mouse_pressed(button, world, screen)
+        print(("+%s %g,%g %g,%g"):format(button, world.x, world.y, screen.x, screen.y))
+    end
+    function mouse_released(button) print("-" .. button) end
+    function mouse_moved(world, screen) print(("to %g,%g %g,%g"):format(world.x, world.y, screen.x, screen.y)) end
+    function wheel(delta, world) print("wheel " .. delta) end
+    function text_input(text) print("text " .. text) end
+    function resized(width, height) print(("resized %g %g"):format(width, height)) end
+    function focus(gained) print("focus " .. tostring(gained)) end
+    function closing() print("closing") end
+    function gamepad_pressed(gamepad, button) print("pad " .. gamepad .. " +" .. button) end
+    function gamepad_released(gamepad, button) print("pad " .. gamepad .. " -" .. button) end
+    function gamepad_axis(gamepad, axis, value) print("pad " .. gamepad .. " " .. axis .. " " .. value) end
+)";
+
+/// Takes every event while it is on.
+struct Curtain : Layer {
+    bool on = true;
+    std::vector<EventKind> seen;
+    bool handle(const InputEvent& event) override {
+        seen.push_back(event.kind);
+        return on;
+    }
+    void draw(Surface&, double) override {}
+};
+
+InputEvent event(EventKind kind) {
+    InputEvent e;
+    e.kind = kind;
+    return e;
+}
+
+}  // namespace
+
+TEST_CASE("a key is a property while it is held and a callback when it changes") {
+    Game game(listener);
+    game.press("space");
+    CHECK(game.get("input.keys.space").boolean());
+    game.loop.frame(tick);
+    CHECK(game.heard() == "+space");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "");
+    game.release("space");
+    CHECK_FALSE(game.get("input.keys.space").boolean());
+    game.loop.frame(tick);
+    CHECK(game.heard() == "-space");
+}
+
+TEST_CASE("a key held down is one press however often it repeats") {
+    Game game(listener);
+    game.press("a");
+    game.press("a", true);
+    game.loop.frame(tick);
+    game.press("a", true);
+    game.press("a");  // a driver that does not tell repetitions apart
+    game.loop.frame(tick);
+    CHECK(game.heard() == "+a");
+}
+
+TEST_CASE("a key pressed and released between two frames is not lost") {
+    Game game(listener);
+    game.press("a");
+    game.release("a");
+    game.press("a");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "+a -a +a");
+}
+
+TEST_CASE("every key has a property of its own name") {
+    Game game;
+    for (const std::string_view name : key_names()) {
+        game.press(std::string(name));
+        INFO(name);
+        CHECK(game.services.input.key(name));
+        CHECK(game.get("input.keys[\"" + std::string(name) + "\"]").boolean());
+    }
+    game.press("no such key");
+    CHECK_FALSE(game.services.input.key("no such key"));
+}
+
+TEST_CASE("watchers of a key are told at the next barrier") {
+    Game game(R"(input.keys:watch("space", function(new) print("space", new) end))");
+    game.press("space");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "space\ttrue");
+}
+
+TEST_CASE("a script that sets a key has pressed it") {
+    Game game(listener);
+    game.runtime.run("input.keys.space = true", "test");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "+space");
+}
+
+TEST_CASE("a script that moves and presses the mouse is heard like the mouse") {
+    Game game(listener);
+    game.runtime.run("input.mouse.world = vec(2, 1); input.mouse.left = true", "test");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "to 2,1 720,360 +left 2,1 720,360");
+    CHECK(game.get("input.mouse.screen").vec2() == Vec2(720, 360));
+}
+
+TEST_CASE("the mouse is known in world and screen units") {
+    Game game(listener);
+    game.mouse(EventKind::mouse_moved, 640, 400);
+    CHECK(game.get("input.mouse.world").vec2() == Vec2(0, 0));
+    game.mouse(EventKind::mouse_pressed, 680, 360, "left");
+    CHECK(game.get("input.mouse.left").boolean());
+    CHECK(game.get("input.mouse.world").vec2() == Vec2(1, 1));
+    game.loop.frame(tick);
+    CHECK(game.heard() == "to 1,1 680,360 +left 1,1 680,360");
+    game.set("view.center", Vec2(10, 0));
+    CHECK(game.get("input.mouse.world").vec2() == Vec2(11, 1));
+}
+
+TEST_CASE("watchers of the mouse in the world follow the view although the game is paused") {
+    Game game(R"(
+        time.paused = true
+        input.mouse:watch("world", function(new) print(new.x) end)
+    )");
+    game.mouse(EventKind::mouse_moved, 640, 400);
+    game.loop.frame(tick);
+    game.heard();
+    game.set("view.center", Vec2(10, 0));
+    game.loop.frame(tick);
+    CHECK(game.heard() == "10.0");
+}
+
+TEST_CASE("moves between two presses are one move") {
+    Game game(listener);
+    for (int i = 0; i < 100; ++i)
+        game.mouse(EventKind::mouse_moved, 640, 400 - static_cast<float>(i));
+    game.mouse(EventKind::mouse_pressed, 640, 360, "left");
+    game.mouse(EventKind::mouse_moved, 680, 360);
+    game.mouse(EventKind::mouse_released, 680, 360, "left");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "to 0,1 640,360 +left 0,1 640,360 to 1,1 680,360 -left");
+}
+
+TEST_CASE("the wheel counts the notches of a frame") {
+    Game game(listener);
+    InputEvent notch = event(EventKind::wheel);
+    notch.delta = 1;
+    game.loop.handle(notch);
+    game.loop.handle(notch);
+    CHECK(game.get("input.mouse.wheel").number() == 2);
+    game.loop.frame(tick);
+    CHECK(game.heard().find("wheel 1.0 wheel 1.0") != std::string::npos);
+    CHECK(game.get("input.mouse.wheel").number() == 0);
+}
+
+TEST_CASE("losing the focus lets go of everything held") {
+    Game game(listener);
+    game.press("left");
+    game.mouse(EventKind::mouse_pressed, 640, 400, "right");
+    game.loop.frame(tick);
+    game.heard();
+    game.loop.handle(event(EventKind::focus));
+    game.loop.frame(tick);
+    CHECK(game.heard() == "-left -right focus false");
+    CHECK_FALSE(game.get("input.keys.left").boolean());
+    CHECK_FALSE(game.get("input.mouse.right").boolean());
+}
+
+TEST_CASE("typed text arrives as text") {
+    Game game(listener);
+    InputEvent typed = event(EventKind::text);
+    for (const char32_t c : U"ä€😀") {
+        if (c == 0) break;
+        typed.character = c;
+        game.loop.handle(typed);
+    }
+    game.loop.frame(tick);
+    CHECK(game.heard() == "text ä text € text 😀");
+}
+
+TEST_CASE("a new size of the window is seen by the view") {
+    Game game(listener);
+    InputEvent size = event(EventKind::resized);
+    size.x = 1000;
+    size.y = 500;
+    game.loop.handle(size);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "resized 1000 500");
+    CHECK(game.get("view.screen").vec2() == Vec2(1000, 500));
+    CHECK(game.get("view.width").number() == 40);
+}
+
+TEST_CASE("closing is told to the game and to the loop") {
+    Game game(listener);
+    game.loop.handle(event(EventKind::closing));
+    CHECK(game.loop.closing());
+    game.loop.frame(tick);
+    CHECK(game.heard() == "closing");
+}
+
+TEST_CASE("what a layer takes does not reach the game") {
+    Game game(listener);
+    Curtain curtain;
+    game.loop.add(curtain);
+    game.press("a");
+    game.mouse(EventKind::mouse_pressed, 1, 1, "left");
+    game.mouse(EventKind::mouse_moved, 640, 400);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "");
+    CHECK_FALSE(game.get("input.keys.a").boolean());
+    CHECK_FALSE(game.get("input.mouse.left").boolean());
+    CHECK(game.get("input.mouse.screen").vec2() == Vec2(640, 400));  // it is there all the same
+    CHECK(curtain.seen.size() == 3);
+}
+
+TEST_CASE("a key held when a layer opens is let go of when it is released") {
+    Game game(listener);
+    Curtain curtain;
+    curtain.on = false;
+    game.loop.add(curtain);
+    game.press("a");
+    game.mouse(EventKind::mouse_pressed, 640, 400, "left");
+    game.loop.frame(tick);
+    game.heard();
+    curtain.on = true;
+    game.mouse(EventKind::mouse_moved, 680, 400);  // the drag goes on
+    game.release("a");
+    game.mouse(EventKind::mouse_released, 680, 400, "left");
+    game.mouse(EventKind::mouse_moved, 690, 400);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "to 1,0 680,400 -a -left");
+}
+
+TEST_CASE("the layer added last is asked first") {
+    Game game(listener);
+    Curtain below, above;
+    game.loop.add(below);
+    game.loop.add(above);
+    game.press("a");
+    CHECK(above.seen.size() == 1);
+    CHECK(below.seen.empty());
+    above.on = false;
+    game.press("b");
+    CHECK(below.seen.size() == 1);
+}
+
+TEST_CASE("gamepads are properties") {
+    Game game(listener);
+    CHECK_FALSE(game.get("input.gamepad_2.connected").boolean());
+    InputEvent axis = event(EventKind::gamepad_axis);
+    axis.gamepad = 2;
+    axis.name = "left_y";
+    axis.delta = 0.5f;
+    game.loop.handle(axis);
+    InputEvent button = event(EventKind::gamepad_pressed);
+    button.gamepad = 2;
+    button.name = "3";
+    game.loop.handle(button);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "pad 2 left_y 0.5 pad 2 +3");
+    CHECK(game.get("input.gamepad_2.left").vec2() == Vec2(0, 0.5));
+    CHECK(game.get("input.gamepad_2.connected").boolean());
+    CHECK(game.get("input.gamepad_2.button_3").boolean());
+    CHECK_FALSE(game.get("input.gamepad_1.button_3").boolean());
+    game.runtime.run("print(input.gamepads[2].left.y)", "test");
+    CHECK(game.heard() == "0.5");
+}
+
+TEST_CASE("a callback that fails ends the delivery of the frame") {
+    Game game("function key_pressed(key) print(key) error('wrong') end");
+    game.press("a");
+    game.press("b");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "a");
+    CHECK(game.errors.size() == 1);
+}
+
+TEST_CASE("the error screen keeps input from the game and answers to its keys") {
+    Game game(listener);
+    int reloads = 0, resumes = 0;
+    std::string copied;
+    ErrorScreen screen({.reload = [&] { ++reloads; },
+                        .go_on = [&] { ++resumes; },
+                        .copy = [&](const std::string& text) { copied = text; }});
+    game.loop.add(screen);
+    game.press("r");
+    CHECK(reloads == 0);  // nothing is wrong, the key is the game's
+    game.loop.frame(tick);
+    CHECK(game.heard() == "+r");
+    game.release("r");
+
+    script::ScriptError error;
+    error.message = "main.lua:3: world.bal: no such name";
+    error.file = "main.lua";
+    error.line = 3;
+    error.source_line = "world.bal.mass = 2";
+    error.traceback = "main.lua:3: in main chunk";
+    screen.show(error);
+    error.message = "another";
+    screen.show(error);
+    CHECK(screen.error()->message == "main.lua:3: world.bal: no such name");
+    game.press("c");
+    CHECK(copied.find("world.bal.mass = 2") != std::string::npos);
+    game.press("r");
+    CHECK(reloads == 1);
+    game.press("escape");
+    CHECK(resumes == 1);
+    CHECK_FALSE(screen.visible());
+    game.loop.frame(tick);
+    CHECK(game.heard() == "-r");
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,270 @@
+#include <catch.h>
+
+#include <fettle/app/loop.h>
+#include <limits>
+
+#include "game.h"
+
+namespace fettle::app {
+
+namespace {
+
+/// Prints a word for each phase the script sees.
+constexpr std::string_view phases = R"(
+    game.mark = Object {}
+    game.mark.n = 0
+    game.mark:watch("n", function(new) print("watcher" .. new) end)
+    function update(dt) print("update"); game.mark.n = game.mark.n + 1 end
+    function step(dt) print("step"); game.mark.n = game.mark.n + 10 end
+    function key_pressed(key) print("key"); game.mark.n = game.mark.n + 100 end
+)";
+
+}  // namespace
+
+TEST_CASE("a frame runs input and update and step with a barrier after each") {
+    Game game(phases);
+    game.loop.add({.name = "module", .step = [&](double) { game.printed.push_back("module"); }});
+    game.tree.barrier();
+    game.heard();
+    game.press("space");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "key watcher100 update watcher101 step watcher111 module");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("what a module reports reaches handlers in the barrier after its step") {
+    Game game(R"(
+        game.box = Object {}
+        game.box.hits = 0
+        game.box:watch("hits", function(new) print("hits " .. new) end)
+        function update() print("update") end
+    )");
+    game.loop.add({.name = "module",
+                   .step = [&](double) { game.printed.push_back("step"); },
+                   .report = [&] { game.set("box.hits", game.get("box.hits").integer() + 1); }});
+    game.tree.barrier();
+    game.heard();
+    game.loop.frame(tick);
+    CHECK(game.heard() == "update step hits 1");
+}
+
+TEST_CASE("sixty frames of a sixtieth are sixty steps and one second") {
+    Game game;
+    for (int i = 0; i < 60; ++i) game.loop.frame(tick);
+    CHECK(game.get("time.step").integer() == 60);
+    CHECK(game.get("time.now").number() == 1.0);
+    CHECK(game.tree.step() == 60);
+}
+
+TEST_CASE("time shorter than a step is kept for the next frame and shown by alpha") {
+    Game game;
+    game.loop.frame(0.25 * tick);
+    CHECK(game.get("time.step").integer() == 0);
+    CHECK(game.get("time.alpha").number() == Approx(0.25));
+    game.loop.frame(tick);
+    CHECK(game.get("time.step").integer() == 1);
+    CHECK(game.get("time.alpha").number() == Approx(0.25));
+}
+
+TEST_CASE("a slow frame catches up by at most max_steps and counts what it drops") {
+    Game game;
+    game.set("time.max_steps", 3);
+    game.loop.frame(10.5 * tick);
+    CHECK(game.get("time.step").integer() == 3);
+    CHECK(game.get("time.dropped_steps").integer() == 7);
+    game.loop.frame(0.25 * tick);  // nothing is owed any more
+    CHECK(game.get("time.step").integer() == 3);
+    game.loop.frame(0.5 * tick);
+    CHECK(game.get("time.step").integer() == 4);
+    CHECK(game.get("time.dropped_steps").integer() == 7);
+}
+
+TEST_CASE("update is told of no more time than the frame may step through") {
+    Game game("function update(dt) print(dt < 0.1) end");
+    game.loop.frame(3);
+    CHECK(game.heard() == "true");
+}
+
+TEST_CASE("scale makes time pass slower or faster") {
+    Game game("function update(dt) game.last_dt = dt end");
+    game.set("time.scale", 0.5);
+    for (int i = 0; i < 60; ++i) game.loop.frame(tick);
+    CHECK(game.get("time.step").integer() == 30);
+    CHECK(game.get("last_dt").number() == Approx(0.5 * tick));
+    game.set("time.scale", 2);
+    for (int i = 0; i < 60; ++i) game.loop.frame(tick);
+    CHECK(game.get("time.step").integer() == 150);
+}
+
+TEST_CASE("a length of step changed in the run counts from the next step on") {
+    Game game("function step(dt) game.last_dt = dt end");
+    for (int i = 0; i < 30; ++i) game.loop.frame(tick);
+    game.set("time.dt", 0.01);
+    game.loop.frame(0.0301);
+    CHECK(game.get("time.step").integer() == 33);
+    CHECK(game.get("last_dt").number() == 0.01);
+    CHECK(game.get("time.now").number() == Approx(0.53));
+}
+
+TEST_CASE("a paused game makes no steps but still updates") {
+    Game game("function update(dt) print('update ' .. dt) end function step() print('step') end");
+    game.set("time.paused", true);
+    game.loop.frame(1);
+    CHECK(game.heard() == "update 0.0");
+    CHECK(game.get("time.alpha").number() == 1.0);
+    game.set("time.paused", false);
+    game.loop.frame(0.001);
+    CHECK(game.get("time.step").integer() == 1);  // goes on at once and makes up for nothing
+}
+
+TEST_CASE("step_once makes one step of a paused game and tells its watchers") {
+    Game game(R"(
+        time:watch("step_once", function(new) print("once " .. tostring(new)) end)
+        function step() print("step") end
+    )");
+    game.set("time.paused", true);
+    game.loop.frame(tick);
+    game.heard();
+    game.set("time.step_once", true);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "once true step");
+    CHECK_FALSE(game.get("time.step_once").boolean());
+    game.loop.frame(tick);
+    CHECK(game.heard() == "once false");
+    CHECK(game.get("time.step").integer() == 1);
+}
+
+TEST_CASE("a game that pauses itself in a step makes no further step in the frame") {
+    Game game("function step() time.paused = true end");
+    game.loop.frame(4 * tick);
+    CHECK(game.get("time.step").integer() == 1);
+}
+
+TEST_CASE("a headless turn makes one update and one step whatever the scale") {
+    Game game("function update() print('update') end function step() print('step') end");
+    game.set("time.scale", 0.1);
+    game.loop.turn();
+    game.loop.turn();
+    CHECK(game.heard() == "update step update step");
+    CHECK(game.get("time.step").integer() == 2);
+}
+
+TEST_CASE("the hook of step n runs before the callbacks of step n") {
+    Game game("function update() print('update') end function step() print('step') end");
+    game.loop.before_step([&](std::uint64_t n) { game.printed.push_back(std::to_string(n)); });
+    SECTION("in a headless turn") {
+        game.loop.turn();
+        game.loop.turn();
+        CHECK(game.heard() == "1 update step 2 update step");
+    }
+    SECTION("in a frame of several steps") {
+        game.loop.frame(2 * tick);
+        CHECK(game.heard() == "1 update step 2 step");
+    }
+    SECTION("in a frame without a step it does not run") {
+        game.loop.frame(0.5 * tick);
+        CHECK(game.heard() == "update");
+        game.loop.frame(tick);
+        CHECK(game.heard() == "1 update step");
+    }
+    SECTION("in a headless turn of a paused game it can wake it") {
+        game.loop.before_step([&](std::uint64_t n) {
+            if (n == 3) game.set("time.paused", false);
+        });
+        game.set("time.paused", true);
+        for (int i = 0; i < 3; ++i) game.loop.turn();
+        CHECK(game.get("time.step").integer() == 1);
+    }
+}
+
+TEST_CASE("no step is made beyond the limit") {
+    Game game;
+    game.loop.frame(4 * tick, 2);
+    CHECK(game.get("time.step").integer() == 2);
+    CHECK(game.get("time.alpha").number() == 1.0);  // the picture shows that very step
+}
+
+TEST_CASE("an error stops the frame at once and edits still take effect") {
+    Game game(R"(
+        game.mark = Object {}
+        game.mark.n = 0
+        game.mark:watch("n", function(new) print("n " .. new) end)
+        function update() error("wrong") end
+        function step() print("step") end
+    )");
+    game.loop.frame(tick);
+    REQUIRE(game.errors.size() == 1);
+    CHECK(game.loop.halted());
+    CHECK(game.heard() == "");
+    game.set("mark.n", 7);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "n 7");
+    CHECK(game.errors.size() == 1);
+    CHECK(game.get("time.step").integer() == 0);
+}
+
+TEST_CASE("after an error the game can go on") {
+    Game game("function update() if not game:has('mended') then error('wrong') end end");
+    game.loop.frame(tick);
+    CHECK(game.loop.halted());
+    game.tree.set_or_add(game.tree.root(), "mended", true);
+    game.loop.resume();
+    game.loop.frame(tick);
+    CHECK_FALSE(game.loop.halted());
+    CHECK(game.get("time.step").integer() == 1);
+}
+
+TEST_CASE("quit ends the frame where it is called") {
+    Game game("function update() quit(4) end function step() print('step') end");
+    game.loop.frame(tick);
+    CHECK(game.loop.stopped());
+    CHECK(game.runtime.quit_status() == 4);
+    CHECK(game.heard() == "");
+}
+
+TEST_CASE("handlers that never come to rest are an error and not the end") {
+    Game game(R"(
+        game.mark = Object {}
+        game.mark.n = 0
+        game.mark:watch("n", function(new) game.mark.n = new + 1 end)
+    )");
+    int told = 0;
+    game.loop.on_error([&](const script::ScriptError&) { ++told; });
+    game.set("mark.n", 1);
+    game.loop.frame(tick);
+    CHECK(told + static_cast<int>(game.errors.size()) == 1);
+}
+
+TEST_CASE("equal runs have equal hashes and a difference shows") {
+    constexpr auto script = "game.score = 0 function step() game.score = game.score + 1 end";
+    Game one(script), two(script);
+    for (int i = 0; i < 10; ++i) one.loop.turn();
+    for (int i = 0; i < 10; ++i) two.loop.turn();
+    CHECK(one.loop.hash() == two.loop.hash());
+    two.set("score", 11);
+    CHECK(one.loop.hash() != two.loop.hash());
+    one.set("score", 11);
+    CHECK(one.loop.hash() == two.loop.hash());
+    one.set("view.height", 5);  // how it is looked at is no part of the state
+    CHECK(one.loop.hash() == two.loop.hash());
+    one.loop.turn();
+    CHECK(one.loop.hash() != two.loop.hash());
+}
+
+TEST_CASE("what a module hashes counts") {
+    Game one, two;
+    one.loop.add({.name = "m", .step = [](double) {}, .hash = [] { return std::uint64_t{1}; }});
+    two.loop.add({.name = "m", .step = [](double) {}, .hash = [] { return std::uint64_t{2}; }});
+    CHECK(one.loop.hash() != two.loop.hash());
+}
+
+TEST_CASE("the clock refuses what makes no sense") {
+    Game game;
+    CHECK_THROWS_WITH(game.set("time.dt", 0.0), Catch::Contains("time.dt"));
+    CHECK_THROWS_WITH(game.set("time.max_steps", 0), Catch::Contains("time.max_steps"));
+    CHECK_THROWS_WITH(game.set("time.scale", -1.0), Catch::Contains("time.scale"));
+    CHECK_THROWS_WITH(game.set("time.step", 4), Catch::Contains("read-only"));
+    CHECK_THROWS(game.set("time.dt", std::numeric_limits<double>::infinity()));
+}
+
+}  // namespace fettle::app

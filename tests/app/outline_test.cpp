@@ -1,0 +1,103 @@
+#include "../../framework/app/outline.h"
+
+#include <catch.h>
+
+#include <cmath>
+
+namespace fettle::app {
+
+namespace {
+
+using Points = std::vector<sf::Vector2f>;
+
+Points ring(const Outline& outline, float depth) {
+    Points points;
+    outline.ring(depth, points);
+    return points;
+}
+
+bool has(const Points& points, float x, float y) {
+    for (const sf::Vector2f p : points)
+        if (std::hypot(p.x - x, p.y - y) < 1e-3f) return true;
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("a ring inside a box is a smaller box whichever way its corners go round") {
+    Points corners{{0, 0}, {10, 0}, {10, 6}, {0, 6}};
+    if (GENERATE(false, true)) std::reverse(corners.begin(), corners.end());
+    Outline outline;
+    outline.set(corners, 0);
+    const Points inner = ring(outline, 2);
+    REQUIRE(inner.size() == 4);
+    CHECK(has(inner, 2, 2));
+    CHECK(has(inner, 8, 4));
+    const Points outer = ring(outline, -0.5f);
+    CHECK(has(outer, -0.5f, -0.5f));
+    CHECK(has(outer, 10.5f, 6.5f));
+    CHECK(outline.depth_limit() == Approx(3).epsilon(0.03));
+}
+
+TEST_CASE("a ring within the rounding is round and beyond it is sharp") {
+    const Points corners{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+    Outline outline;
+    outline.set(corners, 10);
+    for (const sf::Vector2f p : ring(outline, 0)) {
+        const float dx = std::max({0 - p.x, p.x - 100, 0.0f});
+        const float dy = std::max({0 - p.y, p.y - 100, 0.0f});
+        CHECK(std::hypot(dx, dy) == Approx(10).margin(1e-3));
+    }
+    const Points deep = ring(outline, 15);
+    CHECK(deep.size() == outline.size());
+    for (const sf::Vector2f p : deep) {
+        CHECK(std::min(std::abs(p.x - 5), std::abs(p.x - 95)) < 1e-3f);
+        CHECK(std::min(std::abs(p.y - 5), std::abs(p.y - 95)) < 1e-3f);
+    }
+}
+
+TEST_CASE("one corner with a rounding is a circle that looks round") {
+    Outline outline;
+    const float radius = GENERATE(2.0f, 20.0f, 500.0f);
+    outline.set(Points{{50, 50}}, radius);
+    const Points rim = ring(outline, 0);
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+        const sf::Vector2f middle = (rim[i] + rim[(i + 1) % rim.size()]) * 0.5f;
+        CHECK(std::hypot(rim[i].x - 50, rim[i].y - 50) == Approx(radius));
+        // The chord misses the arc by no more than can be seen.
+        CHECK(radius - std::hypot(middle.x - 50, middle.y - 50) < 0.35f);
+    }
+    CHECK(outline.depth_limit() == Approx(radius));
+}
+
+TEST_CASE("two corners with a rounding are a capsule") {
+    Outline outline;
+    outline.set(Points{{0, 0}, {20, 0}}, 3);
+    float left = 0, right = 0;
+    for (const sf::Vector2f p : ring(outline, 0)) {
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+        CHECK(std::abs(p.y) <= 3.001f);
+    }
+    CHECK(left == Approx(-3).epsilon(0.05));
+    CHECK(right == Approx(23).epsilon(0.05));
+}
+
+TEST_CASE("an outline of nothing much is finite") {
+    const Points corners = GENERATE(Points{}, Points{{1, 1}}, Points{{1, 1}, {1, 1}},
+                                    Points{{0, 0}, {1, 0}, {2, 0}}, Points{{0, 0}, {5, 0}, {0, 0}});
+    const float rounding = GENERATE(0.0f, 4.0f);
+    Outline outline;
+    outline.set(corners, rounding);
+    for (const float depth : {-0.5f, 0.0f, 0.5f})
+        for (const sf::Vector2f p : ring(outline, std::min(depth, outline.depth_limit())))
+            CHECK((std::isfinite(p.x) && std::isfinite(p.y)));
+}
+
+TEST_CASE("a sharp corner does not stick out far") {
+    Outline outline;
+    outline.set(Points{{0, 0}, {100, -1}, {100, 1}}, 0);
+    for (const sf::Vector2f p : ring(outline, -0.5f)) CHECK(p.x > -2.5f);
+}
+
+}  // namespace fettle::app

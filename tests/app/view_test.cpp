@@ -1,0 +1,91 @@
+#include <catch.h>
+
+#include <limits>
+
+#include "game.h"
+
+namespace fettle::app {
+
+using property::Vec2;
+
+TEST_CASE("the middle of the screen shows the center of the view") {
+    View view;
+    view.center = {3, -2};
+    CHECK(view.to_screen({3, -2}) == Vec2(640, 400));
+    CHECK(view.to_world({640, 400}) == Vec2(3, -2));
+}
+
+TEST_CASE("up in the world is up on the screen") {
+    const View view;
+    CHECK(view.to_screen({0, 10}).y() == 0);
+    CHECK(view.to_screen({0, -10}).y() == 800);
+    CHECK(view.to_screen({16, 0}).x() == 1280);
+}
+
+TEST_CASE("to_world undoes to_screen") {
+    View view;
+    view.center = {-7.5, 12.25};
+    view.height = 3.7;
+    view.screen = {1013, 777};
+    const Vec2 point(-6.1, 13);
+    const Vec2 back = view.to_world(view.to_screen(point));
+    CHECK(back.x() == Approx(point.x()));
+    CHECK(back.y() == Approx(point.y()));
+}
+
+TEST_CASE("width and corners follow height and size of the screen") {
+    Game game;
+    CHECK(game.get("view.width").number() == 32);
+    CHECK(game.get("view.lower").vec2() == Vec2(-16, -10));
+    CHECK(game.get("view.upper").vec2() == Vec2(16, 10));
+    game.set("view.height", 10);
+    CHECK(game.get("view.width").number() == 16);
+    CHECK(game.get("view.zoom").number() == 80);
+    CHECK_THROWS_WITH(game.set("view.width", 3.0), Catch::Contains("view.width"));
+}
+
+TEST_CASE("zoom is another word for height") {
+    Game game;
+    game.set("view.zoom", 100);
+    CHECK(game.get("view.height").number() == 8);
+    CHECK_THROWS(game.set("view.zoom", 0));
+    CHECK_THROWS(game.set("view.height", -1));
+    CHECK_THROWS(game.set("view.height", std::numeric_limits<double>::quiet_NaN()));
+    CHECK(game.get("view.height").number() == 8);
+}
+
+TEST_CASE("a watcher of what is derived from the view hears of its source") {
+    Game game(R"(view:watch("width", function(new) print(new) end))");
+    game.loop.frame(tick);
+    game.set("view.height", 10);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "16.0");
+}
+
+TEST_CASE("scripts convert between world and screen") {
+    Game game;
+    game.runtime.run("local p = view:to_screen(vec(1, 1)) print(p.x, p.y)", "test");
+    CHECK(game.heard() == "680.0\t360.0");
+    game.runtime.run("local p = view:to_world(vec(640, 0)) print(p.x, p.y)", "test");
+    CHECK(game.heard() == "0.0\t10.0");
+}
+
+TEST_CASE("an overlay is shown when its property says so") {
+    Game game;
+    CHECK_FALSE(game.services.view.show.overlay(property::Overlay::contacts));
+    game.set("view.show.contacts", true);
+    CHECK(game.services.view.show.overlay(property::Overlay::contacts));
+    CHECK_FALSE(game.services.view.show.overlay(property::Overlay::aabbs));
+}
+
+TEST_CASE("every property of the services tells what it is") {
+    Game game;
+    game.tree.each_below(game.tree.root(), [&](property::Handle instance) {
+        for (const property::Property* property : game.tree.class_of(instance).properties()) {
+            INFO(game.tree.path(instance, *property));
+            CHECK_FALSE(property->doc.empty());
+        }
+    });
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,234 @@
+// `fettle run` as a command: what it prints, and how it ends.
+
+#include <catch.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int status = -1;
+    std::string out, err;
+};
+
+/// A folder for games that goes with the test.
+class Folder {
+  public:
+    Folder() {
+        std::string name = (fs::temp_directory_path() / "fettle run XXXXXX").string();
+        REQUIRE(mkdtemp(name.data()) != nullptr);
+        path_ = name;
+    }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    fs::path operator/(const std::string& name) const { return path_ / name; }
+    std::string write(const std::string& name, const std::string& text) const {
+        fs::create_directories((path_ / name).parent_path());
+        std::ofstream(path_ / name) << text;
+        return (path_ / name).string();
+    }
+    std::string text(const std::string& name) const {
+        std::ifstream in(path_ / name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+  private:
+    fs::path path_;
+};
+
+std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) c == '\'' ? out += "'\\''" : out += c;
+    return out + "'";
+}
+
+/// Runs `fettle ARGUMENTS` without a display.
+Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments) {
+    std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY timeout 60 " + quoted(FETTLE_PROGRAM);
+    for (const std::string& argument : arguments) command += " " + quoted(argument);
+    command += " >" + quoted((folder / "out").string()) + " 2>" +
+               quoted((folder / "err").string()) + " </dev/null";
+    const int result = std::system(command.c_str());
+    Outcome outcome;
+    outcome.status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
+    outcome.out = folder.text("out");
+    outcome.err = folder.text("err");
+    INFO(command << "\n" << outcome.out << outcome.err);
+    return outcome;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a headless run makes its steps and ends well") {
+    const Folder folder;
+    const std::string game = folder.write(
+        "main.lua", "n = 0 function step() n = n + 1 end function update() n = n + 100 end");
+    const Outcome run =
+        fettle(folder, {"run", game, "--headless", "--steps", "3", "--at", "3:print(n)"});
+    CHECK(run.status == 0);
+    CHECK(run.out == "202\n");
+    CHECK(run.err.empty());
+}
+
+TEST_CASE("a folder with main lua is a game") {
+    const Folder folder;
+    folder.write("my game/main.lua", "print('here')");
+    const Outcome run =
+        fettle(folder, {"run", (folder / "my game").string(), "--headless", "--steps", "1"});
+    CHECK(run.status == 0);
+    CHECK(run.out == "here\n");
+}
+
+TEST_CASE("chunks run in the order they were given") {
+    const Folder folder;
+    const std::string game =
+        folder.write("a.lua", "print('main') function start() print('start') end");
+    const Outcome run =
+        fettle(folder, {"run", game, "--headless", "--steps", "2",                    //
+                        "--eval", "print('one', [[a,b]])", "--eval", "print('two')",  //
+                        "--at", "1:print('at 1: ' .. time.step)",                     //
+                        "--at", "2:print('at 2: ' .. time.step)"});
+    CHECK(run.status == 0);
+    CHECK(run.out == "main\nstart\none\ta,b\ntwo\nat 1: 0\nat 2: 1\n");
+}
+
+TEST_CASE("quit ends a headless run with its status") {
+    const Folder folder;
+    const std::string game =
+        folder.write("a.lua", "function step() if time.step == 5 then quit(7) end end");
+    const Outcome run = fettle(folder, {"run", game, "--headless"});
+    CHECK(run.status == 7);
+}
+
+TEST_CASE("an uncaught error ends a headless run with 1 and its traceback") {
+    const Folder folder;
+    const std::string where =
+        GENERATE("load", "start", "update", "step", "timer", "watcher", "eval", "at");
+    const std::string bad = "function bad() local lives = 3; error('it broke') end ";
+    std::string script = bad;
+    std::vector<std::string> extra;
+    if (where == "load") script += "bad()";
+    if (where == "start") script += "function start() bad() end";
+    if (where == "update") script += "function update() bad() end";
+    if (where == "step") script += "function step() bad() end";
+    if (where == "timer") script += "after(0.01, bad)";
+    if (where == "watcher")
+        script +=
+            "game.o = Object {} game.o.n = 1 game.o:watch('n', bad) function update() game.o.n = 2 "
+            "end";
+    if (where == "eval") extra = {"--eval", "bad()"};
+    if (where == "at") extra = {"--at", "2:bad()"};
+    script += " function draw() end";
+    std::vector<std::string> arguments{
+        "run",  folder.write("main.lua", script), "--headless", "--steps", "5",
+        "--at", "4:print('still running')"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const Outcome run = fettle(folder, arguments);
+    INFO(where << "\n" << run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "it broke"));
+    CHECK(contains(run.err, "main.lua:1"));
+    CHECK(contains(run.err, "traceback"));
+    CHECK(run.out.empty());
+}
+
+TEST_CASE("a file that cannot be read is status 3 and named") {
+    const Folder folder;
+    const Outcome missing =
+        fettle(folder, {"run", (folder / "no.lua").string(), "--headless", "--steps", "1"});
+    CHECK(missing.status == 3);
+    CHECK(contains(missing.err, "no.lua"));
+    fs::create_directory(folder / "empty");
+    const Outcome empty =
+        fettle(folder, {"run", (folder / "empty").string(), "--headless", "--steps", "1"});
+    CHECK(empty.status == 3);
+    CHECK(contains(empty.err, "main.lua"));
+}
+
+TEST_CASE("what the command line gets wrong is status 2 and says why") {
+    const Folder folder;
+    const std::string game = folder.write("a.lua", "");
+    const std::vector<std::vector<std::string>> wrong{
+        {},
+        {"fly"},
+        {"run", game, "--headless"},
+        {"run", game, "--headless", "--steps", "-1"},
+        {"run", game, "--headless", "--steps", "many"},
+        {"run", game, "--headless", "--steps", "1", "--at", "print(1)"},
+        {"run", game, "--headless", "--steps", "1", "--at", "0:print(1)"},
+        {"run", game, "--headless", "--steps", "1", "--record", "file"},
+        {"run", game, "--headless", "--steps", "1", "--sandbox"},
+        {"run", game, "--headless", "--steps", "1", "--screenshot", (folder / "a.png").string()},
+        {"run", game, "--steps", "1"},
+    };
+    for (const auto& arguments : wrong) {
+        const Outcome run = fettle(folder, arguments);
+        std::string all;
+        for (const std::string& argument : arguments) all += argument + " ";
+        INFO(all);
+        CHECK(run.status == 2);
+        CHECK_FALSE(run.err.empty());
+    }
+}
+
+TEST_CASE("help and version end well") {
+    const Folder folder;
+    CHECK(fettle(folder, {"--help"}).status == 0);
+    const Outcome help = fettle(folder, {"run", "--help"});
+    CHECK(help.status == 0);
+    CHECK(contains(help.out, "--headless"));
+    const Outcome version = fettle(folder, {"--version"});
+    CHECK(version.status == 0);
+    CHECK(contains(version.out, "fettle "));
+}
+
+TEST_CASE("the same run has the same hash and another seed another one") {
+    const Folder folder;
+    const std::string game =
+        folder.write("a.lua", "game.luck = 0 function step() game.luck = game.luck + random() end");
+    const auto hash = [&](const std::string& seed) {
+        const Outcome run =
+            fettle(folder, {"run", game, "--headless", "--steps", "20", "--seed", seed, "--hash"});
+        CHECK(run.status == 0);
+        return run.out;
+    };
+    const std::string first = hash("1");
+    CHECK(first.size() == 17);
+    CHECK(first.find_first_not_of("0123456789abcdef\n") == std::string::npos);
+    CHECK(hash("1") == first);
+    CHECK(hash("2") != first);
+}
+
+TEST_CASE("a chunk for a step that never comes is reported") {
+    const Folder folder;
+    const std::string game = folder.write("a.lua", "");
+    const Outcome run =
+        fettle(folder, {"run", game, "--headless", "--steps", "3", "--at", "9:print(1)"});
+    CHECK(run.status == 0);
+    CHECK(contains(run.err, "--at 9"));
+}
+
+TEST_CASE("a paused headless run still ends and can be woken") {
+    const Folder folder;
+    const std::string game = folder.write("a.lua", "time.paused = true");
+    const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "10", "--at",
+                                        "4:time.paused = false", "--at", "10:print(time.step)"});
+    CHECK(run.status == 0);
+    CHECK(run.out == "6\n");
+}
