@@ -1,0 +1,244 @@
+// `fettle-bench scenes`: the same scenes in every engine, in turns.
+
+#include <cinttypes>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+
+#include "commands/commands.h"
+#include "engines/engine.h"
+#include "measure/simulation.h"
+#include "measure/timing.h"
+#include "report/json_lines.h"
+#include "report/progress.h"
+#include "report/table.h"
+#include "scenes/catalogue.h"
+
+namespace fettle::bench {
+namespace {
+
+struct Cell {
+    std::vector<double> ms;  // a step, one a run
+    std::size_t bodies = 0;
+    std::size_t contacts = 0;
+    std::uint64_t hash = 0;
+    double step_ms() const { return median(ms); }
+};
+
+struct Row {
+    std::string scene;
+    int steps = 0;
+    std::vector<std::optional<Cell>> cells{};  // one an engine
+};
+
+std::string hash_text(std::uint64_t hash) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016" PRIx64, hash);
+    return text;
+}
+
+class SceneRunner {
+  public:
+    explicit SceneRunner(const ScenesOptions& options) : options_(options) {
+        for (const EngineKind& kind : engine_kinds()) {
+            if (wanted(kind)) engines_.push_back(&kind);
+        }
+        for (const std::string& name : options.engines) engine_named(name);
+        if (options.scenes.empty()) {
+            for (const CatalogueEntry& entry : catalogue()) {
+                if (entry.make && entry.by_default) scenes_.push_back(&entry);
+            }
+        }
+        for (const std::string& name : options.scenes) scenes_.push_back(&scene_named(name));
+    }
+
+    int run() {
+        explain_gaps();
+        {
+            Progress progress(static_cast<double>(scenes_.size()) * options_.runs);
+            for (const CatalogueEntry* entry : scenes_)
+                rows_.push_back(run_scene(*entry, progress));
+        }
+        if (options_.output.json)
+            print_json();
+        else
+            print_table();
+        if (!options_.output.svg.empty()) write_svg(chart(), options_.output.svg);
+        return hashes_agree() ? 0 : 1;
+    }
+
+  private:
+    bool wanted(const EngineKind& kind) const {
+        if (options_.engines.empty()) return true;
+        for (const std::string& name : options_.engines) {
+            if (name == kind.name) return true;
+        }
+        return false;
+    }
+
+    bool able(const EngineKind& kind) const {
+        return kind.make && options_.threads <= kind.max_threads;
+    }
+
+    /// What will be missing from the table, and why.
+    void explain_gaps() const {
+        if (options_.scenes.empty()) {
+            for (const CatalogueEntry& entry : catalogue()) {
+                if (entry.make) continue;
+                std::cerr << "not available: " << entry.name << " needs " << entry.missing
+                          << ", which Fettle does not have yet\n";
+            }
+        }
+        for (const EngineKind* kind : engines_) {
+            if (!kind->make) {
+                std::cerr << kind->name << ": not built in; install " << kind->package
+                          << " and build again\n";
+            } else if (!able(*kind)) {
+                std::cerr << kind->name << ": runs on " << kind->max_threads
+                          << " thread at most, not on " << options_.threads << "\n";
+            }
+        }
+    }
+
+    Row run_scene(const CatalogueEntry& entry, Progress& progress) {
+        Scene scene = entry.make();
+        if (options_.steps > 0) scene.steps = options_.steps;
+        Row row{.scene = scene.name, .steps = scene.steps};
+        row.cells.resize(engines_.size());
+        for (int run = 0; run < options_.runs; ++run) {
+            progress.begin(scene.name + ", run " + std::to_string(run + 1) + " of " +
+                           std::to_string(options_.runs));
+            run_once(scene, run, row, progress);
+        }
+        return row;
+    }
+
+    /// One run: every engine makes a twentieth of the steps, then it is the next one's turn, so
+    /// that whatever else the machine does meets all of them alike.
+    void run_once(const Scene& scene, int run, Row& row, Progress& progress) {
+        constexpr int turns = 20;
+        const std::size_t count = engines_.size();
+        std::vector<std::unique_ptr<Simulation>> simulations(count);
+        std::vector<double> ms(count, 0);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!able(*engines_[i])) continue;
+            simulations[i] = std::make_unique<Simulation>(scene, *engines_[i]);
+            simulations[i]->advance(1);  // the first step finds every pair anew: not counted
+        }
+        for (int turn = 1; turn <= turns; ++turn) {
+            const int goal = 1 + (scene.steps - 1) * turn / turns;
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::size_t i = (k + static_cast<std::size_t>(turn + run)) % count;
+                if (simulations[i])
+                    ms[i] += simulations[i]->advance(goal - simulations[i]->steps());
+                progress.add(1.0 / static_cast<double>(turns * count));
+            }
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!simulations[i]) continue;
+            if (!row.cells[i]) row.cells[i].emplace();
+            Cell& cell = *row.cells[i];
+            cell.ms.push_back(ms[i] / std::max(1, scene.steps - 1));
+            cell.bodies = simulations[i]->engine().bodies();
+            cell.contacts = simulations[i]->engine().contacts();
+            cell.hash = simulations[i]->hash();
+        }
+    }
+
+    const Cell* cell(const Row& row, std::string_view engine) const {
+        for (std::size_t i = 0; i < engines_.size(); ++i) {
+            if (engines_[i]->name == engine && row.cells[i]) return &*row.cells[i];
+        }
+        return nullptr;
+    }
+
+    void print_json() const {
+        for (const Row& row : rows_) {
+            for (std::size_t i = 0; i < engines_.size(); ++i) {
+                if (!row.cells[i]) continue;
+                const Cell& cell = *row.cells[i];
+                std::cout << json_line({{"scene", row.scene},
+                                        {"engine", std::string(engines_[i]->name)},
+                                        {"threads", static_cast<long long>(options_.threads)},
+                                        {"steps", static_cast<long long>(row.steps)},
+                                        {"bodies", static_cast<long long>(cell.bodies)},
+                                        {"contacts", static_cast<long long>(cell.contacts)},
+                                        {"ms", cell.step_ms()},
+                                        {"hash", hash_text(cell.hash)}})
+                          << "\n";
+            }
+        }
+    }
+
+    void print_table() const {
+        std::vector<std::string> headers = {"ms a step", "bodies", "steps"};
+        for (const EngineKind* kind : engines_) headers.emplace_back(kind->name);
+        for (const EngineKind* kind : engines_) {
+            if (kind->name != "box2d") headers.push_back(std::string(kind->name) + "/box2d");
+        }
+        Table table(headers);
+        for (const Row& row : rows_) {
+            std::size_t bodies = 0;
+            for (const auto& cell : row.cells) bodies = cell ? cell->bodies : bodies;
+            std::vector<std::string> line = {row.scene, std::to_string(bodies),
+                                             std::to_string(row.steps)};
+            for (const auto& cell : row.cells) line.push_back(cell ? figure(cell->step_ms()) : "");
+            const Cell* peer = cell(row, "box2d");
+            for (std::size_t i = 0; i < engines_.size(); ++i) {
+                if (engines_[i]->name == "box2d") continue;
+                line.push_back(peer && row.cells[i] ? ratio_text(*row.cells[i], *peer) : "");
+            }
+            table.add(std::move(line));
+        }
+        std::cout << table.text();
+    }
+
+    static std::string ratio_text(const Cell& own, const Cell& peer) {
+        return figure(own.step_ms() / peer.step_ms());
+    }
+
+    Chart chart() const {
+        Chart chart{.title = "Time of a step, median of " + std::to_string(options_.runs) +
+                             (options_.runs == 1 ? " run, " : " runs, ") +
+                             std::to_string(options_.threads) +
+                             (options_.threads == 1 ? " thread" : " threads"),
+                    .unit = "ms"};
+        for (const EngineKind* kind : engines_) chart.series.emplace_back(kind->name);
+        for (const Row& row : rows_) {
+            Chart::Group group{.label = row.scene};
+            for (const auto& cell : row.cells) {
+                group.values.push_back(cell ? std::optional(cell->step_ms()) : std::nullopt);
+            }
+            chart.groups.push_back(std::move(group));
+        }
+        return chart;
+    }
+
+    /// The tree must not change what is simulated.
+    bool hashes_agree() const {
+        bool agree = true;
+        for (const Row& row : rows_) {
+            const Cell* bare = cell(row, "fettle");
+            const Cell* hosted = cell(row, "hosted");
+            if (!bare || !hosted || bare->hash == hosted->hash) continue;
+            std::cerr << row.scene
+                      << ": the hosted world ended in another state than the bare one\n";
+            agree = false;
+        }
+        return agree;
+    }
+
+    const ScenesOptions& options_;
+    std::vector<const EngineKind*> engines_;
+    std::vector<const CatalogueEntry*> scenes_;
+    std::vector<Row> rows_;
+};
+
+}  // namespace
+
+int run_scenes(const ScenesOptions& options) {
+    return SceneRunner(options).run();
+}
+
+}  // namespace fettle::bench

@@ -1,0 +1,136 @@
+// A scene in Chipmunk 7: 10 iterations, its default. It mixes surfaces by products, so that each
+// shape gets the square root of its friction and restitution: the product is then the geometric
+// mean that the other engines use for friction. Its allowed overlap is made for lengths in pixels;
+// Box2D's half a centimetre is used instead.
+
+#include <chipmunk/chipmunk.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "engines/engine.h"
+
+namespace fettle::bench {
+namespace {
+
+cpVect vec(Point p) {
+    return cpv(p.x, p.y);
+}
+Point point(cpVect v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+/// Makes one shape on `body`, with its mass where the body is dynamic.
+struct ShapeMaker {
+    cpBody& body;
+
+    cpShape* operator()(const CircleShape& circle) const {
+        return cpCircleShapeNew(&body, circle.radius, vec(circle.center));
+    }
+    cpShape* operator()(const BoxShape& box) const {
+        return cpBoxShapeNew2(&body,
+                              cpBBNew(box.center.x - box.half.x, box.center.y - box.half.y,
+                                      box.center.x + box.half.x, box.center.y + box.half.y),
+                              0);
+    }
+    cpShape* operator()(const SegmentShape& segment) const {
+        return cpSegmentShapeNew(&body, vec(segment.from), vec(segment.to), 0);
+    }
+    cpShape* operator()(const PolygonShape& polygon) const {
+        std::vector<cpVect> points;
+        for (const Point& p : polygon.vertices) points.push_back(vec(p));
+        return cpPolyShapeNew(&body, static_cast<int>(points.size()), points.data(),
+                              cpTransformIdentity, 0);
+    }
+};
+
+void count_arbiter(cpBody*, cpArbiter* arbiter, void* count) {
+    *static_cast<std::size_t*>(count) += cpArbiterGetCount(arbiter) > 0 ? 1 : 0;
+}
+
+class ChipmunkEngine : public Engine {
+  public:
+    explicit ChipmunkEngine(const Scene& scene) : space_(cpSpaceNew()) {
+        cpSpaceSetGravity(space_, vec(scene.gravity));
+        cpSpaceSetIterations(space_, 10);
+        cpSpaceSetCollisionSlop(space_, 0.005);
+        if (scene.sleeping) cpSpaceSetSleepTimeThreshold(space_, 0.5);
+        bodies_.reserve(scene.bodies.size());
+        for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            if (scene.sleeping && !scene.bodies[i].awake) cpBodySleep(bodies_[i]);
+        }
+    }
+
+    ~ChipmunkEngine() override {
+        for (cpShape* shape : shapes_) {
+            cpSpaceRemoveShape(space_, shape);
+            cpShapeFree(shape);
+        }
+        for (cpBody* body : bodies_) {
+            cpSpaceRemoveBody(space_, body);
+            cpBodyFree(body);
+        }
+        cpSpaceFree(space_);
+    }
+
+    void step() override { cpSpaceStep(space_, time_step); }
+
+    BodyMotion motion(std::size_t index) const override {
+        const cpBody* body = bodies_[index];
+        return {point(cpBodyGetPosition(body)), static_cast<float>(cpBodyGetAngle(body)),
+                point(cpBodyGetVelocity(body)), static_cast<float>(cpBodyGetAngularVelocity(body))};
+    }
+
+    void set_velocity(std::size_t body, Point velocity) override {
+        cpBodySetVelocity(bodies_[body], vec(velocity));
+    }
+
+    std::size_t contacts() const override {
+        std::size_t seen = 0;  // each from both of its bodies
+        for (cpBody* body : bodies_) cpBodyEachArbiter(body, count_arbiter, &seen);
+        return seen / 2;
+    }
+
+    std::size_t bodies() const override { return bodies_.size(); }
+
+  private:
+    cpBody* make(const SceneBody& description) {
+        cpBody* body = description.motion == Motion::fixed       ? cpBodyNewStatic()
+                       : description.motion == Motion::kinematic ? cpBodyNewKinematic()
+                                                                 : cpBodyNew(0, 0);
+        cpSpaceAddBody(space_, body);
+        for (const SceneShape& shape : description.shapes) add(*body, shape, description.motion);
+        cpBodySetPosition(body, vec(description.position));
+        cpBodySetAngle(body, description.angle);
+        if (description.motion != Motion::fixed) {
+            cpBodySetVelocity(body, vec(description.velocity));
+            cpBodySetAngularVelocity(body, description.angular_velocity);
+        } else {
+            cpSpaceReindexShapesForBody(space_, body);
+        }
+        return body;
+    }
+
+    void add(cpBody& body, const SceneShape& description, Motion motion) {
+        cpShape* shape = std::visit(ShapeMaker{body}, description.geometry);
+        if (motion == Motion::dynamic) cpShapeSetDensity(shape, description.density);
+        cpShapeSetFriction(shape, std::sqrt(description.friction));
+        cpShapeSetElasticity(shape, std::sqrt(description.restitution));
+        cpSpaceAddShape(space_, shape);
+        shapes_.push_back(shape);
+    }
+
+    cpSpace* space_;
+    std::vector<cpBody*> bodies_;
+    std::vector<cpShape*> shapes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_chipmunk(const Scene& scene) {
+    return std::make_unique<ChipmunkEngine>(scene);
+}
+
+}  // namespace fettle::bench

@@ -1,0 +1,69 @@
+// `fettle-bench`: what Fettle costs, beside engines that anyone can install. Never part of the
+// tests.
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "commands/commands.h"
+
+namespace {
+
+using namespace fettle::bench;
+
+void add_output(CLI::App& command, OutputOptions& output) {
+    command.add_flag("--json", output.json, "Print a JSON object a line instead of a table");
+    command.add_option("--svg", output.svg, "Also draw the table as a chart")->type_name("FILE");
+}
+
+void add_scenes(CLI::App& app, ScenesOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("scenes", "Step time of the same scenes in every engine");
+    command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
+        ->type_name("NAME");
+    command->add_option("--engine", options.engines, "Only this engine (repeatable)")
+        ->type_name("fettle|hosted|box2d|chipmunk");
+    command->add_option("--threads", options.threads, "Threads an engine may use")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    command->add_option("--runs", options.runs, "Runs; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--steps", options.steps, "Steps instead of the scene's own number")
+        ->check(CLI::Range(2, 1000000));
+    add_output(*command, options.output);
+}
+
+void add_stability(CLI::App& app, StabilityOptions& options) {
+    CLI::App* command = app.add_subcommand("stability", "How well stacks stand, in every engine");
+    command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
+        ->type_name("NAME");
+    command->add_option("--engine", options.engines, "Only this engine (repeatable)")
+        ->type_name("fettle|box2d|chipmunk");
+    add_output(*command, options.output);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+#ifndef __OPTIMIZE__
+    std::cerr << "fettle-bench was built without optimization, so that its figures would mean "
+                 "nothing.\nBuild it with -DCMAKE_BUILD_TYPE=Release, or by ./play --build.\n";
+    return 2;
+#endif
+    CLI::App app("What Fettle costs, beside engines that anyone can install.", "fettle-bench");
+    app.require_subcommand(1);
+    ScenesOptions scenes;
+    StabilityOptions stability;
+    add_scenes(app, scenes);
+    add_stability(app, stability);
+    CLI11_PARSE(app, argc, argv);
+    try {
+        if (app.got_subcommand("scenes")) return run_scenes(scenes);
+        if (app.got_subcommand("stability")) return run_stability(stability);
+    } catch (const std::exception& error) {
+        std::cerr << "fettle-bench: " << error.what() << "\n";
+        return 2;
+    }
+    return 0;
+}

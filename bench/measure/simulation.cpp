@@ -1,0 +1,88 @@
+#include "measure/simulation.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "measure/timing.h"
+#include "report/table.h"
+
+namespace fettle::bench {
+
+void measured_steps(Engine& engine, int steps) {
+    for (int i = 0; i < steps; ++i) engine.step();
+}
+
+Simulation::Simulation(const Scene& scene, const EngineKind& kind)
+    : scene_(scene), name_(kind.name), engine_(kind.make(scene)) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (scene.bodies[i].path) driven_.push_back(i);
+    }
+}
+
+double Simulation::advance(int steps) {
+    double ms = 0;
+    const int half = scene_.steps / 2;
+    const int before = std::clamp(half - made_, 0, steps);
+    if (before > 0) ms += timed_steps(before);
+    if (before == steps) return ms;
+    int rest = steps - before;
+    if (made_ == half) {
+        ms += edited_step();
+        --rest;
+    }
+    return ms + timed_steps(rest);
+}
+
+double Simulation::timed_steps(int steps) {
+    const WallClock clock;
+    if (driven_.empty()) {
+        measured_steps(*engine_, steps);
+        made_ += steps;
+        return clock.elapsed_ms();
+    }
+    for (int i = 0; i < steps; ++i) {
+        const double end = static_cast<double>(made_ + 1) * static_cast<double>(time_step);
+        for (const std::size_t body : driven_) {
+            const Point target = scene_.bodies[body].path(end);
+            const Point from = engine_->motion(body).position;
+            engine_->set_velocity(
+                body, {(target.x - from.x) / time_step, (target.y - from.y) / time_step});
+        }
+        measured_steps(*engine_, 1);
+        ++made_;
+    }
+    return clock.elapsed_ms();
+}
+
+std::size_t Simulation::topmost() const {
+    std::size_t top = scene_.bodies.size();
+    float height = 0;
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+        if (scene_.bodies[i].motion != Motion::dynamic) continue;
+        const float y = engine_->motion(i).position.y;
+        if (top == scene_.bodies.size() || y > height) {
+            top = i;
+            height = y;
+        }
+    }
+    return top;
+}
+
+double Simulation::edited_step() {
+    const std::size_t body = topmost();
+    const BodyMotion before = engine_->motion(body);
+    constexpr float push = 1;  // m/s
+    engine_->edit_velocity(body, {before.velocity.x, before.velocity.y + push});
+    const double ms = timed_steps(1);
+    const float rise = engine_->motion(body).position.y - before.position.y;
+    const float alone = (before.velocity.y + scene_.gravity.y * time_step) * time_step;
+    if (!(rise > alone + 0.5f * push * time_step)) {
+        throw std::runtime_error(
+            scene_.name + " in " + name_ +
+            ": an edit of a body's velocity in mid-run had no effect: it moved " +
+            figure(static_cast<double>(rise)) + " m up in the step");
+    }
+    return ms;
+}
+
+}  // namespace fettle::bench

@@ -1,0 +1,41 @@
+#pragma once
+// A scene being simulated by an engine, with everything that belongs to the scene in time: bodies
+// that follow paths, and an edit in mid-run.
+
+#include <memory>
+
+#include "engines/engine.h"
+#include "scenes/scene.h"
+
+namespace fettle::bench {
+
+class Simulation {
+  public:
+    /// `scene` must outlive it.
+    Simulation(const Scene& scene, const EngineKind& kind);
+
+    /// Steps and returns the wall time of the steps in milliseconds. At half of the scene's steps
+    /// the topmost body is edited to move up, off the clock; throws std::runtime_error unless the
+    /// next step moves it so.
+    double advance(int steps);
+    int steps() const { return made_; }
+    const Engine& engine() const { return *engine_; }
+    Engine& engine() { return *engine_; }
+    std::uint64_t hash() const { return hash_of(*engine_, scene_.bodies.size()); }
+
+  private:
+    double timed_steps(int steps);
+    double edited_step();
+    std::size_t topmost() const;
+
+    const Scene& scene_;
+    std::string name_;
+    std::unique_ptr<Engine> engine_;
+    std::vector<std::size_t> driven_;
+    int made_ = 0;
+};
+
+/// The steps themselves and nothing else: the function a profiler is told to look at.
+[[gnu::noinline]] void measured_steps(Engine& engine, int steps);
+
+}  // namespace fettle::bench

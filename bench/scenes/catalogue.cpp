@@ -1,0 +1,45 @@
+#include "scenes/catalogue.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace fettle::bench {
+
+std::span<const CatalogueEntry> catalogue() {
+    static const std::array<CatalogueEntry, 11> entries = {{
+        {"large_pyramid", large_pyramid, ""},
+        {"many_pyramids", many_pyramids, ""},
+        {"joint_grid", nullptr, "revolute joints"},
+        {"smash", smash, ""},
+        {"tumbler", nullptr, "revolute joints with motors"},
+        {"compounds", compounds, ""},
+        {"washer", washer, ""},
+        {"junkyard", junkyard, ""},
+        {"spinner", nullptr, "chains and revolute joints with motors"},
+        {"rain", nullptr, "revolute joints with springs and limits"},
+        {"crowd", crowd, "", false},
+    }};
+    return entries;
+}
+
+const CatalogueEntry& scene_named(std::string_view name) {
+    const auto entries = catalogue();
+    const auto found = std::ranges::find(entries, name, &CatalogueEntry::name);
+    if (found == entries.end()) {
+        std::string names;
+        for (const CatalogueEntry& entry : entries)
+            names += (names.empty() ? "" : ", ") + std::string(entry.name);
+        throw std::invalid_argument("no scene is called \"" + std::string(name) + "\"; there are " +
+                                    names);
+    }
+    if (!found->make) {
+        throw std::invalid_argument("scene " + std::string(name) + " is not available: it needs " +
+                                    std::string(found->missing) +
+                                    ", which Fettle does not have yet");
+    }
+    return *found;
+}
+
+}  // namespace fettle::bench

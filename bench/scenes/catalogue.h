@@ -1,0 +1,36 @@
+#pragma once
+// Every benchmark scene by name.
+
+#include <span>
+#include <string_view>
+
+#include "scenes/scene.h"
+
+namespace fettle::bench {
+
+struct CatalogueEntry {
+    std::string_view name;
+    /// Null where Fettle cannot build the scene yet; `missing` says what it lacks.
+    Scene (*make)();
+    std::string_view missing;
+    /// Run when nobody asks for scenes by name.
+    bool by_default = true;
+};
+
+std::span<const CatalogueEntry> catalogue();
+/// Throws std::invalid_argument that lists the names for one that does not exist, or says what is
+/// missing.
+const CatalogueEntry& scene_named(std::string_view name);
+
+Scene large_pyramid();
+Scene many_pyramids();
+Scene smash();
+Scene washer();
+Scene compounds();
+Scene junkyard();
+/// 10 000 boxes and circles in a bin, all awake: where the cost of hosting is measured.
+Scene crowd();
+/// The same with `columns` × `rows` bodies.
+Scene crowd_of(int columns, int rows);
+
+}  // namespace fettle::bench

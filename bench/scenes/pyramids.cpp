@@ -1,0 +1,49 @@
+// Stacking: the solver and the narrow phase at work on boxes that hardly move.
+
+#include "scenes/catalogue.h"
+
+namespace fettle::bench {
+namespace {
+
+/// A pyramid of squares of half-extent 0.5 that stands on `ground`; its lower left square lies at
+/// `left`.
+void add_pyramid(Scene& scene, int base, float left, float ground) {
+    constexpr float half = 0.5f;
+    for (int i = 0; i < base; ++i) {
+        const float y = ground + static_cast<float>(2 * i + 1) * half;
+        for (int j = i; j < base; ++j) {
+            const float x = left + static_cast<float>(i) * half + static_cast<float>(j - i);
+            scene.bodies.push_back(dynamic_box({x, y}, half));
+        }
+    }
+}
+
+}  // namespace
+
+Scene large_pyramid() {
+    Scene scene{.name = "large_pyramid", .steps = 500, .sleeping = false};
+    scene.bodies.push_back(fixed_box({0, -1}, {100, 1}));
+    add_pyramid(scene, 100, 0.5f - 50, 0);
+    return scene;
+}
+
+Scene many_pyramids() {
+    Scene scene{.name = "many_pyramids", .steps = 200, .sleeping = false};
+    constexpr int base = 10;
+    constexpr int rows = 20;
+    constexpr int columns = 20;
+    constexpr float pitch = 11;
+    constexpr float reach = 110;
+    for (int r = 0; r < rows; ++r) {
+        const float ground = pitch * static_cast<float>(r);
+        scene.bodies.push_back(
+            body_of(Motion::fixed, {}, SegmentShape{{-reach, ground}, {reach, ground}}));
+        for (int c = 0; c < columns; ++c) {
+            const float center = -reach + pitch * static_cast<float>(c) + 1;
+            add_pyramid(scene, base, center, ground);
+        }
+    }
+    return scene;
+}
+
+}  // namespace fettle::bench

@@ -1,0 +1,84 @@
+#pragma once
+// A scene: bodies and their shapes in words that no engine owns, so that every engine builds the
+// same one. Metres, kilograms, seconds, radians; y is up.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fettle::bench {
+
+struct Point {
+    float x = 0;
+    float y = 0;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+// Geometry, in body coordinates.
+
+struct CircleShape {
+    float radius = 0.5f;
+    Point center{};
+};
+
+struct BoxShape {
+    Point half = {0.5f, 0.5f};
+    Point center{};
+};
+
+struct SegmentShape {
+    Point from{};
+    Point to{};
+};
+
+/// Convex, counter-clockwise.
+struct PolygonShape {
+    std::vector<Point> vertices;
+};
+
+using Geometry = std::variant<CircleShape, BoxShape, SegmentShape, PolygonShape>;
+
+struct SceneShape {
+    Geometry geometry;
+    float density = 1;        // kg/m²
+    float friction = 0.6f;    // a contact has the geometric mean of both
+    float restitution = 0;    // a contact has the greater of both
+    bool hit_events = false;  // reports impacts, in engines that have such events
+};
+
+enum class Motion : std::uint8_t { fixed, kinematic, dynamic };
+
+struct SceneBody {
+    Motion motion = Motion::dynamic;
+    Point position{};
+    float angle = 0;
+    Point velocity{};
+    float angular_velocity = 0;
+    bool awake = true;
+    bool bullet = false;
+    std::vector<SceneShape> shapes{};
+    /// Where a kinematic body heads for in every step, by the time at the end of the step.
+    std::function<Point(double time)> path{};
+};
+
+struct Scene {
+    std::string name;
+    int steps = 500;
+    Point gravity = {0, -10};
+    bool sleeping = true;
+    bool continuous = true;
+    std::vector<SceneBody> bodies{};
+};
+
+/// Length of a step of every scene, s.
+inline constexpr float time_step = 1.0f / 60;
+
+/// A body of one shape at `position`.
+SceneBody body_of(Motion motion, Point position, Geometry geometry);
+SceneBody dynamic_box(Point position, float half);
+SceneBody fixed_box(Point position, Point half);
+
+}  // namespace fettle::bench

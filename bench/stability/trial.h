@@ -1,0 +1,53 @@
+#pragma once
+// Trials: small scenes with an answer that is known, and how far an engine is from it.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engines/engine.h"
+
+namespace fettle::bench {
+
+struct Figure {
+    std::string name;
+    double value = 0;
+    std::string unit{};
+    std::string goal{};  // what is good, in words: "< 1"
+};
+
+struct Trial {
+    std::string_view name;
+    std::vector<Figure> (*run)(const EngineKind& kind);
+};
+
+std::span<const Trial> trials();
+/// Throws std::invalid_argument that lists the names.
+const Trial& trial_named(std::string_view name);
+
+// Standing.
+std::vector<Figure> stack_trial(const EngineKind& kind);
+std::vector<Figure> card_house_trial(const EngineKind& kind);
+std::vector<Figure> arch_trial(const EngineKind& kind);
+std::vector<Figure> domino_trial(const EngineKind& kind);
+std::vector<Figure> overload_trial(const EngineKind& kind);
+
+// Pushing apart and hitting.
+std::vector<Figure> confined_trial(const EngineKind& kind);
+std::vector<Figure> overlap_trial(const EngineKind& kind);
+std::vector<Figure> bullets_trial(const EngineKind& kind);
+std::vector<Figure> elastic_trial(const EngineKind& kind);
+
+// Sliding and rolling.
+std::vector<Figure> tiles_trial(const EngineKind& kind);
+std::vector<Figure> rolling_trial(const EngineKind& kind);
+std::vector<Figure> sliding_trial(const EngineKind& kind);
+
+/// Root of the mean square of the bodies' speeds, m/s, over `steps` steps that are made here.
+double rms_speed(Engine& engine, std::span<const std::size_t> bodies, int steps);
+/// Indices of the dynamic bodies of a scene.
+std::vector<std::size_t> dynamic_bodies(const Scene& scene);
+void run_for(Engine& engine, double seconds);
+
+}  // namespace fettle::bench
