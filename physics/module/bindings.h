@@ -1,0 +1,81 @@
+#pragma once
+// Bindings made of a getter and a setter of the physics library.
+
+#include <type_traits>
+
+#include <fettle/property/class.h>
+
+#include "conversion.h"
+#include "hosting.h"
+
+namespace fettle::physics_module {
+
+using property::accessor;
+using property::Binding;
+using property::Property;
+using property::Range;
+using property::Type;
+using property::Value;
+
+/// The object a row stands for.
+template <class Object>
+decltype(auto) object_at(Hosting& hosting, Row row) {
+    if constexpr (std::is_same_v<Object, physics::Body>)
+        return hosting.body(row);
+    else if constexpr (std::is_same_v<Object, physics::Shape>)
+        return hosting.shape(row);
+    else
+        return (hosting.world(row));  // a reference
+}
+
+template <auto Member>
+struct Setter;
+template <class Of, class Taken, void (Of::*Member)(Taken)>
+struct Setter<Member> {
+    using Object = Of;
+    using Argument = std::remove_cvref_t<Taken>;
+};
+
+template <auto Member>
+struct Getter;
+template <class Of, class Given, Given (Of::*Member)() const>
+struct Getter<Member> {
+    using Object = Of;
+};
+
+template <auto Get, auto Set>
+Binding bound(Hosting& hosting) {
+    using Object = typename Setter<Set>::Object;
+    using Argument = typename Setter<Set>::Argument;
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return to_value((object_at<Object>(h, row).*Get)()); },
+        [](Hosting& h, Row row, const Value& value) {
+            (object_at<Object>(h, row).*Set)(from_value<Argument>(value));
+        });
+}
+
+template <auto Get>
+Binding read_only(Hosting& hosting) {
+    using Object = typename Getter<Get>::Object;
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return to_value((object_at<Object>(h, row).*Get)()); });
+}
+
+/// Computed by the library unless somebody overrides it.
+template <auto Get, auto Set, auto Override>
+Binding overridable(Hosting& hosting) {
+    using Object = typename Setter<Set>::Object;
+    Binding binding = bound<Get, Set>(hosting);
+    binding.reset = [](void* context, Row row) {
+        (object_at<Object>(*static_cast<Hosting*>(context), row).*Set)({});
+    };
+    binding.overridden = [](void* context, Row row) {
+        return (object_at<Object>(*static_cast<Hosting*>(context), row).*Override)().has_value();
+    };
+    return binding;
+}
+
+inline constexpr Range not_negative{.min = 0.0};
+inline constexpr Range fraction{.min = 0.0, .max = 1.0};
+
+}  // namespace fettle::physics_module

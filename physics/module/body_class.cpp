@@ -1,0 +1,315 @@
+// Body: what a body of the physics library looks like in the tree.
+
+#include <cmath>
+#include <stdexcept>
+
+#include "bindings.h"
+#include "classes.h"
+
+namespace fettle::physics_module {
+namespace {
+
+using physics::Body;
+using property::List;
+
+bool immovable(const Body& body) {
+    return body.type() == physics::BodyType::static_body ||
+           (body.type() == physics::BodyType::dynamic_body && std::isinf(body.mass()));
+}
+
+/// The library leaves what does not move at rest; an edit without effect is one to refuse.
+void require_movable(const Body& body) {
+    if (!immovable(body)) return;
+    throw std::invalid_argument(body.type() == physics::BodyType::static_body
+                                    ? "a static body does not move: make it kinematic or dynamic"
+                                    : "a body of infinite mass does not move");
+}
+
+// What the step writes is read straight from the library's array.
+
+Binding position(Hosting& hosting) {
+    return accessor(
+        hosting,
+        [](Hosting& h, Row row) {
+            const physics::Vec2& p = h.state(row).position;
+            return widen(p.x(), p.y());
+        },
+        [](Hosting& h, Row row, const Value& value) {
+            h.body(row).set_position(narrow(value.vec2()));
+        });
+}
+
+Binding angle(Hosting& hosting) {
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return h.state(row).angle; },
+        [](Hosting& h, Row row, const Value& value) {
+            h.body(row).set_angle(from_value<float>(value));
+        });
+}
+
+Binding velocity(Hosting& hosting) {
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return widen(h.body(row).velocity()); },
+        [](Hosting& h, Row row, const Value& value) {
+            physics::Body body = h.body(row);
+            if (!value.vec2().isZero(0)) require_movable(body);
+            body.set_velocity(narrow(value.vec2()));
+        });
+}
+
+Binding angular_velocity(Hosting& hosting) {
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return h.state(row).angular_velocity; },
+        [](Hosting& h, Row row, const Value& value) {
+            physics::Body body = h.body(row);
+            if (value.number() != 0.0) require_movable(body);
+            body.set_angular_velocity(from_value<float>(value));
+        });
+}
+
+Binding type(Hosting& hosting) {
+    return accessor(
+        hosting,
+        [](Hosting& h, Row row) {
+            return h.type_names[static_cast<std::size_t>(h.body(row).type())];
+        },
+        [](Hosting& h, Row row, const Value& value) {
+            for (std::size_t i = 0; i < h.type_names.size(); ++i)
+                if (h.type_names[i].text() == value.text())
+                    h.body(row).set_type(static_cast<physics::BodyType>(i));
+        });
+}
+
+/// What cannot move is never awake, and nobody has put it to sleep.
+Binding awake(Hosting& hosting) {
+    Binding binding = bound<&Body::awake, &Body::set_awake>(hosting);
+    binding.overridden = [](void* context, Row row) {
+        const Body body = static_cast<Hosting*>(context)->body(row);
+        return !body.awake() && !immovable(body);
+    };
+    return binding;
+}
+
+Value touching(Hosting& hosting, Row row) {
+    physics::World& world = hosting.world(row);
+    const Body self = hosting.body(row);
+    List others;
+    for (const physics::Contact& contact : self.contacts()) {
+        const physics::BodyId other = contact.body_a == self.id() ? contact.body_b : contact.body_a;
+        const Handle handle = unpack(world.body(other).user_data());
+        const Value value(handle ? handle : hosting.hosted(row).self);
+        if (std::find(others.begin(), others.end(), value) == others.end()) others.push_back(value);
+    }
+    return others;
+}
+
+Binding color(Hosting& hosting) {
+    return accessor(
+        hosting,
+        [](Hosting& h, Row row) {
+            const auto color = h.hosted(row).body_colors.get(slot_of(row));
+            return color ? Value(*color) : Value();
+        },
+        [](Hosting& h, Row row, const Value& value) {
+            std::optional<property::Color> color;
+            if (!value.is_nil()) color = value.color();
+            h.hosted(row).body_colors.set(slot_of(row), color);
+        });
+}
+
+std::vector<Property> motion(Hosting& hosting) {
+    return {
+        {.name = "type",
+         .type = Type::text,
+         .default_value = "dynamic",
+         .doc = "\"static\" never moves by itself, \"kinematic\" moves by its velocity and nothing "
+                "pushes it, \"dynamic\" is moved by forces, contacts and joints.",
+         .binding = type(hosting),
+         .enumerators = {"static", "kinematic", "dynamic"}},
+        {.name = "position",
+         .type = Type::vec2,
+         .unit = "m",
+         .doc = "Where its origin is in the world. Writing it teleports.",
+         .binding = position(hosting),
+         .simulated = true,
+         .single_precision = true},
+        {.name = "angle",
+         .unit = "rad",
+         .doc = "How far it is turned, counter-clockwise; not wrapped after a full turn.",
+         .binding = angle(hosting),
+         .simulated = true,
+         .single_precision = true},
+        {.name = "velocity",
+         .type = Type::vec2,
+         .unit = "m/s",
+         .doc = "Of its center of mass.",
+         .binding = velocity(hosting),
+         .simulated = true,
+         .single_precision = true},
+        {.name = "angular_velocity",
+         .unit = "rad/s",
+         .doc = "How fast it turns, counter-clockwise.",
+         .binding = angular_velocity(hosting),
+         .simulated = true,
+         .single_precision = true},
+    };
+}
+
+// Simulated, because the edit of a shape changes them and tells nobody.
+std::vector<Property> weight(Hosting& hosting) {
+    const std::vector<std::string> sources = {"type",       "*.density", "*.radius", "*.center",
+                                              "*.width",    "*.height",  "*.angle",  "*.rounding",
+                                              "*.vertices", "*.from",    "*.to"};
+    std::vector<std::string> of_center = sources;
+    std::vector<std::string> of_inertia = sources;
+    of_inertia.insert(of_inertia.end(), {"mass", "center"});
+    return {
+        {.name = "mass",
+         .default_value = 1.0,
+         .unit = "kg",
+         .range = not_negative,
+         .doc = "Area times density of its shapes, unless a mass is given; nil computes it again. "
+                "Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg.",
+         .binding = overridable<&Body::mass, &Body::set_mass, &Body::mass_override>(hosting),
+         .simulated = true,
+         .infinity = true,
+         .derives_from = sources,
+         .single_precision = true},
+        {.name = "inertia",
+         .unit = "kg m\xC2\xB2",
+         .range = not_negative,
+         .doc = "Rotational inertia about the center of mass, from the shapes unless one is given; "
+                "nil computes it again. Infinite: nothing turns it.",
+         .binding =
+             overridable<&Body::inertia, &Body::set_inertia, &Body::inertia_override>(hosting),
+         .simulated = true,
+         .infinity = true,
+         .derives_from = of_inertia,
+         .single_precision = true},
+        {.name = "center",
+         .type = Type::vec2,
+         .unit = "m",
+         .doc = "Center of mass in its own coordinates, from the shapes unless one is given; nil "
+                "computes it again.",
+         .binding = overridable<&Body::center, &Body::set_center, &Body::center_override>(hosting),
+         .simulated = true,
+         .derives_from = of_center,
+         .single_precision = true},
+    };
+}
+
+std::vector<Property> forces(Hosting& hosting) {
+    return {
+        {.name = "force",
+         .type = Type::vec2,
+         .unit = "N",
+         .doc = "Pushes its center of mass in every step until it is changed.",
+         .binding = bound<&Body::force, &Body::set_force>(hosting),
+         .single_precision = true},
+        {.name = "torque",
+         .unit = "N m",
+         .doc = "Turns it in every step until it is changed.",
+         .binding = bound<&Body::torque, &Body::set_torque>(hosting),
+         .single_precision = true},
+        {.name = "gravity_scale",
+         .default_value = 1.0,
+         .doc = "How much of the world's gravity it feels: 0 floats, -1 falls upwards.",
+         .binding = bound<&Body::gravity_scale, &Body::set_gravity_scale>(hosting),
+         .single_precision = true},
+        {.name = "linear_damping",
+         .unit = "1/s",
+         .range = not_negative,
+         .doc = "Share of its velocity it loses in a second, for small values.",
+         .binding = bound<&Body::linear_damping, &Body::set_linear_damping>(hosting),
+         .single_precision = true},
+        {.name = "angular_damping",
+         .unit = "1/s",
+         .range = not_negative,
+         .doc = "Share of its angular velocity it loses in a second, for small values.",
+         .binding = bound<&Body::angular_damping, &Body::set_angular_damping>(hosting),
+         .single_precision = true},
+    };
+}
+
+std::vector<Property> switches(Hosting& hosting) {
+    return {
+        {.name = "awake",
+         .type = Type::boolean,
+         .default_value = true,
+         .doc = "Whether it takes part in the step. What rests for a while sleeps, together with "
+                "what it touches, until something disturbs it.",
+         .binding = awake(hosting),
+         .simulated = true},
+        {.name = "can_sleep",
+         .type = Type::boolean,
+         .default_value = true,
+         .doc = "Whether it may fall asleep.",
+         .binding = bound<&Body::can_sleep, &Body::set_can_sleep>(hosting)},
+        {.name = "bullet",
+         .type = Type::boolean,
+         .doc = "However fast, it does not pass through other moving bodies either.",
+         .binding = bound<&Body::bullet, &Body::set_bullet>(hosting)},
+        {.name = "locked_x",
+         .type = Type::boolean,
+         .doc = "Nothing moves it along x.",
+         .binding = bound<&Body::locked_x, &Body::set_locked_x>(hosting)},
+        {.name = "locked_y",
+         .type = Type::boolean,
+         .doc = "Nothing moves it along y.",
+         .binding = bound<&Body::locked_y, &Body::set_locked_y>(hosting)},
+        {.name = "locked_rotation",
+         .type = Type::boolean,
+         .doc = "Nothing turns it.",
+         .binding = bound<&Body::locked_rotation, &Body::set_locked_rotation>(hosting)},
+        {.name = "color",
+         .type = Type::color,
+         .doc = "Fills its shapes that have no color of their own; nil goes by its type.",
+         .binding = color(hosting),
+         .nullable = true},
+        {.name = "contacts",
+         .type = Type::list,
+         .doc = "The bodies it touches now; the world itself where it touches the bounds. Sensors "
+                "do not count.",
+         .binding = accessor(hosting, touching),
+         .read_only = true,
+         .transient = true,
+         .simulated = true,
+         .element = Type::reference},
+    };
+}
+
+}  // namespace
+
+void define_body(Hosting& hosting) {
+    property::ClassDescriptor body;
+    body.name = "Body";
+    body.doc =
+        "A rigid body: its shapes are its children. It is simulated while it hangs below a World.";
+    for (const auto& group : {motion(hosting), weight(hosting), forces(hosting), switches(hosting)})
+        body.properties.insert(body.properties.end(), group.begin(), group.end());
+    body.methods = body_methods(hosting);
+    body.events = contact_events("body");
+    body.events.push_back({.name = "woke", .doc = "Something disturbed its sleep."});
+    body.events.push_back({.name = "slept", .doc = "It rested long enough and fell asleep."});
+    body.lifecycle.context = &hosting;
+    body.lifecycle.create = [](void* context, property::Tree&, Handle self) {
+        return static_cast<Hosting*>(context)->create_body(self);
+    };
+    body.lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
+        return static_cast<Hosting*>(context)->place_body(self, row);
+    };
+    body.lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
+        static_cast<Hosting*>(context)->destroy_body(row);
+    };
+    const property::Class& defined = hosting.tree.define(std::move(body));
+    hosting.body_class = &defined;
+    hosting.woke = defined.event("woke");
+    hosting.slept = defined.event("slept");
+    hosting.contact_begin.of_body = defined.event("contact_begin");
+    hosting.contact_end.of_body = defined.event("contact_end");
+    hosting.contact_hit.of_body = defined.event("contact_hit");
+    hosting.sensor_begin.of_body = defined.event("sensor_begin");
+    hosting.sensor_end.of_body = defined.event("sensor_end");
+}
+
+}  // namespace fettle::physics_module

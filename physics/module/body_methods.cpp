@@ -1,0 +1,108 @@
+// Methods of Body: from one coordinate system to the other, pushes.
+
+#include "bindings.h"
+#include "classes.h"
+
+namespace fettle::physics_module {
+namespace {
+
+using property::Field;
+using property::Method;
+using property::Result;
+using Arguments = std::span<const Value>;
+
+/// `Run`: captureless lambda (physics::Body, Arguments) -> Result.
+template <class Run>
+Method method(Hosting& hosting, Method described, Run) {
+    described.context = &hosting;
+    described.call = [](void* context, property::Tree&, Handle, Row row, Arguments arguments) {
+        return Run{}(static_cast<Hosting*>(context)->body(row), arguments);
+    };
+    return described;
+}
+
+const Field world_point{.name = "point",
+                        .type = Type::vec2,
+                        .unit = "m",
+                        .doc = "In the world; the center of mass when left out."};
+
+}  // namespace
+
+std::vector<Method> body_methods(Hosting& hosting) {
+    const auto vec2 = [](std::string name, std::string unit, std::string doc) {
+        return Field{std::move(name), Type::vec2, std::move(unit), std::move(doc)};
+    };
+    return {
+        method(hosting,
+               {.name = "to_world",
+                .parameters = {vec2("point", "m", "In the body's coordinates.")},
+                .required = 1,
+                .returns = {vec2("point", "m", "In the world.")},
+                .doc = "Where a point of the body is in the world."},
+               [](const physics::Body& body, Arguments a) -> Result {
+                   return to_value(body.world_point(vec2_argument(a[0])));
+               }),
+        method(hosting,
+               {.name = "to_local",
+                .parameters = {vec2("point", "m", "In the world.")},
+                .required = 1,
+                .returns = {vec2("point", "m", "In the body's coordinates.")},
+                .doc = "Where a point of the world is as seen from the body."},
+               [](const physics::Body& body, Arguments a) -> Result {
+                   return to_value(body.local_point(vec2_argument(a[0])));
+               }),
+        method(hosting,
+               {.name = "velocity_at",
+                .parameters = {vec2("point", "m", "In the world.")},
+                .required = 1,
+                .returns = {vec2("velocity", "m/s", "")},
+                .doc = "How fast that point of the body moves."},
+               [](const physics::Body& body, Arguments a) -> Result {
+                   return to_value(body.velocity_at(vec2_argument(a[0])));
+               }),
+        method(hosting,
+               {.name = "apply_impulse",
+                .parameters = {vec2("impulse", "N s", ""), world_point},
+                .required = 1,
+                .doc = "Changes its velocity at once: a kick."},
+               [](physics::Body body, Arguments a) -> Result {
+                   if (a[1].is_nil())
+                       body.apply_impulse(vec2_argument(a[0]));
+                   else
+                       body.apply_impulse(vec2_argument(a[0]), vec2_argument(a[1]));
+                   return Value();
+               }),
+        method(hosting,
+               {.name = "apply_angular_impulse",
+                .parameters = {{.name = "impulse", .unit = "N m s"}},
+                .required = 1,
+                .doc = "Changes its angular velocity at once."},
+               [](physics::Body body, Arguments a) -> Result {
+                   body.apply_angular_impulse(float_argument(a[0]));
+                   return Value();
+               }),
+        method(hosting,
+               {.name = "apply_force",
+                .parameters = {vec2("force", "N", ""), world_point},
+                .required = 1,
+                .doc = "Pushes it during the next step only; the property `force` stays."},
+               [](physics::Body body, Arguments a) -> Result {
+                   if (a[1].is_nil())
+                       body.apply_force(vec2_argument(a[0]));
+                   else
+                       body.apply_force(vec2_argument(a[0]), vec2_argument(a[1]));
+                   return Value();
+               }),
+        method(hosting,
+               {.name = "apply_torque",
+                .parameters = {{.name = "torque", .unit = "N m"}},
+                .required = 1,
+                .doc = "Turns it during the next step only; the property `torque` stays."},
+               [](physics::Body body, Arguments a) -> Result {
+                   body.apply_torque(float_argument(a[0]));
+                   return Value();
+               }),
+    };
+}
+
+}  // namespace fettle::physics_module

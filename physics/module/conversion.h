@@ -1,0 +1,97 @@
+#pragma once
+// Between the values of the tree (double) and those of the physics library (float).
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+#include <fettle/physics/types.h>
+#include <fettle/property/value.h>
+
+namespace fettle::physics_module {
+
+inline property::Vec2 widen(const physics::Vec2& v) {
+    return v.cast<double>();
+}
+inline property::Vec2 widen(float x, float y) {
+    return {static_cast<double>(x), static_cast<double>(y)};
+}
+
+inline physics::Vec2 narrow(const property::Vec2& v) {
+    return v.cast<float>();
+}
+
+inline property::Value to_value(bool v) {
+    return v;
+}
+inline property::Value to_value(float v) {
+    return static_cast<double>(v);
+}
+inline property::Value to_value(int v) {
+    return v;
+}
+inline property::Value to_value(std::uint32_t v) {
+    return static_cast<std::int64_t>(v);
+}
+/// Bits are bits: all of them set is -1, as in Lua.
+inline property::Value to_value(std::uint64_t v) {
+    return static_cast<std::int64_t>(v);
+}
+inline property::Value to_value(const physics::Vec2& v) {
+    return widen(v);
+}
+/// Lower left and upper right corner.
+inline property::Value to_value(const physics::Aabb& box) {
+    return property::List{widen(box.min), widen(box.max)};
+}
+
+/// The tree has coerced `value` to the property's type before.
+template <class T>
+T from_value(const property::Value& value);
+template <>
+inline bool from_value<bool>(const property::Value& value) {
+    return value.boolean();
+}
+template <>
+inline float from_value<float>(const property::Value& value) {
+    return static_cast<float>(value.number());
+}
+template <>
+inline int from_value<int>(const property::Value& value) {
+    return static_cast<int>(value.integer());
+}
+template <>
+inline std::uint64_t from_value<std::uint64_t>(const property::Value& value) {
+    return static_cast<std::uint64_t>(value.integer());
+}
+template <>
+inline physics::Vec2 from_value<physics::Vec2>(const property::Value& value) {
+    return narrow(value.vec2());
+}
+template <>
+inline std::optional<float> from_value<std::optional<float>>(const property::Value& value) {
+    return from_value<float>(value);
+}
+template <>
+inline std::optional<physics::Vec2> from_value<std::optional<physics::Vec2>>(
+    const property::Value& value) {
+    return from_value<physics::Vec2>(value);
+}
+
+// Arguments of methods: finite doubles that a float may be too small for.
+
+inline float float_argument(const property::Value& value) {
+    const auto narrowed = static_cast<float>(value.number());
+    if (!std::isfinite(narrowed))
+        throw std::invalid_argument("a number is too large for single precision");
+    return narrowed;
+}
+inline physics::Vec2 vec2_argument(const property::Value& value) {
+    const physics::Vec2 narrowed = narrow(value.vec2());
+    if (!std::isfinite(narrowed.x()) || !std::isfinite(narrowed.y()))
+        throw std::invalid_argument("a vector is too large for single precision");
+    return narrowed;
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,177 @@
+// Drawing: shapes between the last two poses of their bodies, and what a viewer may want to see on
+// top.
+
+#include <array>
+#include <cmath>
+
+#include "bindings.h"
+#include "classes.h"
+
+namespace fettle::physics_module {
+namespace {
+
+using physics::ShapeType;
+using property::Color;
+using property::Overlay;
+using property::Paint;
+using property::Painter;
+using property::Vec2;
+
+/// How strongly a sensor is filled: one sees what is in it.
+constexpr float sensor_opacity = 0.25f;
+constexpr float segment_width = 3.0f;  // px
+
+/// From a body's coordinates to the world, between the last two steps.
+class Frame {
+  public:
+    Frame() = default;
+    Frame(const physics::World& world, std::uint32_t body, double alpha) {
+        const physics::Pose& from = world.previous(body);
+        const physics::BodyState& to = world.state(body);
+        position_ = widen(from.position) + alpha * (widen(to.position) - widen(from.position));
+        const double start = from.angle, turn = static_cast<double>(to.angle) - start;
+        angle_ = start + alpha * turn;
+        cosine_ = std::cos(angle_);
+        sine_ = std::sin(angle_);
+    }
+    Vec2 point(const physics::Vec2& local) const {
+        const double x = local.x(), y = local.y();
+        return {position_.x() + cosine_ * x - sine_ * y, position_.y() + sine_ * x + cosine_ * y};
+    }
+    Vec2 direction() const { return {cosine_, sine_}; }
+    const Vec2& position() const { return position_; }
+
+  private:
+    Vec2 position_{0, 0};
+    double angle_ = 0, cosine_ = 1, sine_ = 0;
+};
+
+bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
+    return painter.sees(widen(box.min) - reach, widen(box.max) + reach);
+}
+
+/// The box of the shape is that of its body's pose now; on the way there it reaches back a little.
+Vec2 way(const physics::World& world, std::uint32_t body) {
+    const auto& before = world.previous(body).position;
+    const auto& now = world.state(body).position;
+    return widen(physics::Vec2((now - before).cwiseAbs()));
+}
+
+void draw_form(const physics::Shape& shape, const Frame& frame, const Paint& paint,
+               Painter& painter) {
+    if (shape.type() == ShapeType::circle) {
+        const Vec2 center = frame.point(shape.center());
+        const double radius = shape.radius();
+        painter.circle(center, radius, paint);
+        painter.line(center, center + radius * frame.direction(), paint.border, paint.border_width);
+        return;
+    }
+    // Few have more corners than this.
+    std::array<Vec2, 16> some;
+    std::vector<Vec2> many;
+    const auto local = shape.vertices();
+    std::span<Vec2> corners(some);
+    if (local.size() > some.size()) {
+        many.resize(local.size());
+        corners = many;
+    }
+    corners = corners.first(local.size());
+    for (std::size_t i = 0; i < local.size(); ++i) corners[i] = frame.point(local[i]);
+    const double rounding =
+        shape.type() == ShapeType::box
+            ? std::min<double>(shape.rounding(), 0.5 * std::min(shape.width(), shape.height()))
+            : shape.rounding();
+    if (shape.type() == ShapeType::segment && rounding == 0)
+        painter.line(corners[0], corners[1], paint.fill, segment_width);
+    else
+        painter.polygon(corners, rounding, paint);
+}
+
+void draw_contacts(physics::World& world, Painter& painter) {
+    const Color dot{1.0f, 0.85f, 0.2f, 1.0f}, arrow{0.3f, 0.95f, 0.45f, 1.0f};
+    for (const physics::Contact& contact : world.contacts()) {
+        for (int k = 0; k < contact.point_count; ++k) {
+            const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
+            const Vec2 at = widen(p.point);
+            if (!painter.sees(at, at)) continue;
+            painter.point(at, dot, 6);
+            // The weight of a kilogram is 10 N: a tenth of a metre.
+            const double length = std::min(
+                2.0, 0.01 * static_cast<double>(contact.normal_force) / contact.point_count);
+            painter.line(at, at + length * widen(contact.normal), arrow, 1.5f);
+        }
+    }
+}
+
+void draw_boxes(physics::World& world, Painter& painter) {
+    const Paint paint{{0, 0, 0, 0}, {0.85f, 0.45f, 0.85f, 0.8f}, 1.0f};
+    for (const physics::Shape& shape : world.shapes()) {
+        if (!shape.body()) continue;
+        const physics::Aabb box = shape.aabb();
+        if (!sees(painter, box, Vec2(0, 0))) continue;
+        const Vec2 a = widen(box.min), b = widen(box.max);
+        const std::array<Vec2, 4> corners = {a, Vec2(b.x(), a.y()), b, Vec2(a.x(), b.y())};
+        painter.polygon(corners, 0, paint);
+    }
+}
+
+void draw_motion(physics::World& world, Painter& painter, double alpha) {
+    const Color center{0.95f, 0.95f, 0.95f, 1.0f}, velocity{0.35f, 0.8f, 1.0f, 1.0f};
+    for (const physics::Body& body : world.bodies()) {
+        const Frame frame(world, body.index(), alpha);
+        const Vec2 at = frame.point(body.center());
+        if (!painter.sees(at, at)) continue;
+        if (painter.shows(Overlay::velocities) && body.awake())
+            painter.line(at, at + 0.1 * widen(body.velocity()), velocity, 1.5f);
+        if (painter.shows(Overlay::centers)) painter.point(at, center, 5);
+    }
+}
+
+void draw_joints(physics::World& world, Painter& painter, double alpha) {
+    const Color color{0.6f, 0.95f, 0.75f, 1.0f};
+    for (const physics::MouseJoint& joint : world.joints()) {
+        const Frame frame(world, joint.body().index(), alpha);
+        const Vec2 from = frame.point(joint.anchor()), to = widen(joint.target());
+        painter.line(from, to, color, 1.5f);
+        painter.point(from, color, 5);
+        painter.point(to, color, 5);
+    }
+}
+
+/// What sleeps is marked.
+void draw_islands(physics::World& world, Painter& painter) {
+    for (const physics::Body& body : world.bodies()) {
+        if (body.awake() || body.type() == physics::BodyType::static_body) continue;
+        const Vec2 at = widen(body.world_center());
+        if (painter.sees(at, at)) painter.text(at, "z", 0.4, {1, 1, 1, 0.8f});
+    }
+}
+
+}  // namespace
+
+void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& painter,
+                double alpha) {
+    Hosting& hosting = *static_cast<ShapeKind*>(context)->hosting;
+    HostedWorld& in = hosting.hosted(row);
+    if (!in.looks.get(slot_of(row)).visible) return;
+    const physics::Shape shape = hosting.shape(row);
+    const physics::Body owner = shape.body();
+    const Vec2 reach = owner ? way(in.world, owner.index()) : Vec2(0, 0);
+    if (!sees(painter, shape.aabb(), reach)) return;
+    Paint paint{.fill = hosting.fill_of(row), .border = hosting.border_of(row)};
+    if (shape.sensor()) paint.fill.a *= sensor_opacity;
+    draw_form(shape, owner ? Frame(in.world, owner.index(), alpha) : Frame(), paint, painter);
+}
+
+void draw_world_overlays(void* context, const property::Tree&, Handle, Row row, Painter& painter,
+                         double alpha) {
+    physics::World& world = static_cast<Hosting*>(context)->world(row);
+    if (painter.shows(Overlay::aabbs)) draw_boxes(world, painter);
+    if (painter.shows(Overlay::joints)) draw_joints(world, painter, alpha);
+    if (painter.shows(Overlay::islands)) draw_islands(world, painter);
+    if (painter.shows(Overlay::velocities) || painter.shows(Overlay::centers))
+        draw_motion(world, painter, alpha);
+    if (painter.shows(Overlay::contacts)) draw_contacts(world, painter);
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,163 @@
+// Events: what happened in a step, told to those who listen. Nothing is made of an event that
+// nobody wants to hear of.
+
+#include <algorithm>
+
+#include "bindings.h"
+#include "classes.h"
+
+namespace fettle::physics_module {
+namespace {
+
+using property::Event;
+using property::Field;
+
+/// Both bodies are told, each from its side.
+std::vector<Field> contact_fields(bool full) {
+    std::vector<Field> fields = {
+        {"other", Type::reference, "", "The other body; the world itself for its bounds."},
+        {"shape", Type::reference, "", "The shape of this body."},
+        {"other_shape", Type::reference, "", "The shape of the other; nil for the bounds."},
+    };
+    if (!full) return fields;
+    const std::vector<Field> rest = {
+        {"point", Type::vec2, "m", "Where, in the world."},
+        {"normal", Type::vec2, "", "From this body to the other."},
+        {"impulse", Type::number, "N s", "How hard they met."},
+        {"speed", Type::number, "m/s", "How fast they approached each other."},
+        {"friction", Type::number, "", "Mixed from both surfaces."},
+        {"restitution", Type::number, "", "Mixed from both surfaces."},
+    };
+    fields.insert(fields.end(), rest.begin(), rest.end());
+    return fields;
+}
+
+/// What only the contact itself knows; nothing when it is over already.
+struct Mixed {
+    float friction = 0.0f, restitution = 0.0f;
+};
+
+Mixed mixed(physics::World& world, physics::BodyId body, physics::ShapeId a, physics::ShapeId b) {
+    if (!world.is_valid(body)) return {};
+    for (const physics::Contact& contact : world.body(body).contacts())
+        if (contact.shape_a == a && contact.shape_b == b)
+            return {contact.friction, contact.restitution};
+    return {};
+}
+
+Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uint32_t generation) {
+    const auto at = departed.find(generation);
+    return at == departed.end() ? Handle{} : at->second;
+}
+
+std::vector<Value> meeting(const physics::Vec2& point, const physics::Vec2& normal, float impulse,
+                           float speed, const Mixed& surface) {
+    return {to_value(point), to_value(normal),           to_value(impulse),
+            to_value(speed), to_value(surface.friction), to_value(surface.restitution)};
+}
+
+}  // namespace
+
+std::vector<Event> contact_events(std::string_view of) {
+    const std::string self(of);
+    return {
+        {.name = "contact_begin",
+         .fields = contact_fields(true),
+         .doc = "The " + self + " began to touch another."},
+        {.name = "contact_end",
+         .fields = contact_fields(false),
+         .doc = "The " + self + " stopped touching another."},
+        {.name = "contact_hit",
+         .fields = contact_fields(true),
+         .doc = "The " + self + " was hit faster than the world's hit_threshold."},
+        {.name = "sensor_begin",
+         .fields = contact_fields(false),
+         .doc = "The " + self + " came into a sensor, or as a sensor was come into."},
+        {.name = "sensor_end",
+         .fields = contact_fields(false),
+         .doc = "The " + self + " left a sensor, or as a sensor was left."},
+    };
+}
+
+/// The library looks for hits only where it is told to, and telling it wakes nobody.
+void Hosting::follow_listeners() {
+    const bool wanted = contact_hit.heard();
+    if (wanted == hits_wanted_) return;
+    hits_wanted_ = wanted;
+    for (const auto& hosted : worlds_)
+        if (hosted != nullptr)
+            for (physics::Shape& shape : hosted->world.shapes()) shape.set_hit_events(wanted);
+}
+
+Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
+                              physics::ShapeId shape) const {
+    physics::World& world = hosted.world;
+    Party party;
+    if (body.index == 0)
+        party.body = hosted.self;  // the bounds
+    else
+        party.body = world.is_valid(body) ? unpack(world.body(body).user_data())
+                                          : found(hosted.departed_bodies, body.generation);
+    party.shape = world.is_valid(shape) ? unpack(world.shape(shape).user_data())
+                                        : found(hosted.departed_shapes, shape.generation);
+    return party;
+}
+
+void Hosting::tell(const PairEvent& event, const Party& self, const Party& other,
+                   const std::vector<Value>& rest) {
+    const auto emit = [&](Handle to, const Event& which) {
+        if (which.listeners == 0 || !tree.alive(to) || !tree.listens(to, which)) return;
+        std::vector<Value> values = {other.body, self.shape, other.shape};
+        values.insert(values.end(), rest.begin(), rest.end());
+        tree.emit(to, which, std::move(values));
+    };
+    if (tree.alive(self.body) && tree.class_of(self.body).is_a(*body_class))
+        emit(self.body, *event.of_body);
+    emit(self.shape, *event.of_shape);
+}
+
+void Hosting::report(HostedWorld& hosted) {
+    const physics::Events& events = hosted.world.events();
+    const auto pair = [&](const PairEvent& event, const auto& list, const auto& rest_of) {
+        if (!event.heard()) return;
+        for (const auto& e : list) {
+            const Party a = party(hosted, e.body_a, e.shape_a);
+            const Party b = party(hosted, e.body_b, e.shape_b);
+            tell(event, a, b, rest_of(e, 1.0f));
+            tell(event, b, a, rest_of(e, -1.0f));
+        }
+    };
+    const auto sensed = [&](const PairEvent& event, const auto& list) {
+        if (!event.heard()) return;
+        for (const physics::SensorEvent& e : list) {
+            const Party sensor = party(hosted, e.sensor_body, e.sensor);
+            const Party visitor = party(hosted, e.visitor_body, e.visitor);
+            tell(event, sensor, visitor, {});
+            tell(event, visitor, sensor, {});
+        }
+    };
+    const auto nothing = [](const auto&, float) { return std::vector<Value>(); };
+    const auto all = [&](const auto& e, float side) {
+        const Mixed surface =
+            mixed(hosted.world, e.body_a.index == 0 ? e.body_b : e.body_a, e.shape_a, e.shape_b);
+        return meeting(e.point, side * e.normal, e.impulse, e.speed, surface);
+    };
+    pair(contact_end, events.contact_end, nothing);
+    pair(contact_begin, events.contact_begin, all);
+    pair(contact_hit, events.contact_hit, all);
+    sensed(sensor_end, events.sensor_end);
+    sensed(sensor_begin, events.sensor_begin);
+    const auto each = [&](const Event& event, const std::vector<physics::BodyId>& bodies) {
+        if (event.listeners == 0) return;
+        for (const physics::BodyId id : bodies)
+            if (const Handle self = party(hosted, id, {}).body;
+                tree.alive(self) && tree.listens(self, event))
+                tree.emit(self, event, {});
+    };
+    each(*woke, events.woke);
+    each(*slept, events.slept);
+    hosted.departed_bodies.clear();
+    hosted.departed_shapes.clear();
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,147 @@
+#pragma once
+// What the module keeps: the worlds it hosts and the joints that hang in the tree. A row of the
+// tree names a body or a shape by the number of its world and its slot there, so that reading a
+// property is reading an array of the physics library.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/physics/world.h>
+#include <fettle/property/tree.h>
+
+#include "joints.h"
+#include "looks.h"
+
+namespace fettle::physics_module {
+
+using property::Handle;
+using property::Row;
+
+inline constexpr unsigned slot_bits = 24;
+inline constexpr std::uint32_t most_slots = 1u << slot_bits;
+inline constexpr std::uint32_t most_worlds = 1u << (32 - slot_bits);
+/// The world of what is in no world: never stepped.
+inline constexpr std::uint32_t limbo = 0;
+
+constexpr std::uint32_t world_number(Row row) {
+    return row >> slot_bits;
+}
+constexpr std::uint32_t slot_of(Row row) {
+    return row & (most_slots - 1);
+}
+constexpr Row make_row(std::uint32_t world, std::uint32_t slot) {
+    return world << slot_bits | slot;
+}
+
+// The physics library keeps 64 bits for its user: enough for a handle.
+constexpr std::uint64_t pack(Handle handle) {
+    return std::uint64_t{handle.generation} << 32 | handle.index;
+}
+constexpr Handle unpack(std::uint64_t data) {
+    return {static_cast<std::uint32_t>(data), static_cast<std::uint32_t>(data >> 32)};
+}
+
+struct HostedWorld {
+    physics::World world;
+    Handle self;          // null: limbo
+    bool placed = false;  // hangs below the root and is stepped
+    bool unreported = false;
+    SlotValues<Look> looks;                                  // by shape slot
+    SlotValues<std::optional<property::Color>> body_colors;  // by body slot
+    // Who stood for what was destroyed while it touched something: its end is still to be told.
+    // By generation.
+    std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;
+};
+
+/// What a class of shapes starts with.
+struct ShapeKind {
+    Hosting* hosting = nullptr;
+    physics::Geometry geometry;
+};
+
+/// Two events of the same name: bodies and shapes tell both.
+struct PairEvent {
+    const property::Event* of_body = nullptr;
+    const property::Event* of_shape = nullptr;
+    bool heard() const { return of_body->listeners != 0 || of_shape->listeners != 0; }
+};
+
+class Hosting {
+  public:
+    explicit Hosting(property::Tree& tree);
+
+    // --- From rows to objects
+    HostedWorld& hosted(Row row) { return *worlds_[world_number(row)]; }
+    physics::World& world(Row row) { return hosted(row).world; }
+    const physics::BodyState& state(Row row) { return world(row).state(slot_of(row)); }
+    physics::Body body(Row row) {
+        physics::World& in = world(row);
+        return in.body({slot_of(row), in.body_generation(slot_of(row))});
+    }
+    physics::Shape shape(Row row) {
+        physics::World& in = world(row);
+        return in.shape({slot_of(row), in.shape_generation(slot_of(row))});
+    }
+    HostedWorld* world_at(std::uint32_t number) { return worlds_[number].get(); }
+    const HostedWorld* world_at(std::uint32_t number) const { return worlds_[number].get(); }
+
+    // --- Up the tree
+    /// Number of the nearest world above an instance; limbo when there is none.
+    std::uint32_t world_above(Handle instance) const;
+    /// The nearest body above; null when there is none.
+    Handle body_above(Handle instance) const;
+
+    // --- Coming, moving, going (placing.cpp, migration.cpp)
+    Row create_world(Handle self);
+    void place_world(Handle self, Row row);
+    void destroy_world(Row row);
+    Row create_body(Handle self);
+    Row place_body(Handle self, Row row);
+    void destroy_body(Row row);
+    Row create_shape(Handle self, const physics::Geometry& geometry);
+    Row place_shape(Handle self, Row row);
+    void destroy_shape(Row row);
+
+    // --- Events (events.cpp)
+    void follow_listeners();
+    void report(HostedWorld& hosted);
+
+    // --- Looks (looks.cpp)
+    property::Color fill_of(Row shape);
+    property::Color border_of(Row shape);
+
+    property::Tree& tree;
+    Joints joints;
+    std::array<ShapeKind, 5> kinds;
+
+    const property::Class* world_class = nullptr;
+    const property::Class* body_class = nullptr;
+    const property::Class* shape_class = nullptr;
+    const property::Class* statistics_class = nullptr;
+    std::array<property::Value, 3> type_names;  // by physics::BodyType
+
+    PairEvent contact_begin, contact_end, contact_hit, sensor_begin, sensor_end;
+    const property::Event* woke = nullptr;
+    const property::Event* slept = nullptr;
+
+  private:
+    Row migrate_body(Row row, std::uint32_t to);
+    /// A shape of `geometry` in another world, as part of `owner` (none: detached), as `from` was.
+    Row migrate_shape(Row from, std::uint32_t to, const physics::Body& owner);
+    void note_departure(Row shape);
+
+    struct Party {
+        Handle body, shape;
+    };
+    Party party(HostedWorld& hosted, physics::BodyId body, physics::ShapeId shape) const;
+    void tell(const PairEvent& event, const Party& self, const Party& other,
+              const std::vector<property::Value>& rest);
+
+    std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;
+    bool hits_wanted_ = false;
+};
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,91 @@
+// Migration: bodies and shapes move between worlds with everything they are. A world owns its
+// objects, so moving is making the same anew there and ending it here; the rows change, the handles
+// do not.
+
+#include "hosting.h"
+
+namespace fettle::physics_module {
+namespace {
+
+physics::BodyDef description(const physics::Body& body) {
+    physics::BodyDef def;
+    def.type = body.type();
+    def.position = body.position();
+    def.angle = body.angle();
+    def.velocity = body.velocity();
+    def.angular_velocity = body.angular_velocity();
+    def.force = body.force();
+    def.torque = body.torque();
+    def.gravity_scale = body.gravity_scale();
+    def.linear_damping = body.linear_damping();
+    def.angular_damping = body.angular_damping();
+    def.mass = body.mass_override();
+    def.inertia = body.inertia_override();
+    def.center = body.center_override();
+    def.can_sleep = body.can_sleep();
+    def.bullet = body.bullet();
+    def.locked_x = body.locked_x();
+    def.locked_y = body.locked_y();
+    def.locked_rotation = body.locked_rotation();
+    def.user_data = body.user_data();
+    return def;
+}
+
+physics::ShapeDef description(const physics::Shape& shape) {
+    physics::ShapeDef def;
+    def.density = shape.density();
+    def.friction = shape.friction();
+    def.restitution = shape.restitution();
+    def.rolling_resistance = shape.rolling_resistance();
+    def.surface_speed = shape.surface_speed();
+    def.sensor = shape.sensor();
+    def.hit_events = shape.hit_events();
+    def.category = shape.category();
+    def.mask = shape.mask();
+    def.group = shape.group();
+    def.user_data = shape.user_data();
+    return def;
+}
+
+}  // namespace
+
+Row Hosting::migrate_body(Row from, std::uint32_t to) {
+    physics::Body old = body(from);
+    HostedWorld& target = *worlds_[to];
+    const physics::BodyDef def = description(old);
+    const bool awake = old.awake();
+
+    physics::Body fresh = target.world.create_body(def);
+    for (const physics::Shape& shape : old.shapes()) {
+        const Row row = make_row(world_number(from), shape.index());
+        tree.set_row(unpack(shape.user_data()), migrate_shape(row, to, fresh));
+    }
+    // The velocity is that of the center of mass, which the shapes have just moved.
+    fresh.mass();
+    fresh.set_velocity(def.velocity);
+    fresh.set_angular_velocity(def.angular_velocity);
+    if (!awake) fresh.set_awake(false);
+    const auto color = hosted(from).body_colors.take(slot_of(from));
+    if (color) target.body_colors.set(fresh.index(), color);
+    old.destroy();
+    joints.loosen();
+    return make_row(to, fresh.index());
+}
+
+Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owner) {
+    note_departure(from);
+    HostedWorld& target = *worlds_[to];
+    physics::Shape old = shape(from);
+    physics::Shape fresh = std::visit(
+        [&](const auto& form) { return target.world.create_shape(form, description(old)); },
+        old.geometry());
+    if (owner) fresh.attach(owner);
+    if (!hosted(from).looks.empty()) {
+        const Look look = hosted(from).looks.take(slot_of(from));
+        if (look.fill || look.border || !look.visible) target.looks.set(fresh.index(), look);
+    }
+    old.destroy();
+    return make_row(to, fresh.index());
+}
+
+}  // namespace fettle::physics_module

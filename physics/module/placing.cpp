@@ -1,0 +1,116 @@
+// Placing: instances come, are hung elsewhere and go, and the objects they stand for follow.
+//
+// A body is in the world of the nearest World above it, a shape on the nearest Body. What has none
+// is in limbo, a world that nobody steps: it can be read and edited all the same.
+
+#include <fettle/property/error.h>
+
+#include "hosting.h"
+
+namespace fettle::physics_module {
+namespace {
+
+[[noreturn]] void no_room(const std::string& reason) {
+    throw property::Error(property::ErrorKind::rejected, reason);
+}
+
+/// Throws before the object is in the way of anyone: `made` is destroyed again.
+template <class Object>
+Row row_of(std::uint32_t world, Object made) {
+    if (made.index() < most_slots) return make_row(world, made.index());
+    made.destroy();
+    no_room("a world holds at most " + std::to_string(most_slots) + " bodies and as many shapes");
+}
+
+}  // namespace
+
+// --- Worlds
+
+Row Hosting::create_world(Handle self) {
+    std::uint32_t number = limbo + 1;
+    while (number < most_worlds && worlds_[number] != nullptr) ++number;
+    if (number == most_worlds)
+        no_room("there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");
+    worlds_[number] = std::make_unique<HostedWorld>();
+    worlds_[number]->self = self;
+    const Row row = make_row(number, 0);
+    tree.set_row(tree.create(*statistics_class, self, "step"), row);
+    return row;
+}
+
+void Hosting::place_world(Handle self, Row row) {
+    hosted(row).placed = tree.is_below(self, tree.root());
+}
+
+void Hosting::destroy_world(Row row) {
+    if (world_number(row) == limbo) return;
+    worlds_[world_number(row)].reset();
+}
+
+// --- Bodies
+
+Row Hosting::create_body(Handle self) {
+    const std::uint32_t number = world_above(self);
+    const physics::Body made = worlds_[number]->world.create_body({.user_data = pack(self)});
+    return row_of(number, made);
+}
+
+Row Hosting::place_body(Handle self, Row row) {
+    const std::uint32_t number = world_above(self);
+    return number == world_number(row) ? row : migrate_body(row, number);
+}
+
+void Hosting::destroy_body(Row row) {
+    HostedWorld& in = hosted(row);
+    const physics::Body gone = body(row);
+    if (gone.is_touching()) in.departed_bodies[gone.id().generation] = unpack(gone.user_data());
+    in.body_colors.forget(slot_of(row));
+    physics::Body(gone).destroy();
+    joints.loosen();
+}
+
+// --- Shapes
+
+Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
+    const Handle owner = body_above(self);
+    const Row owner_row = owner ? tree.row(owner) : make_row(limbo, 0);
+    HostedWorld& in = hosted(owner_row);
+    const physics::ShapeDef def{.hit_events = hits_wanted_, .user_data = pack(self)};
+    physics::Shape made =
+        std::visit([&](const auto& form) { return in.world.create_shape(form, def); }, geometry);
+    if (owner) made.attach(body(owner_row));
+    return row_of(world_number(owner_row), made);
+}
+
+Row Hosting::place_shape(Handle self, Row row) {
+    const Handle owner = body_above(self);
+    if (!owner) {
+        if (world_number(row) != limbo) return migrate_shape(row, limbo, {});
+        shape(row).detach();
+        return row;
+    }
+    const Row owner_row = tree.row(owner);
+    if (world_number(row) != world_number(owner_row))
+        return migrate_shape(row, world_number(owner_row), body(owner_row));
+    physics::Shape placed = shape(row);
+    if (placed.body() != body(owner_row)) placed.attach(body(owner_row));
+    return row;
+}
+
+void Hosting::destroy_shape(Row row) {
+    note_departure(row);
+    hosted(row).looks.forget(slot_of(row));
+    shape(row).destroy();
+}
+
+/// Whoever goes in the middle of a touch is still to be named when its end is told.
+void Hosting::note_departure(Row row) {
+    const physics::Shape going = shape(row);
+    if (!going.is_touching()) return;
+    HostedWorld& in = hosted(row);
+    in.departed_shapes[going.id().generation] = unpack(going.user_data());
+    const physics::Body owner = going.body();
+    if (owner) in.departed_bodies[owner.id().generation] = unpack(owner.user_data());
+}
+
+}  // namespace fettle::physics_module

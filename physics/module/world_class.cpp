@@ -1,0 +1,188 @@
+// World: how everything in it is simulated, and what the last step did.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "bindings.h"
+#include "classes.h"
+
+namespace fettle::physics_module {
+namespace {
+
+using physics::StepStatistics;
+using physics::World;
+
+Value bounds(Hosting& hosting, Row row) {
+    const auto& bounds = hosting.world(row).bounds();
+    return bounds ? to_value(*bounds) : Value();
+}
+
+void set_bounds(Hosting& hosting, Row row, const Value& value) {
+    World& world = hosting.world(row);
+    if (value.is_nil()) return world.set_bounds(std::nullopt);
+    const property::List& corners = value.list();
+    if (corners.size() != 2)
+        throw std::invalid_argument(
+            "expected two corners, lower left and upper right, got a list of " +
+            std::to_string(corners.size()));
+    const physics::Vec2 a = narrow(corners[0].vec2()), b = narrow(corners[1].vec2());
+    if (a.x() == b.x() || a.y() == b.y())
+        throw std::invalid_argument("expected two corners of a box, got two points in a line");
+    world.set_bounds(physics::Aabb{a.cwiseMin(b), a.cwiseMax(b)});
+}
+
+Property number(std::string name, double default_value, std::string unit, std::string doc,
+                Binding binding) {
+    return {.name = std::move(name),
+            .default_value = default_value,
+            .unit = std::move(unit),
+            .range = not_negative,
+            .doc = std::move(doc),
+            .binding = binding,
+            .single_precision = true};
+}
+
+std::vector<Property> simulation(Hosting& hosting) {
+    const physics::WorldDef defaults;
+    return {
+        {.name = "gravity",
+         .type = Type::vec2,
+         .default_value = widen(defaults.gravity),
+         .unit = "m/s\xC2\xB2",
+         .doc = "Pulls every dynamic body, as far as its gravity_scale lets it.",
+         .binding = bound<&World::gravity, &World::set_gravity>(hosting),
+         .single_precision = true},
+        {.name = "substeps",
+         .type = Type::integer,
+         .default_value = defaults.substeps,
+         .range = {.min = 1, .max = 64},
+         .doc = "Parts a step is solved in: more is stiffer and slower.",
+         .binding = bound<&World::substeps, &World::set_substeps>(hosting)},
+        {.name = "bounds",
+         .type = Type::list,
+         .unit = "m",
+         .doc = "Walls round the world, given by their lower left and upper right corner; nil: "
+                "none.",
+         .binding = accessor(hosting, bounds, set_bounds),
+         .nullable = true,
+         .element = Type::vec2,
+         .single_precision = true},
+        {.name = "sleeping",
+         .type = Type::boolean,
+         .default_value = defaults.sleeping,
+         .doc = "What rests falls asleep and costs nothing until it is disturbed.",
+         .binding = bound<&World::sleeping, &World::set_sleeping>(hosting)},
+        {.name = "continuous",
+         .type = Type::boolean,
+         .default_value = defaults.continuous,
+         .doc = "However fast, bodies do not pass through static ones.",
+         .binding = bound<&World::continuous, &World::set_continuous>(hosting)},
+    };
+}
+
+std::vector<Property> tuning(Hosting& hosting) {
+    const physics::WorldDef defaults;
+    Property bounce =
+        number("bounds_restitution", defaults.bounds_restitution, "",
+               "How much of its speed what hits the walls gets back.",
+               bound<&World::bounds_restitution, &World::set_bounds_restitution>(hosting));
+    bounce.range = fraction;
+    return {
+        number("bounds_friction", defaults.bounds_friction, "", "Of the walls of the bounds.",
+               bound<&World::bounds_friction, &World::set_bounds_friction>(hosting)),
+        bounce,
+        number("restitution_threshold", defaults.restitution_threshold, "m/s",
+               "Slower impacts do not bounce.",
+               bound<&World::restitution_threshold, &World::set_restitution_threshold>(hosting)),
+        number("hit_threshold", defaults.hit_threshold, "m/s",
+               "Slower impacts make no contact_hit.",
+               bound<&World::hit_threshold, &World::set_hit_threshold>(hosting)),
+        number("sleep_speed", defaults.sleep_speed, "m/s", "What is slower than this rests.",
+               bound<&World::sleep_speed, &World::set_sleep_speed>(hosting)),
+        number("sleep_delay", defaults.sleep_delay, "s",
+               "How long something rests before it falls asleep.",
+               bound<&World::sleep_delay, &World::set_sleep_delay>(hosting)),
+        number("contact_hertz", defaults.contact_hertz, "Hz",
+               "Stiffness of contacts, at most an eighth of the rate of sub-steps.",
+               bound<&World::contact_hertz, &World::set_contact_hertz>(hosting)),
+        number("contact_damping", defaults.contact_damping, "", "Damping ratio of contacts.",
+               bound<&World::contact_damping, &World::set_contact_damping>(hosting)),
+        number("push_speed", defaults.push_speed, "m/s",
+               "The fastest that an overlap is pushed apart.",
+               bound<&World::push_speed, &World::set_push_speed>(hosting)),
+    };
+}
+
+template <auto Member>
+Property statistic(Hosting& hosting, std::string name, std::string doc) {
+    using Figure = std::remove_cvref_t<decltype(std::declval<StepStatistics>().*Member)>;
+    constexpr bool is_time = std::is_same_v<Figure, float>;
+    return {.name = std::move(name),
+            .type = is_time ? Type::number : Type::integer,
+            .unit = is_time ? "ms" : "",
+            .doc = std::move(doc),
+            .binding = accessor(
+                hosting,
+                [](Hosting& h, Row row) { return to_value(h.world(row).statistics().*Member); }),
+            .read_only = true,
+            .transient = true,
+            .simulated = true,
+            .single_precision = is_time};
+}
+
+}  // namespace
+
+void define_step_statistics(Hosting& hosting) {
+    using S = StepStatistics;
+    Hosting& h = hosting;
+    property::ClassDescriptor statistics;
+    statistics.name = "StepStatistics";
+    statistics.doc = "What the last step of a world did, and how long that took.";
+    statistics.creatable = false;
+    statistics.properties = {
+        statistic<&S::steps>(h, "steps", "Since the world was made."),
+        statistic<&S::bodies>(h, "bodies", "In the world."),
+        statistic<&S::awake_bodies>(h, "awake_bodies", "That took part in the step."),
+        statistic<&S::shapes>(h, "shapes", "Of all bodies."),
+        statistic<&S::joints>(h, "joints", "That act on a body."),
+        statistic<&S::contacts>(h, "contacts", "Pairs of shapes near each other."),
+        statistic<&S::awake_contacts>(h, "awake_contacts", "Of these, with a body that is awake."),
+        statistic<&S::touching>(h, "touching", "Of these, near enough to be solved."),
+        statistic<&S::islands>(h, "islands", "Groups of bodies that sleep together."),
+        statistic<&S::moved_proxies>(h, "moved_proxies", "Shapes that left their box in the tree."),
+        statistic<&S::edits_ms>(h, "edits_ms", "Bringing what was edited up to date."),
+        statistic<&S::pairs_ms>(h, "pairs_ms", "Broad phase."),
+        statistic<&S::narrow_ms>(h, "narrow_ms", "Manifolds."),
+        statistic<&S::solve_ms>(h, "solve_ms", "Forces, contacts and joints."),
+        statistic<&S::finish_ms>(h, "finish_ms", "Poses, boxes, continuous collision."),
+        statistic<&S::sleep_ms>(h, "sleep_ms", "Islands."),
+        statistic<&S::total_ms>(h, "total_ms", "The whole step."),
+    };
+    hosting.statistics_class = &hosting.tree.define(std::move(statistics));
+}
+
+void define_world(Hosting& hosting) {
+    property::ClassDescriptor world;
+    world.name = "World";
+    world.doc =
+        "Bodies below it are simulated together. Its child `step` tells about the last "
+        "step.";
+    for (const auto& group : {simulation(hosting), tuning(hosting)})
+        world.properties.insert(world.properties.end(), group.begin(), group.end());
+    world.methods = world_methods(hosting);
+    world.lifecycle.context = &hosting;
+    world.lifecycle.create = [](void* context, property::Tree&, Handle self) {
+        return static_cast<Hosting*>(context)->create_world(self);
+    };
+    world.lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
+        static_cast<Hosting*>(context)->place_world(self, row);
+        return row;
+    };
+    world.lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
+        static_cast<Hosting*>(context)->destroy_world(row);
+    };
+    world.lifecycle.draw_over = draw_world_overlays;
+    hosting.world_class = &hosting.tree.define(std::move(world));
+}
+
+}  // namespace fettle::physics_module
