@@ -104,7 +104,8 @@ void ClassRegistry::inherit(Class& made) {
     if (made.base_ == nullptr) return;
     const Class& base = *made.base_;
     const Lifecycle& own = made.descriptor_.lifecycle;
-    if (!own.create && !own.place && !own.destroy && !own.draw) made.lifecycle_ = base.lifecycle_;
+    if (!own.create && !own.place && !own.destroy && !own.draw && !own.draw_over)
+        made.lifecycle_ = base.lifecycle_;
     made.properties_ = base.properties_;
     made.methods_ = base.methods_;
     made.events_ = base.events_;

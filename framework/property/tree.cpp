@@ -149,8 +149,15 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     }
     const Lifecycle& lifecycle = of.lifecycle();
     if (lifecycle.create) {
-        const Row row = lifecycle.create(lifecycle.context, tree, self);
-        nodes[index].row = row;
+        try {
+            const Row row = lifecycle.create(lifecycle.context, tree, self);
+            nodes[index].row = row;
+        } catch (...) {  // its module has no room for it: it never was
+            if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
+            nodes.unlink(index);
+            nodes.release(index);
+            throw;
+        }
     }
     if (lifecycle.place && parent != 0) {
         const Row row = lifecycle.place(lifecycle.context, tree, self, nodes[index].row);
@@ -396,12 +403,19 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
 void Tree::draw(Handle top, Painter& painter, double alpha) const {
     const State& s = *state_;
     s.require(top);
+    std::vector<std::uint32_t> over;
     s.visit_below(top.index, [&](std::uint32_t i) {
         const Lifecycle& lifecycle = s.classes[s.nodes[i].class_id].lifecycle();
         if (lifecycle.draw)
             lifecycle.draw(lifecycle.context, *this, s.nodes.handle(i), s.nodes[i].row, painter,
                            alpha);
+        if (lifecycle.draw_over) over.push_back(i);
     });
+    for (const std::uint32_t i : over) {
+        const Lifecycle& lifecycle = s.classes[s.nodes[i].class_id].lifecycle();
+        lifecycle.draw_over(lifecycle.context, *this, s.nodes.handle(i), s.nodes[i].row, painter,
+                            alpha);
+    }
 }
 
 }  // namespace fettle::property

@@ -175,7 +175,8 @@ struct Event {
 /// Called by the tree as instances of the class come, move and go. All optional.
 struct Lifecycle {
     void* context = nullptr;
-    /// Makes the module's row, with defaults, before anyone can see the instance.
+    /// Makes the module's row, with defaults, before anyone can see the instance. May throw Error
+    /// when there is no room for it.
     Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
     /// The chain of parents above `self` changed (parents are told before children). Returns the
     /// row, possibly another.
@@ -184,6 +185,9 @@ struct Lifecycle {
     /// Draws the instance. `alpha`: how far between the last two steps, 0 to 1.
     void (*draw)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
                  double alpha) = nullptr;
+    /// Draws over everything else, when all has been drawn.
+    void (*draw_over)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
+                      double alpha) = nullptr;
 };
 
 struct ClassDescriptor {
