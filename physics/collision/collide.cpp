@@ -15,6 +15,10 @@ namespace {
 /// contacts do not flip.
 constexpr float face_preference = 0.0005f;
 
+/// Two edges that overlap by less than this (m) and a tenth of either, end against end, do not stop
+/// each other: what slides over a floor of tiles would be kicked by the side of every next one.
+constexpr float seam = 0.005f;
+
 struct Axis {
     int edge = 0;
     float separation = -1e30f;  // of the cores, without radii
@@ -148,6 +152,12 @@ void clip(const Convex& reference, int edge, const Convex& other, int incident, 
     const float low = dot(tangent, v1), high = dot(tangent, v2);
     const float x1 = dot(tangent, w1), x2 = dot(tangent, w2);
     const float run = x2 - x1;
+    const float facing = min(high, x2) - max(low, x1);
+    const bool inside = (x1 >= low && x2 <= high) || (low >= x1 && high <= x2);
+    if (!inside && facing < min(seam, 0.1f * min(high - low, run)) &&
+        reference.radius + other.radius == 0.0f) {
+        return;
+    }
     const V2 along = w2 - w1;
     V2 c1 = w1, c2 = w2;
     if (x2 < low) {
@@ -231,6 +241,8 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
             // Facing edges whose ends are level are a face contact, not a vertex one.
             const V2 d = q - p;
             if (std::fabs(dot(d, along)) > 1e-3f * length(d)) {
+                // Bare corners that have not met may yet pass each other.
+                if (a.radius + b.radius == 0.0f) return;
                 if (!flipped) {
                     single_point(p, q, n, a, b, offset, margin, feature_of(r, o), m);
                 } else {

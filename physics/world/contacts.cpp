@@ -203,12 +203,8 @@ bool WorldData::update_manifold(ContactRecord& c) {
     if (overlap(grow(boxes[c.shape_a], margin), boxes[c.shape_b])) {
         const V2 center_b = bodies[c.body_b].center;
         if (forms[c.shape_a].count == 0) {
-            const Aabb& bounds = *settings.bounds;
-            const V2 normals[4] = {{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}};
-            const float depths[4] = {bounds.min.x(), -bounds.max.x(), bounds.min.y(),
-                                     -bounds.max.y()};
-            collide_half_plane(normals[c.shape_a], depths[c.shape_a], convex(c.shape_b), center_b,
-                               margin, m);
+            const BorderPlane plane = border_plane(c.shape_a);
+            collide_half_plane(plane.normal, plane.depth, convex(c.shape_b), center_b, margin, m);
         } else {
             collide(convex(c.shape_a), convex(c.shape_b), center_b - bodies[c.body_a].center,
                     margin, m);

@@ -35,13 +35,11 @@ Probe cast_shape(const WorldData& data, uint32_t shape, V2 from, V2 d) {
 }
 
 /// The border is seen from inside: a ray that leaves the bounds ends there.
-Probe cast_border(const Aabb& bounds, uint32_t side, V2 from, V2 d) {
-    const V2 normals[4] = {{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}};
-    const float depths[4] = {bounds.min.x(), -bounds.max.x(), bounds.min.y(), -bounds.max.y()};
-    const float distance = dot(normals[side], from) - depths[side];
-    const float speed = dot(normals[side], d);
+Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
+    const float distance = dot(plane.normal, from) - plane.depth;
+    const float speed = dot(plane.normal, d);
     if (distance < 0.0f || !(speed < 0.0f) || -distance / speed > 1.0f) return {};
-    return {-distance / speed, normals[side]};
+    return {-distance / speed, plane.normal};
 }
 
 /// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
@@ -59,7 +57,7 @@ void cast_all(World* world, WorldData& data, V2 from, V2 to, const QueryFilter& 
     data.fixed_tree.cast(from, to, visit);
     data.moving_tree.cast(from, to, visit);
     for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
-        const Probe probe = cast_border(*data.settings.bounds, side, from, d);
+        const Probe probe = cast_border(data.border_plane(side), from, d);
         if (probe.fraction <= far && accepted(world, data, filter, side))
             far = hit(side, probe, far);
     }

@@ -50,6 +50,20 @@ void WorldData::apply_bounds() {
     }
 }
 
+BorderPlane WorldData::border_plane(uint32_t side) const {
+    const Aabb& bounds = *settings.bounds;
+    switch (side) {
+        case 0:
+            return {{1.0f, 0.0f}, bounds.min.x()};
+        case 1:
+            return {{-1.0f, 0.0f}, -bounds.max.x()};
+        case 2:
+            return {{0.0f, 1.0f}, bounds.min.y()};
+        default:
+            return {{0.0f, -1.0f}, -bounds.max.y()};
+    }
+}
+
 uint32_t WorldData::create_body(const BodyDef& def) {
     uint32_t slot = free_body;
     if (slot != none) {

@@ -165,6 +165,7 @@ std::vector<MouseConstraint> WorldData::prepare_joints(float h) {
 
 void WorldData::finish_bodies(float dt) {
     sleep_candidates = 0;
+    fast_bodies.clear();
     for (size_t i = 0; i < awake_bodies.size(); ++i) {
         const uint32_t slot = awake_bodies[i];
         BodyRecord& record = bodies[slot];
@@ -194,6 +195,13 @@ void WorldData::finish_bodies(float dt) {
         const Rotation q = {state.cosine, state.sine};
         state.position = to_vec2(record.center - rotate(q, record.local_center));
         finish_shapes(slot, q);
+        // Slower ones cannot pass the reach of a speculative contact, or leave more than half of
+        // them behind.
+        const float near = max(0.5f * record.thickness, speculative_margin);
+        if (settings.continuous && record.mobility == Mobility::dynamic &&
+            length_squared(shift) > near * near) {
+            fast_bodies.push_back({slot, record.center - shift, shift, turn});
+        }
 
         const float speed =
             max(length(to_v2(state.velocity)), std::fabs(state.angular_velocity) * record.extent);
@@ -229,6 +237,7 @@ void WorldData::step(float dt) {
     solve(dt);
     statistics.solve_ms = clock.lap();
     finish_bodies(dt);
+    stop_fast_bodies();
     statistics.finish_ms = clock.lap();
     ++steps;
     sleep_resting_islands();

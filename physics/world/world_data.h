@@ -25,6 +25,20 @@ inline constexpr float greatest_speed = 1e4f;
 /// Turning in one sub-step, rad.
 inline constexpr float greatest_turn = 3.0f;
 
+/// A body that moved far for its thickness in this step.
+struct FastBody {
+    uint32_t body = none;
+    V2 start;  ///< center of mass before
+    V2 shift;
+    float turn = 0.0f;
+};
+
+/// The border is solid where normal·p <= depth.
+struct BorderPlane {
+    V2 normal;
+    float depth = 0.0f;
+};
+
 /// Everything of a world: arrays addressed by slot, lists of what is awake, lists of what an edit
 /// left out of date. The member functions are grouped by the file that defines them.
 struct WorldData : Columns {
@@ -59,7 +73,8 @@ struct WorldData : Columns {
     std::vector<ContactConstraint> constraints;
     std::vector<ContactExtra> extras;
     std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
-    float last_substep = 0.0f;     ///< s; warm-start impulses are scaled by the ratio
+    std::vector<FastBody> fast_bodies;
+    float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio
     uint64_t steps = 0;
     uint32_t sleep_candidates = 0;  ///< bodies that rested long enough, as of the last step
 
@@ -80,6 +95,7 @@ struct WorldData : Columns {
     // slots.cpp: birth and death
     void make_border();
     void apply_bounds();
+    BorderPlane border_plane(uint32_t side) const;
     uint32_t create_body(const BodyDef& def);
     void destroy_body(uint32_t body);
     uint32_t create_shape(const ShapeDef& def, const Geometry& geometry);
@@ -157,6 +173,11 @@ struct WorldData : Columns {
     std::vector<MouseConstraint> prepare_joints(float h);
     void finish_bodies(float dt);
     void finish_shapes(uint32_t body, Rotation q);
+    // continuous.cpp
+    void stop_fast_bodies();
+    float limit_motion(const FastBody& fast) const;
+    float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
+                      float core) const;
     // ../solver
     void prepare_contacts(float h);
     void store_contacts();

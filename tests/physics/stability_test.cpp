@@ -73,3 +73,89 @@ TEST_CASE("a heavy box on a light one does not crush it") {
     REQUIRE(heavy.position().y() > 1.4f);
     REQUIRE(light.position().y() > 0.45f);
 }
+
+TEST_CASE("bullets at 300 metres a second do not pass through thin walls") {
+    for (int kind = 0; kind < 4; ++kind) {
+        for (float angle : {0.0f, 0.3f, -0.8f}) {
+            World world({.gravity = {0, 0}});
+            Body wall = world.create_body({.type = BodyType::static_body});
+            if (kind % 2 == 0)
+                wall.add(Segment{.from = {0, -50}, .to = {0, 50}});
+            else
+                wall.add(Box{.width = 0.02f, .height = 100});
+            Body bullet = world.create_body(
+                {.position = {-7.3f, 0}, .angular_velocity = 20.0f, .bullet = true});
+            if (kind < 2)
+                bullet.add(Circle{.radius = 0.05f});
+            else
+                bullet.add(Box{.width = 0.2f, .height = 0.05f});
+            bullet.set_velocity({300.0f * std::cos(angle), 300.0f * std::sin(angle)});
+            for (int i = 0; i < 60; ++i) {
+                world.step(frame);
+                INFO("kind " << kind << ", angle " << angle << ", step " << i);
+                REQUIRE(bullet.position().x() < 0.1f);
+            }
+            REQUIRE_FALSE(world.validate());
+        }
+    }
+}
+
+TEST_CASE("a bullet hits a body that moves and an ordinary fast body does not pass a static one") {
+    World world({.gravity = {0, 0}});
+    Body plate = world.create_body({.position = {0, 0}});
+    plate.add(Box{.width = 0.05f, .height = 2});
+    Body bullet = world.create_body({.position = {-9.4f, 0}, .bullet = true});
+    bullet.add(Circle{.radius = 0.05f});
+    bullet.set_velocity({250, 0});
+    run(world, 0.2f);
+    REQUIRE(plate.velocity().x() > 1.0f);
+    REQUIRE(bullet.position().x() < plate.position().x());
+}
+
+TEST_CASE("without continuous collision a fast ball passes a thin wall") {
+    World world({.gravity = {0, 0}});
+    Body wall = world.create_body({.type = BodyType::static_body});
+    wall.add(Segment{.from = {0, -5}, .to = {0, 5}});
+    Body ball = add_ball(world, {-10.2f, 0}, 0.1f);
+    ball.set_velocity({100, 0});
+    world.set_continuous(false);
+    run(world, 0.3f);
+    REQUIRE(ball.position().x() > 1.0f);
+    world.set_continuous(true);
+    ball.set_position({-10.2f, 0});
+    ball.set_velocity({100, 0});
+    run(world, 0.3f);
+    REQUIRE(ball.position().x() < 0.0f);
+}
+
+TEST_CASE("nothing kicks a fast box at the seams of a floor of tiles") {
+    World world;
+    Body floor = world.create_body({.type = BodyType::static_body});
+    for (int i = -5; i < 200; ++i) floor.add(Box{.center = {float(i), -0.5f}}, {.friction = 0.0f});
+    Body box = add_box(world, {0, 0.5f}, 1.0f, {.friction = 0.0f});
+    Body ball = add_ball(world, {-3, 0.5f}, 0.5f, {.friction = 0.0f});
+    run(world, 0.5f);
+    box.set_velocity({30, 0});
+    ball.set_velocity({30, 0});
+    for (int i = 0; i < 240; ++i) {
+        world.step(frame);
+        REQUIRE(box.position().y() == Approx(0.5f).margin(0.01));
+        REQUIRE(ball.position().y() == Approx(0.5f).margin(0.01));
+    }
+    REQUIRE(box.velocity().x() == Approx(30.0f).epsilon(0.01));
+    REQUIRE(ball.velocity().x() == Approx(30.0f).epsilon(0.01));
+}
+
+TEST_CASE("a body thrown at a border at any speed stays inside") {
+    World world({.gravity = {0, 0}, .bounds = Aabb{{-5, -5}, {5, 5}}});
+    Body box = add_box(world, {0, 0}, 0.3f);
+    for (float speed : {10.0f, 100.0f, 1000.0f, 9000.0f}) {
+        box.set_pose({{0, 0}, 0.3f});
+        box.set_velocity({speed, 0.7f * speed});
+        for (int i = 0; i < 30; ++i) {
+            world.step(frame);
+            INFO("speed " << speed << ", step " << i);
+            REQUIRE(box.position().lpNorm<Eigen::Infinity>() < 5.0f);
+        }
+    }
+}

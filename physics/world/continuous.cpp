@@ -1,0 +1,103 @@
+#include <collision/probe.h>
+#include <collision/sweep.h>
+#include <geometry/trigonometry.h>
+#include <world/world_data.h>
+
+// Continuous collision. A body that moved far for its thickness may have passed through something
+// thin. If the core of one of its shapes (a disc of half the thickness round the centroid) met an
+// obstacle on the way, the body is put back to where the shape itself arrived; it keeps its
+// velocity, and the next step finds an ordinary contact. Asking for the core keeps bodies that
+// slide over a floor of many pieces from being stopped at every seam.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Arrives this close, m: within the reach of a speculative contact.
+constexpr float arrival_gap = 0.25f * speculative_margin;
+
+}  // namespace
+
+/// How far shape `s` gets before obstacle `o`, as a fraction of the motion.
+float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 centroid,
+                             float core) const {
+    const BodyRecord& record = bodies[fast.body];
+    if (forms[o].count == 0) {
+        const BorderPlane plane = border_plane(o);
+        const V2 start_centroid = centroid - fast.shift;
+        const float before = dot(plane.normal, start_centroid) - plane.depth - core;
+        const float after = dot(plane.normal, centroid) - plane.depth - core;
+        if (before <= 0.0f || after >= 0.0f) return 1.0f;
+        // Where the farthest vertex arrives, turning left aside.
+        float reach = 0.0f;
+        const Convex shape = convex(s);
+        for (int i = 0; i < shape.count; ++i) {
+            reach = max(reach, -dot(plane.normal, shape.vertices[i] + record.center - centroid) +
+                                   shape.radius);
+        }
+        const float arrival = (before + core - reach - arrival_gap) / (before - after);
+        return clamp(arrival, 0.0f, before / (before - after));
+    }
+    Convex obstacle = convex(o);
+    const V2 center = bodies[forms[o].body].center;
+    const Rotation back = rotation_of(-double(fast.turn));
+    const V2 start_centroid = fast.start + rotate(back, centroid - record.center);
+    obstacle.radius += core;
+    const Probe probe = cast_segment(obstacle, start_centroid - center, centroid - start_centroid);
+    if (probe.fraction > 1.0f) return 1.0f;
+    obstacle.radius -= core;
+    const Sweep sweep = {convex(s), fast.start, fast.shift, fast.turn, record.extent};
+    const float arrival = time_of_impact(sweep, obstacle, center, arrival_gap);
+    // Touching from the start: its contacts hold it, but not beyond where the core would enter.
+    return arrival > 0.0f ? min(arrival, probe.fraction) : probe.fraction;
+}
+
+float WorldData::limit_motion(const FastBody& fast) const {
+    const BodyRecord& record = bodies[fast.body];
+    const Rotation q = {states[fast.body].cosine, states[fast.body].sine};
+    float limit = 1.0f;
+    for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
+        if (shapes[s].surface.sensor) continue;
+        const AreaMoments& m = shapes[s].moments;
+        const V2 local = V2{float(m.center_x), float(m.center_y)} - record.local_center;
+        const V2 centroid = record.center + rotate(q, local);
+        const Box4 start = {boxes[s].low - fast.shift, boxes[s].high - fast.shift};
+        const Box4 swept = grow(unite(boxes[s], start), speculative_margin);
+        auto meet = [&](uint32_t other) {
+            if (shapes[other].surface.sensor || !may_collide(s, other)) return;
+            limit = min(limit, sweep_shape(fast, s, other, centroid, 0.5f * record.thickness));
+        };
+        fixed_tree.query(swept, meet);
+        if (record.bullet) {
+            moving_tree.query(swept, [&](uint32_t other) {
+                if (!bodies[forms[other].body].bullet) meet(other);
+            });
+        }
+        for (uint32_t side = 0; settings.bounds && side < 4; ++side) {
+            if (overlap(swept, fat_boxes[side])) meet(side);
+        }
+    }
+    return limit;
+}
+
+void WorldData::stop_fast_bodies() {
+    // Bullets last: those they may hit are where they will stay.
+    for (const bool bullets : {false, true}) {
+        for (const FastBody& fast : fast_bodies) {
+            BodyRecord& record = bodies[fast.body];
+            if (record.bullet != bullets) continue;
+            const float limit = limit_motion(fast);
+            if (limit >= 1.0f) continue;
+            BodyState& state = states[fast.body];
+            const float back = (1.0f - limit) * fast.turn;
+            record.center = fast.start + limit * fast.shift;
+            state.angle -= back;
+            const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
+            state.cosine = q.c;
+            state.sine = q.s;
+            state.position = to_vec2(record.center - rotate(q, record.local_center));
+            finish_shapes(fast.body, q);
+        }
+    }
+}
+
+}  // namespace fettle::physics::detail
