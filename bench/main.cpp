@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 #include "commands/commands.h"
 
@@ -34,6 +35,41 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
     add_output(*command, options.output);
 }
 
+void add_tree(CLI::App& app, TreeOptions& options) {
+    CLI::App* command = app.add_subcommand("tree", "What the live property tree costs");
+    command->add_option("--repetitions", options.repetitions, "Repetitions; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    add_output(*command, options.output);
+}
+
+void add_hosting(CLI::App& app, HostingOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "hosting", "What a world costs in the property tree, over the bare library");
+    command->add_option("--bodies", options.bodies, "Moving bodies, in hundreds")
+        ->check(CLI::Range(100, 1000000))
+        ->capture_default_str();
+    command->add_option("--pairs", options.pairs, "Pairs of timings")
+        ->check(CLI::Range(20, 100000))
+        ->capture_default_str();
+    command->add_option("--steps", options.steps_a_pair, "Steps of each timing")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("!--no-instructions", options.instructions,
+                      "Do not count instructions with valgrind");
+    add_output(*command, options.output);
+}
+
+/// Not for people: what `hosting` runs under valgrind.
+void add_hosted_steps(CLI::App& app, HostedStepsOptions& options) {
+    CLI::App* command = app.add_subcommand("hosted-steps", "Steps for valgrind to count");
+    command->group("");
+    command->add_option("--engine", options.engine);
+    command->add_option("--watched", options.watched);
+    command->add_option("--bodies", options.bodies);
+    command->add_option("--steps", options.steps);
+}
+
 void add_stability(CLI::App& app, StabilityOptions& options) {
     CLI::App* command = app.add_subcommand("stability", "How well stacks stand, in every engine");
     command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
@@ -54,12 +90,27 @@ int main(int argc, char** argv) {
     CLI::App app("What Fettle costs, beside engines that anyone can install.", "fettle-bench");
     app.require_subcommand(1);
     ScenesOptions scenes;
+    TreeOptions tree;
+    HostingOptions hosting;
+    HostedStepsOptions hosted_steps;
     StabilityOptions stability;
     add_scenes(app, scenes);
+    add_tree(app, tree);
+    add_hosting(app, hosting);
+    add_hosted_steps(app, hosted_steps);
     add_stability(app, stability);
     CLI11_PARSE(app, argc, argv);
     try {
         if (app.got_subcommand("scenes")) return run_scenes(scenes);
+#ifdef FETTLE_BENCH_GOOGLE
+        if (app.got_subcommand("tree")) return run_tree(tree);
+#else
+        if (app.got_subcommand("tree"))
+            throw std::runtime_error(
+                "the costs of the tree are not built in; install libbenchmark-dev and build again");
+#endif
+        if (app.got_subcommand("hosting")) return run_hosting(hosting);
+        if (app.got_subcommand("hosted-steps")) return run_hosted_steps(hosted_steps);
         if (app.got_subcommand("stability")) return run_stability(stability);
     } catch (const std::exception& error) {
         std::cerr << "fettle-bench: " << error.what() << "\n";

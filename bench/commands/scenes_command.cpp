@@ -131,7 +131,7 @@ class SceneRunner {
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = (k + static_cast<std::size_t>(turn + run)) % count;
                 if (simulations[i])
-                    ms[i] += simulations[i]->advance(goal - simulations[i]->steps());
+                    ms[i] += simulations[i]->advance(goal - simulations[i]->steps()).wall_ms;
                 progress.add(1.0 / static_cast<double>(turns * count));
             }
         }

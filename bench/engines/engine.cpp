@@ -44,7 +44,7 @@ std::uint64_t hash_of(const Engine& engine, std::size_t count) {
 std::span<const EngineKind> engine_kinds() {
     static const std::array<EngineKind, 4> kinds = {{
         {"fettle", make_fettle, ""},
-        {"hosted", nullptr, ""},
+        {"hosted", make_hosted, ""},
         {"box2d", box2d, "libbox2d-dev"},
         {"chipmunk", chipmunk, "libchipmunk-dev"},
     }};

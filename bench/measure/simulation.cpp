@@ -13,32 +13,42 @@ void measured_steps(Engine& engine, int steps) {
 }
 
 Simulation::Simulation(const Scene& scene, const EngineKind& kind)
-    : scene_(scene), name_(kind.name), engine_(kind.make(scene)) {
+    : Simulation(scene, std::string(kind.name), kind.make(scene)) {}
+
+Simulation::Simulation(const Scene& scene, std::string name, std::unique_ptr<Engine> engine)
+    : scene_(scene), name_(std::move(name)), engine_(std::move(engine)) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (scene.bodies[i].path) driven_.push_back(i);
     }
 }
 
-double Simulation::advance(int steps) {
-    double ms = 0;
+StepTime Simulation::advance(int steps) {
+    StepTime time;
     const int half = scene_.steps / 2;
     const int before = std::clamp(half - made_, 0, steps);
-    if (before > 0) ms += timed_steps(before);
-    if (before == steps) return ms;
+    if (before > 0) time += timed_steps(before);
+    if (before == steps) return time;
     int rest = steps - before;
     if (made_ == half) {
-        ms += edited_step();
+        time += edited_step();
         --rest;
     }
-    return ms + timed_steps(rest);
+    if (rest > 0) time += timed_steps(rest);
+    return time;
 }
 
-double Simulation::timed_steps(int steps) {
-    const WallClock clock;
+StepTime Simulation::timed_steps(int steps) {
+    const WallClock wall;
+    const ThreadClock thread;
+    make_steps(steps);
+    return {wall.elapsed_ms(), thread.elapsed_ms()};
+}
+
+void Simulation::make_steps(int steps) {
     if (driven_.empty()) {
         measured_steps(*engine_, steps);
         made_ += steps;
-        return clock.elapsed_ms();
+        return;
     }
     for (int i = 0; i < steps; ++i) {
         const double end = static_cast<double>(made_ + 1) * static_cast<double>(time_step);
@@ -51,7 +61,6 @@ double Simulation::timed_steps(int steps) {
         measured_steps(*engine_, 1);
         ++made_;
     }
-    return clock.elapsed_ms();
 }
 
 std::size_t Simulation::topmost() const {
@@ -68,12 +77,12 @@ std::size_t Simulation::topmost() const {
     return top;
 }
 
-double Simulation::edited_step() {
+StepTime Simulation::edited_step() {
     const std::size_t body = topmost();
     const BodyMotion before = engine_->motion(body);
     constexpr float push = 1;  // m/s
     engine_->edit_velocity(body, {before.velocity.x, before.velocity.y + push});
-    const double ms = timed_steps(1);
+    const StepTime time = timed_steps(1);
     const float rise = engine_->motion(body).position.y - before.position.y;
     const float alone = (before.velocity.y + scene_.gravity.y * time_step) * time_step;
     if (!(rise > alone + 0.5f * push * time_step)) {
@@ -82,7 +91,7 @@ double Simulation::edited_step() {
             ": an edit of a body's velocity in mid-run had no effect: it moved " +
             figure(static_cast<double>(rise)) + " m up in the step");
     }
-    return ms;
+    return time;
 }
 
 }  // namespace fettle::bench

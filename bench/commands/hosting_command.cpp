@@ -1,0 +1,199 @@
+// `fettle-bench hosting`: what it costs to have a world in the property tree, over the bare
+// library.
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+
+#include "commands/commands.h"
+#include "engines/engine.h"
+#include "engines/hosted_engine.h"
+#include "measure/callgrind.h"
+#include "measure/simulation.h"
+#include "measure/timing.h"
+#include "report/json_lines.h"
+#include "report/progress.h"
+#include "report/table.h"
+#include "scenes/catalogue.h"
+
+namespace fettle::bench {
+namespace {
+
+constexpr int warm_up = 30;  // steps: the crowd has fallen onto itself
+
+/// A way of hosting, compared with the bare library.
+struct Way {
+    const char* name;
+    double watched;  // share of the positions, 0 to 1
+    double bound;    // of the ratio of instructions
+};
+constexpr Way ways[] = {{"nothing watched", 0, 1.01},
+                        {"1 % of positions watched", 0.01, 1.02},
+                        {"all positions watched", 1, 1.25}};
+constexpr std::size_t way_count = std::size(ways);
+
+struct Result {
+    std::string name;
+    double ratio = 0;
+    std::optional<Interval> interval;
+    double bound = 0;
+};
+
+Scene hosting_scene(int bodies, int steps) {
+    Scene scene = crowd_of(100, std::max(1, bodies / 100));
+    scene.steps = steps;
+    return scene;
+}
+
+std::unique_ptr<Engine> hosted(const Scene& scene, double watched) {
+    auto engine = std::make_unique<HostedEngine>(scene);
+    engine->watch_positions(watched);
+    return engine;
+}
+
+/// Time of each way over that of the bare library, pair by pair. The same steps are made by all
+/// one after another, in an order that rotates.
+std::vector<Result> time_ratios(const HostingOptions& options, Progress& progress) {
+    const int steps = warm_up + options.pairs * options.steps_a_pair;
+    const Scene scene = hosting_scene(options.bodies, steps);
+    std::vector<std::unique_ptr<Simulation>> simulations;
+    simulations.push_back(std::make_unique<Simulation>(scene, engine_named("fettle")));
+    for (const Way& way : ways) {
+        simulations.push_back(
+            std::make_unique<Simulation>(scene, way.name, hosted(scene, way.watched)));
+    }
+    for (const auto& simulation : simulations) simulation->advance(warm_up);
+
+    std::vector<std::vector<double>> ratios(way_count);
+    for (int pair = 0; pair < options.pairs; ++pair) {
+        std::vector<double> ms(simulations.size());
+        for (std::size_t k = 0; k < simulations.size(); ++k) {
+            const std::size_t i = (k + static_cast<std::size_t>(pair)) % simulations.size();
+            ms[i] = simulations[i]->advance(options.steps_a_pair).thread_ms;
+        }
+        for (std::size_t w = 0; w < way_count; ++w) ratios[w].push_back(ms[w + 1] / ms[0]);
+        progress.add(1.0 / options.pairs);
+    }
+    std::vector<Result> results;
+    for (std::size_t w = 0; w < way_count; ++w) {
+        if (simulations[w + 1]->hash() != simulations[0]->hash())
+            throw std::runtime_error(std::string(ways[w].name) +
+                                     ": the hosted world ended in another state than the bare one");
+        results.push_back({std::string("time, ") + ways[w].name, median(ratios[w]),
+                           median_interval(ratios[w]), ways[w].bound});
+    }
+    return results;
+}
+
+std::optional<std::uint64_t> instructions_of(const std::string& engine, double watched,
+                                             int bodies) {
+    return count_instructions({"hosted-steps", "--engine", engine, "--watched",
+                               std::to_string(watched), "--bodies", std::to_string(bodies)});
+}
+
+std::vector<Result> instruction_ratios(const HostingOptions& options, Progress& progress) {
+    std::vector<Result> results;
+    const auto bare = instructions_of("fettle", 0, options.bodies);
+    progress.add(0.25);
+    if (!bare) return results;
+    for (const Way& way : ways) {
+        const auto count = instructions_of("hosted", way.watched, options.bodies);
+        progress.add(0.25);
+        if (!count) continue;
+        results.push_back({std::string("instructions, ") + way.name,
+                           static_cast<double>(*count) / static_cast<double>(*bare), std::nullopt,
+                           way.bound});
+    }
+    return results;
+}
+
+std::size_t heap_in_use() {
+#if defined(__GLIBC__)
+    const struct mallinfo2 info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+#else
+    return 0;
+#endif
+}
+
+/// Bytes a body with one shape takes in the tree beyond what it takes in the bare library.
+double bytes_a_body(int bodies) {
+    const Scene scene = hosting_scene(bodies, 1);
+    const auto size_of = [&](auto make) {
+        const std::size_t before = heap_in_use();
+        const std::unique_ptr<Engine> engine = make();
+        engine->step();
+        return static_cast<double>(heap_in_use() - before);
+    };
+    const double bare = size_of([&] { return make_fettle(scene); });
+    const double in_tree = size_of([&] { return make_hosted(scene); });
+    Scene none = scene;
+    none.bodies.clear();
+    const double empty =
+        size_of([&] { return make_hosted(none); }) - size_of([&] { return make_fettle(none); });
+    return (in_tree - bare - empty) / static_cast<double>(scene.bodies.size());
+}
+
+void print(const std::vector<Result>& results, double bytes, const OutputOptions& output) {
+    Table table({"hosted over bare", "ratio", "95 % interval", "at most"});
+    Chart chart{.title = "Cost of hosting, bare library = 1", .unit = "×", .series = {"hosted"}};
+    for (const Result& result : results) {
+        const auto& interval = result.interval;
+        if (output.json) {
+            std::cout << json_line({{"name", result.name},
+                                    {"ratio", result.ratio},
+                                    {"low", interval ? JsonField(interval->low) : JsonField()},
+                                    {"high", interval ? JsonField(interval->high) : JsonField()},
+                                    {"at_most", result.bound}})
+                      << "\n";
+        }
+        table.add({result.name, figure(result.ratio, 5),
+                   interval ? figure(interval->low, 5) + " to " + figure(interval->high, 5) : "",
+                   figure(result.bound)});
+        chart.groups.push_back({result.name, {result.ratio}});
+    }
+    if (output.json) {
+        std::cout << json_line({{"name", std::string("bytes a body and its shape, over the bare")},
+                                {"bytes", bytes}})
+                  << "\n";
+    } else {
+        std::cout << table.text() << "\na body with its shape: " << figure(bytes)
+                  << " bytes in the tree beyond the bare library\n";
+    }
+    if (!output.svg.empty()) write_svg(chart, output.svg);
+}
+
+}  // namespace
+
+int run_hosting(const HostingOptions& options) {
+    const double bytes = bytes_a_body(options.bodies);
+    std::vector<Result> results;
+    {
+        const bool count = options.instructions && callgrind_available();
+        if (options.instructions && !count)
+            std::cerr << "instructions are not counted: valgrind is not installed\n";
+        Progress progress(count ? 2 : 1);
+        if (count) {
+            progress.begin("instructions");
+            results = instruction_ratios(options, progress);
+        }
+        progress.begin("time");
+        for (Result& result : time_ratios(options, progress)) results.push_back(std::move(result));
+    }
+    print(results, bytes, options.output);
+    return 0;
+}
+
+int run_hosted_steps(const HostedStepsOptions& options) {
+    const Scene scene = hosting_scene(options.bodies, 1000);
+    const std::unique_ptr<Engine> engine = options.engine == "hosted"
+                                               ? hosted(scene, options.watched)
+                                               : engine_named(options.engine).make(scene);
+    for (int i = 0; i < warm_up; ++i) engine->step();
+    measured_steps(*engine, options.steps);
+    return 0;
+}
+
+}  // namespace fettle::bench

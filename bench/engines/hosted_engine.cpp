@@ -1,0 +1,176 @@
+#include "engines/hosted_engine.h"
+
+#include <fettle/property/path.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace fettle::bench {
+namespace {
+
+using property::Handle;
+using property::Tree;
+using property::Value;
+
+Value value(Point p) {
+    return property::Vec2(static_cast<double>(p.x), static_cast<double>(p.y));
+}
+
+/// Makes one shape below `body` and gives it its geometry.
+struct ShapeMaker {
+    Tree& tree;
+    Handle body;
+
+    Handle make(std::string_view kind) const { return tree.create(tree.class_named(kind), body); }
+    Handle operator()(const CircleShape& circle) const {
+        const Handle made = make("Circle");
+        tree.set(made, "radius", circle.radius);
+        tree.set(made, "center", value(circle.center));
+        return made;
+    }
+    Handle operator()(const BoxShape& box) const {
+        const Handle made = make("Box");
+        tree.set(made, "width", 2 * box.half.x);
+        tree.set(made, "height", 2 * box.half.y);
+        tree.set(made, "center", value(box.center));
+        return made;
+    }
+    Handle operator()(const SegmentShape& segment) const {
+        const Handle made = make("Segment");
+        tree.set(made, "from", value(segment.from));
+        tree.set(made, "to", value(segment.to));
+        return made;
+    }
+    Handle operator()(const PolygonShape& polygon) const {
+        const Handle made = make("Polygon");
+        property::List vertices;
+        for (const Point& point : polygon.vertices) vertices.push_back(value(point));
+        tree.set(made, "vertices", std::move(vertices));
+        return made;
+    }
+};
+
+const char* type_name(Motion motion) {
+    switch (motion) {
+        case Motion::fixed:
+            return "static";
+        case Motion::kinematic:
+            return "kinematic";
+        case Motion::dynamic:
+            break;
+    }
+    return "dynamic";
+}
+
+}  // namespace
+
+HeadlessGame::HeadlessGame()
+    : services(with_physics()), runtime(tree, {}), loop(tree, runtime, services) {
+    loop.add({.name = std::string(physics.name()),
+              .step = [this](double dt) { physics.step(dt); },
+              .report = [this] { physics.report(tree); },
+              .hash = [this] { return physics.hash(); }});
+    tree.on_handler_error([](const property::HandlerError& error) {
+        throw std::runtime_error(error.path + ": " + error.message);
+    });
+    runtime.on_error(
+        [](const script::ScriptError& error) { throw std::runtime_error(error.message); });
+}
+
+Tree& HeadlessGame::with_physics() {
+    physics.attach(tree);
+    return tree;
+}
+
+HostedEngine::HostedEngine(const Scene& scene)
+    : world_(game_.tree.child(game_.tree.root(), "world")) {
+    Tree& tree = game_.tree;
+    tree.set(world_, "gravity", value(scene.gravity));
+    tree.set(world_, "sleeping", scene.sleeping);
+    tree.set(world_, "continuous", scene.continuous);
+    const property::Class& body = tree.class_named("Body");
+    position_ = body.property("position");
+    angle_ = body.property("angle");
+    velocity_ = body.property("velocity");
+    angular_velocity_ = body.property("angular_velocity");
+    bodies_.reserve(scene.bodies.size());
+    for (const SceneBody& description : scene.bodies) bodies_.push_back(make(description));
+    tree.barrier();
+    // Last, since whoever comes to touch a sleeping body wakes it.
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (!scene.bodies[i].awake) tree.set(bodies_[i], "awake", false);
+    }
+}
+
+Handle HostedEngine::make(const SceneBody& description) {
+    Tree& tree = game_.tree;
+    const Handle body = tree.create(tree.class_named("Body"), world_);
+    tree.set(body, "type", type_name(description.motion));
+    tree.set(body, *position_, value(description.position));
+    tree.set(body, *angle_, description.angle);
+    tree.set(body, *velocity_, value(description.velocity));
+    tree.set(body, *angular_velocity_, description.angular_velocity);
+    tree.set(body, "bullet", description.bullet);
+    for (const SceneShape& shape : description.shapes) {
+        const Handle made = std::visit(ShapeMaker{tree, body}, shape.geometry);
+        tree.set(made, "density", shape.density);
+        tree.set(made, "friction", shape.friction);
+        tree.set(made, "restitution", shape.restitution);
+        // In the tree, impacts are reported once somebody listens. Here nobody does.
+        if (shape.hit_events) game_.physics.shape(made).set_hit_events(true);
+    }
+    return body;
+}
+
+void HostedEngine::step() {
+    game_.loop.turn();
+}
+
+BodyMotion HostedEngine::motion(std::size_t index) const {
+    const Tree& tree = game_.tree;
+    const Handle body = bodies_[index];
+    const auto point = [](const Value& v) {
+        return Point{static_cast<float>(v.vec2().x()), static_cast<float>(v.vec2().y())};
+    };
+    return {point(tree.get(body, *position_)), static_cast<float>(tree.get(body, *angle_).number()),
+            point(tree.get(body, *velocity_)),
+            static_cast<float>(tree.get(body, *angular_velocity_).number())};
+}
+
+void HostedEngine::set_velocity(std::size_t body, Point velocity) {
+    game_.tree.set(bodies_[body], *velocity_, value(velocity));
+}
+
+void HostedEngine::edit_velocity(std::size_t body, Point velocity) {
+    Tree& tree = game_.tree;
+    const Tree::CauseScope cause(tree, property::Writer::console);
+    const std::string path = tree.path(bodies_[body]) + ".velocity";
+    property::set(tree, path, value(velocity));
+    if (property::get(tree, path) != value(velocity))
+        throw std::runtime_error(path + " did not take the value it was given");
+}
+
+std::size_t HostedEngine::contacts() const {
+    return game_.physics.world(world_).contacts().size();
+}
+
+std::size_t HostedEngine::bodies() const {
+    return game_.physics.world(world_).body_count();
+}
+
+void HostedEngine::watch_positions(double share) {
+    const auto count =
+        static_cast<std::size_t>(std::lround(share * static_cast<double>(bodies_.size())));
+    for (std::size_t i = 0; i < count; ++i) {
+        // Spread evenly, so that a few watched bodies are not all neighbors in memory.
+        const Handle body = bodies_[i * bodies_.size() / count];
+        game_.tree.watch(body, *position_, [this](const property::Change&) { ++changes_seen_; });
+    }
+}
+
+std::unique_ptr<Engine> make_hosted(const Scene& scene) {
+    return std::make_unique<HostedEngine>(scene);
+}
+
+}  // namespace fettle::bench

@@ -1,0 +1,140 @@
+// Figures of step times compare only if the scenes are what they are said to be.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "catch.h"
+#include "scenes/catalogue.h"
+
+using namespace fettle::bench;
+
+namespace {
+
+std::ptrdiff_t count(const Scene& scene, Motion motion) {
+    return std::ranges::count(scene.bodies, motion, &SceneBody::motion);
+}
+
+const SceneBody& last(const Scene& scene) {
+    return scene.bodies.back();
+}
+
+/// Twice the area that three corners in a row span: positive where they turn left.
+float turn(Point a, Point b, Point c) {
+    return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+}
+
+bool is_convex(const PolygonShape& polygon) {
+    const auto& v = polygon.vertices;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        if (turn(v[i], v[(i + 1) % v.size()], v[(i + 2) % v.size()]) <= 0) return false;
+    }
+    return v.size() >= 3;
+}
+
+}  // namespace
+
+TEST_CASE("the large pyramid has a hundred rows") {
+    const Scene scene = large_pyramid();
+    CHECK(scene.steps == 500);
+    CHECK_FALSE(scene.sleeping);
+    CHECK(count(scene, Motion::fixed) == 1);
+    CHECK(count(scene, Motion::dynamic) == 5050);
+    CHECK(scene.bodies[1].position == Point{-49.5f, 0.5f});
+    CHECK(last(scene).position == Point{0, 99.5f});
+}
+
+TEST_CASE("there are four hundred small pyramids on twenty grounds") {
+    const Scene scene = many_pyramids();
+    CHECK(scene.steps == 200);
+    CHECK_FALSE(scene.sleeping);
+    CHECK(count(scene, Motion::fixed) == 20);
+    CHECK(count(scene, Motion::dynamic) == 400 * 55);
+    CHECK(last(scene).position == Point{-110 + 11 * 19 + 1 + 4.5f, 11 * 19 + 9.5f});
+}
+
+TEST_CASE("only the ram of the smash is awake") {
+    const Scene scene = smash();
+    CHECK(scene.steps == 300);
+    CHECK(scene.gravity == Point{0, 0});
+    CHECK(count(scene, Motion::dynamic) == 1 + 120 * 80);
+    CHECK(std::ranges::count(scene.bodies, true, &SceneBody::awake) == 1);
+    CHECK(scene.bodies[0].awake);
+    CHECK(scene.bodies[0].velocity == Point{40, 0});
+    CHECK(scene.bodies[0].shapes[0].density == 8);
+}
+
+TEST_CASE("the compounds are of two triangles each") {
+    const Scene scene = compounds();
+    CHECK(count(scene, Motion::fixed) == 81 + 200 + 1);
+    CHECK(count(scene, Motion::dynamic) == 20 * 150);
+    CHECK(last(scene).shapes.size() == 2);
+    CHECK(last(scene).shapes[0].friction == 0.5f);
+    CHECK(last(scene).position.x == Approx(2 * 19 - 19 - 0.25));
+    CHECK(last(scene).position.y == Approx(2.25 * 149 + 5.575));
+}
+
+TEST_CASE("the washer is a drum with four fins around its load") {
+    const Scene scene = washer();
+    REQUIRE(count(scene, Motion::kinematic) == 1);
+    CHECK(scene.bodies[0].shapes.size() == 36 + 4);
+    CHECK(scene.bodies[0].angular_velocity == Approx(0.436332));
+    CHECK(count(scene, Motion::dynamic) == 90 * 90);
+    CHECK(last(scene).shapes[0].hit_events);
+    for (const SceneBody& body : scene.bodies) {
+        if (body.motion != Motion::dynamic) continue;
+        REQUIRE(std::hypot(body.position.x, body.position.y - 10) < 16);
+    }
+}
+
+TEST_CASE("the junkyard is pushed about by one body on a path") {
+    const Scene scene = junkyard();
+    CHECK(scene.steps == 800);
+    CHECK(count(scene, Motion::fixed) == 161 + 100);
+    CHECK(count(scene, Motion::dynamic) == 200 * 40);
+    REQUIRE(count(scene, Motion::kinematic) == 1);
+    const auto pusher = std::ranges::find(scene.bodies, Motion::kinematic, &SceneBody::motion);
+    REQUIRE(pusher->path);
+    CHECK(pusher->path(0) == Point{0, 0});
+    CHECK(pusher->path(2.5 * std::acos(-1.0)).x == Approx(60));
+}
+
+TEST_CASE("the crowd has ten thousand bodies that stay awake") {
+    const Scene scene = crowd();
+    CHECK(count(scene, Motion::dynamic) == 10000);
+    CHECK_FALSE(scene.sleeping);
+    CHECK(count(crowd_of(100, 3), Motion::dynamic) == 300);
+}
+
+TEST_CASE("every polygon of a scene is convex and counter-clockwise") {
+    for (const CatalogueEntry& entry : catalogue()) {
+        if (!entry.make) continue;
+        INFO(entry.name);
+        std::size_t polygons = 0;
+        bool convex = true;
+        for (const SceneBody& body : entry.make().bodies) {
+            for (const SceneShape& shape : body.shapes) {
+                const auto* polygon = std::get_if<PolygonShape>(&shape.geometry);
+                if (!polygon) continue;
+                ++polygons;
+                convex = convex && is_convex(*polygon);
+            }
+        }
+        CHECK(convex);
+        if (entry.name == "junkyard") CHECK(polygons == 8000);
+    }
+}
+
+TEST_CASE("a scene is found by its name and says why it is not there") {
+    std::set<std::string> names;
+    for (const CatalogueEntry& entry : catalogue()) {
+        CHECK(names.insert(std::string(entry.name)).second);
+        if (entry.make) CHECK(entry.make().name == entry.name);
+        if (!entry.make) CHECK_FALSE(entry.missing.empty());
+    }
+    CHECK(scene_named("smash").make == &smash);
+    CHECK_THROWS_WITH(scene_named("smsh"), contains("there are large_pyramid, many"));
+    CHECK_THROWS_WITH(scene_named("rain"), contains("revolute joints with springs"));
+}
