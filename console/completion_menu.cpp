@@ -21,7 +21,6 @@ void CompletionMenu::narrow(std::string_view input, std::size_t cursor) {
 }
 
 void CompletionMenu::keep_matching(std::string_view input, std::size_t cursor) {
-    std::string chosen = open_ && selected_ < candidates_.size() ? selection().text : std::string();
     for (Candidate& candidate : candidates_) {
         std::size_t from = candidate.completion.replace_from;
         candidate.score = -1;
@@ -37,12 +36,7 @@ void CompletionMenu::keep_matching(std::string_view input, std::size_t cursor) {
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
     open_ = !candidates_.empty();
-    auto again = std::find_if(
-        candidates_.begin(), candidates_.end(),
-        [&](const Candidate& candidate) { return candidate.completion.text == chosen; });
-    selected_ = chosen.empty() || again == candidates_.end()
-                    ? 0
-                    : static_cast<std::size_t>(again - candidates_.begin());
+    selected_ = 0;
 }
 
 void CompletionMenu::select(std::size_t index) {

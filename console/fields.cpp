@@ -66,6 +66,7 @@ bool input_line(const char* id, const char* hint, std::string& text, int flags) 
 void Fields::start_typing(ImGuiID field, std::string text) {
     typing_ = field;
     typing_active_ = false;
+    typing_seen_ = true;
     frames_to_focus_ = 4;
     buffer_ = before_ = std::move(text);
     problem_.clear();

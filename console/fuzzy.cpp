@@ -8,7 +8,7 @@ namespace fettle::console {
 namespace {
 
 constexpr int unreachable = std::numeric_limits<int>::min() / 2;
-constexpr int letter = 1, run = 5, word_start = 8, first = 10, exact_case = 1;
+constexpr int letter = 1, run = 9, word_start = 8, first = 10, exact_case = 1;
 constexpr std::size_t longest = 256;
 
 char lower(char c) {

@@ -184,7 +184,10 @@ std::vector<Span> highlight_output(std::string_view line) {
 Span error_span(std::string_view line, std::string_view message) {
     for (const std::string& name : suspects(message)) {
         std::size_t at = find_word(line, name);
-        if (at != std::string_view::npos) return {at, at + name.size(), Token::plain};
+        if (at == std::string_view::npos) continue;
+        std::size_t dot = name.rfind('.');  // of a path, its last step
+        std::size_t skip = dot == std::string::npos || dot + 1 == name.size() ? 0 : dot + 1;
+        return {at + skip, at + name.size(), Token::plain};
     }
     std::size_t begin = 0, end = line.size();
     while (begin < end && blank(line[begin])) ++begin;

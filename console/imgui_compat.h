@@ -16,8 +16,8 @@ inline ImTextureID texture_id(app::Surface::Texture texture) {
     return (ImTextureID)(std::uintptr_t)texture;  // a pointer before 1.91.4, an integer since
 }
 
-inline app::Surface::Texture texture_of(const ImDrawCmd& command) {
-    return static_cast<app::Surface::Texture>((std::uintptr_t)command.GetTexID());
+inline app::Surface::Texture surface_texture(ImTextureID id) {
+    return static_cast<app::Surface::Texture>((std::uintptr_t)id);
 }
 
 #if IMGUI_VERSION_NUM >= 18700
@@ -163,6 +163,9 @@ inline void clipboard(void* user, ReadClipboard read, WriteClipboard write) {
 inline void prepare_textures(ImGuiIO& io) {
     io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
 }
+inline app::Surface::Texture texture_of(const ImDrawCmd& command) {
+    return surface_texture(command.GetTexID());
+}
 /// Before drawing: brings the surface's textures up to date. `stale`: the surface is another one,
 /// or the fonts were built anew.
 inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale) {
@@ -170,7 +173,7 @@ inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale)
     for (ImTextureData* texture : *data.Textures) {
         auto width = static_cast<unsigned>(texture->Width);
         auto height = static_cast<unsigned>(texture->Height);
-        auto known = static_cast<app::Surface::Texture>((std::uintptr_t)texture->TexID);
+        auto known = surface_texture(texture->TexID);
         if (texture->Status == ImTextureStatus_WantCreate ||
             (stale && texture->Status == ImTextureStatus_OK)) {
             auto* pixels = static_cast<const std::uint8_t*>(texture->GetPixels());
@@ -197,6 +200,11 @@ inline void prepare_textures(ImGuiIO& io) {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);  // builds the atlas before a frame
+}
+/// A frame keeps the number its fonts had when it was begun, which another surface does not know.
+/// The fonts are the only texture there is.
+inline app::Surface::Texture texture_of(const ImDrawCmd&) {
+    return surface_texture(ImGui::GetIO().Fonts->TexID);
 }
 inline void update_textures(ImDrawData&, app::Surface& surface, bool stale) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;

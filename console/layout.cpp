@@ -13,10 +13,9 @@ namespace fettle::console {
 
 namespace {
 
-constexpr int panel_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                            ImGuiWindowFlags_NoBringToFrontOnFocus |
-                            ImGuiWindowFlags_NoScrollWithMouse;
+constexpr int panel_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
 constexpr float margin = 8;       // pixels around the windows
 constexpr float handle_size = 6;  // pixels at the edge that resize
 

@@ -102,6 +102,10 @@ void LogView::draw(float height, float cell) {
                  ImVec2(origin.x, origin.y + static_cast<float>(i) * line_height), line_height,
                  cell);
     scroll(line_height);
+    cell_ = cell;
+    line_height_ = line_height;
+    scrolled_ = ImGui::GetScrollY();
+    text_end_ = ImVec2(origin.x, origin.y + total);
     ImGui::EndChild();
 }
 

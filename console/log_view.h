@@ -33,6 +33,13 @@ class LogView {
     void clear_selection() { selection_.reset(); }
     std::string selected() const;
 
+    // As last drawn, in pixels.
+    float cell() const { return cell_; }
+    float line_height() const { return line_height_; }
+    float scrolled() const { return scrolled_; }
+    /// Left end of the line below the last one.
+    ImVec2 text_end() const { return text_end_; }
+
   private:
     struct Row {
         std::uint64_t line;      // number since the beginning
@@ -65,6 +72,8 @@ class LogView {
     bool dragging_ = false;
     float pages_ = 0;
     bool stick_ = true;
+    float cell_ = 0, line_height_ = 0, scrolled_ = 0;
+    ImVec2 text_end_{0, 0};
     // The link under the mouse.
     std::uint64_t link_line_ = 0;
     Span link_{0, 0, Token::plain};

@@ -42,6 +42,7 @@ void PromptView::draw(float height, float cell, bool focused) {
                  style.FrameRounding);
 
     ImGui::InvisibleButton("prompt", size);
+    rect_ = item_rect();
     follow_caret(size, line_height, cell);
     ImVec2 origin(corner.x + style.FramePadding.x - scroll_.x,
                   corner.y + style.FramePadding.y + 1 - scroll_.y);

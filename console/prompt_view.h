@@ -20,6 +20,7 @@ class PromptView {
     void draw_menu(float cell, ImFont* bold);
     /// Where the list of candidates was drawn; empty when it was not.
     const Rect& menu_rect() const { return menu_rect_; }
+    const Rect& rect() const { return rect_; }
     /// Whether the prompt was clicked in the last frame.
     bool clicked() const { return clicked_; }
 
@@ -38,7 +39,7 @@ class PromptView {
     double blink_from_ = 0;
     bool dragging_ = false;
     bool clicked_ = false;
-    Rect menu_rect_;
+    Rect rect_, menu_rect_;
     std::size_t shown_selection_ = 0;
 };
 

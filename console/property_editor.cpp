@@ -97,6 +97,11 @@ Rect PropertyEditor::widget_rect(const Property& property) const {
     return found == widgets_.end() ? Rect() : found->second;
 }
 
+std::string PropertyEditor::problem(const Property& property) const {
+    auto found = problems_.find(&property);
+    return found == problems_.end() ? std::string() : found->second;
+}
+
 // --- The row
 // --------------------------------------------------------------------------------------------------------
 

@@ -32,6 +32,9 @@ class PropertyEditor {
     bool about_to_type() const { return fields_.about_to_type(); }
     /// Forgets errors shown: another instance is edited.
     void forget() { problems_.clear(); }
+    std::size_t problems() const { return problems_.size(); }
+    /// Why the last edit of a property of the shown instance was refused; "" when it was not.
+    std::string problem(const property::Property& property) const;
 
     Fields& fields() { return fields_; }
 

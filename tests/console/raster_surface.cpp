@@ -14,8 +14,21 @@ RasterSurface::RasterSurface(unsigned width, unsigned height, Pixel background)
 }
 
 void RasterSurface::clear() {
-    pixels_.assign(std::size_t{width_} * height_, background_);
+    calls_.clear();
     triangle_count_ = 0;
+    painted_ = 0;
+    pixels_.assign(std::size_t{width_} * height_, background_);
+}
+
+const std::vector<Pixel>& RasterSurface::pixels() const {
+    for (; painted_ < calls_.size(); ++painted_) {
+        const Call& call = calls_[painted_];
+        auto found = textures_.find(call.texture);
+        const Image* image = found == textures_.end() ? nullptr : &found->second;
+        for (std::size_t i = 0; i + 2 < call.corners.size(); i += 3)
+            fill(&call.corners[i], image, call.clip);
+    }
+    return pixels_;
 }
 
 app::Surface::Texture RasterSurface::create_texture(unsigned width, unsigned height,
@@ -36,17 +49,16 @@ void RasterSurface::update_texture(Texture texture, unsigned x, unsigned y, unsi
 void RasterSurface::triangles(std::span<const SurfaceVertex> vertices,
                               std::span<const std::uint16_t> indices, Texture texture,
                               const app::ClipRectangle& clip) {
-    auto found = textures_.find(texture);
-    if (texture != 0 && found == textures_.end()) ++faults_;
-    const Image* image = found == textures_.end() ? nullptr : &found->second;
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        ++triangle_count_;
-        if (std::max({indices[i], indices[i + 1], indices[i + 2]}) >= vertices.size()) {
+    if (texture != 0 && !textures_.contains(texture)) ++faults_;
+    Call call{{}, texture, clip};
+    triangle_count_ += indices.size() / 3;
+    for (std::uint16_t index : indices) {
+        if (index >= vertices.size())
             ++faults_;
-            continue;
-        }
-        fill(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]], image, clip);
+        else
+            call.corners.push_back(vertices[index]);
     }
+    calls_.push_back(std::move(call));
 }
 
 namespace {
@@ -58,8 +70,9 @@ float edge(const SurfaceVertex& a, const SurfaceVertex& b, float x, float y) {
 
 }  // namespace
 
-void RasterSurface::fill(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c,
-                         const Image* image, const app::ClipRectangle& clip) {
+void RasterSurface::fill(const SurfaceVertex* corners, const Image* image,
+                         const app::ClipRectangle& clip) const {
+    const SurfaceVertex &a = corners[0], &b = corners[1], &c = corners[2];
     float area = edge(a, b, c.x, c.y);
     if (area == 0) return;
     float left = std::max({clip.left, std::min({a.x, b.x, c.x}), 0.0f});
@@ -95,7 +108,7 @@ void RasterSurface::save(const std::filesystem::path& file) const {
     std::filesystem::create_directories(file.parent_path());
     std::ofstream out(file, std::ios::binary);
     out << "P6\n" << width_ << ' ' << height_ << "\n255\n";
-    for (const Pixel& pixel : pixels_)
+    for (const Pixel& pixel : pixels())
         out.write(reinterpret_cast<const char*>(pixel.data()), static_cast<std::streamsize>(3));
 }
 

@@ -30,8 +30,8 @@ class RasterSurface : public app::Surface {
                    const app::ClipRectangle& clip) override;
 
     void clear();
-    Pixel at(unsigned x, unsigned y) const { return pixels_[std::size_t{y} * width_ + x]; }
-    const std::vector<Pixel>& pixels() const { return pixels_; }
+    /// Painted when asked for: most tests never look.
+    const std::vector<Pixel>& pixels() const;
     std::size_t triangle_count() const { return triangle_count_; }
     std::size_t textures() const { return textures_.size(); }
     /// Triangles with an index or a texture that does not exist.
@@ -44,12 +44,19 @@ class RasterSurface : public app::Surface {
         unsigned width, height;
         std::vector<std::uint8_t> rgba;
     };
-    void fill(const app::SurfaceVertex& a, const app::SurfaceVertex& b, const app::SurfaceVertex& c,
-              const Image* image, const app::ClipRectangle& clip);
+    struct Call {
+        std::vector<app::SurfaceVertex> corners;  // three a triangle
+        Texture texture;
+        app::ClipRectangle clip;
+    };
+    void fill(const app::SurfaceVertex* corners, const Image* image,
+              const app::ClipRectangle& clip) const;
 
     unsigned width_, height_;
     Pixel background_;
-    std::vector<Pixel> pixels_;
+    std::vector<Call> calls_;
+    mutable std::size_t painted_ = 0;  // calls
+    mutable std::vector<Pixel> pixels_;
     std::map<Texture, Image> textures_;
     Texture next_ = 1;
     std::size_t triangle_count_ = 0;

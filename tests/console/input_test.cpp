@@ -1,0 +1,228 @@
+// Who gets an event: the game, the prompt, or a widget.
+
+#include "catch.h"
+#include "rig.h"
+
+using namespace fettle;
+using console::test::Rig;
+using property::Value;
+using property::Vec2;
+
+TEST_CASE("the grave key opens and closes the console and never types itself") {
+    Rig rig;
+    CHECK_FALSE(rig.console.is_open());
+    CHECK(rig.press("grave"));
+    CHECK(rig.character('`'));
+    CHECK(rig.release("grave"));
+    CHECK(rig.console.is_open());
+    CHECK(rig.value("console.open") == Value(true));
+    CHECK(rig.input().empty());
+    rig.draw();
+    CHECK(rig.surface.triangle_count() > 100);
+    CHECK(rig.surface.faults() == 0);
+
+    CHECK(rig.press("grave"));
+    CHECK(rig.character('`'));
+    CHECK(rig.release("grave"));
+    CHECK_FALSE(rig.console.is_open());
+    CHECK(rig.input().empty());
+    rig.draw();
+    CHECK(rig.surface.triangle_count() == 0);
+}
+
+TEST_CASE("a grave key held down toggles once") {
+    Rig rig;
+    rig.press("grave");
+    app::InputEvent again = console::test::key_event("grave", true);
+    again.repeated = true;
+    for (int i = 0; i < 5; ++i) {
+        CHECK(rig.console.handle(again));
+        CHECK(rig.character('`'));
+    }
+    rig.release("grave");
+    CHECK(rig.console.is_open());
+    CHECK(rig.input().empty());
+}
+
+TEST_CASE("a letter typed while the grave key is still down is not lost") {
+    Rig rig;
+    rig.press("grave");
+    rig.character('`');
+    rig.press("w");
+    rig.character('w');
+    rig.release("grave");
+    rig.release("w");
+    CHECK(rig.input() == "w");
+}
+
+TEST_CASE("shift and the grave key type a tilde") {
+    Rig rig;
+    rig.key("grave");
+    CHECK(rig.key("shift+grave"));
+    rig.character('~');
+    CHECK(rig.console.is_open());
+    CHECK(rig.input() == "~");
+}
+
+TEST_CASE("another key can open the console") {
+    Rig rig;
+    property::set(rig.tree, "console.key", Value("f1"));
+    CHECK_FALSE(rig.key("grave"));
+    CHECK_FALSE(rig.console.is_open());
+    CHECK(rig.key("f1"));
+    CHECK(rig.console.is_open());
+    rig.character('`');
+    CHECK(rig.input() == "`");
+}
+
+TEST_CASE("keys typed into the console never reach the game") {
+    Rig rig;
+    CHECK_FALSE(rig.key("space"));
+    rig.key("grave");
+    CHECK(rig.key("space"));
+    CHECK(rig.key("f5"));
+    CHECK(rig.key("ctrl+q"));
+    CHECK(rig.character('x'));
+    rig.key("grave");
+    CHECK_FALSE(rig.key("space"));
+    CHECK_FALSE(rig.character('x'));
+}
+
+TEST_CASE("a key held when the console opens is released for the game") {
+    Rig rig;
+    CHECK_FALSE(rig.press("left"));
+    rig.key("grave");
+    CHECK(rig.press("left"));  // auto-repeat
+    CHECK_FALSE(rig.release("left"));
+    CHECK(rig.release("left"));
+}
+
+TEST_CASE("a key released after the console closed does not reach the game") {
+    Rig rig;
+    rig.key("grave");
+    CHECK(rig.press("a"));
+    rig.key("grave");
+    CHECK(rig.release("a"));
+    CHECK_FALSE(rig.release("a"));
+}
+
+TEST_CASE("the mouse over the console is the console's and beside it the game's") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw();
+    CHECK(rig.move(300, 100));
+    CHECK(rig.button(true, 300, 100));
+    CHECK(rig.move(300, 600));  // dragged out: still the console's
+    CHECK(rig.button(false, 300, 600));
+    CHECK_FALSE(rig.move(300, 600));
+    CHECK_FALSE(rig.button(true, 300, 600, "right"));
+    CHECK_FALSE(rig.move(300, 100));  // dragged in: still the game's
+    CHECK_FALSE(rig.button(false, 300, 100, "right"));
+    rig.key("grave");
+    CHECK_FALSE(rig.move(300, 100));
+    CHECK_FALSE(rig.button(true, 300, 100));
+}
+
+TEST_CASE("clicking a body makes it it and opens it in the inspector") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw();
+    Vec2 at = rig.state().options.to_pixels(Vec2(0, -4));
+    CHECK(rig.button(true, static_cast<float>(at.x()), static_cast<float>(at.y())));
+    CHECK(rig.button(false, static_cast<float>(at.x()), static_cast<float>(at.y())));
+    CHECK(rig.tree.path(rig.console.selected()) == "world.ball");
+    CHECK(rig.logged("it = world.ball"));
+    rig.draw();
+    CHECK_FALSE(rig.state()
+                    .inspector.editor()
+                    .widget_rect(rig.tree.property(rig.console.selected(), "position"))
+                    .empty());
+    // Beside every body nothing changes.
+    CHECK(rig.button(true, 600, 700));
+    rig.button(false, 600, 700);
+    CHECK(rig.tree.path(rig.console.selected()) == "world.ball");
+}
+
+TEST_CASE("a click does not select when picking is off or the console closed") {
+    Rig rig;
+    Vec2 at = rig.state().options.to_pixels(Vec2(0, -4));
+    auto x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
+    rig.draw();
+    CHECK_FALSE(rig.button(true, x, y));
+    rig.button(false, x, y);
+    rig.key("grave");
+    rig.draw();
+    property::set(rig.tree, "console.picks", Value(false));
+    CHECK_FALSE(rig.button(true, x, y));
+    rig.button(false, x, y);
+    CHECK_FALSE(rig.console.selected());
+}
+
+TEST_CASE("the console pauses the game while it is open when told so") {
+    Rig rig;
+    property::set(rig.tree, "console.pauses", Value(true));
+    CHECK(rig.value("time.paused") == Value(false));
+    rig.key("grave");
+    CHECK(rig.value("time.paused") == Value(true));
+    property::set(rig.tree, "console.pauses", Value(false));
+    rig.draw();
+    CHECK(rig.value("time.paused") == Value(false));
+    property::set(rig.tree, "console.pauses", Value(true));
+    rig.draw();
+    CHECK(rig.value("time.paused") == Value(true));
+    rig.key("grave");
+    CHECK(rig.value("time.paused") == Value(false));
+}
+
+TEST_CASE("a game that was paused stays paused when the console closes") {
+    Rig rig;
+    property::set(rig.tree, "time.paused", Value(true));
+    property::set(rig.tree, "console.pauses", Value(true));
+    rig.key("grave");
+    rig.key("grave");
+    CHECK(rig.value("time.paused") == Value(true));
+}
+
+TEST_CASE("the console is opened by its property too") {
+    Rig rig;
+    property::set(rig.tree, "console.open", Value(true));
+    CHECK(rig.key("x"));
+    rig.draw();
+    CHECK(rig.surface.triangle_count() > 100);
+    property::set(rig.tree, "console.open", Value(false));
+    rig.draw();
+    CHECK(rig.surface.triangle_count() == 0);
+}
+
+TEST_CASE("a console deleted from the tree comes back") {
+    Rig rig;
+    rig.tree.destroy(rig.tree.child(rig.tree.root(), "console"));
+    rig.tree.barrier();
+    rig.key("grave");
+    rig.draw();
+    CHECK(rig.console.is_open());
+    CHECK(rig.value("console.open") == Value(true));
+}
+
+TEST_CASE("losing the focus forgets held keys") {
+    Rig rig;
+    rig.key("grave");
+    rig.press("left_control");
+    app::InputEvent lost;
+    lost.kind = app::EventKind::focus;
+    CHECK_FALSE(rig.console.handle(lost));
+    rig.draw();
+    rig.type("a");
+    CHECK(rig.input() == "a");
+}
+
+TEST_CASE("everything typed and clicked within one frame arrives in order") {
+    Rig rig;
+    rig.key("grave");
+    rig.type("world.ball.mass = 7");
+    rig.key("enter");
+    rig.type("world.crate.mass = 8");
+    rig.key("enter");
+    CHECK(rig.value("world.ball.mass") == Value(7.0));
+    CHECK(rig.value("world.crate.mass") == Value(8.0));
+}

@@ -1,0 +1,331 @@
+// The inspector, with a mouse.
+
+#include "catch.h"
+#include "instance_tree.h"
+#include "rig.h"
+
+using namespace fettle;
+using console::test::Rig;
+using property::Handle;
+using property::List;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+/// A rig with `world.ball` selected in the inspector.
+struct BallRig : Rig {
+    BallRig() {
+        ball = tree.child(tree.child(tree.root(), "world"), "ball");
+        key("grave");
+        draw();
+        console.select(ball);
+        draw(3);
+    }
+    void drag_by(std::string_view property, float pixels, float share_x = 0.5f) {
+        ImVec2 at = widget(property, share_x);
+        drag(at.x, at.y, at.x + pixels, at.y);
+        draw();
+    }
+    void replace_text(std::string_view property, std::string_view text, float share_x = 0.5f) {
+        ImVec2 at = widget(property, share_x);
+        click(at.x, at.y);
+        draw(2);
+        key("ctrl+a");
+        type(text);
+        key("enter");
+        draw(2);
+    }
+    bool warns() { return state().inspector.editor().problems() > 0; }
+    Handle ball;
+};
+
+}  // namespace
+
+TEST_CASE("dragging a number edits the property") {
+    BallRig rig;
+    rig.drag_by("angle", 50);
+    double angle = rig.value("world.ball.angle").number();
+    CHECK(angle == Approx(0.5).margin(0.03));
+    rig.drag_by("angle", -50);
+    CHECK(rig.value("world.ball.angle").number() == Approx(0).margin(0.06));
+    CHECK(rig.commands.empty());
+}
+
+TEST_CASE("a drag is written as an edit of the inspector") {
+    BallRig rig;
+    std::vector<property::Writer> writers;
+    auto connection = rig.tree.watch(rig.ball, "mass", [&](const property::Change& change) {
+        writers.push_back(change.cause.writer);
+    });
+    rig.drag_by("mass", 40);
+    REQUIRE_FALSE(writers.empty());
+    CHECK(writers.back() == property::Writer::inspector);
+    connection.stop();
+}
+
+TEST_CASE("dragging stays within the range of the property") {
+    BallRig rig;
+    rig.drag_by("friction", 600);
+    CHECK(rig.value("world.ball.friction") == Value(1.0));
+    rig.drag_by("friction", -1000);
+    CHECK(rig.value("world.ball.friction") == Value(0.0));
+    CHECK_FALSE(rig.warns());
+    rig.drag_by("lives", 500);
+    CHECK(rig.value("world.ball.lives") == Value(9));
+}
+
+TEST_CASE("shift drags slower and alt slower still") {
+    BallRig rig;
+    auto travelled = [&](const char* modifier) {
+        rig.tree.set(rig.ball, "angle", Value(0.0));
+        app::InputEvent down = console::test::key_event(modifier, true);
+        rig.console.handle(down);
+        rig.drag_by("angle", 80);
+        rig.release(modifier);
+        return rig.value("world.ball.angle").number();
+    };
+    double plain = travelled("f9"), shift = travelled("left_shift"), alt = travelled("left_alt");
+    CHECK(plain > 0.7);
+    CHECK(shift < plain / 4);
+    CHECK(shift > 0);
+    CHECK(alt < shift);
+}
+
+TEST_CASE("a vector has a field for each component") {
+    BallRig rig;
+    rig.drag_by("position", 30, 0.25f);
+    Vec2 position = rig.value("world.ball.position").vec2();
+    CHECK(position.x() == Approx(0.3).margin(0.05));
+    CHECK(position.y() == -4);
+    rig.drag_by("position", 30, 0.75f);
+    CHECK(rig.value("world.ball.position").vec2().y() > -4);
+}
+
+TEST_CASE("a number is clicked and typed") {
+    BallRig rig;
+    rig.replace_text("mass", "2.5");
+    CHECK(rig.value("world.ball.mass") == Value(2.5));
+    rig.replace_text("mass", "7 kg");
+    CHECK(rig.value("world.ball.mass") == Value(7.0));
+    rig.replace_text("mass", "inf");
+    CHECK(rig.value("world.ball.mass") == Value(std::numeric_limits<double>::infinity()));
+    CHECK(rig.input().empty());  // nothing of it reached the prompt
+    CHECK(rig.console.is_open());
+}
+
+TEST_CASE("an expression typed into a number field is calculated") {
+    BallRig rig;
+    rig.tree.set(rig.ball, "angle", Value(1.25));
+    rig.replace_text("mass", "world.ball.angle");
+    CHECK(rig.value("world.ball.mass") == Value(1.25));
+}
+
+TEST_CASE("a refused edit shows why and changes nothing") {
+    BallRig rig;
+    rig.replace_text("mass", "-3");
+    CHECK(rig.value("world.ball.mass") == Value(1.0));
+    CHECK(rig.state().inspector.editor().problem(rig.tree.property(rig.ball, "mass")).find("0") !=
+          std::string::npos);
+    rig.replace_text("mass", "nan");
+    CHECK(rig.value("world.ball.mass") == Value(1.0));
+    CHECK(rig.warns());
+    rig.replace_text("mass", "nonsense");
+    CHECK(rig.state()
+              .inspector.editor()
+              .problem(rig.tree.property(rig.ball, "mass"))
+              .find("nonsense") != std::string::npos);
+    rig.replace_text("mass", "3");
+    CHECK(rig.value("world.ball.mass") == Value(3.0));
+    CHECK_FALSE(rig.warns());
+}
+
+TEST_CASE("Escape leaves a field without a change and the console open") {
+    BallRig rig;
+    ImVec2 at = rig.widget("mass");
+    rig.click(at.x, at.y);
+    rig.draw(2);
+    rig.type("99");
+    rig.key("escape");
+    rig.draw(2);
+    CHECK(rig.value("world.ball.mass") == Value(1.0));
+    CHECK(rig.console.is_open());
+    rig.type("x");
+    CHECK(rig.input() == "x");
+}
+
+TEST_CASE("a check box writes a boolean") {
+    BallRig rig;
+    ImVec2 at = rig.widget("awake", 0.03f);
+    rig.click(at.x + 6, at.y);
+    rig.draw();
+    CHECK(rig.value("world.ball.awake") == Value(false));
+}
+
+TEST_CASE("a text is typed and kept when the field is left") {
+    BallRig rig;
+    rig.replace_text("label", "hello");
+    CHECK(rig.value("world.ball.label") == Value("hello"));
+    ImVec2 at = rig.widget("label");
+    rig.click(at.x, at.y);
+    rig.draw(2);
+    rig.key("end");
+    rig.type("!");
+    rig.draw();
+    ImVec2 other = rig.widget("angle");
+    rig.move(other.x, other.y);
+    rig.button(true, other.x, other.y);
+    rig.draw();
+    rig.button(false, other.x, other.y);
+    rig.draw();
+    CHECK(rig.value("world.ball.label") == Value("hello!"));
+}
+
+TEST_CASE("an enumerator is chosen from its list") {
+    BallRig rig;
+    ImVec2 at = rig.widget("type");
+    rig.click(at.x, at.y);
+    rig.draw(2);
+    REQUIRE(rig.state().popup_open);
+    rig.click(at.x, at.y + 24);  // the first of the list below
+    rig.draw(2);
+    CHECK(rig.value("world.ball.type") == Value("static"));
+    CHECK_FALSE(rig.state().popup_open);
+}
+
+TEST_CASE("the reset mark takes a property back to its default") {
+    BallRig rig;
+    rig.tree.set(rig.ball, "mass", Value(8.0));
+    ImVec2 at = rig.widget("mass", 1.0f);
+    rig.click(at.x + 16, at.y);
+    rig.draw();
+    CHECK(rig.value("world.ball.mass") == Value(1.0));
+}
+
+TEST_CASE("a read-only property cannot be dragged") {
+    BallRig rig;
+    rig.drag_by("energy", 100);
+    CHECK(rig.value("world.ball.energy") == Value(12.5));
+    CHECK_FALSE(rig.warns());
+}
+
+TEST_CASE("a reference is a link") {
+    BallRig rig;
+    Handle crate = rig.tree.child(rig.tree.parent(rig.ball), "crate");
+    rig.tree.set(rig.ball, "target", Value(crate));
+    ImVec2 at = rig.widget("target", 0.1f);
+    rig.click(at.x, at.y);
+    rig.draw();
+    CHECK(rig.console.selected() == crate);
+}
+
+TEST_CASE("elements of a list are edited added and removed") {
+    BallRig rig;
+    ImVec2 head = rig.widget("vertices", 0.2f);
+    rig.click(head.x, head.y);
+    rig.draw(2);
+    auto& editor = rig.state().inspector.editor();
+    const property::Property& vertices = rig.tree.property(rig.ball, "vertices");
+    rig.state().inspector.select(rig.ball, "vertices");
+    rig.draw(3);
+    console::Rect rect = editor.widget_rect(vertices);
+    REQUIRE(rect.high.y - rect.low.y > 80);
+    float row = (rect.high.y - rect.low.y) / 5;
+    // The x of the second vertex, dragged.
+    float x = rect.low.x + 50, y = rect.low.y + row * 2.4f;
+    rig.drag(x, y, x + 40, y);
+    rig.draw();
+    List list = rig.value("world.ball.vertices").list();
+    CHECK(list[1].vec2().x() > 1.2);
+    CHECK(list[1].vec2().y() == 0);
+    // The last line adds one.
+    rig.click(rect.low.x + 15, rect.high.y - 8);
+    rig.draw(2);
+    CHECK(rig.value("world.ball.vertices").list().size() == 4);
+    // Its last column removes one.
+    rig.click(rect.high.x - 10, rect.low.y + row * 1.45f);
+    rig.draw(2);
+    list = rig.value("world.ball.vertices").list();
+    REQUIRE(list.size() == 3);
+    CHECK(list[0].vec2().x() > 1.2);
+}
+
+TEST_CASE("ad-hoc properties are shown edited and removed") {
+    BallRig rig;
+    rig.tree.set_or_add(rig.ball, "score", Value(10.0));
+    rig.drag_by("score", 50);
+    CHECK(rig.value("world.ball.score").number() > 10);
+    rig.tree.set_or_add(rig.ball, "nickname", Value("bob"));
+    rig.replace_text("nickname", "alice");
+    CHECK(rig.value("world.ball.nickname") == Value("alice"));
+    ImVec2 at = rig.widget("score", 1.0f);
+    rig.click(at.x + 16, at.y);
+    rig.draw(2);
+    CHECK(rig.tree.find(rig.ball, "score") == nullptr);
+}
+
+TEST_CASE("values shown follow the game") {
+    BallRig rig;
+    rig.draw(2);
+    auto before = rig.surface.pixels();
+    rig.tree.set(rig.ball, "angle", Value(1.5));
+    rig.draw();
+    CHECK(rig.surface.pixels() != before);
+}
+
+TEST_CASE("the selected instance may be deleted at any time") {
+    BallRig rig;
+    rig.tree.destroy(rig.ball);
+    rig.draw(3);
+    CHECK_FALSE(rig.console.selected());
+    CHECK(rig.surface.faults() == 0);
+    rig.tree.destroy(rig.tree.child(rig.tree.root(), "world"));
+    rig.draw(3);
+    CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("the outline unfolds down to the selected instance") {
+    Rig rig;
+    Handle world = rig.tree.child(rig.tree.root(), "world");
+    Handle deep = world;
+    for (int i = 0; i < 5; ++i)
+        deep = rig.tree.create(rig.tree.class_named("Body"), deep, "level" + std::to_string(i));
+    console::InstanceTree outline(rig.tree);
+    outline.rows(0);
+    CHECK(outline.row_of(deep) == -1);
+    outline.reveal(deep);
+    outline.rows(0);
+    CHECK(outline.row_of(deep) > 0);
+    outline.fold(world, false);
+    outline.rows(0);
+    CHECK(outline.row_of(deep) == -1);
+}
+
+TEST_CASE("the outline is searched by name and class") {
+    Rig rig;
+    console::InstanceTree outline(rig.tree);
+    outline.search("CRAT");
+    REQUIRE(outline.rows(0).size() == 1);
+    CHECK(rig.tree.name(outline.rows(0)[0].instance) == "crate");
+    outline.search("body");
+    CHECK(outline.rows(0).size() == 3);
+    outline.search("no such thing");
+    CHECK(outline.rows(0).empty());
+    outline.search("");
+    CHECK(outline.rows(0).size() == 7);
+}
+
+TEST_CASE("a hundred thousand instances are inspected without reading them all") {
+    BallRig rig;
+    Handle world = rig.tree.parent(rig.ball);
+    const property::Class& object = rig.tree.object_class();
+    for (int i = 0; i < 100'000; ++i) rig.tree.create(object, world, "thing_" + std::to_string(i));
+    rig.draw(30);  // past the refresh
+    std::size_t first = rig.surface.triangle_count();
+    CHECK(first < 20'000);
+    Handle last = rig.tree.child(world, "thing_99999");
+    rig.console.select(last);
+    rig.draw(3);
+    CHECK(rig.console.selected() == last);
+    CHECK(rig.surface.triangle_count() < 20'000);
+}

@@ -1,0 +1,279 @@
+// The command line, key by key, without a window.
+
+#include "catch.h"
+#include "rig.h"
+
+using namespace fettle::console;
+using fettle::console::test::Rig;
+using fettle::property::Value;
+using fettle::property::Vec2;
+
+namespace {
+
+/// A rig whose console is open.
+struct OpenRig : Rig {
+    OpenRig() { key("grave"); }
+    void run(std::string_view command) {
+        type(command);
+        key("enter");
+    }
+    const CompletionMenu& menu() { return state().prompt.menu(); }
+};
+
+}  // namespace
+
+TEST_CASE("Enter runs the command and the log shows it and what came of it") {
+    OpenRig rig;
+    rig.run("world.ball.mass = 5");
+    CHECK(rig.value("world.ball.mass") == Value(5.0));
+    CHECK(rig.input().empty());
+    CHECK(rig.logged("world.ball.mass = 5\nworld.ball.mass: 5"));
+}
+
+TEST_CASE("Enter on nothing runs nothing") {
+    OpenRig rig;
+    rig.run("");
+    rig.run("   ");
+    CHECK(rig.commands.empty());
+    CHECK(rig.input().empty());
+}
+
+TEST_CASE("a command that is not complete gets another line with its indent") {
+    OpenRig rig;
+    rig.type("  for i = 1, 3 do");
+    rig.key("enter");
+    CHECK(rig.commands.empty());
+    CHECK(rig.input() == "  for i = 1, 3 do\n  ");
+    rig.type("end");
+    rig.key("enter");
+    REQUIRE(rig.commands.size() == 1);
+    CHECK(rig.commands[0] == "  for i = 1, 3 do\n  end");
+}
+
+TEST_CASE("ctrl Enter runs what is there and shift Enter adds a line") {
+    OpenRig rig;
+    rig.type("world.ball.mass");
+    rig.key("shift+enter");
+    CHECK(rig.input() == "world.ball.mass\n");
+    rig.key("backspace");
+    rig.key("ctrl+enter");
+    CHECK(rig.commands.back() == "world.ball.mass");
+    rig.type("for x do");
+    rig.key("ctrl+enter");
+    CHECK(rig.input().empty());
+    CHECK(rig.logged("not complete"));
+}
+
+TEST_CASE("Up and Down walk the commands that begin with what is typed") {
+    OpenRig rig;
+    for (const char* command : {"world.ball.mass", "time.paused", "world.crate.mass"})
+        rig.run(command);
+    rig.type("world");
+    rig.key("up");
+    CHECK(rig.input() == "world.crate.mass");
+    rig.key("up");
+    CHECK(rig.input() == "world.ball.mass");
+    rig.key("up");
+    CHECK(rig.input() == "world.ball.mass");
+    rig.key("down");
+    CHECK(rig.input() == "world.crate.mass");
+    rig.key("down");
+    CHECK(rig.input() == "world");
+    rig.key("ctrl+a");
+    rig.key("delete");
+    rig.key("up");
+    rig.key("up");
+    CHECK(rig.input() == "time.paused");
+}
+
+TEST_CASE("Up inside several lines moves the cursor first") {
+    OpenRig rig;
+    rig.run("time.paused");
+    rig.type("a");
+    rig.key("shift+enter");
+    rig.type("b");
+    rig.key("up");
+    CHECK(rig.input() == "a\nb");
+    CHECK(rig.state().prompt.edit().cursor() == 1);
+}
+
+TEST_CASE("reverse search finds older and older commands") {
+    OpenRig rig;
+    for (const char* command : {"world.ball.mass", "time.paused", "world.crate.mass"})
+        rig.run(command);
+    rig.type("draft");
+    rig.key("ctrl+r");
+    rig.type("mas");
+    CHECK(rig.input() == "world.crate.mass");
+    rig.key("ctrl+r");
+    CHECK(rig.input() == "world.ball.mass");
+    rig.key("ctrl+r");
+    CHECK(rig.state().prompt.search_failed());
+    rig.key("ctrl+r");  // around
+    CHECK(rig.input() == "world.crate.mass");
+    rig.key("escape");
+    CHECK(rig.input() == "draft");
+    CHECK(rig.console.is_open());
+
+    rig.key("ctrl+r");
+    rig.type("ball");
+    rig.key("enter");
+    CHECK(rig.commands.back() == "world.ball.mass");
+    CHECK_FALSE(rig.state().prompt.search());
+}
+
+TEST_CASE("reverse search is narrowed and widened by typing") {
+    OpenRig rig;
+    rig.run("world.ball.mass");
+    rig.run("world.crate.mass");
+    rig.key("ctrl+r");
+    rig.type("ballx");
+    CHECK(rig.state().prompt.search_failed());
+    rig.key("backspace");
+    CHECK_FALSE(rig.state().prompt.search_failed());
+    CHECK(rig.input() == "world.ball.mass");
+    rig.key("left");  // keeps it, to be edited
+    CHECK_FALSE(rig.state().prompt.search());
+    CHECK(rig.input() == "world.ball.mass");
+}
+
+TEST_CASE("Tab completes at once when there is one candidate") {
+    OpenRig rig;
+    rig.type("world.ball.m");
+    rig.key("tab");
+    CHECK(rig.input() == "world.ball.mass");
+    CHECK_FALSE(rig.menu().open());
+}
+
+TEST_CASE("Tab shows candidates which typing narrows") {
+    OpenRig rig;
+    rig.type("world.ball.f");
+    rig.key("tab");
+    REQUIRE(rig.menu().open());
+    CHECK(rig.menu().candidates().size() == 3);
+    CHECK(rig.menu().selection().detail == "0.6 · number · 0 to inf");
+    rig.type("o");
+    CHECK(rig.menu().selection().label == "force");
+    rig.key("backspace");
+    rig.type("r");
+    CHECK(rig.menu().selection().label == "friction");
+    rig.key("tab");
+    CHECK(rig.input() == "world.ball.friction");
+    CHECK_FALSE(rig.menu().open());
+}
+
+TEST_CASE("the arrows choose a candidate and Enter takes it without running") {
+    OpenRig rig;
+    rig.type("world.ball.f");
+    rig.key("tab");
+    std::string first = rig.menu().selection().text;
+    rig.key("down");
+    std::string second = rig.menu().selection().text;
+    CHECK(first != second);
+    rig.key("up");
+    rig.key("up");
+    rig.key("down");
+    CHECK(rig.menu().selection().text == first);
+    rig.key("down");
+    rig.key("enter");
+    CHECK(rig.input() == "world.ball." + second);
+    CHECK(rig.commands.empty());
+    rig.key("enter");
+    CHECK(rig.commands.size() == 1);
+}
+
+TEST_CASE("Enter on a name already typed in full runs it") {
+    OpenRig rig;
+    rig.type("world.ball.f");
+    rig.key("tab");
+    rig.type("riction");
+    REQUIRE(rig.menu().open());
+    rig.key("enter");
+    CHECK(rig.commands.size() == 1);
+}
+
+TEST_CASE("the candidates go when something else is typed") {
+    OpenRig rig;
+    rig.type("world.ball.f");
+    rig.key("tab");
+    rig.type(" ");
+    CHECK_FALSE(rig.menu().open());
+    rig.type("= 2");
+    rig.key("ctrl+a");
+    rig.type("f");
+    rig.key("tab");
+    REQUIRE(rig.menu().open());
+    rig.key("left");
+    CHECK_FALSE(rig.menu().open());
+}
+
+TEST_CASE("Escape closes the candidates before the console") {
+    OpenRig rig;
+    rig.type("f");
+    rig.key("tab");
+    REQUIRE(rig.menu().open());
+    rig.key("escape");
+    CHECK_FALSE(rig.menu().open());
+    CHECK(rig.console.is_open());
+    rig.key("escape");
+    CHECK_FALSE(rig.console.is_open());
+    rig.key("grave");
+    CHECK(rig.input() == "f");  // what was typed is still there
+}
+
+TEST_CASE("the latest command with the same beginning is suggested and taken by Right") {
+    OpenRig rig;
+    rig.run("world.ball.mass = 4");
+    rig.type("world.b");
+    CHECK(rig.state().prompt.suggestion() == "all.mass = 4");
+    rig.key("right");
+    CHECK(rig.input() == "world.ball.mass = 4");
+    CHECK(rig.state().prompt.suggestion().empty());
+}
+
+TEST_CASE("copy cut and paste go through the clipboard") {
+    OpenRig rig;
+    rig.type("world.ball");
+    rig.key("ctrl+a");
+    rig.key("ctrl+c");
+    CHECK(rig.clipboard.text == "world.ball");
+    rig.key("end");
+    rig.clipboard.text = ".mass = 3\r\n";
+    rig.key("ctrl+v");
+    CHECK(rig.input() == "world.ball.mass = 3");
+    CHECK(rig.commands.empty());  // a line end pasted does not run
+    rig.key("shift+home");
+    rig.key("ctrl+x");
+    CHECK(rig.input().empty());
+    CHECK(rig.clipboard.text == "world.ball.mass = 3");
+    rig.key("ctrl+z");
+    CHECK(rig.input() == "world.ball.mass = 3");
+}
+
+TEST_CASE("several lines pasted are one command") {
+    OpenRig rig;
+    rig.clipboard.text = "for i = 1, 2 do\n\tprint(i)\nend\n";
+    rig.key("ctrl+v");
+    rig.key("enter");
+    REQUIRE(rig.commands.size() == 1);
+    CHECK(rig.commands[0] == "for i = 1, 2 do\n  print(i)\nend");
+}
+
+TEST_CASE("an error shows its line with a caret and the suggestion") {
+    OpenRig rig;
+    rig.run("world.bal.mass = 5");
+    CHECK(rig.logged("did you mean \"ball\"?"));
+    CHECK(rig.logged("world.bal.mass = 5\n      ^^^\n"));
+    CHECK(rig.state().log.lines().back().kind == LineKind::caret);
+}
+
+TEST_CASE("ctrl L clears the log") {
+    OpenRig rig;
+    rig.run("world.ball.mass");
+    rig.draw();
+    rig.key("ctrl+l");
+    CHECK(rig.log_text().empty());
+    rig.run("world.ball.mass");
+    rig.draw();
+    CHECK(rig.logged("world.ball.mass"));
+}

@@ -1,0 +1,122 @@
+// Fuzzy matching, coloring, the log.
+
+#include <algorithm>
+
+#include "catch.h"
+#include "fuzzy.h"
+#include "highlight.h"
+#include "log.h"
+
+using namespace fettle::console;
+using fettle::script::ScriptError;
+
+namespace {
+
+std::string_view piece(std::string_view line, const Span& span) {
+    return line.substr(span.begin, span.end - span.begin);
+}
+
+bool has(std::string_view line, const std::vector<Span>& spans, std::string_view text,
+         Token token) {
+    return std::any_of(spans.begin(), spans.end(), [&](const Span& span) {
+        return piece(line, span) == text && span.token == token;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("fuzzy matching prefers starts of words and runs") {
+    auto score = [](std::string_view pattern, std::string_view candidate) {
+        return fuzzy_match(pattern, candidate).value().score;
+    };
+    CHECK(score("gs", "gravity_scale") > score("gs", "angles"));
+    CHECK(score("mas", "mass") > score("mas", "max_steps"));
+    CHECK(score("mass", "mass") > score("mass", "mass_total"));
+    CHECK_FALSE(fuzzy_match("xyz", "position"));
+    CHECK_FALSE(fuzzy_match("longer than it", "it"));
+    CHECK(fuzzy_match("", "anything").value().score == 0);
+}
+
+TEST_CASE("fuzzy matching tells which letters matched") {
+    CHECK(fuzzy_match("gs", "gravity_scale").value().positions == std::vector<std::size_t>{0, 8});
+    CHECK(fuzzy_match("FRIC", "friction").value().positions ==
+          std::vector<std::size_t>{0, 1, 2, 3});
+}
+
+TEST_CASE("a command is colored by what its parts are") {
+    std::string_view line = "if world[\"my ball\"].mass >= 0x1F then x = 'a' -- why";
+    auto spans = highlight_command(line);
+    CHECK(has(line, spans, "if", Token::keyword));
+    CHECK(has(line, spans, "world[\"my ball\"].mass", Token::path));
+    CHECK(has(line, spans, "0x1F", Token::number));
+    CHECK(has(line, spans, "'a'", Token::string));
+    CHECK(has(line, spans, "-- why", Token::comment));
+}
+
+TEST_CASE("an echo is colored and prose is not") {
+    std::string_view line = "world.ball.mass: 2 → 5.5e-3 kg, don't \"stop\" here";
+    auto spans = highlight_output(line);
+    CHECK(has(line, spans, "world.ball.mass", Token::path));
+    CHECK(has(line, spans, "→", Token::arrow));
+    CHECK(has(line, spans, "5.5e-3", Token::number));
+    CHECK(has(line, spans, "\"stop\"", Token::string));
+    CHECK(has(line, spans, "here", Token::plain));
+}
+
+TEST_CASE("coloring takes any bytes") {
+    for (std::string_view line : {"\"unclosed", "world[", "world[\"", "a.", "\\", "\xff\xfe", "[[",
+                                  "world[\"x\\", "1e+", "'\\"})
+        for (auto& spans : {highlight_command(line), highlight_output(line)})
+            for (const Span& span : spans) {
+                CHECK(span.begin < span.end);
+                CHECK(span.end <= line.size());
+            }
+}
+
+TEST_CASE("the caret stands below the name the message is about") {
+    auto marked = [](std::string_view line, std::string_view message) {
+        return piece(line, error_span(line, message));
+    };
+    CHECK(marked("world.bal.mass = 5", "world has no \"bal\" (did you mean \"ball\"?)") == "bal");
+    CHECK(marked("  x = )", "unexpected symbol near ')'") == ")");
+    CHECK(marked("it.mass = it.massive", "world.ball.massive: no such name") == "massive");
+    CHECK(marked("  nothing named ", "something failed") == "nothing named");
+}
+
+TEST_CASE("an error in the log shows message line and caret") {
+    Log log;
+    ScriptError error;
+    error.message = "console:1: no \"bal\" in world";
+    error.source_line = "world.bal = 1";
+    log.error(error);
+    REQUIRE(log.lines().size() == 3);
+    CHECK(log.lines()[1].text == "world.bal = 1");
+    CHECK(log.lines()[2].text == "      ^^^");
+    error.column = 1;
+    log.error(error);
+    CHECK(log.lines()[5].text == "^^^^^");
+}
+
+TEST_CASE("the log drops its oldest lines and cuts endless ones") {
+    Log log;
+    for (std::size_t i = 0; i < Log::max_lines + 10; ++i) log.output("line " + std::to_string(i));
+    CHECK(log.lines().size() == Log::max_lines);
+    CHECK(log.dropped() == 10);
+    CHECK(log.lines().front().text == "line 10");
+    log.output(std::string(1'000'000, 'x'));
+    CHECK(log.lines().back().text.size() < Log::max_line_bytes + 100);
+    CHECK(log.lines().back().text.find("1000000 bytes") != std::string::npos);
+    log.clear();
+    CHECK(log.lines().empty());
+}
+
+TEST_CASE("several lines printed at once are several lines") {
+    Log log;
+    log.output("a\nb\n");
+    log.output("");
+    log.command("for\nend");
+    REQUIRE(log.lines().size() == 5);
+    CHECK(log.lines()[1].text == "b");
+    CHECK(log.lines()[2].text.empty());
+    CHECK(log.lines()[4].kind == LineKind::continuation);
+}

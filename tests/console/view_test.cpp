@@ -1,0 +1,221 @@
+// What is seen: the log with its selection and links, sizes, fonts, drawing on any surface.
+
+#include <deque>
+
+#include "catch.h"
+#include "rig.h"
+
+using namespace fettle;
+using console::test::RasterSurface;
+using console::test::Rig;
+using property::Value;
+
+namespace {
+
+/// Pixel position of a character of the last row that shows a line of the log.
+ImVec2 log_position(Rig& rig, std::size_t lines_from_end, float column) {
+    rig.draw(2);
+    float line = rig.state().log_view.line_height();
+    ImVec2 corner = rig.state().log_view.text_end();
+    return ImVec2(corner.x + (column + 2) * rig.state().log_view.cell(),
+                  corner.y - (static_cast<float>(lines_from_end) + 0.5f) * line);
+}
+
+}  // namespace
+
+TEST_CASE("what is typed changes the picture") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    auto before = rig.surface.pixels();
+    rig.draw();
+    CHECK(rig.surface.pixels() == before);
+    rig.type("world");
+    rig.draw();
+    CHECK(rig.surface.pixels() != before);
+}
+
+TEST_CASE("text dragged over in the log is copied") {
+    Rig rig;
+    rig.key("grave");
+    rig.console.print("first line");
+    rig.console.print("second line");
+    ImVec2 from = log_position(rig, 1, 6), to = log_position(rig, 0, 6);
+    rig.drag(from.x, from.y, to.x, to.y);
+    rig.key("ctrl+c");
+    CHECK(rig.clipboard.text == "line\nsecond");
+    rig.key("escape");
+    CHECK(rig.console.is_open());
+    CHECK_FALSE(rig.state().log_view.selecting());
+}
+
+TEST_CASE("a double click in the log selects a word") {
+    Rig rig;
+    rig.key("grave");
+    rig.console.print("this is some prose");
+    ImVec2 at = log_position(rig, 0, 10);
+    rig.click(at.x, at.y);
+    rig.click(at.x, at.y);
+    rig.draw();
+    CHECK(rig.state().log_view.selected() == "some");
+}
+
+TEST_CASE("a path in the log is a link to its instance") {
+    Rig rig;
+    rig.key("grave");
+    rig.console.print("world.crate.friction: 0.2 → 0.6");
+    ImVec2 at = log_position(rig, 0, 8);
+    rig.click(at.x, at.y);
+    rig.draw();
+    CHECK(rig.tree.path(rig.console.selected()) == "world.crate");
+    rig.press("left_control");
+    at = log_position(rig, 1, 8);  // one line up: choosing has printed one
+    rig.click(at.x, at.y);
+    rig.release("left_control");
+    CHECK(rig.input() == "world.crate.friction");
+}
+
+TEST_CASE("a word that is no path is no link") {
+    Rig rig;
+    rig.key("grave");
+    rig.console.print("world.nothing.here is not there");
+    ImVec2 at = log_position(rig, 0, 8);
+    rig.click(at.x, at.y);
+    rig.draw();
+    CHECK_FALSE(rig.console.selected());
+}
+
+TEST_CASE("the log scrolls by pages and returns to the end with the next command") {
+    Rig rig;
+    rig.key("grave");
+    for (int i = 0; i < 500; ++i) rig.console.print("line " + std::to_string(i));
+    rig.draw(3);
+    float end = rig.state().log_view.scrolled();
+    CHECK(end > 1000);
+    rig.key("page_up");
+    rig.draw(2);
+    CHECK(rig.state().log_view.scrolled() < end - 50);
+    float up = rig.state().log_view.scrolled();
+    rig.console.print("more");
+    rig.draw(2);
+    CHECK(rig.state().log_view.scrolled() == Approx(up));  // what one reads stays
+    rig.type("world.ball.mass");
+    rig.key("enter");
+    rig.draw(3);
+    CHECK(rig.state().log_view.scrolled() > end);
+}
+
+TEST_CASE("long lines are wrapped and any text can be drawn") {
+    Rig rig;
+    rig.key("grave");
+    rig.console.print(std::string(3000, 'x'));
+    rig.console.print("→ ∞ ² ° ü \xff\xfe 漢字 \t tab");
+    rig.console.print("%s %n %d");
+    rig.type("%s%n");
+    rig.draw(3);
+    CHECK(rig.surface.faults() == 0);
+    CHECK(rig.surface.triangle_count() > 1000);
+}
+
+TEST_CASE("sizes are live properties") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(2);
+    float before = rig.state().panel_rect.high.y;
+    property::set(rig.tree, "console.height", Value(0.8));
+    rig.draw();
+    CHECK(rig.state().panel_rect.high.y > before + 100);
+    property::set(rig.tree, "console.inspector", Value(false));
+    rig.draw();
+    CHECK(rig.state().inspector_rect.empty());
+    CHECK(rig.state().panel_rect.high.x > 1200);
+    property::set(rig.tree, "console.font_size", Value(24.0));
+    rig.draw();
+    CHECK(rig.state().ui.font_size() == 24);
+    CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("the lower edge of the panel is dragged") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(2);
+    float y = rig.state().panel_rect.high.y - 2;
+    rig.drag(300, y, 300, y + 100);
+    rig.draw();
+    CHECK(rig.state().panel_rect.high.y == Approx(y + 100).margin(8));
+}
+
+TEST_CASE("the console draws on another surface and on tiny ones") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(2);
+    std::deque<RasterSurface> others;  // alive together, as surfaces are told apart by address
+    for (auto [width, height] : {std::pair{1920u, 1080u}, {320u, 200u}, {40u, 30u}, {1u, 1u}}) {
+        RasterSurface& other = others.emplace_back(width, height);
+        rig.console.draw(other, 1.0 / 60);
+        CHECK(other.faults() == 0);
+    }
+    rig.draw();
+    CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("two consoles at once do not disturb each other") {
+    Rig one, two;
+    one.key("grave");
+    two.key("grave");
+    one.draw();
+    two.draw();
+    one.type("only one");
+    one.draw();
+    two.draw();
+    CHECK(one.input() == "only one");
+    CHECK(two.input().empty());
+    CHECK(one.surface.faults() + two.surface.faults() == 0);
+}
+
+TEST_CASE("a candidate is chosen with the mouse") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw();
+    rig.type("world.ball.f");
+    rig.key("tab");
+    rig.draw(2);
+    auto rect = rig.state().prompt_view.menu_rect();
+    REQUIRE_FALSE(rect.empty());
+    std::string second = rig.state().prompt.menu().candidates()[1].completion.text;
+    float row = rig.state().ui.font_size() + 3;
+    rig.click(rect.low.x + 60, rect.low.y + 7 + row * 1.5f);
+    rig.draw();
+    CHECK(rig.input() == "world.ball." + second);
+    CHECK(rig.console.is_open());
+}
+
+TEST_CASE("the mouse places the cursor and selects in the prompt") {
+    Rig rig;
+    rig.key("grave");
+    rig.type("world.ball.mass");
+    rig.draw(2);
+    auto rect = rig.state().prompt_view.rect();
+    float cell = rig.state().log_view.cell();
+    float x = rect.low.x + 6 + 2 * cell;
+    rig.drag(x + 6 * cell, rect.middle().y, x + 10 * cell, rect.middle().y);
+    CHECK(rig.state().prompt.edit().selected() == "ball");
+    rig.type("x");
+    CHECK(rig.input() == "world.x.mass");
+}
+
+TEST_CASE("errors and printed text of the game appear in the console") {
+    Rig rig;
+    rig.console.print("hello\nworld");
+    script::ScriptError error;
+    error.message = "main.lua:3: world.bal: no such name";
+    error.source_line = "  world.bal.mass = 1";
+    error.traceback = "main.lua:3: in update\nmain.lua:9: in main\n";
+    rig.console.report(error);
+    CHECK(rig.logged("hello\nworld\n"));
+    CHECK(rig.logged("        ^^^\n"));
+    CHECK(rig.logged("main.lua:9"));
+    rig.key("grave");
+    rig.draw(2);
+    CHECK(rig.surface.faults() == 0);
+}
