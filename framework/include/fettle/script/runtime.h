@@ -33,7 +33,11 @@ struct ScriptError {
     std::string traceback;    // one frame a line
     std::string locals;       // `name = value` a line: local variables of the frame that failed
     std::string context;      // "update", "timer", "watcher of world.ball.mass", "load", "console"
+    int column = 0;           // from 1, where a caret belongs under the source line; 0 when unknown
 };
+
+/// The error as a console shows it: message, then the source line and a caret under what is wrong.
+std::vector<std::string> error_lines(const ScriptError& error);
 
 /// What came of one console command.
 struct Evaluation {

@@ -1,0 +1,111 @@
+#include "budget.h"
+
+#include <algorithm>
+
+#include "machine.h"
+
+namespace fettle::script {
+
+void Budget::begin(std::uint64_t instructions, std::size_t memory) {
+    active_ = true;
+    stopping_ = false;
+    instructions_ = instructions;
+    left_ =
+        static_cast<std::int64_t>(std::min<std::uint64_t>(instructions, std::uint64_t{1} << 62));
+    deadline_ = std::chrono::steady_clock::now() + longest;
+    reason_.clear();
+    file_.clear();
+    line_ = 0;
+    Arena& arena = machine_.arena;
+    outer_limit_ = arena.limit();
+    const std::size_t used = arena.bytes();
+    memory_limit_ =
+        memory < outer_limit_ && used < outer_limit_ - memory ? used + memory : outer_limit_;
+    arena.set_limit(memory_limit_);
+    lua_sethook(machine_.main, hook, LUA_MASKCOUNT, interval);
+}
+
+void Budget::end() {
+    active_ = false;
+    stopping_ = false;
+    machine_.arena.set_limit(outer_limit_);
+    lua_sethook(machine_.main, nullptr, 0, 0);
+}
+
+void Budget::hook(lua_State* L, lua_Debug*) {
+    Budget& budget = machine_of(L).budget;
+    if (!budget.active_) {
+        lua_sethook(L, nullptr, 0, 0);  // a coroutine that outlived the command it was made in
+        return;
+    }
+    if (!budget.stopping_) {
+        budget.left_ -= interval;
+        const bool late = std::chrono::steady_clock::now() > budget.deadline_;
+        if (budget.left_ >= 0 && !late) return;
+        budget.stop(L, late ? "stopped: it ran for " + std::to_string(longest.count()) + " seconds"
+                            : "stopped: it ran past its budget of " +
+                                  std::to_string(budget.instructions_) + " instructions");
+    }
+    lua_sethook(L, hook, LUA_MASKCOUNT, 1);
+    budget.raise_stop(L);
+}
+
+void Budget::stop(lua_State* L, const std::string& why) {
+    if (stopping_) return;
+    stopping_ = true;
+    lua_Debug frame;
+    for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+        lua_getinfo(L, "Sl", &frame);
+        if (frame.currentline <= 0) continue;
+        file_ = frame.short_src;
+        line_ = frame.currentline;
+        break;
+    }
+    reason_ = (line_ > 0 ? file_ + ":" + std::to_string(line_) + ": " : std::string()) + why;
+}
+
+void Budget::arm() {
+    lua_sethook(machine_.running, hook, LUA_MASKCOUNT, 1);
+}
+
+void Budget::raise_stop(lua_State* L) {
+    lua_pushlstring(L, reason_.data(), reason_.size());
+    lua_error(L);
+    std::terminate();  // not reached
+}
+
+void Budget::charge(lua_State* L, std::uint64_t instructions) {
+    if (!active_) return;
+    charge_quietly(instructions);
+    check(L);
+}
+
+void Budget::charge_quietly(std::uint64_t instructions) {
+    if (!active_ || stopping_) return;
+    left_ -=
+        static_cast<std::int64_t>(std::min<std::uint64_t>(instructions, std::uint64_t{1} << 61));
+    if (left_ >= 0) return;
+    stop(machine_.running,
+         "stopped: it ran past its budget of " + std::to_string(instructions_) + " instructions");
+    arm();
+}
+
+void Budget::memory_refused(std::size_t size) {
+    if (!active_ || stopping_) return;
+    stop(machine_.running, "stopped: it needs more memory than a command may use (" +
+                               std::to_string(size) + " bytes more, limit " +
+                               std::to_string(memory_limit_ >> 20) + " MB)");
+    arm();
+}
+
+void Budget::enter(lua_State* thread) {
+    if (!active_) return;
+    charge_quietly(500);
+    lua_sethook(thread, hook, LUA_MASKCOUNT, stopping_ ? 1 : interval);
+}
+
+void Budget::check(lua_State* L) {
+    if (active_ && stopping_) raise_stop(L);
+}
+
+}  // namespace fettle::script

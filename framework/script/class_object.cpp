@@ -1,0 +1,377 @@
+// Class objects: `Body { ... }` constructs, `Ball = class("Ball", Body) { ... }` defines,
+// `function Ball:step(dt)` adds a function.
+
+#include <algorithm>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "guard.h"
+#include "instance.h"
+#include "machine.h"
+#include "script_classes.h"
+#include "subscriptions.h"
+#include "writes.h"
+
+namespace fettle::script {
+
+using property::Class;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Type;
+using property::Value;
+
+namespace {
+
+struct ClassBox {
+    Tag tag;
+    const Class* of;
+};
+
+std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what) {
+    std::vector<std::string> keys;
+    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) == LUA_TSTRING) {
+            std::size_t length = 0;
+            const char* key = lua_tolstring(L, -2, &length);
+            keys.emplace_back(key, length);
+        } else if (!lua_isinteger(L, -2)) {
+            const std::string type = describe_type(L, -2);
+            lua_pop(L, 2);
+            throw Error(ErrorKind::bad_name, what + ": a name is a text, not " + type);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+// --- Constructing
+
+bool is_orphan(lua_State* L, Machine& machine, int index) {
+    const auto* box = instance_at(L, index);
+    return box && machine.tree.alive(box->handle) && box->handle != machine.tree.root() &&
+           !machine.tree.parent(box->handle);
+}
+
+// Pushes key `name` of the table at 2.
+int push_key(lua_State* L, const std::string& name) {
+    lua_pushlstring(L, name.data(), name.size());
+    return lua_rawget(L, 2);
+}
+
+void adopt_unnamed(lua_State* L, Machine& machine, const Class& of, Handle made) {
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, 2));
+    for (lua_Integer i = 1; i <= length; ++i) {
+        lua_rawgeti(L, 2, i);
+        const auto* box = instance_at(L, -1);
+        if (!box)
+            throw Error(ErrorKind::wrong_type, of.name() + ": element " + std::to_string(i) +
+                                                   " is " + describe_type(L, -1) +
+                                                   "; what has no name becomes a child, so it "
+                                                   "must be an instance");
+        machine.tree.require(box->handle);
+        if (!is_orphan(L, machine, -1))
+            throw Error(
+                ErrorKind::bad_structure,
+                of.name() + ": " + machine.tree.path(box->handle) + " has its place already");
+        place(machine, box->handle, made, {}, true);
+        lua_pop(L, 1);
+    }
+}
+
+// Named children come first, so that unnamed ones are numbered around them; then unnamed ones; then
+// properties, which may depend on what hangs below. Names in order, so that runs are the same.
+void fill(lua_State* L, Machine& machine, const Class& of, Handle made) {
+    const std::vector<std::string> keys = sorted_keys(L, 2, of.name());
+    std::vector<std::string> properties;
+    for (const std::string& key : keys) {
+        push_key(L, key);
+        lua_replace(L, 3);
+        if (!of.property(key) && is_orphan(L, machine, 3))
+            write_member(L, machine, made, of, key);
+        else
+            properties.push_back(key);
+    }
+    adopt_unnamed(L, machine, of, made);
+    for (const std::string& key : properties) {
+        push_key(L, key);
+        lua_replace(L, 3);
+        if (const Property* property = of.property(key)) {
+            const Value value = to_value(L, 3);
+            machine.classes->explain_integer(*property, value);
+            machine.tree.set(made, *property, value);
+        } else {
+            write_member(L, machine, made, of, key);
+        }
+    }
+}
+
+// "(detached ball).mass: ..." reads better as "Ball.mass: ..." while it is being made.
+std::string named_by_class(const std::string& message, const std::string& path, const Class& of) {
+    const std::size_t at = message.find(path);
+    if (at != std::string::npos) {
+        std::string text = message;
+        return text.replace(at, path.size(), of.name());
+    }
+    return message.starts_with(of.name()) ? message : of.name() + ": " + message;
+}
+
+int construct(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    if (!of) throw Error(ErrorKind::wrong_type, "needs a class");
+    Machine& machine = machine_of(L);
+    if (!of->creatable())
+        throw Error(ErrorKind::bad_structure,
+                    of->name() + ": cannot be made; the framework makes the one there is");
+    if (lua_gettop(L) >= 2 && !lua_istable(L, 2))
+        throw Error(ErrorKind::wrong_type, of->name() + ": needs a table, as in " + of->name() +
+                                               " { }, not " + describe_type(L, 2));
+    lua_settop(L, 3);
+    // Without this the children would be echoed one by one in the console.
+    const bool recording = std::exchange(machine.recording.active, false);
+    Handle made;
+    try {
+        made = machine.classes->create(*of);
+        if (lua_istable(L, 2)) fill(L, machine, *of, made);
+    } catch (const std::exception& error) {
+        machine.recording.active = recording;
+        std::string message = error.what();
+        if (made && machine.tree.alive(made)) {
+            message = named_by_class(message, machine.tree.path(made), *of);
+            machine.tree.destroy(made);
+        }
+        throw Error(ErrorKind::rejected, message);
+    } catch (...) {
+        machine.recording.active = recording;
+        throw;  // an error of Lua itself
+    }
+    machine.recording.active = recording;
+    push_instance(L, made);
+    return 1;
+}
+
+// --- Class objects
+
+[[noreturn]] void unknown_class_member(Machine& machine, const Class& of, const std::string& name) {
+    std::vector<std::string> names = {"name", "base", "doc", "on", "watch"};
+    machine.classes->add_function_names(of, names);
+    throw Error(ErrorKind::unknown_name,
+                of.name() + "." + name + ": no such function" + property::suggestion(name, names));
+}
+
+int class_index(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    Machine& machine = machine_of(L);
+    if (!of || lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::bad_name, "a class has functions by name");
+    const std::string name = lua_tostring(L, 2);
+    if (machine.classes->push_function(L, *of)) return 1;
+    if (name == "name") {
+        lua_pushstring(L, of->name().c_str());
+    } else if (name == "base") {
+        if (of->base())
+            machine.classes->push(L, *of->base());
+        else
+            lua_pushnil(L);
+    } else if (name == "doc") {
+        lua_pushstring(L, of->doc().c_str());
+    } else if (name == "on") {
+        lua_pushcfunction(L, guarded<subscribe_event>);
+    } else if (name == "watch") {
+        lua_pushcfunction(L, guarded<subscribe_property>);
+    } else {
+        unknown_class_member(machine, *of, name);
+    }
+    return 1;
+}
+
+int class_newindex(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    if (!of || lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::bad_name, "a class has functions by name");
+    const std::string name = lua_tostring(L, 2);
+    if (lua_type(L, 3) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    of->name() + "." + name + ": a class takes functions, not " +
+                        describe_type(L, 3) + "; properties are declared in class(...) { }");
+    lua_settop(L, 3);
+    machine_of(L).classes->set_function(L, *of, name);
+    return 0;
+}
+
+int class_tostring(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    lua_pushstring(L, of ? of->name().c_str() : "class");
+    return 1;
+}
+
+// --- class("Ball", Body) { ... }
+
+// The property that `name = value` in a class declares; the value is on top of the stack.
+Property declared(lua_State* L, const std::string& class_name, const std::string& name) {
+    Property property;
+    property.name = name;
+    property.infinity = true;
+    if (const Class* of = class_object_at(L, -1)) {
+        property.type = Type::reference;
+        property.reference_class = of->name();
+        property.nullable = true;
+        return property;
+    }
+    try {
+        property.default_value = to_value(L, -1);
+    } catch (const Error& error) {
+        throw Error(error.kind(), class_name + "." + name + ": " + error.what());
+    }
+    property.type = property.default_value.type();
+    if (property.type == Type::reference) property.nullable = true;
+    return property;
+}
+
+std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int table,
+                                                               std::string& class_doc) {
+    std::vector<std::pair<std::string, std::string>> docs;
+    lua_pushstring(L, "doc");
+    lua_rawget(L, table);
+    if (lua_type(L, -1) == LUA_TSTRING) class_doc = lua_tostring(L, -1);
+    if (lua_istable(L, -1)) {
+        const int doc = lua_gettop(L);
+        for (const std::string& key : sorted_keys(L, doc, "doc")) {
+            lua_pushstring(L, key.c_str());
+            if (lua_rawget(L, doc) == LUA_TSTRING) docs.emplace_back(key, lua_tostring(L, -1));
+            lua_pop(L, 1);
+        }
+        if (lua_rawgeti(L, doc, 1) == LUA_TSTRING) class_doc = lua_tostring(L, -1);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return docs;
+}
+
+void refuse_slips(const Class& base, const std::string& class_name, const std::string& name) {
+    if (base.method(name))
+        throw Error(ErrorKind::bad_name,
+                    class_name + "." + name + ": is a method of " + base.name());
+    if (name == "name" || name == "parent" || name == "class" ||
+        std::find(generic_names().begin(), generic_names().end(), name) != generic_names().end())
+        throw Error(ErrorKind::bad_name, class_name + "." + name + ": every instance has that");
+    for (const std::string& known : base.member_names())
+        if (property::near_miss(name, known))
+            throw Error(ErrorKind::near_miss, class_name + "." + name + ": " + base.name() +
+                                                  " has no such property (did you mean \"" + known +
+                                                  "\"?)");
+}
+
+// Tells at once about a default that its property would refuse.
+void try_out(Machine& machine, const Class& made) {
+    const Handle sample = machine.classes->create(made);
+    machine.tree.destroy(sample);
+}
+
+// Upvalues: name, base.
+int define_class(lua_State* L) {
+    Machine& machine = machine_of(L);
+    ScriptClasses::Definition definition;
+    definition.name = lua_tostring(L, lua_upvalueindex(1));
+    definition.base = class_object_at(L, lua_upvalueindex(2));
+    lua_settop(L, 1);
+    if (!lua_istable(L, 1))
+        throw Error(ErrorKind::wrong_type, "class: needs a table of properties, as in class(\"" +
+                                               definition.name + "\", Body) { lives = 3 }");
+    const auto docs = documentation(L, 1, definition.doc);
+    std::vector<std::string> functions;
+    for (const std::string& key : sorted_keys(L, 1, definition.name)) {
+        if (key == "doc") continue;
+        lua_pushstring(L, key.c_str());
+        if (lua_rawget(L, 1) == LUA_TFUNCTION) {
+            functions.push_back(key);
+        } else if (const Property* inherited = definition.base->property(key)) {
+            definition.defaults.emplace_back(inherited, to_value(L, -1));
+        } else {
+            refuse_slips(*definition.base, definition.name, key);
+            Property property = declared(L, definition.name, key);
+            for (const auto& [name, doc] : docs)
+                if (name == key) property.doc = doc;
+            definition.properties.push_back(std::move(property));
+        }
+        lua_pop(L, 1);
+    }
+    const Class& made = machine.classes->define(std::move(definition));
+    for (const std::string& function : functions) {
+        lua_pushstring(L, function.c_str());
+        lua_rawget(L, 1);
+        machine.classes->set_function(L, made, function);
+    }
+    try_out(machine, made);
+    machine.classes->push(L, made);
+    return 1;
+}
+
+int class_function(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 2);
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(
+            ErrorKind::wrong_type,
+            "class: needs a name, as in class(\"Ball\", Body) { }, not " + describe_type(L, 1));
+    const std::string name = lua_tostring(L, 1);
+    if (!property::is_identifier(name))
+        throw Error(ErrorKind::bad_name, "class: \"" + name + "\" is no name for a class");
+    if (lua_isnil(L, 2)) {
+        machine.classes->push(L, machine.tree.object_class());
+        lua_replace(L, 2);
+    } else if (lua_type(L, 2) == LUA_TSTRING) {
+        machine.classes->push(L, machine.tree.class_named(lua_tostring(L, 2)));
+        lua_replace(L, 2);
+    } else if (!class_object_at(L, 2)) {
+        throw Error(ErrorKind::wrong_type,
+                    "class: the base is a class or its name, not " + describe_type(L, 2));
+    }
+    const Class* base = class_object_at(L, 2);
+    if (!base->creatable())
+        throw Error(ErrorKind::bad_structure, name + ": no class can derive from " + base->name());
+    lua_pushcclosure(L, guarded<define_class>, 2);
+    return 1;
+}
+
+}  // namespace
+
+const Class* class_object_at(lua_State* L, int index) {
+    const auto* box = box_at<ClassBox>(L, index, Tag::class_object);
+    return box ? box->of : nullptr;
+}
+
+void ScriptClasses::push(lua_State* L, const Class& of) {
+    Info& own = info(of);
+    if (own.object == LUA_NOREF) {
+        auto* box = static_cast<ClassBox*>(lua_newuserdatauv(L, sizeof(ClassBox), 0));
+        *box = {Tag::class_object, &of};
+        push_registry(L, machine_.class_meta);
+        lua_setmetatable(L, -2);
+        own.object = luaL_ref(L, LUA_REGISTRYINDEX);
+    }
+    push_registry(L, own.object);
+}
+
+void open_classes(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_function<construct>(L, "__call");
+    add_function<class_index>(L, "__index");
+    add_function<class_newindex>(L, "__newindex");
+    add_function<class_tostring>(L, "__tostring");
+    lua_pushstring(L, "class");
+    lua_setfield(L, -2, "__name");
+    lua_pushstring(L, "class");
+    lua_setfield(L, -2, "__metatable");
+    machine.class_meta = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+void open_class_function(lua_State* L) {
+    add_function<class_function>(L, "class");
+}
+
+}  // namespace fettle::script

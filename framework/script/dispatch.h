@@ -1,0 +1,46 @@
+#pragma once
+// From the name a script writes to what an instance has under it. Lua interns short names, so the
+// address of a name and the class of the instance find the property in one probe of a small table.
+// Names that are in it are anchored in Lua's registry, so an address never comes to mean another
+// name.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <fettle/property/class.h>
+
+#include "lua_api.h"
+
+namespace fettle::script {
+
+enum class Member : std::uint8_t {
+    none,
+    property,  // declared by the class
+    function,  // a method of the class or of every instance: `reference` is in the registry
+    pseudo,    // name, parent, class
+    dynamic    // not declared: a child, an ad-hoc property, or nothing
+};
+
+struct Dispatch {
+    const char* key = nullptr;
+    const property::Class* instance_class = nullptr;
+    const property::Property* property = nullptr;
+    int reference = LUA_NOREF;
+    Member member = Member::none;
+};
+
+class DispatchCache {
+  public:
+    Dispatch& slot(const property::Class* instance_class, const char* key) {
+        const auto a = reinterpret_cast<std::uintptr_t>(key);
+        const auto b = reinterpret_cast<std::uintptr_t>(instance_class);
+        return slots_[((a >> 4) ^ (a >> 13) ^ (b >> 5)) & (slots_.size() - 1)];
+    }
+    void clear() { slots_.fill({}); }
+
+  private:
+    std::array<Dispatch, 2048> slots_{};
+};
+
+}  // namespace fettle::script

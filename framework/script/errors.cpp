@@ -1,0 +1,261 @@
+#include "errors.h"
+
+#include <cctype>
+#include <charconv>
+
+#include "format.h"
+#include "machine.h"
+#include "protected.h"
+
+namespace fettle::script {
+
+namespace {
+
+constexpr int most_frames = 40;
+constexpr int most_locals = 40;
+
+std::string source_line(Machine& machine, const std::string& file, int line) {
+    const auto found = machine.sources.find(file);
+    if (found == machine.sources.end() || line <= 0) return {};
+    const std::string& text = found->second;
+    std::size_t start = 0;
+    for (int i = 1; i < line; ++i) {
+        start = text.find('\n', start);
+        if (start == std::string::npos) return {};
+        ++start;
+    }
+    std::string result = text.substr(start, text.find('\n', start) - start);
+    if (!result.empty() && result.back() == '\r') result.pop_back();
+    return result;
+}
+
+// "main.lua:12: ..." -> its place.
+void place_from_message(ScriptError& error) {
+    const std::string& text = error.message;
+    for (std::size_t colon = text.find(':'); colon != std::string::npos;
+         colon = text.find(':', colon + 1)) {
+        std::size_t end = colon + 1;
+        while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+        if (end == colon + 1 || end >= text.size() || text[end] != ':') continue;
+        error.file = text.substr(0, colon);
+        std::from_chars(text.data() + colon + 1, text.data() + end, error.line);
+        return;
+    }
+}
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+int column_of(const std::string& line, const std::string& word) {
+    if (word.empty()) return 0;
+    for (std::size_t at = line.find(word); at != std::string::npos; at = line.find(word, at + 1)) {
+        const bool starts = at == 0 || !is_word(line[at - 1]) || !is_word(word.front());
+        const std::size_t end = at + word.size();
+        const bool ends = end >= line.size() || !is_word(line[end]) || !is_word(word.back());
+        if (starts && ends) return static_cast<int>(shown_width(line.substr(0, at))) + 1;
+    }
+    return 0;
+}
+
+// Lua tells the line only. The word that a message is about (quoted, or the end of the path in
+// front of it) shows the column.
+int guess_column(const ScriptError& error) {
+    const std::string& text = error.message;
+    for (std::size_t open = text.find('\''); open != std::string::npos;) {
+        const std::size_t close = text.find('\'', open + 1);
+        if (close == std::string::npos) break;
+        if (const int column =
+                column_of(error.source_line, text.substr(open + 1, close - open - 1)))
+            return column;
+        open = text.find('\'', close + 1);
+    }
+    // "main.lua:12: world.ball.mas: no such name"
+    std::size_t start = error.file.size();
+    start = text.find(": ", start);
+    if (start == std::string::npos) return 0;
+    start += 2;
+    const std::size_t end = text.find(": ", start);
+    if (end == std::string::npos) return 0;
+    std::string path = text.substr(start, end - start);
+    std::size_t word = path.find_last_of(".:[]\" ");
+    return column_of(error.source_line, word == std::string::npos ? path : path.substr(word + 1));
+}
+
+std::string frame_name(const lua_Debug& frame) {
+    if (frame.name && *frame.name) {
+        const std::string name = frame.name;
+        if (std::string_view(frame.namewhat) == "metamethod") return "metamethod " + name;
+        return "function " + name;
+    }
+    if (frame.what[0] == 'm') return "main chunk";
+    return "function at line " + std::to_string(frame.linedefined);
+}
+
+std::string traceback_of(lua_State* L, int level) {
+    std::string text;
+    lua_Debug frame;
+    int shown = 0;
+    for (; lua_getstack(L, level, &frame); ++level) {
+        lua_getinfo(L, "Slnt", &frame);
+        if (frame.what[0] == 'C' && (!frame.name || !*frame.name)) continue;  // our own entry
+        if (++shown > most_frames) {
+            text += "  ...\n";
+            break;
+        }
+        text += "  ";
+        if (frame.currentline > 0)
+            text += std::string(frame.short_src) + ":" + std::to_string(frame.currentline) + ": ";
+        text += "in " + frame_name(frame) + "\n";
+        if (frame.istailcall) text += "  (tail calls)\n";
+    }
+    return text;
+}
+
+std::string locals_of(lua_State* L, lua_Debug& frame) {
+    std::string text;
+    if (!lua_checkstack(L, 8)) return text;
+    for (int n = 1; n <= most_locals; ++n) {
+        const char* name = lua_getlocal(L, &frame, n);
+        if (!name) break;
+        if (name[0] != '(') text += std::string(name) + " = " + short_text(L, -1) + "\n";
+        lua_pop(L, 1);
+    }
+    return text;
+}
+
+// The innermost frame of a script, at `level` or above.
+bool script_frame(lua_State* L, int level, lua_Debug& frame) {
+    for (; lua_getstack(L, level, &frame); ++level) {
+        lua_getinfo(L, "Sl", &frame);
+        if (frame.currentline > 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string error_text(lua_State* L, int index) {
+    if (lua_type(L, index) == LUA_TSTRING || lua_type(L, index) == LUA_TNUMBER) {
+        lua_pushvalue(L, index);
+        std::size_t length = 0;
+        const char* text = lua_tolstring(L, -1, &length);
+        std::string copy(text, std::min<std::size_t>(length, 4000));
+        lua_pop(L, 1);
+        return copy;
+    }
+    return "the error is not a text but " + describe_type(L, index) + ": " + short_text(L, index);
+}
+
+ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State* from, int index) {
+    ScriptError error;
+    lua_checkstack(from, 8);
+    error.message = error_text(from, index);
+    if (machine.thread_error && machine.thread_error->message == error.message) {
+        // It rose out of a coroutine, where it was described already.
+        error = std::move(*machine.thread_error);
+        machine.thread_error.reset();
+        error.traceback += "  (coroutine started from)\n" + traceback_of(L, level);
+        return error;
+    }
+    lua_Debug frame;
+    const bool found = script_frame(L, level, frame);
+    if (lua_type(from, index) == LUA_TSTRING) place_from_message(error);
+    if (error.line == 0 && found) {
+        error.file = frame.short_src;
+        error.line = frame.currentline;
+        if (lua_type(from, index) != LUA_TSTRING)
+            error.message = error.file + ":" + std::to_string(error.line) + ": " + error.message;
+    }
+    error.source_line = source_line(machine, error.file, error.line);
+    error.column = guess_column(error);
+    error.traceback = traceback_of(L, level);
+    if (found) error.locals = locals_of(L, frame);
+    return error;
+}
+
+int describing_handler(lua_State* L) {
+    Machine& machine = machine_of(L);
+    try {
+        machine.caught = describe_error(machine, L, 1, L, 1);
+    } catch (const std::exception&) {
+        machine.caught.reset();
+    }
+    lua_settop(L, 1);
+    return 1;
+}
+
+void report(Machine& machine, ScriptError error) {
+    if (machine.error_sink) machine.error_sink(error);
+}
+
+std::string Context::text(Machine& machine) const {
+    if (!about) return what;
+    const bool alive = machine.tree.alive(about);
+    if (property)
+        return what + " of " +
+               (alive ? machine.tree.path(about, *property) : "(deleted)." + property->name);
+    return what + " of " + (alive ? machine.tree.path(about) : "(deleted)");
+}
+
+bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
+                   void* body, bool report_error) {
+    lua_State* L = machine.main;
+    lua_State* outer = machine.running;
+    machine.running = L;
+    machine.caught.reset();
+    const int top = lua_gettop(L);
+    int status = LUA_ERRMEM;
+    if (lua_checkstack(L, 4)) {
+        lua_pushcfunction(L, describing_handler);
+        lua_pushcfunction(L, trampoline);
+        lua_pushlightuserdata(L, body);
+        const ScriptCause cause(machine, machine.writer);
+        status = lua_pcall(L, 1, 0, top + 1);
+    }
+    machine.running = outer;
+    if (status == LUA_OK) {
+        lua_settop(L, top);
+        return true;
+    }
+    if (!machine.caught) {
+        // Out of memory, or an error while describing one: there is a message and no more.
+        ScriptError error;
+        error.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "out of memory";
+        place_from_message(error);
+        machine.caught = std::move(error);
+    }
+    lua_settop(L, top);
+    machine.thread_error.reset();
+    machine.caught->context = context.text(machine);
+    if (report_error) {
+        ScriptError error = std::move(*machine.caught);
+        machine.caught.reset();
+        report(machine, std::move(error));
+    }
+    return false;
+}
+
+ScriptCause::ScriptCause(Machine& machine, property::Writer writer)
+    : locate_([&machine] {
+          std::string text = position(machine.running ? machine.running : machine.main);
+          if (text.size() > 2) text.resize(text.size() - 2);
+          return text;
+      }),
+      scope_(machine.tree, writer, &locate_) {}
+
+}  // namespace fettle::script
+
+std::vector<std::string> fettle::script::error_lines(const ScriptError& error) {
+    std::vector<std::string> lines = {error.message};
+    if (!error.source_line.empty()) {
+        std::string line = error.source_line;
+        for (char& c : line)
+            if (c == '\t') c = ' ';
+        lines.push_back("  " + line);
+        if (error.column > 0)
+            lines.push_back("  " + std::string(static_cast<std::size_t>(error.column) - 1, ' ') +
+                            "^");
+    }
+    return lines;
+}

@@ -1,0 +1,247 @@
+// One console command: compiled as an expression, else as statements; run under a budget; its
+// results, and what it changed in the tree, become lines.
+
+#include "evaluate.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+
+#include "errors.h"
+#include "format.h"
+#include "help.h"
+#include "machine.h"
+#include "protected.h"
+#include "script_classes.h"
+
+namespace fettle::script {
+
+using property::Property;
+using property::Value;
+
+namespace {
+
+constexpr std::size_t most_echoes = 20;
+constexpr int most_results = 20;
+constexpr const char* chunk_name = "=console";
+
+std::string_view trimmed(std::string_view text) {
+    const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+// `a.b["c"].d`: names, dots and brackets only, so that its value is the property read last. The
+// last name goes to `last`.
+bool is_plain_path(std::string_view text, std::string& last) {
+    std::size_t i = 0;
+    last.clear();
+    while (i < text.size()) {
+        const char c = text[i];
+        if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') {
+            const std::size_t start = i;
+            while (i < text.size() &&
+                   (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_'))
+                ++i;
+            last = std::string(text.substr(start, i - start));
+        } else if (c == '.') {
+            ++i;
+        } else if (c == '[') {
+            const std::size_t end = text.find(']', i);
+            if (end == std::string_view::npos) return false;
+            i = end + 1;
+        } else {
+            return false;
+        }
+    }
+    return !last.empty();
+}
+
+// The unit that belongs to a number which is, or is a component of, the property read last.
+std::string unit_of(const Machine& machine, std::string_view command) {
+    const Property* read = machine.recording.last_read;
+    std::string last;
+    if (!read || read->unit.empty() || !is_plain_path(command, last)) return {};
+    if (last == read->name) return read->unit;
+    const bool component = read->type == property::Type::vec2 && (last == "x" || last == "y");
+    return component ? read->unit : std::string();
+}
+
+// Lines for the results on the stack from index 1.
+void add_results(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+    const int count = lua_gettop(L);
+    if (count == 0) return;
+    if (count == 1) {
+        const bool number = lua_type(L, 1) == LUA_TNUMBER;
+        if (number || vec_at(L, 1)) {
+            const std::string unit = unit_of(machine, command);
+            std::string text;
+            if (!unit.empty() && machine.recording.last_read)
+                text = machine.tree.text(to_value(L, 1), machine.recording.last_read->precision());
+            else
+                text = short_text(L, 1);
+            evaluation.lines.push_back(unit.empty() ? text : text + " " + unit);
+        } else {
+            for (std::string& line : long_text(L, 1)) evaluation.lines.push_back(std::move(line));
+        }
+    } else {
+        std::string line;
+        for (int i = 1; i <= count && i <= most_results; ++i)
+            line += (i > 1 ? "  " : "") + short_text(L, i);
+        if (count > most_results) line += "  … " + std::to_string(count - most_results) + " more";
+        evaluation.lines.push_back(std::move(line));
+    }
+    lua_pushvalue(L, 1);
+    lua_rawseti(L, LUA_REGISTRYINDEX, machine.last_result);
+    try {
+        evaluation.result = to_value(L, 1);
+    } catch (const property::Error&) {
+        // a function, a table with names: no value of the tree
+    }
+}
+
+void add_echoes(Machine& machine, Evaluation& evaluation) {
+    auto& edits = machine.recording.edits;
+    std::size_t shown = 0, changed = 0;
+    for (const auto& edit : edits) {
+        const bool same = edit.note.empty() && edit.before == edit.after;
+        if (same && edits.size() > 1) continue;
+        ++changed;
+        if (shown >= most_echoes) continue;
+        ++shown;
+        if (!edit.note.empty()) {
+            evaluation.lines.push_back(edit.path + ": " + edit.note);
+            continue;
+        }
+        std::string line = edit.path + ": ";
+        if (!same) line += cut(machine.tree.text(edit.before, edit.precision), 60) + " → ";
+        line += cut(machine.tree.text(edit.after, edit.precision), 60);
+        if (!edit.unit.empty()) line += " " + edit.unit;
+        if (same) line += " (unchanged)";
+        evaluation.lines.push_back(std::move(line));
+    }
+    changed += machine.recording.dropped;
+    if (changed > shown)
+        evaluation.lines.push_back("… " + std::to_string(changed - shown) + " more changes");
+}
+
+enum class Compiled { expression, statements, incomplete, wrong };
+
+bool ends_early(lua_State* L) {
+    std::size_t length = 0;
+    const char* message = lua_tolstring(L, -1, &length);
+    return message && std::string_view(message, length).ends_with("<eof>");
+}
+
+// Leaves the function, or the message, on the stack.
+Compiled compile(lua_State* L, std::string_view command) {
+    const std::string expression = "return " + std::string(command);
+    if (luaL_loadbufferx(L, expression.data(), expression.size(), chunk_name, "t") == LUA_OK)
+        return Compiled::expression;
+    lua_pop(L, 1);
+    if (luaL_loadbufferx(L, command.data(), command.size(), chunk_name, "t") == LUA_OK)
+        return Compiled::statements;
+    return ends_early(L) ? Compiled::incomplete : Compiled::wrong;
+}
+
+// `a.b is expr` will define a formula.
+bool looks_like_formula(std::string_view command) {
+    const std::size_t at = command.find(" is ");
+    std::string last;
+    return at != std::string_view::npos && is_plain_path(trimmed(command.substr(0, at)), last);
+}
+
+// `x?`
+bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+    if (command.size() < 2 || command.back() != '?') return false;
+    const std::string asked(trimmed(command.substr(0, command.size() - 1)));
+    evaluation.lines = help_for(machine, asked);
+    if (!evaluation.lines.empty()) return true;
+    if (compile(L, asked) != Compiled::expression) {
+        lua_settop(L, 0);
+        return false;
+    }
+    lua_call(L, 0, 1);
+    evaluation.lines = help_lines(L, 1);
+    lua_settop(L, 0);
+    return true;
+}
+
+void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+    if (add_help(L, machine, command, evaluation)) return;
+    switch (compile(L, command)) {
+        case Compiled::incomplete:
+            evaluation.incomplete = true;
+            return;
+        case Compiled::wrong:
+            if (looks_like_formula(command))
+                throw std::runtime_error("formulas (a.b is expression) are not available yet");
+            lua_error(L);
+            return;
+        default:
+            break;
+    }
+    lua_call(L, 0, LUA_MULTRET);
+    evaluation.lines = std::move(machine.recording.lines);
+    machine.recording.lines.clear();
+    add_results(L, machine, command, evaluation);
+}
+
+// Everything that must be undone however the command ends.
+class Session {
+  public:
+    explicit Session(Machine& machine) : machine_(machine) {
+        machine.recording = {};
+        machine.recording.active = true;
+        machine.writer = property::Writer::console;
+        machine.budget.begin(machine.options.console_budget, machine.options.console_memory);
+    }
+    ~Session() {
+        machine_.budget.end();
+        machine_.writer = property::Writer::script;
+        machine_.recording.active = false;
+    }
+    Session(const Session&) = delete;
+
+  private:
+    Machine& machine_;
+};
+
+}  // namespace
+
+Evaluation evaluate(Machine& machine, std::string_view command) {
+    Evaluation evaluation;
+    command = trimmed(command);
+    if (command.empty()) {
+        evaluation.ok = true;
+        return evaluation;
+    }
+    if (command.front() == '=') command.remove_prefix(1);
+    machine.sources["console"] = std::string(command);
+    {
+        const Session session(machine);
+        const bool ok = protected_run(
+            machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);
+        if (!ok) {
+            evaluation.error = std::move(machine.caught);
+            machine.caught.reset();
+            if (machine.budget.stopping()) {
+                // Where it ran out, whatever the script made of that error.
+                evaluation.error->message = machine.budget.reason();
+                evaluation.error->file = machine.budget.file();
+                evaluation.error->line = machine.budget.line();
+            }
+            // What it printed before it failed is worth reading.
+            evaluation.lines = std::move(machine.recording.lines);
+        }
+        evaluation.ok = ok && !evaluation.incomplete;
+        if (!evaluation.incomplete) add_echoes(machine, evaluation);
+    }
+    if (evaluation.ok) machine.classes->deliver_ready();
+    return evaluation;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,370 @@
+#include "format.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+
+#include "instance_set.h"
+#include "machine.h"
+#include "methods.h"
+#include "script_classes.h"
+
+namespace fettle::script {
+
+using property::Handle;
+using property::Property;
+using property::Type;
+using property::Value;
+
+std::size_t shown_width(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+}
+
+std::string cut(std::string_view text, std::size_t width) {
+    std::size_t shown = 0, end = 0;
+    while (end < text.size()) {
+        if ((static_cast<unsigned char>(text[end]) & 0xc0) != 0x80 && ++shown > width) break;
+        ++end;
+    }
+    if (end == text.size()) return std::string(text);
+    return std::string(text.substr(0, end)) + "…";
+}
+
+std::string number_for_people(double number) {
+    // What came from a float in memory reads as it was written: 0.1, not 0.10000000149011612.
+    const bool narrow = static_cast<double>(static_cast<float>(number)) == number;
+    std::string text =
+        property::number_text(number, narrow ? property::Precision::single_precision
+                                             : property::Precision::double_precision);
+    if (std::isfinite(number) && text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+}
+
+std::string with_unit(const Machine& machine, const Value& value, const Property& property) {
+    std::string text = machine.tree.text(value, property.precision());
+    if (!property.unit.empty() && (value.is_numeric() || value.is(Type::vec2)))
+        text += " " + property.unit;
+    return text;
+}
+
+// --- One line
+
+namespace {
+
+constexpr std::size_t line_width = 100;
+constexpr int deepest = 3;
+
+std::string quoted_text(std::string_view text) {
+    if (text.size() > 400) text = text.substr(0, 400);
+    return cut(property::value_text(Value(text)), line_width);
+}
+
+std::string key_text(lua_State* L, int index) {
+    if (lua_type(L, index) == LUA_TSTRING) {
+        const std::string key = lua_tostring(L, index);
+        return property::is_identifier(key) ? key : "[" + quoted_text(key) + "]";
+    }
+    return "[" + short_text(L, index) + "]";
+}
+
+std::string brief(lua_State* L, int index, int depth);
+
+// Elements first, then named entries in order of name.
+std::string table_text(lua_State* L, int index, int depth) {
+    if (depth >= deepest) return "{…}";
+    luaL_checkstack(L, 6, "table");
+    index = lua_absindex(L, index);
+    std::string text = "{";
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
+    bool first = true;
+    const auto add = [&](const std::string& part) {
+        text += first ? part : ", " + part;
+        first = false;
+    };
+    for (lua_Integer i = 1; i <= length && text.size() < line_width; ++i) {
+        lua_rawgeti(L, index, i);
+        add(brief(L, -1, depth + 1));
+        lua_pop(L, 1);
+    }
+    std::vector<std::string> named;
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= length)
+            continue;
+        if (named.size() >= 1000) continue;
+        named.push_back(key_text(L, -2) + " = " + brief(L, -1, depth + 1));
+    }
+    std::sort(named.begin(), named.end());
+    for (const std::string& part : named) {
+        if (text.size() >= line_width) break;
+        add(part);
+    }
+    return cut(text, line_width) + "}";
+}
+
+std::string function_text(lua_State* L, int index) {
+    if (const property::Method* method = method_of(L, index)) return signature(*method);
+    lua_pushvalue(L, index);
+    lua_Debug info;
+    lua_getinfo(L, ">S", &info);
+    if (info.what[0] == 'C') return "function";
+    return "function at " + std::string(info.short_src) + ":" + std::to_string(info.linedefined);
+}
+
+std::string instance_text(Machine& machine, Handle handle) {
+    try {
+        machine.tree.require(handle);
+        return machine.tree.path(handle);
+    } catch (const property::Error& error) {
+        return std::string("(") + error.what() + ")";
+    }
+}
+
+std::string brief(lua_State* L, int index, int depth) {
+    Machine& machine = machine_of(L);
+    if (const auto* box = instance_at(L, index)) return instance_text(machine, box->handle);
+    if (const property::Class* of = class_object_at(L, index)) return of->name();
+    switch (lua_type(L, index)) {
+        case LUA_TNIL:
+        case LUA_TNONE:
+            return "nil";
+        case LUA_TBOOLEAN:
+            return lua_toboolean(L, index) ? "true" : "false";
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, index)) return std::to_string(lua_tointeger(L, index));
+            return property::number_text(lua_tonumber(L, index),
+                                         static_cast<double>(static_cast<float>(
+                                             lua_tonumber(L, index))) == lua_tonumber(L, index)
+                                             ? property::Precision::single_precision
+                                             : property::Precision::double_precision);
+        case LUA_TSTRING: {
+            std::size_t length = 0;
+            const char* text = lua_tolstring(L, index, &length);
+            return quoted_text({text, length});
+        }
+        case LUA_TTABLE:
+            return table_text(L, index, depth);
+        case LUA_TFUNCTION:
+            return function_text(L, index);
+        case LUA_TTHREAD:
+            return "coroutine";
+        default:
+            break;
+    }
+    if (vec_at(L, index) || color_at(L, index) || list_at(L, index)) {
+        try {
+            const Value value = to_value(L, index);
+            Value shown = value;
+            // Components that fit a float are shown as one.
+            if (const auto* v = vec_at(L, index))
+                return machine.tree.text(
+                    shown, static_cast<double>(static_cast<float>(v->x)) == v->x &&
+                                   static_cast<double>(static_cast<float>(v->y)) == v->y
+                               ? property::Precision::single_precision
+                               : property::Precision::double_precision);
+            return cut(machine.tree.text(value), line_width);
+        } catch (const property::Error& error) {
+            return std::string("(") + error.what() + ")";
+        }
+    }
+    return describe_type(L, index).substr(2);
+}
+
+}  // namespace
+
+std::string short_text(lua_State* L, int index) {
+    return brief(L, index, 0);
+}
+
+// --- Tables
+
+std::vector<std::string> columns(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], shown_width(row[i]));
+    }
+    std::vector<std::string> lines;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (i) line += "  ";
+            line += row[i];
+            if (i + 1 < row.size()) line.append(widths[i] - shown_width(row[i]), ' ');
+        }
+        while (!line.empty() && line.back() == ' ') line.pop_back();
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+namespace {
+
+constexpr std::size_t most_rows = 30;
+constexpr std::size_t most_columns = 6;
+
+void add_count(std::vector<std::string>& lines, std::size_t total, const char* what) {
+    if (total > most_rows)
+        lines.push_back("… " + std::to_string(total - most_rows) + " more (" +
+                        std::to_string(total) + " " + what + ")");
+}
+
+// name  value with unit, in order of name; then what hangs below.
+std::vector<std::string> instance_lines(Machine& machine, Handle handle) {
+    const property::Tree& tree = machine.tree;
+    std::vector<std::string> lines = {tree.path(handle) + " · " + tree.class_of(handle).name()};
+    std::vector<std::vector<std::string>> rows;
+    for (const Property* property : tree.properties(handle)) {
+        if (property->hidden) continue;
+        rows.push_back({"  " + property->name,
+                        cut(with_unit(machine, tree.get(handle, *property), *property), 60),
+                        property->read_only ? "(read-only)" : ""});
+    }
+    std::sort(rows.begin(), rows.end());
+    for (std::string& line : columns(rows)) lines.push_back(std::move(line));
+    std::vector<std::vector<std::string>> children;
+    for (Handle child = tree.first_child(handle); child && children.size() < most_rows;
+         child = tree.next_sibling(child))
+        children.push_back({"  ." + tree.name(child), tree.class_of(child).name()});
+    for (std::string& line : columns(children)) lines.push_back(std::move(line));
+    add_count(lines, tree.child_count(handle), "children");
+    return lines;
+}
+
+bool worth_a_column(const Property& property) {
+    return !property.hidden && property.type != Type::list && property.type != Type::reference;
+}
+
+// One row an instance: its path and the properties that all have, those first that differ from
+// their defaults somewhere.
+std::vector<std::string> set_lines(Machine& machine, std::vector<Handle> handles) {
+    const property::Tree& tree = machine.tree;
+    std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
+    if (handles.empty()) return {"no instances"};
+    std::vector<std::pair<std::string, Handle>> sorted;
+    for (const Handle handle : handles) sorted.emplace_back(tree.path(handle), handle);
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    const std::size_t total = sorted.size();
+    if (sorted.size() > most_rows) sorted.resize(most_rows);
+
+    std::vector<const Property*> shared;
+    for (const Property* property : tree.class_of(sorted.front().second).properties()) {
+        if (!worth_a_column(*property)) continue;
+        bool everywhere = true, special = false;
+        for (const auto& [path, handle] : sorted) {
+            const Property* same = tree.find(handle, property->symbol);
+            everywhere &= same == property;
+            special |= same == property && !property->read_only && tree.overridden(handle, *same);
+        }
+        if (everywhere && special) shared.push_back(property);
+        if (shared.size() >= most_columns) break;
+    }
+    std::vector<std::vector<std::string>> rows;
+    std::vector<std::string> head = {"path", "class"};
+    for (const Property* property : shared)
+        head.push_back(property->unit.empty() ? property->name
+                                              : property->name + " [" + property->unit + "]");
+    rows.push_back(head);
+    for (const auto& [path, handle] : sorted) {
+        std::vector<std::string> row = {path, tree.class_of(handle).name()};
+        for (const Property* property : shared)
+            row.push_back(cut(tree.text(tree.get(handle, *property), property->precision()), 28));
+        rows.push_back(std::move(row));
+    }
+    std::vector<std::string> lines = columns(rows);
+    add_count(lines, total, "instances");
+    return lines;
+}
+
+// The instances of a table 1..n of nothing else.
+std::vector<Handle> only_instances(lua_State* L, int index) {
+    std::vector<Handle> handles;
+    index = lua_absindex(L, index);
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        const auto* box = instance_at(L, -1);
+        if (!box) {
+            lua_pop(L, 2);
+            return {};
+        }
+        handles.push_back(box->handle);
+    }
+    return handles;
+}
+
+// The unit of a value in a table whose keys are paths, as `query` returns.
+std::string entry_text(lua_State* L, Machine& machine, const std::string& key) {
+    try {
+        const property::Place place = property::resolve(machine.tree, key);
+        if (place.property && place.part.empty()) {
+            const Value value = to_value(L, -1);
+            return cut(with_unit(machine, value, *place.property), line_width);
+        }
+    } catch (const property::Error&) {
+        // an ordinary key
+    }
+    return short_text(L, -1);
+}
+
+std::vector<std::string> table_lines(lua_State* L, int index) {
+    Machine& machine = machine_of(L);
+    index = lua_absindex(L, index);
+    if (const auto handles = only_instances(L, index); !handles.empty())
+        return set_lines(machine, handles);
+    if (is_set(L, index)) return {"no instances"};
+    std::string line = short_text(L, index);
+    if (shown_width(line) <= 76 && line.find("…") == std::string::npos) return {line};
+
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
+    std::vector<std::vector<std::string>> rows;
+    for (lua_Integer i = 1; i <= length && rows.size() < most_rows; ++i) {
+        lua_rawgeti(L, index, i);
+        rows.push_back({"  " + std::to_string(i), short_text(L, -1)});
+        lua_pop(L, 1);
+    }
+    std::vector<std::vector<std::string>> named;
+    std::size_t total = static_cast<std::size_t>(length);
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= length)
+            continue;
+        ++total;
+        if (named.size() >= 10'000) continue;
+        const std::string text = lua_type(L, -2) == LUA_TSTRING
+                                     ? entry_text(L, machine, lua_tostring(L, -2))
+                                     : short_text(L, -1);
+        const std::string key =
+            lua_type(L, -2) == LUA_TSTRING ? cut(lua_tostring(L, -2), 40) : key_text(L, -2);
+        named.push_back({"  " + key, text});
+    }
+    std::sort(named.begin(), named.end());
+    for (auto& row : named)
+        if (rows.size() < most_rows) rows.push_back(std::move(row));
+    std::vector<std::string> lines = columns(rows);
+    add_count(lines, total, "entries");
+    return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> long_text(lua_State* L, int index) {
+    Machine& machine = machine_of(L);
+    if (const auto* box = instance_at(L, index)) {
+        if (!machine.tree.alive(box->handle)) return {short_text(L, index)};
+        return instance_lines(machine, box->handle);
+    }
+    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index);
+    if (lua_type(L, index) == LUA_TSTRING) {
+        std::size_t length = 0;
+        const char* text = lua_tolstring(L, index, &length);
+        return {cut(property::value_text(
+                        Value(std::string_view(text, std::min<std::size_t>(length, 4000)))),
+                    2000)};
+    }
+    return {short_text(L, index)};
+}
+
+}  // namespace fettle::script

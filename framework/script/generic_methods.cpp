@@ -1,0 +1,266 @@
+#include "generic_methods.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "guard.h"
+#include "instance.h"
+#include "instance_set.h"
+#include "machine.h"
+#include "script_classes.h"
+#include "subscriptions.h"
+#include "writes.h"
+
+namespace fettle::script {
+
+using property::Class;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Value;
+
+namespace {
+
+// A class given by name or as itself; nullptr where nothing is given.
+const Class* class_at(lua_State* L, Machine& machine, int index, const char* what) {
+    if (lua_isnoneornil(L, index)) return nullptr;
+    if (const Class* found = class_object_at(L, index)) return found;
+    if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(lua_tostring(L, index));
+    throw Error(ErrorKind::wrong_type,
+                std::string(what) + ": needs a class or its name, not " + describe_type(L, index));
+}
+
+std::string text_at(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a text, not " + describe_type(L, index));
+    std::size_t length = 0;
+    const char* text = lua_tolstring(L, index, &length);
+    return {text, length};
+}
+
+std::vector<Handle> below(Machine& machine, Handle top, const Class* of) {
+    std::vector<Handle> found;
+    machine.tree.each_below(top, [&](Handle handle) {
+        if (handle == top) return;
+        if (!of || machine.tree.class_of(handle).is_a(*of)) found.push_back(handle);
+    });
+    return found;
+}
+
+int delete_instance(lua_State* L) {
+    const Handle self = check_instance(L, 1, "delete");
+    Machine& machine = machine_of(L);
+    if (self == machine.tree.root())
+        throw Error(ErrorKind::bad_structure, "game: cannot be deleted");
+    destroy(machine, self);
+    return 0;
+}
+
+int has(lua_State* L) {
+    const Handle self = check_instance(L, 1, "has");
+    Machine& machine = machine_of(L);
+    const std::string name = text_at(L, 2, "has");
+    lua_pushboolean(L, machine.tree.find(self, name) || machine.tree.child(self, name));
+    return 1;
+}
+
+int alive(lua_State* L) {
+    const auto* box = instance_at(L, 1);
+    if (!box) check_instance(L, 1, "alive");
+    lua_pushboolean(L, machine_of(L).tree.alive(box->handle));
+    return 1;
+}
+
+int is_a(lua_State* L) {
+    const Handle self = check_instance(L, 1, "is_a");
+    Machine& machine = machine_of(L);
+    const Class* of = class_at(L, machine, 2, "is_a");
+    if (!of) throw Error(ErrorKind::wrong_type, "is_a: needs a class or its name");
+    lua_pushboolean(L, machine.tree.class_of(self).is_a(*of));
+    return 1;
+}
+
+int add(lua_State* L) {
+    const Handle self = check_instance(L, 1, "add");
+    const Handle child = check_instance(L, 2, "add");
+    Machine& machine = machine_of(L);
+    if (machine.tree.parent(child) || child == machine.tree.root())
+        throw Error(ErrorKind::bad_structure,
+                    machine.tree.path(child) + ": has its place already; use :move(parent)");
+    place(machine, child, self, lua_isnoneornil(L, 3) ? std::string() : text_at(L, 3, "add"),
+          false);
+    lua_settop(L, 2);
+    return 1;
+}
+
+int move(lua_State* L) {
+    const Handle self = check_instance(L, 1, "move");
+    Machine& machine = machine_of(L);
+    const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "move");
+    if (self == machine.tree.root()) throw Error(ErrorKind::bad_structure, "game: cannot be moved");
+    machine.tree.move(self, parent, lua_isnoneornil(L, 3) ? std::string() : text_at(L, 3, "move"));
+    if (!parent) machine.unplaced.push_back(self);
+    lua_settop(L, 1);
+    return 1;
+}
+
+int children(lua_State* L) {
+    const Handle self = check_instance(L, 1, "children");
+    Machine& machine = machine_of(L);
+    const Class* of = class_at(L, machine, 2, "children");
+    std::vector<Handle> found = machine.tree.children(self);
+    if (of) std::erase_if(found, [&](Handle h) { return !machine.tree.class_of(h).is_a(*of); });
+    push_set(L, found);
+    return 1;
+}
+
+int all(lua_State* L) {
+    const Handle self = check_instance(L, 1, "all");
+    Machine& machine = machine_of(L);
+    push_set(L, below(machine, self, class_at(L, machine, 2, "all")));
+    return 1;
+}
+
+int find(lua_State* L) {
+    const Handle self = check_instance(L, 1, "find");
+    Machine& machine = machine_of(L);
+    lua_settop(L, 3);
+    const bool filtered = !lua_isnil(L, 3);
+    const std::vector<Handle> all_found = below(machine, self, class_at(L, machine, 2, "find"));
+    std::vector<Handle> found;
+    for (const Handle handle : all_found) {
+        if (filtered) {
+            if (!machine.tree.alive(handle)) continue;
+            lua_pushvalue(L, 3);
+            push_instance(L, handle);
+            lua_call(L, 1, 1);
+            const bool wanted = lua_toboolean(L, -1) != 0;
+            lua_pop(L, 1);
+            if (!wanted) continue;
+        }
+        found.push_back(handle);
+    }
+    push_set(L, found);
+    return 1;
+}
+
+int each(lua_State* L) {
+    const Handle self = check_instance(L, 1, "each");
+    Machine& machine = machine_of(L);
+    const int function = lua_gettop(L);
+    const Class* of = function > 2 ? class_at(L, machine, 2, "each") : nullptr;
+    for (const Handle handle : below(machine, self, of)) {
+        if (!machine.tree.alive(handle)) continue;
+        lua_pushvalue(L, function);
+        push_instance(L, handle);
+        lua_call(L, 1, 0);
+    }
+    return 0;
+}
+
+// --- Copies
+
+using Copies = std::vector<std::pair<Handle, Handle>>;
+
+void copy_below(Machine& machine, Handle from, Handle to, Copies& copies) {
+    copies.emplace_back(from, to);
+    for (const Handle child : machine.tree.children(from)) {
+        const Handle made =
+            machine.tree.create(machine.tree.class_of(child), to, machine.tree.name(child));
+        copy_below(machine, child, made, copies);
+    }
+}
+
+// References inside what is copied lead to the copies.
+Value redirected(const Value& value, const Copies& copies) {
+    if (value.is(property::Type::reference)) {
+        for (const auto& [from, to] : copies)
+            if (value.reference() == from) return to;
+    } else if (value.is(property::Type::list)) {
+        property::List list;
+        for (const Value& each_value : value.list()) list.push_back(redirected(each_value, copies));
+        return list;
+    }
+    return value;
+}
+
+int clone(lua_State* L) {
+    const Handle self = check_instance(L, 1, "clone");
+    Machine& machine = machine_of(L);
+    if (!machine.tree.class_of(self).creatable())
+        throw Error(ErrorKind::bad_structure, machine.tree.path(self) + ": there can be only one " +
+                                                  machine.tree.class_of(self).name());
+    const Handle made = machine.tree.create(machine.tree.class_of(self));
+    machine.unplaced.push_back(made);
+    Copies copies;
+    copy_below(machine, self, made, copies);
+    for (const auto& [from, to] : copies) {
+        for (const Property* property : machine.tree.properties(from)) {
+            if (property->read_only || !machine.tree.overridden(from, *property)) continue;
+            const Value value = redirected(machine.tree.get(from, *property), copies);
+            if (property->binding.kind == property::BindingKind::ad_hoc)
+                machine.tree.set_or_add(to, property->name, value);
+            else
+                machine.tree.set(to, *property, value);
+        }
+    }
+    push_instance(L, made);
+    return 1;
+}
+
+}  // namespace
+
+const std::vector<GenericMethod>& generic_methods() {
+    static const std::vector<GenericMethod> methods = {
+        {"add", "instance [, name]", "Gives a new instance its place here and returns it.",
+         guarded<add>},
+        {"alive", "", "Whether it has not been deleted.", guarded<alive>},
+        {"all", "[class]", "Everything below of that class, as a set with :set and :add.",
+         guarded<all>},
+        {"children", "[class]", "What hangs directly here, as a set.", guarded<children>},
+        {"clone", "", "A detached copy of it and everything below.", guarded<clone>},
+        {"delete", "", "Deletes it and everything below.", guarded<delete_instance>},
+        {"each", "[class,] function", "Calls the function with everything below of that class.",
+         guarded<each>},
+        {"find", "class [, condition]",
+         "Everything below of that class for which the condition holds, as a set.", guarded<find>},
+        {"has", "name", "Whether it has a property or child of that name.", guarded<has>},
+        {"is_a", "class", "Whether it is of that class or of one derived from it.", guarded<is_a>},
+        {"move", "parent [, name]", "Gives it another parent; nil detaches it.", guarded<move>},
+        {"on", "event, function", "Calls the function when the event happens to it.",
+         guarded<subscribe_event>},
+        {"watch", "[property,] function",
+         "Calls function(new, old, change) after the property has changed.",
+         guarded<subscribe_property>},
+    };
+    return methods;
+}
+
+const std::vector<std::string>& generic_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> list;
+        for (const GenericMethod& method : generic_methods()) list.emplace_back(method.name);
+        return list;
+    }();
+    return names;
+}
+
+int generic_reference(lua_State* L, Machine& machine, std::string_view name) {
+    auto& known = machine.generic_references;
+    if (known.empty()) {
+        for (const GenericMethod& method : generic_methods()) {
+            lua_pushcfunction(L, method.function);
+            known.emplace(method.name, luaL_ref(L, LUA_REGISTRYINDEX));
+        }
+    }
+    const auto found = known.find(std::string(name));
+    return found == known.end() ? LUA_NOREF : found->second;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,162 @@
+// Global names: what the game assigns, the children of the root, classes; anything else is a slip.
+
+#include "globals.h"
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "guard.h"
+#include "machine.h"
+#include "sandbox.h"
+#include "script_classes.h"
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+
+const std::vector<std::string>& callback_names() {
+    static const std::vector<std::string> names = {
+        "start",        "update",       "step",          "draw",
+        "key_pressed",  "key_released", "mouse_pressed", "mouse_released",
+        "mouse_moved",  "wheel",        "text_input",    "gamepad_pressed",
+        "gamepad_axis", "resized",      "focus",         "closing"};
+    return names;
+}
+
+const std::vector<std::string>& later_names() {
+    static const std::vector<std::string> names = {
+        "edit",      "formula", "history",  "keep",   "load_game", "redo", "restore", "rewind",
+        "save_game", "scene",   "snapshot", "tweaks", "tween",     "undo", "who",     "why"};
+    return names;
+}
+
+std::vector<std::string> global_names(Machine& machine) {
+    lua_State* L = machine.main;
+    std::vector<std::string> names;
+    push_registry(L, machine.environment);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
+    lua_pop(L, 1);
+    names.emplace_back("game");
+    const property::Tree& tree = machine.tree;
+    for (property::Handle child = tree.first_child(tree.root()); child;
+         child = tree.next_sibling(child))
+        names.push_back(tree.name(child));
+    for (const property::Class* of : tree.classes()) names.push_back(of->name());
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
+    if (name == "game") {
+        push_instance(L, machine.tree.root());
+        return true;
+    }
+    if (const property::Handle child = machine.tree.child(machine.tree.root(), name)) {
+        push_instance(L, child);
+        return true;
+    }
+    if (const property::Class* of = machine.tree.find_class(name)) {
+        machine.classes->push(L, *of);
+        return true;
+    }
+    if (name == "it" && machine.tree.alive(machine.it)) {
+        push_instance(L, machine.it);
+        return true;
+    }
+    if (name == "_" && machine.recording.active) {
+        push_registry(L, machine.last_result);
+        return true;
+    }
+    return false;
+}
+
+namespace {
+
+int read_global(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 2) != LUA_TSTRING) {
+        lua_pushnil(L);
+        return 1;
+    }
+    std::size_t length = 0;
+    const char* key = lua_tolstring(L, 2, &length);
+    const std::string_view name(key, length);
+    if (push_known_global(L, machine, name)) return 1;
+    push_registry(L, machine.declared);
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL) {
+        lua_pushnil(L);
+        return 1;
+    }
+    if (name == "it") throw Error(ErrorKind::unknown_name, "it: nothing is selected");
+    const auto& later = later_names();
+    if (std::find(later.begin(), later.end(), name) != later.end())
+        throw Error(ErrorKind::unknown_name, std::string(name) + " is not available yet");
+    // A callback the game does not define is not worth an error: a game may ask for it.
+    const auto& callbacks = callback_names();
+    if (std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end()) {
+        lua_pushnil(L);
+        return 1;
+    }
+    throw Error(ErrorKind::unknown_name, std::string(name) + ": no such name" +
+                                             property::suggestion(name, global_names(machine)));
+}
+
+int write_global(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        std::size_t length = 0;
+        const char* key = lua_tolstring(L, 2, &length);
+        const std::string_view name(key, length);
+        if (name == "game" || machine.tree.child(machine.tree.root(), name))
+            throw Error(
+                ErrorKind::bad_name,
+                std::string(name) + ": is part of the tree; " +
+                    (name == "game" ? std::string("it cannot be replaced")
+                                    : "assign game." + std::string(name) + " to replace it"));
+        // `function keypressed(key)` would never be called.
+        if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {
+            const auto& callbacks = callback_names();
+            if (std::find(callbacks.begin(), callbacks.end(), name) == callbacks.end())
+                for (const std::string& callback : callbacks)
+                    if (property::near_miss(name, callback))
+                        throw Error(ErrorKind::near_miss,
+                                    std::string(name) + ": would never be called (did you mean \"" +
+                                        callback + "\"?)");
+        }
+        push_registry(L, machine.declared);
+        lua_pushvalue(L, 2);
+        if (lua_rawget(L, 4) == LUA_TNIL) machine.assigned.emplace_back(name);
+        lua_pushvalue(L, 2);
+        lua_pushboolean(L, 1);
+        lua_rawset(L, 4);
+        lua_settop(L, 3);
+    }
+    lua_rawset(L, 1);
+    return 0;
+}
+
+}  // namespace
+
+void open_globals(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    machine.declared = luaL_ref(L, LUA_REGISTRYINDEX);
+    lua_newtable(L);
+    add_function<read_global>(L, "__index");
+    add_function<write_global>(L, "__newindex");
+    lua_pushstring(L, "globals");
+    lua_setfield(L, -2, "__metatable");
+    lua_pushstring(L, "globals");
+    lua_setfield(L, -2, "__name");
+    lua_setmetatable(L, -2);
+    lua_pushvalue(L, -1);
+    machine.environment = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

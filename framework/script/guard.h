@@ -1,0 +1,35 @@
+#pragma once
+// Between C++ and Lua: an exception of ours becomes an error of Lua, with the script's position,
+// before it could cross a frame of Lua. Lua's own errors are exceptions too in its C++ build; they
+// pass through untouched, and destructors run.
+
+#include <exception>
+#include <string>
+
+#include "lua_api.h"
+
+namespace fettle::script {
+
+/// "main.lua:12: " of the innermost script function running, or "".
+std::string position(lua_State* L);
+/// Raises `message` with its position in front.
+[[noreturn]] void raise(lua_State* L, const std::string& message);
+[[noreturn]] void raise_text(lua_State* L, const char* message);
+
+template <int (*function)(lua_State*)>
+int guarded(lua_State* L) {
+    try {
+        return function(L);
+    } catch (const std::exception& error) {
+        raise_text(L, error.what());
+    }
+}
+
+/// Adds `function` under `name` to the table on top.
+template <int (*function)(lua_State*)>
+void add_function(lua_State* L, const char* name) {
+    lua_pushcfunction(L, guarded<function>);
+    lua_setfield(L, -2, name);
+}
+
+}  // namespace fettle::script

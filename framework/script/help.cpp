@@ -1,0 +1,394 @@
+#include "help.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "format.h"
+#include "generic_methods.h"
+#include "guard.h"
+#include "instance.h"
+#include "machine.h"
+#include "methods.h"
+#include "sandbox.h"
+#include "script_classes.h"
+
+namespace fettle::script {
+
+using property::Class;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Method;
+using property::Property;
+
+const std::vector<GlobalDoc>& global_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"after", "after(seconds, function)",
+         "Calls the function once, that much simulation time from now. Returns a connection."},
+        {"assert", "assert(value [, message])", "Raises an error unless the value is true."},
+        {"class", "class(name [, base]) { name = default, ... }",
+         "Makes a class whose instances live in the tree."},
+        {"color", "color(name) or color(r, g, b [, a])",
+         "A color by name, as \"#rrggbb\", or from channels between 0 and 1."},
+        {"deg", "deg(degrees)", "An angle in radians."},
+        {"error", "error(message)", "Stops what runs with an error."},
+        {"every", "every(seconds, function)",
+         "Calls the function again and again at that interval of simulation time."},
+        {"find", "find(word)", "Lists every name and documentation that has the word."},
+        {"help", "help(anything)", "Explains a class, an instance, a method or a path."},
+        {"ipairs", "ipairs(table)", "Visits elements 1, 2, 3 ..."},
+        {"load", "load(text)", "Compiles a text to a function."},
+        {"pairs", "pairs(table)", "Visits all entries: numbers first, then names, in order."},
+        {"pcall", "pcall(function, ...)", "Calls the function and catches its error."},
+        {"print", "print(...)", "Prints values."},
+        {"query", "query(pattern)",
+         "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
+        {"quit", "quit([status])", "Ends the game."},
+        {"random", "random(), random(n), random(a, b)",
+         "A random number in [0, 1), from 1 to n, or from a to b; the same for the same seed."},
+        {"require", "require(name)", "Runs another file of the game once."},
+        {"tostring", "tostring(value)", "The value as text."},
+        {"vec", "vec(x, y)",
+         "A vector or point. Has + - * /, :length() :normalized() :dot() "
+         ":cross() :rotated() :lerp()."},
+        {"wait", "wait(seconds)", "Inside a coroutine: goes on that much simulation time later."},
+        {"watch", "watch(pattern, function)",
+         "Calls function(new, old, change) after a matching property changed."},
+    };
+    return docs;
+}
+
+const GlobalDoc* global_doc(std::string_view name) {
+    for (const GlobalDoc& doc : global_docs())
+        if (name == doc.name) return &doc;
+    return nullptr;
+}
+
+std::string property_facts(const Machine& machine, const Property& property) {
+    std::string text(property.any_type ? "any" : property::type_name(property.type));
+    const auto add = [&](const std::string& part) { text += " · " + part; };
+    if (!property.reference_class.empty()) add(property.reference_class);
+    if (!property.unit.empty()) add(property.unit);
+    if (property.range.bounded())
+        add(property::number_text(property.range.min) + " to " +
+            property::number_text(property.range.max));
+    if (!property.enumerators.empty()) {
+        std::string words;
+        for (const std::string& word : property.enumerators)
+            words += (words.empty() ? "" : ", ") + word;
+        add(words);
+    }
+    if (!property.read_only && !property.any_type)
+        add("default " + cut(machine.tree.text(property.default_value, property.precision()), 40));
+    if (property.read_only) add("read-only");
+    if (property.simulated) add("simulated");
+    return text;
+}
+
+std::vector<std::string> property_help(const Machine& machine, const Property& property) {
+    std::vector<std::string> lines = {
+        (property.owner ? property.owner->name() + "." : std::string()) + property.name + " · " +
+        property_facts(machine, property)};
+    if (!property.doc.empty()) lines.push_back("  " + property.doc);
+    if (!property.derives_from.empty()) {
+        std::string sources;
+        for (const std::string& source : property.derives_from)
+            sources += (sources.empty() ? "" : ", ") + source;
+        lines.push_back("  derived from " + sources);
+    }
+    return lines;
+}
+
+namespace {
+
+std::string fields_text(const std::vector<property::Field>& fields) {
+    std::string text;
+    for (const property::Field& field : fields) {
+        text += (text.empty() ? "" : ", ") + field.name + ": " +
+                std::string(property::type_name(field.type));
+        if (!field.unit.empty()) text += " " + field.unit;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> method_help(const Method& method) {
+    std::vector<std::string> lines = {":" + signature(method)};
+    if (!method.doc.empty()) lines.push_back("  " + method.doc);
+    if (!method.parameters.empty())
+        lines.push_back("  parameters: " + fields_text(method.parameters));
+    if (!method.returns.empty()) lines.push_back("  returns: " + fields_text(method.returns));
+    return lines;
+}
+
+namespace {
+
+void add_members(Machine& machine, const Class& of, std::vector<std::string>& lines) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Property* property : of.properties()) {
+        if (property->hidden) continue;
+        rows.push_back(
+            {"  ." + property->name, property_facts(machine, *property), cut(property->doc, 70)});
+    }
+    std::sort(rows.begin(), rows.end());
+    std::vector<std::vector<std::string>> methods;
+    for (const Method* method : of.methods())
+        methods.push_back({"  :" + signature(*method), cut(method->doc, 70)});
+    std::sort(methods.begin(), methods.end());
+    std::vector<std::vector<std::string>> events;
+    for (const property::Event* event : of.events())
+        events.push_back({"  " + event->name, cut(event->doc, 70)});
+    std::sort(events.begin(), events.end());
+    const auto add = [&](const char* title, const std::vector<std::vector<std::string>>& part) {
+        if (part.empty()) return;
+        lines.emplace_back(title);
+        for (std::string& line : columns(part)) lines.push_back(std::move(line));
+    };
+    add("properties", rows);
+    add("methods", methods);
+    add("events", events);
+    std::vector<std::string> functions;
+    machine.classes->add_function_names(of, functions);
+    std::vector<std::vector<std::string>> own;
+    for (const std::string& name : functions) own.push_back({"  :" + name + "(...)"});
+    add("functions", own);
+}
+
+}  // namespace
+
+std::vector<std::string> class_help(Machine& machine, const Class& of) {
+    std::string head = of.name();
+    for (const Class* base = of.base(); base; base = base->base()) head += " < " + base->name();
+    std::vector<std::string> lines = {head};
+    if (!of.doc().empty()) lines.push_back("  " + of.doc());
+    if (of.creatable()) lines.push_back("  make one with " + of.name() + " { ... }");
+    add_members(machine, of, lines);
+    return lines;
+}
+
+namespace {
+
+std::vector<std::string> instance_help(Machine& machine, Handle instance) {
+    const Class& of = machine.tree.class_of(instance);
+    std::vector<std::string> lines = {machine.tree.path(instance) + " · " + of.name()};
+    if (!of.doc().empty()) lines.push_back("  " + of.doc());
+    add_members(machine, of, lines);
+    return lines;
+}
+
+std::vector<std::string> generic_help(const GenericMethod& method) {
+    return {":" + std::string(method.name) + "(" + method.parameters + ")",
+            "  " + std::string(method.doc)};
+}
+
+std::vector<std::string> global_help(const GlobalDoc& doc) {
+    return {doc.signature, "  " + std::string(doc.doc)};
+}
+
+// A member of an instance or class by name.
+std::vector<std::string> member_help(Machine& machine, const Class& of, std::string_view name) {
+    if (const Property* property = of.property(name)) return property_help(machine, *property);
+    if (const Method* method = of.method(name)) return method_help(*method);
+    if (const property::Event* event = of.event(name)) {
+        std::vector<std::string> lines = {"event " + event->name + " of " + of.name()};
+        if (!event->doc.empty()) lines.push_back("  " + event->doc);
+        if (!event->fields.empty()) lines.push_back("  tells: " + fields_text(event->fields));
+        return lines;
+    }
+    for (const GenericMethod& method : generic_methods())
+        if (name == method.name) return generic_help(method);
+    return {};
+}
+
+std::vector<std::string> function_help(lua_State* L, int index) {
+    if (const Method* method = method_of(L, index)) return method_help(*method);
+    const lua_CFunction function = lua_tocfunction(L, index);
+    if (function) {
+        for (const GenericMethod& method : generic_methods())
+            if (method.function == function) return generic_help(method);
+        push_registry(L, machine_of(L).environment);
+        for (const GlobalDoc& doc : global_docs()) {
+            lua_pushstring(L, doc.name);
+            lua_rawget(L, -2);
+            const bool same = lua_rawequal(L, -1, index) != 0;
+            lua_pop(L, 1);
+            if (same) {
+                lua_pop(L, 1);
+                return global_help(doc);
+            }
+        }
+        lua_pop(L, 1);
+    }
+    return {short_text(L, index)};
+}
+
+}  // namespace
+
+std::vector<std::string> help_for(Machine& machine, const std::string& path) {
+    if (const GlobalDoc* doc = global_doc(path)) return global_help(*doc);
+    if (const Class* of = machine.tree.find_class(path)) return class_help(machine, *of);
+    const std::size_t cut_at = path.find_last_of(".:");
+    if (cut_at != std::string::npos && cut_at > 0) {
+        const std::string owner = path.substr(0, cut_at), name = path.substr(cut_at + 1);
+        if (const Class* of = machine.tree.find_class(owner))
+            return member_help(machine, *of, name);
+        try {
+            const property::Place place = owner == "it" ? property::Place{machine.it, nullptr, {}}
+                                                        : property::resolve(machine.tree, owner);
+            if (!place.property && machine.tree.alive(place.instance)) {
+                const Class& of = machine.tree.class_of(place.instance);
+                if (auto lines = member_help(machine, of, name); !lines.empty()) {
+                    if (const Property* property = of.property(name))
+                        lines.insert(
+                            lines.begin() + 1,
+                            "  now " + with_unit(machine,
+                                                 machine.tree.get(place.instance, *property),
+                                                 *property));
+                    return lines;
+                }
+            }
+        } catch (const Error&) {
+            // tried as a whole below
+        }
+    }
+    try {
+        const property::Place place = property::resolve(machine.tree, path);
+        if (!place.property) return instance_help(machine, place.instance);
+        return property_help(machine, *place.property);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+std::vector<std::string> help_lines(lua_State* L, int index) {
+    Machine& machine = machine_of(L);
+    if (const auto* box = instance_at(L, index)) {
+        machine.tree.require(box->handle);
+        return instance_help(machine, box->handle);
+    }
+    if (const Class* of = class_object_at(L, index)) return class_help(machine, *of);
+    if (lua_type(L, index) == LUA_TFUNCTION) return function_help(L, lua_absindex(L, index));
+    if (lua_type(L, index) == LUA_TSTRING) {
+        auto lines = help_for(machine, lua_tostring(L, index));
+        if (!lines.empty()) return lines;
+    }
+    return {short_text(L, index) + " · " + describe_type(L, index)};
+}
+
+// --- Search
+
+namespace {
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+class Search {
+  public:
+    explicit Search(std::string_view word) : word_(lower(word)) {}
+
+    void look(const std::string& name, const std::string& shown, const std::string& doc) {
+        const bool by_name = lower(name).find(word_) != std::string::npos;
+        if (!by_name && lower(doc).find(word_) == std::string::npos) return;
+        (by_name ? names_ : docs_).push_back({"  " + shown, cut(doc, 80)});
+    }
+
+    std::vector<std::string> lines() {
+        std::sort(names_.begin(), names_.end());
+        std::sort(docs_.begin(), docs_.end());
+        names_.insert(names_.end(), docs_.begin(), docs_.end());
+        const std::size_t total = names_.size();
+        if (total > most) names_.resize(most);
+        std::vector<std::string> result = columns(names_);
+        if (total > most)
+            result.push_back("… " + std::to_string(total - most) + " more (" +
+                             std::to_string(total) + " found)");
+        return result;
+    }
+
+  private:
+    static constexpr std::size_t most = 50;
+    std::string word_;
+    std::vector<std::vector<std::string>> names_, docs_;  // found by name, by documentation
+};
+
+}  // namespace
+
+std::vector<std::string> find_lines(Machine& machine, std::string_view word) {
+    Search search(word);
+    for (const Class* of : machine.tree.classes()) {
+        search.look(of->name(), of->name(), of->doc());
+        for (const Property* property : of->properties())
+            if (property->owner == of && !property->hidden)
+                search.look(property->name, of->name() + "." + property->name, property->doc);
+        for (const Method* method : of->methods())
+            if (!of->base() || of->base()->method(method->symbol) != method)
+                search.look(method->name, of->name() + ":" + signature(*method), method->doc);
+        for (const property::Event* event : of->events())
+            if (event->owner == of)
+                search.look(event->name, of->name() + " event " + event->name, event->doc);
+    }
+    for (const GenericMethod& method : generic_methods())
+        search.look(method.name,
+                    "any instance:" + std::string(method.name) + "(" + method.parameters + ")",
+                    method.doc);
+    for (const GlobalDoc& doc : global_docs()) search.look(doc.name, doc.signature, doc.doc);
+    std::size_t instances = 0;
+    machine.tree.each_below(machine.tree.root(), [&](Handle handle) {
+        if (handle == machine.tree.root() || instances >= 200) return;
+        const std::string name = machine.tree.name(handle);
+        if (lower(name).find(lower(word)) == std::string::npos) return;
+        ++instances;
+        search.look(name, machine.tree.path(handle), machine.tree.class_of(handle).name());
+    });
+    std::vector<std::string> lines = search.lines();
+    if (lines.empty()) lines.push_back("nothing has \"" + std::string(word) + "\"");
+    return lines;
+}
+
+namespace {
+
+int help(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (lua_gettop(L) == 0) {
+        print_line(machine,
+                   "help(x) explains a class, an instance, a method or a path; x? does "
+                   "the same; find(\"word\") searches.");
+        std::vector<std::vector<std::string>> rows;
+        for (const GlobalDoc& doc : global_docs())
+            rows.push_back({"  " + std::string(doc.signature), doc.doc});
+        for (std::string& line : columns(rows)) print_line(machine, std::move(line));
+        std::string classes = "classes:";
+        for (const Class* of : machine.tree.classes())
+            if (of->creatable()) classes += " " + of->name();
+        print_line(machine, classes);
+        return 0;
+    }
+    for (std::string& line : help_lines(L, 1)) print_line(machine, std::move(line));
+    return 0;
+}
+
+int find(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type, "find: needs a text, not " + describe_type(L, 1));
+    Machine& machine = machine_of(L);
+    for (std::string& line : find_lines(machine, lua_tostring(L, 1)))
+        print_line(machine, std::move(line));
+    return 0;
+}
+
+}  // namespace
+
+void open_help(lua_State* L) {
+    add_function<help>(L, "help");
+    add_function<find>(L, "find");
+}
+
+}  // namespace fettle::script

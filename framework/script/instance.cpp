@@ -1,0 +1,371 @@
+// Reading and writing an instance from a script. The order in which a name is looked up: declared
+// property, method, function of a script's class, child, ad-hoc property. The first two are found
+// in one probe of the dispatch cache; this is the hot path of every game.
+
+#include "instance.h"
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "generic_methods.h"
+#include "guard.h"
+#include "machine.h"
+#include "methods.h"
+#include "script_classes.h"
+#include "writes.h"
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Symbol;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+bool is_pseudo(std::string_view name) {
+    return name == "name" || name == "parent" || name == "class";
+}
+
+void push_pseudo(lua_State* L, Machine& machine, Handle instance, std::string_view name) {
+    if (name == "name") {
+        const std::string text = machine.tree.name(instance);
+        lua_pushlstring(L, text.data(), text.size());
+    } else if (name == "parent") {
+        push_instance(L, machine.tree.parent(instance));
+    } else {
+        machine.classes->push(L, machine.tree.class_of(instance));
+    }
+}
+
+std::vector<std::string> names_of(Machine& machine, Handle instance) {
+    std::vector<std::string> names = machine.tree.class_of(instance).member_names();
+    for (const Property* p : machine.tree.ad_hoc(instance)) names.push_back(p->name);
+    for (Handle child = machine.tree.first_child(instance); child;
+         child = machine.tree.next_sibling(child))
+        names.push_back(machine.tree.name(child));
+    machine.classes->add_function_names(machine.tree.class_of(instance), names);
+    for (const std::string& name : generic_names()) names.push_back(name);
+    for (const char* name : {"name", "parent", "class"}) names.emplace_back(name);
+    return names;
+}
+
+namespace {
+
+// --- Reading
+
+[[noreturn]] void unknown_name(Machine& machine, Handle instance, std::string_view name) {
+    const auto names = names_of(machine, instance);
+    throw Error(ErrorKind::unknown_name, machine.tree.path(instance) + property::path_suffix(name) +
+                                             ": no such name" + property::suggestion(name, names));
+}
+
+void push_property(lua_State* L, Machine& machine, Handle instance, const Property& property) {
+    const Value value = machine.tree.get(instance, property);
+    switch (value.type()) {
+        case Type::number:
+            lua_pushnumber(L, value.number());
+            return;
+        case Type::integer:
+            lua_pushinteger(L, value.integer());
+            return;
+        case Type::boolean:
+            lua_pushboolean(L, value.boolean());
+            return;
+        default:
+            break;
+    }
+    Origin origin;
+    origin.instance = instance;
+    if (property.binding.kind == property::BindingKind::ad_hoc)
+        origin.symbol = property.symbol;
+    else
+        origin.property = &property;
+    push_value(L, value, origin);
+}
+
+// Names found once are remembered for the class; how they are remembered is what they are.
+const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of, const char* key,
+                      std::size_t length) {
+    static constexpr std::size_t longest_interned = 40;  // longer names of Lua have no one address
+    static constexpr std::size_t most_dynamic_names = 4096;  // a script may make up names forever
+    static thread_local Dispatch uncached;
+    Dispatch found;
+    found.key = key;
+    found.instance_class = &of;
+    const std::string_view name(key, length);
+    const Symbol symbol = Symbol::find(name);
+    if (const Property* property = symbol ? of.property(symbol) : nullptr) {
+        found.member = Member::property;
+        found.property = property;
+    } else if (const property::Method* method = symbol ? of.method(symbol) : nullptr) {
+        found.member = Member::function;
+        found.reference = method_reference(L, machine, *method);
+    } else if (const int generic = generic_reference(L, machine, name); generic != LUA_NOREF) {
+        found.member = Member::function;
+        found.reference = generic;
+    } else if (is_pseudo(name)) {
+        found.member = Member::pseudo;
+    } else {
+        found.member = Member::dynamic;
+    }
+    if (length > longest_interned ||
+        (found.member == Member::dynamic && ++machine.dynamic_names > most_dynamic_names)) {
+        uncached = found;
+        return uncached;
+    }
+    push_registry(L, machine.anchors);
+    lua_pushvalue(L, 2);
+    lua_pushboolean(L, 1);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+    Dispatch& slot = machine.dispatch.slot(&of, key);
+    slot = found;
+    return slot;
+}
+
+const Dispatch& look_up(lua_State* L, Machine& machine, const property::Class& of) {
+    std::size_t length = 0;
+    const char* key = lua_tolstring(L, 2, &length);
+    const Dispatch& slot = machine.dispatch.slot(&of, key);
+    if (slot.key == key && slot.instance_class == &of) return slot;
+    return learn(L, machine, of, key, length);
+}
+
+Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
+    Handle child = n >= 1 ? machine.tree.first_child(instance) : Handle{};
+    for (; child && n > 1; --n) child = machine.tree.next_sibling(child);
+    return child;
+}
+
+int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
+    const Handle instance = self.handle;
+    machine.tree.require(instance);
+    if (lua_isinteger(L, 2)) {
+        push_instance(L, nth_child(machine, instance, lua_tointeger(L, 2)));
+        return 1;
+    }
+    if (lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::bad_name,
+                    machine.tree.path(instance) + ": a name is a text, not " + describe_type(L, 2));
+    const Dispatch& found = look_up(L, machine, *self.instance_class);
+    std::size_t length = 0;
+    const char* key = lua_tolstring(L, 2, &length);
+    const std::string_view name(key, length);
+    switch (found.member) {
+        case Member::property:
+            if (machine.recording.active) machine.recording.last_read = found.property;
+            push_property(L, machine, instance, *found.property);
+            return 1;
+        case Member::function:
+            push_registry(L, found.reference);
+            return 1;
+        case Member::pseudo:
+            push_pseudo(L, machine, instance, name);
+            return 1;
+        default:
+            break;
+    }
+    if (machine.classes->push_function(L, *self.instance_class)) return 1;
+    if (const Handle child = machine.tree.child(instance, name)) {
+        push_instance(L, child);
+        return 1;
+    }
+    if (const Property* property = machine.tree.find(instance, name)) {
+        if (machine.recording.active) machine.recording.last_read = property;
+        push_property(L, machine, instance, *property);
+        return 1;
+    }
+    unknown_name(machine, instance, name);
+}
+
+[[noreturn]] void no_self(lua_State* L) {
+    throw Error(ErrorKind::wrong_type, "needs an instance, not " + describe_type(L, 1));
+}
+
+int instance_index(lua_State* L) {
+    const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
+    if (!self || self->tag != Tag::instance) no_self(L);
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 2) == LUA_TSTRING && !machine.recording.active) {
+        const char* key = lua_tolstring(L, 2, nullptr);
+        const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
+        if (slot.key == key && slot.instance_class == self->instance_class) {
+            if (slot.member == Member::property) {
+                push_property(L, machine, self->handle, *slot.property);
+                return 1;
+            }
+            if (slot.member == Member::function) {
+                // The method itself finds out whether the instance is alive.
+                push_registry(L, slot.reference);
+                return 1;
+            }
+        }
+    }
+    return read_slowly(L, machine, *self);
+}
+
+// --- Writing
+
+// A scalar or vec straight from the stack; false for anything that needs thought.
+bool simple_value(lua_State* L, Value& value) {
+    switch (lua_type(L, 3)) {
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, 3))
+                value = Value(static_cast<std::int64_t>(lua_tointeger(L, 3)));
+            else
+                value = Value(static_cast<double>(lua_tonumber(L, 3)));
+            return true;
+        case LUA_TBOOLEAN:
+            value = Value(lua_toboolean(L, 3) != 0);
+            return true;
+        case LUA_TUSERDATA: {
+            const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
+            if (box->tag != Tag::vec) return false;
+            value = Value(Vec2(box->x, box->y));
+            return true;
+        }
+        default:
+            return false;
+    }
+}
+
+void write_declared(lua_State* L, Machine& machine, Handle instance, const Property& property) {
+    if (lua_isnil(L, 3)) {
+        clear_property(machine, instance, property);
+        return;
+    }
+    Value value;
+    try {
+        value = to_value(L, 3);
+    } catch (const Error& error) {
+        throw Error(error.kind(), machine.tree.path(instance, property) + ": " + error.what());
+    }
+    machine.classes->explain_integer(property, value);
+    write_property(machine, instance, property, value);
+}
+
+int write_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
+    const Handle instance = self.handle;
+    machine.tree.require(instance);
+    if (lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::bad_name,
+                    machine.tree.path(instance) + ": a name is a text, not " + describe_type(L, 2));
+    const Dispatch& found = look_up(L, machine, *self.instance_class);
+    std::size_t length = 0;
+    const char* key = lua_tolstring(L, 2, &length);
+    const std::string_view name(key, length);
+    if (found.member == Member::property)
+        write_declared(L, machine, instance, *found.property);
+    else
+        write_member(L, machine, instance, *self.instance_class, name);
+    return 0;
+}
+
+int instance_newindex(lua_State* L) {
+    const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
+    if (!self || self->tag != Tag::instance) no_self(L);
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 2) == LUA_TSTRING && !machine.recording.active) {
+        const char* key = lua_tolstring(L, 2, nullptr);
+        const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
+        if (slot.key == key && slot.instance_class == self->instance_class &&
+            slot.member == Member::property && slot.property->type != Type::integer) {
+            Value value;
+            if (simple_value(L, value)) {
+                machine.tree.set(self->handle, *slot.property, value);
+                return 0;
+            }
+        }
+    }
+    return write_slowly(L, machine, *self);
+}
+
+// --- The other metamethods
+
+int instance_tostring(lua_State* L) {
+    const auto* self = instance_at(L, 1);
+    if (!self) no_self(L);
+    Machine& machine = machine_of(L);
+    std::string text;
+    try {
+        machine.tree.require(self->handle);
+        text = machine.tree.path(self->handle);
+    } catch (const Error& error) {
+        text = std::string("(") + error.what() + ")";
+    }
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+int instance_length(lua_State* L) {
+    const Handle self = check_instance(L, 1, "#");
+    lua_pushinteger(L, static_cast<lua_Integer>(machine_of(L).tree.child_count(self)));
+    return 1;
+}
+
+// Iteration visits a list made at its start: properties in the order of the class, ad-hoc ones,
+// then children.
+int next_member(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const Handle self = check_instance(L, lua_upvalueindex(3), "pairs");
+    for (;;) {
+        const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2)) + 1;
+        lua_pushinteger(L, index);
+        lua_replace(L, lua_upvalueindex(2));
+        if (lua_rawgeti(L, lua_upvalueindex(1), index) == LUA_TNIL) return 1;
+        const char* name = lua_tostring(L, -1);
+        if (machine.tree.find(self, name) || machine.tree.child(self, name)) break;
+        lua_pop(L, 1);  // gone since
+    }
+    lua_pushvalue(L, -1);
+    lua_gettable(L, lua_upvalueindex(3));
+    return 2;
+}
+
+int instance_pairs(lua_State* L) {
+    const Handle self = check_instance(L, 1, "pairs");
+    Machine& machine = machine_of(L);
+    lua_newtable(L);
+    lua_Integer n = 0;
+    const auto add = [&](const std::string& name) {
+        lua_pushlstring(L, name.data(), name.size());
+        lua_rawseti(L, -2, ++n);
+    };
+    for (const Property* property : machine.tree.properties(self)) add(property->name);
+    for (Handle child = machine.tree.first_child(self); child;
+         child = machine.tree.next_sibling(child))
+        add(machine.tree.name(child));
+    lua_pushinteger(L, 0);
+    lua_pushvalue(L, 1);
+    lua_pushcclosure(L, guarded<next_member>, 3);
+    return 1;
+}
+
+}  // namespace
+
+void open_instance(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_function<instance_index>(L, "__index");
+    add_function<instance_newindex>(L, "__newindex");
+    add_function<instance_tostring>(L, "__tostring");
+    add_function<instance_length>(L, "__len");
+    add_function<instance_pairs>(L, "__pairs");
+    lua_pushstring(L, "instance");
+    lua_setfield(L, -2, "__name");
+    lua_pushstring(L, "instance");
+    lua_setfield(L, -2, "__metatable");
+    machine.instance_meta = luaL_ref(L, LUA_REGISTRYINDEX);
+
+    lua_newtable(L);
+    lua_newtable(L);
+    lua_pushstring(L, "v");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+    machine.proxies = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

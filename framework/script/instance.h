@@ -1,0 +1,31 @@
+#pragma once
+// What a script can do with an instance: read and write what it has by name.
+
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include "lua_api.h"
+
+namespace fettle::script {
+
+struct Machine;
+
+void open_instance(lua_State* L, Machine& machine);
+/// The slow half of a write: children, ad-hoc properties, what must not be written. The value is at
+/// stack index 3.
+void write_member(lua_State* L, Machine& machine, property::Handle instance,
+                  const property::Class& of, std::string_view name);
+/// Every name that stands for something on the instance, for nearest spellings and completion.
+std::vector<std::string> names_of(Machine& machine, property::Handle instance);
+/// Methods every instance has, sorted.
+const std::vector<std::string>& generic_names();
+/// name, parent, class
+bool is_pseudo(std::string_view name);
+/// Pushes the value of a pseudo-property.
+void push_pseudo(lua_State* L, Machine& machine, property::Handle instance, std::string_view name);
+/// Destroys detached instances that were never given a place and that nothing refers to.
+void collect_unplaced(Machine& machine);
+
+}  // namespace fettle::script

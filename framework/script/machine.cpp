@@ -1,0 +1,97 @@
+#include "machine.h"
+
+#include <new>
+
+#include <fettle/property/error.h>
+
+#include "guard.h"
+#include "instance.h"
+#include "instance_set.h"
+#include "methods.h"
+#include "sandbox.h"
+#include "script_classes.h"
+#include "subscriptions.h"
+
+namespace fettle::script {
+
+namespace {
+
+void open_libraries(lua_State* L) {
+    const luaL_Reg libraries[] = {
+        {LUA_GNAME, luaopen_base},       {LUA_COLIBNAME, luaopen_coroutine},
+        {LUA_TABLIBNAME, luaopen_table}, {LUA_STRLIBNAME, luaopen_string},
+        {LUA_MATHLIBNAME, luaopen_math}, {LUA_UTF8LIBNAME, luaopen_utf8},
+        {LUA_OSLIBNAME, luaopen_os},
+    };
+    for (const luaL_Reg& library : libraries) {
+        luaL_requiref(L, library.name, library.func, 1);
+        lua_pop(L, 1);
+    }
+}
+
+int new_table(lua_State* L, const char* mode) {
+    lua_newtable(L);
+    if (mode) {
+        lua_newtable(L);
+        lua_pushstring(L, mode);
+        lua_setfield(L, -2, "__mode");
+        lua_setmetatable(L, -2);
+    }
+    return luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+int open_all(lua_State* L) {
+    Machine& machine = machine_of(L);
+    open_libraries(L);
+    machine.anchors = new_table(L, nullptr);
+    machine.loaded = new_table(L, nullptr);
+    machine.killed = new_table(L, "k");
+    lua_pushboolean(L, 0);
+    machine.last_result = luaL_ref(L, LUA_REGISTRYINDEX);
+    lua_pushnil(L);
+    lua_rawseti(L, LUA_REGISTRYINDEX, machine.last_result);
+    open_instance(L, machine);
+    open_sets(L, machine);
+    open_records(L, machine);
+    open_subscriptions(L, machine);
+    open_classes(L, machine);
+    open_pen(L, machine);
+    open_environment(L, machine);
+    lua_settop(L, 0);
+    return 0;
+}
+
+}  // namespace
+
+Machine::Machine(property::Tree& property_tree, Options runtime_options)
+    : tree(property_tree),
+      options(runtime_options),
+      arena(runtime_options.memory_limit),
+      random(runtime_options.seed),
+      subscriptions(std::make_unique<Subscriptions>(*this)),
+      classes(std::make_unique<ScriptClasses>(*this)) {
+    main = lua_newstate(Arena::allocate, &arena);
+    if (!main) throw std::bad_alloc();
+    alive = std::make_shared<lua_State*>(main);
+    running = main;
+    *static_cast<Machine**>(lua_getextraspace(main)) = this;
+    arena.on_refusal = [this](std::size_t size) { budget.memory_refused(size); };
+    arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 8); };
+    lua_pushcfunction(main, guarded<open_all>);
+    if (lua_pcall(main, 0, 0, 0) != LUA_OK) {
+        const char* message = lua_tostring(main, -1);
+        const std::string text = message ? message : "Lua could not be started";
+        lua_close(main);
+        throw property::Error(property::ErrorKind::rejected, text);
+    }
+}
+
+Machine::~Machine() {
+    subscriptions.reset();
+    classes.reset();
+    arena.set_limit(static_cast<std::size_t>(-1));
+    *alive = nullptr;
+    lua_close(main);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,123 @@
+#pragma once
+// The whole of a runtime, as its parts see it.
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <fettle/property/tree.h>
+#include <fettle/script/runtime.h>
+
+#include "arena.h"
+#include "budget.h"
+#include "dispatch.h"
+#include "lua_api.h"
+#include "random.h"
+#include "timers.h"
+#include "values.h"
+
+namespace fettle::script {
+
+class ScriptClasses;
+class Subscriptions;
+
+/// What one console command did to the tree, for its echoes.
+struct Recording {
+    struct Edit {
+        property::Handle instance;
+        property::Symbol symbol;
+        std::string path;
+        std::string unit;
+        property::Precision precision{};
+        property::Value before;
+        property::Value after;
+        std::string note;  // instead of values: "new Body", "deleted"
+    };
+    bool active = false;
+    std::vector<Edit> edits;
+    const property::Property* last_read = nullptr;  // property read last, for its unit
+    std::vector<std::string> lines;                 // printed
+    std::size_t dropped = 0;                        // lines beyond the limit
+};
+
+struct Machine {
+    Machine(property::Tree& property_tree, Options runtime_options);
+    ~Machine();
+    Machine(const Machine&) = delete;
+
+    property::Tree& tree;
+    Options options;
+    Arena arena;
+    lua_State* main = nullptr;
+    std::shared_ptr<lua_State*> alive;  // what outlives Lua asks here; nullptr inside once closed
+    lua_State* running = nullptr;       // thread that runs now; exact, since we make every switch
+    Budget budget{*this};
+    DispatchCache dispatch;
+    std::size_t dynamic_names = 0;  // in it, of things that no class declares
+    Random random;
+    Timers timers{*this};
+    std::unique_ptr<Subscriptions> subscriptions;
+    std::unique_ptr<ScriptClasses> classes;
+    Recording recording;
+
+    std::unordered_map<const property::Method*, int> method_references;
+    std::unordered_map<std::string, int> generic_references;
+
+    // References into Lua's registry.
+    int vec_meta = 0, color_meta = 0, instance_meta = 0, list_meta = 0, set_meta = 0;
+    int record_meta = 0, connection_meta = 0, class_meta = 0;
+    int proxies = 0;      // weak: handle -> proxy
+    int environment = 0;  // globals of game and console
+    int declared = 0;     // names of globals ever assigned
+    int anchors = 0;      // names in the dispatch cache
+    int generic = 0;      // methods every instance has
+    int loaded = 0;       // modules by name
+    int last_result = 0;  // `_`
+    int killed = 0;       // weak: coroutines stopped for good
+    int pen = 0;
+
+    std::filesystem::path folder;                          // of the game
+    std::unordered_map<std::string, std::string> sources;  // text by chunk name
+    std::function<void(const ScriptError&)> error_sink;
+    std::function<void(std::string_view)> print_sink;
+    std::optional<int> quit_status;
+    std::vector<std::string> assigned;  // globals that game and console made
+    property::Handle it;
+    property::Painter* painter = nullptr;  // while drawing
+    double now = 0;                        // simulation time, seconds
+
+    std::optional<ScriptError> caught;        // described where it was raised, not yet reported
+    std::optional<ScriptError> thread_error;  // raised in a coroutine, on its way out of it
+    property::Writer writer = property::Writer::script;  // who writes when a script runs
+
+    /// Instances a script made and has not placed yet.
+    std::vector<property::Handle> unplaced;
+    std::size_t unplaced_limit = 64;
+};
+
+inline Machine& machine_of(lua_State* L) {
+    return **static_cast<Machine**>(lua_getextraspace(L));
+}
+
+inline void push_registry(lua_State* L, int reference) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
+}
+
+/// Tells the tree who writes while the host has called into Lua; the place is found only when asked
+/// for.
+class ScriptCause {
+  public:
+    ScriptCause(Machine& machine, property::Writer writer);
+
+  private:
+    std::function<std::string()> locate_;
+    property::Tree::CauseScope scope_;
+};
+
+}  // namespace fettle::script

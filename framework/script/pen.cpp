@@ -1,0 +1,207 @@
+// `pen`, what draw(pen) draws with. World units, y up; inside pen.screen(fn) pixels, y down.
+//   pen.circle(center, radius [, fill [, border [, width]]])
+//   pen.box(center, width, height [, fill [, border [, width [, angle]]]])
+//   pen.polygon(vertices [, fill [, border [, width]]])
+//   pen.line(from, to [, color [, width]])
+//   pen.point(position [, color [, size]])
+//   pen.text(position, text [, height [, color]])
+//   pen.screen(function)
+// Colors are values or names; nil or false draws no fill, no border.
+
+#include <cmath>
+#include <vector>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+
+#include "format.h"
+#include "guard.h"
+#include "machine.h"
+#include "sandbox.h"
+
+namespace fettle::script {
+
+using property::Color;
+using property::Error;
+using property::ErrorKind;
+using property::Paint;
+using property::Painter;
+using property::Vec2;
+
+namespace {
+
+struct PenBox {
+    Tag tag;
+};
+
+Painter& painter(lua_State* L) {
+    if (Painter* found = machine_of(L).painter) return *found;
+    throw Error(ErrorKind::rejected, "pen: draws only while draw(pen) is called");
+}
+
+// pen:circle(...) is as good as pen.circle(...).
+void drop_self(lua_State* L) {
+    if (box_at<PenBox>(L, 1, Tag::pen)) lua_remove(L, 1);
+}
+
+Color color_or(lua_State* L, int index, const char* what, Color otherwise) {
+    if (lua_isnoneornil(L, index)) return otherwise;
+    if (lua_isboolean(L, index) && !lua_toboolean(L, index)) return {0, 0, 0, 0};
+    return check_color(L, index, what);
+}
+
+double number_or(lua_State* L, int index, const char* what, double otherwise) {
+    return lua_isnoneornil(L, index) ? otherwise : check_number(L, index, what);
+}
+
+Paint paint_at(lua_State* L, int index, const char* what) {
+    Paint paint;
+    const bool border = !lua_isnoneornil(L, index + 1);
+    paint.fill = color_or(L, index, what, border ? Color{0, 0, 0, 0} : Color{1, 1, 1, 1});
+    paint.border = color_or(L, index + 1, what, {0, 0, 0, 0});
+    paint.border_width = static_cast<float>(number_or(L, index + 2, what, 1.5));
+    return paint;
+}
+
+void check_finite(double value, const char* what) {
+    if (!std::isfinite(value))
+        throw Error(ErrorKind::not_finite,
+                    std::string(what) + ": " + property::number_text(value) + " cannot be drawn");
+}
+
+Vec2 point_at(lua_State* L, int index, const char* what) {
+    const Vec2 v = check_vec(L, index, what);
+    check_finite(v.x(), what);
+    check_finite(v.y(), what);
+    return v;
+}
+
+double length_at(lua_State* L, int index, const char* what) {
+    const double value = check_number(L, index, what);
+    check_finite(value, what);
+    return std::abs(value);
+}
+
+int circle(lua_State* L) {
+    drop_self(L);
+    painter(L).circle(point_at(L, 1, "pen.circle"), length_at(L, 2, "pen.circle"),
+                      paint_at(L, 3, "pen.circle"));
+    return 0;
+}
+
+int box(lua_State* L) {
+    drop_self(L);
+    const Vec2 center = point_at(L, 1, "pen.box");
+    const double w = length_at(L, 2, "pen.box") / 2, h = length_at(L, 3, "pen.box") / 2;
+    const double angle = number_or(L, 7, "pen.box", 0);
+    check_finite(angle, "pen.box");
+    const double c = std::cos(angle), s = std::sin(angle);
+    std::vector<Vec2> corners;
+    for (const Vec2& corner : {Vec2(-w, -h), Vec2(w, -h), Vec2(w, h), Vec2(-w, h)})
+        corners.push_back(center +
+                          Vec2(c * corner.x() - s * corner.y(), s * corner.x() + c * corner.y()));
+    painter(L).polygon(corners, 0, paint_at(L, 4, "pen.box"));
+    return 0;
+}
+
+int polygon(lua_State* L) {
+    drop_self(L);
+    const property::Value value = to_value(L, 1);
+    if (!value.is(property::Type::list) || value.list().size() < 3)
+        throw Error(ErrorKind::wrong_type, "pen.polygon: needs a list of three or more vec");
+    std::vector<Vec2> vertices;
+    for (const property::Value& each : value.list()) {
+        if (!each.is(property::Type::vec2))
+            throw Error(ErrorKind::wrong_type, "pen.polygon: needs a list of vec");
+        check_finite(each.vec2().x(), "pen.polygon");
+        check_finite(each.vec2().y(), "pen.polygon");
+        vertices.push_back(each.vec2());
+    }
+    painter(L).polygon(vertices, 0, paint_at(L, 2, "pen.polygon"));
+    return 0;
+}
+
+int line(lua_State* L) {
+    drop_self(L);
+    painter(L).line(point_at(L, 1, "pen.line"), point_at(L, 2, "pen.line"),
+                    color_or(L, 3, "pen.line", {1, 1, 1, 1}),
+                    static_cast<float>(number_or(L, 4, "pen.line", 1.5)));
+    return 0;
+}
+
+int point(lua_State* L) {
+    drop_self(L);
+    painter(L).point(point_at(L, 1, "pen.point"), color_or(L, 2, "pen.point", {1, 1, 1, 1}),
+                     static_cast<float>(number_or(L, 3, "pen.point", 4)));
+    return 0;
+}
+
+int text(lua_State* L) {
+    drop_self(L);
+    if (lua_type(L, 1) == LUA_TSTRING) {  // the other way round is as clear
+        lua_pushvalue(L, 1);
+        lua_remove(L, 1);
+        lua_insert(L, 2);
+    }
+    const Vec2 position = point_at(L, 1, "pen.text");
+    push_text(L, 2);
+    std::size_t length = 0;
+    const char* chars = lua_tolstring(L, -1, &length);
+    const double height = lua_isnoneornil(L, 3) ? 0.5 : length_at(L, 3, "pen.text");
+    const Color color =
+        lua_gettop(L) >= 5 ? color_or(L, 4, "pen.text", {1, 1, 1, 1}) : Color{1, 1, 1, 1};
+    painter(L).text(position, {chars, length}, height, color);
+    return 0;
+}
+
+int screen(lua_State* L) {
+    drop_self(L);
+    if (lua_type(L, 1) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    "pen.screen: needs a function, not " + describe_type(L, 1));
+    struct Pixels {
+        Painter& painter;
+        explicit Pixels(Painter& p) : painter(p) { painter.begin_screen(); }
+        ~Pixels() { painter.end_screen(); }
+    } pixels(painter(L));
+    lua_settop(L, 1);
+    push_registry(L, machine_of(L).pen);
+    lua_call(L, 1, 0);
+    return 0;
+}
+
+int pen_index(lua_State* L) {
+    luaL_getmetafield(L, 1, "methods");
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+    const std::vector<std::string> names = {"circle", "box",  "polygon", "line",
+                                            "point",  "text", "screen"};
+    const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : short_text(L, 2);
+    throw Error(ErrorKind::unknown_name, "pen has no " + name + property::suggestion(name, names));
+}
+
+}  // namespace
+
+void open_pen(lua_State* L, Machine& machine) {
+    auto* made = static_cast<PenBox*>(lua_newuserdatauv(L, sizeof(PenBox), 0));
+    made->tag = Tag::pen;
+    lua_newtable(L);
+    add_function<pen_index>(L, "__index");
+    lua_newtable(L);
+    add_function<circle>(L, "circle");
+    add_function<box>(L, "box");
+    add_function<polygon>(L, "polygon");
+    add_function<line>(L, "line");
+    add_function<point>(L, "point");
+    add_function<text>(L, "text");
+    add_function<screen>(L, "screen");
+    lua_setfield(L, -2, "methods");
+    lua_pushstring(L, "pen");
+    lua_setfield(L, -2, "__name");
+    lua_pushstring(L, "pen");
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+    machine.pen = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,148 @@
+// require("enemies.boss") runs enemies/boss.lua of the game's folder once and returns what it
+// returned. Text only, and never outside the folder.
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+
+#include "guard.h"
+#include "machine.h"
+#include "sandbox.h"
+#include "source_file.h"
+
+namespace fettle::script {
+
+namespace fs = std::filesystem;
+using property::Error;
+using property::ErrorKind;
+
+std::string read_source(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::error_code code;
+    if (!file || fs::is_directory(path, code))
+        throw fs::filesystem_error("cannot read", path,
+                                   std::make_error_code(std::errc::no_such_file_or_directory));
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (file.bad())
+        throw fs::filesystem_error("cannot read", path, std::make_error_code(std::errc::io_error));
+    return text.str();
+}
+
+int load_source(lua_State* L, Machine& machine, const std::string& text, const std::string& name) {
+    machine.sources[name] = text;
+    // A first line of `#!...` is for the shell.
+    std::string_view code = text;
+    std::string without;
+    if (code.starts_with('#')) {
+        const std::size_t end = code.find('\n');
+        without = std::string(end == std::string_view::npos ? "" : code.substr(end));
+        code = without;
+    }
+    return luaL_loadbufferx(L, code.data(), code.size(), ("@" + name).c_str(), "t");
+}
+
+namespace {
+
+// The file a module's name stands for, relative to the folder.
+std::string module_file(const std::string& name) {
+    std::string file;
+    for (const char c : name) {
+        const bool word = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+        if (!word && c != '.' && c != '/')
+            throw Error(ErrorKind::bad_name, "require: \"" + name + "\" is no name of a module");
+        file += c == '.' ? '/' : c;
+    }
+    if (file.empty() || file.front() == '/' || file.back() == '/' ||
+        file.find("//") != std::string::npos)
+        throw Error(ErrorKind::bad_name, "require: \"" + name +
+                                             "\" is no name of a module; files outside the game's "
+                                             "folder cannot be loaded");
+    return file + ".lua";
+}
+
+std::vector<std::string> modules_of(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code code;
+    for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end;
+         it.increment(code)) {
+        if (names.size() > 1000 || it.depth() > 4) break;
+        if (it->path().extension() != ".lua") continue;
+        std::string name =
+            it->path().lexically_relative(folder).replace_extension().generic_string();
+        for (char& c : name)
+            if (c == '/') c = '.';
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+fs::path inside(const fs::path& folder, const std::string& file, const std::string& name) {
+    std::error_code code;
+    const fs::path root = fs::canonical(folder, code);
+    const fs::path path = code ? fs::path() : fs::canonical(root / file, code);
+    if (code || !fs::is_regular_file(path, code))
+        throw Error(ErrorKind::unknown_name, "require: no module \"" + name + "\" (" + file + ")" +
+                                                 property::suggestion(name, modules_of(folder)));
+    const fs::path relative = path.lexically_relative(root);
+    if (relative.empty() || *relative.begin() == "..")
+        throw Error(ErrorKind::rejected,
+                    "require: \"" + name + "\" leads outside the game's folder");
+    return path;
+}
+
+int require(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    "require: needs the name of a module, not " + describe_type(L, 1));
+    lua_settop(L, 1);
+    push_registry(L, machine.loaded);
+    lua_pushvalue(L, 1);
+    if (lua_rawget(L, 2) != LUA_TNIL) {
+        if (lua_islightuserdata(L, -1))
+            throw Error(ErrorKind::bad_structure,
+                        std::string("require: \"") + lua_tostring(L, 1) +
+                            "\" is being loaded already; two modules require each other");
+        return 1;
+    }
+    lua_pop(L, 1);
+    const std::string name = lua_tostring(L, 1);
+    if (machine.folder.empty())
+        throw Error(ErrorKind::rejected, "require: there is no game folder");
+    const std::string file = module_file(name);
+    const std::string text = read_source(inside(machine.folder, file, name));
+    if (load_source(L, machine, text, file) != LUA_OK) return lua_error(L);
+    lua_pushvalue(L, 1);
+    lua_pushlightuserdata(L, &machine);  // stands for: being loaded
+    lua_rawset(L, 2);
+    try {
+        lua_pushvalue(L, 1);
+        lua_call(L, 1, 1);
+    } catch (...) {
+        // So that a mended file can be required again.
+        lua_pushvalue(L, 1);
+        lua_pushnil(L);
+        lua_rawset(L, 2);
+        throw;
+    }
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        lua_pushboolean(L, 1);
+    }
+    lua_pushvalue(L, 1);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, 2);
+    return 1;
+}
+
+}  // namespace
+
+void open_require(lua_State* L) {
+    add_function<require>(L, "require");
+}
+
+}  // namespace fettle::script

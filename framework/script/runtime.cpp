@@ -1,0 +1,183 @@
+#include <fettle/script/runtime.h>
+
+#include <cstdio>
+
+#include "complete.h"
+#include "errors.h"
+#include "evaluate.h"
+#include "instance.h"
+#include "machine.h"
+#include "protected.h"
+#include "script_classes.h"
+#include "source_file.h"
+#include "subscriptions.h"
+
+namespace fettle::script {
+
+using property::Value;
+
+struct Runtime::State : Machine {
+    using Machine::Machine;
+};
+
+Runtime::Runtime(property::Tree& tree, Options options)
+    : state_(std::make_unique<State>(tree, options)) {
+    state_->error_sink = [](const ScriptError& error) {
+        std::fprintf(stderr, "%s\n%s", error.message.c_str(), error.traceback.c_str());
+    };
+    state_->print_sink = [](std::string_view text) {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        std::fputc('\n', stdout);
+    };
+}
+
+Runtime::~Runtime() = default;
+
+// --- The game
+
+namespace {
+
+// Nothing of an earlier game calls back any more; the tree stays as it is.
+void forget_game(Machine& machine) {
+    machine.timers.clear();
+    machine.subscriptions->clear();
+    machine.classes->forget_functions();
+    machine.caught.reset();
+    lua_State* L = machine.main;
+    for (const int reference : {machine.loaded, machine.declared}) {
+        lua_newtable(L);
+        lua_rawseti(L, LUA_REGISTRYINDEX, reference);
+    }
+    // Globals the game assigned go; those of the language stay.
+    lua_rawgeti(L, LUA_REGISTRYINDEX, machine.environment);
+    for (const std::string& name : machine.assigned) {
+        lua_pushlstring(L, name.data(), name.size());
+        lua_pushnil(L);
+        lua_rawset(L, -3);
+    }
+    lua_pop(L, 1);
+    machine.assigned.clear();
+}
+
+bool run_chunk(Machine& machine, const std::string& text, const std::string& name,
+               const char* context) {
+    return protected_run(machine, context, [&](lua_State* L) {
+        if (load_source(L, machine, text, name) != LUA_OK) lua_error(L);
+        lua_call(L, 0, 0);
+    });
+}
+
+bool call_global(Machine& machine, std::string_view name, std::span<const Value> arguments) {
+    return protected_run(machine, std::string(name), [&](lua_State* L) {
+        push_registry(L, machine.environment);
+        lua_pushlstring(L, name.data(), name.size());
+        if (lua_rawget(L, -2) != LUA_TFUNCTION) return;
+        luaL_checkstack(L, static_cast<int>(arguments.size()), "arguments");
+        for (const Value& value : arguments) push_value(L, value);
+        lua_call(L, static_cast<int>(arguments.size()), 0);
+    });
+}
+
+}  // namespace
+
+bool Runtime::load(const std::filesystem::path& game) {
+    namespace fs = std::filesystem;
+    const fs::path file = fs::is_directory(game) ? game / "main.lua" : game;
+    const std::string text = read_source(file);
+    forget_game(*state_);
+    state_->folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    bool ok = run_chunk(*state_, text, file.filename().string(), "load");
+    if (ok) ok = state_->classes->deliver_ready() && call("start", {});
+    return ok;
+}
+
+bool Runtime::run(std::string_view chunk, const std::string& name) {
+    const bool ok = run_chunk(*state_, std::string(chunk), name, "chunk");
+    return state_->classes->deliver_ready() && ok;
+}
+
+bool Runtime::call(std::string_view callback, std::span<const Value> arguments) {
+    const bool ready = state_->classes->deliver_ready();
+    const bool ok = call_global(*state_, callback, arguments);
+    return state_->classes->deliver_ready() && ready && ok;
+}
+
+bool Runtime::draw(property::Painter& painter) {
+    Machine& machine = *state_;
+    machine.painter = &painter;
+    bool ok = machine.classes->draw();
+    ok &= protected_run(machine, "draw", [&](lua_State* L) {
+        push_registry(L, machine.environment);
+        lua_pushstring(L, "draw");
+        if (lua_rawget(L, -2) != LUA_TFUNCTION) return;
+        push_registry(L, machine.pen);
+        lua_call(L, 1, 0);
+    });
+    machine.painter = nullptr;
+    return ok;
+}
+
+bool Runtime::step(double now, double dt) {
+    Machine& machine = *state_;
+    machine.now = now;
+    collect_unplaced(machine);
+    bool ok = machine.classes->deliver_ready();
+    ok &= machine.timers.run(now);
+    const Value arguments[] = {Value(dt)};
+    ok &= call_global(machine, "step", arguments);
+    ok &= machine.classes->step(dt);
+    ok &= machine.classes->deliver_ready();
+    return ok;
+}
+
+// --- Console
+
+Evaluation Runtime::evaluate(std::string_view command) {
+    return script::evaluate(*state_, command);
+}
+
+std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cursor) {
+    return script::complete(*state_, input, cursor);
+}
+
+void Runtime::set_it(property::Handle instance) {
+    state_->it = instance;
+}
+
+property::Handle Runtime::it() const {
+    return state_->it;
+}
+
+// --- Towards the host
+
+void Runtime::on_error(std::function<void(const ScriptError&)> sink) {
+    state_->error_sink = std::move(sink);
+}
+
+void Runtime::on_print(std::function<void(std::string_view)> sink) {
+    state_->print_sink = std::move(sink);
+}
+
+std::optional<int> Runtime::quit_status() const {
+    return state_->quit_status;
+}
+
+bool Runtime::defines(std::string_view callback) const {
+    const std::string name(callback);
+    bool found = false;
+    protected_run(
+        *state_, "defines",
+        [&](lua_State* M) {
+            push_registry(M, state_->environment);
+            lua_pushlstring(M, name.data(), name.size());
+            found = lua_rawget(M, -2) == LUA_TFUNCTION;
+        },
+        false);
+    return found;
+}
+
+std::size_t Runtime::memory() const {
+    return state_->arena.bytes();
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,108 @@
+// The environment of games and console: names that are allowed, nothing else.
+
+#include "sandbox.h"
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+
+#include "coroutines.h"
+#include "format.h"
+#include "guard.h"
+#include "help.h"
+#include "instance_set.h"
+#include "machine.h"
+#include "methods.h"
+#include "random.h"
+#include "script_classes.h"
+#include "subscriptions.h"
+#include "timers.h"
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+
+namespace {
+
+// Copies fields of the library table `from` (a global) into a new table.
+void copy_library(lua_State* L, const char* from, std::initializer_list<const char*> names) {
+    lua_getglobal(L, from);
+    lua_newtable(L);
+    for (const char* name : names) {
+        lua_getfield(L, -2, name);
+        lua_setfield(L, -2, name);
+    }
+    lua_remove(L, -2);
+}
+
+// Into the environment on top.
+void allow(lua_State* L) {
+    for (const char* name : {"assert", "error", "ipairs", "next", "pcall", "rawequal", "rawget",
+                             "rawlen", "rawset", "select", "tonumber", "type"}) {
+        lua_getglobal(L, name);
+        lua_setfield(L, -2, name);
+    }
+    lua_pushstring(L, LUA_VERSION);
+    lua_setfield(L, -2, "_VERSION");
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -2, "_G");
+    const struct {
+        const char* library;
+        std::initializer_list<const char*> names;
+    } libraries[] = {
+        {"math",
+         {"abs",  "acos", "asin", "atan", "ceil",       "cos",  "deg",        "exp",  "floor",
+          "fmod", "huge", "log",  "max",  "maxinteger", "min",  "mininteger", "modf", "pi",
+          "rad",  "sin",  "sqrt", "tan",  "tointeger",  "type", "ult"}},
+        {"string",
+         {"byte", "char", "len", "lower", "pack", "packsize", "rep", "reverse", "sub", "unpack",
+          "upper"}},
+        {"table", {"pack"}},
+        {"coroutine", {"isyieldable", "running", "status", "yield"}},
+        {"utf8", {"char", "charpattern", "codepoint", "codes", "len", "offset"}},
+        {"os", {"clock", "date", "difftime", "time"}},
+    };
+    for (const auto& [library, names] : libraries) {
+        copy_library(L, library, names);
+        lua_setfield(L, -2, library);
+    }
+}
+
+// Texts share one metatable; scripts must not reach it.
+void protect_texts(lua_State* L) {
+    lua_pushliteral(L, "");
+    lua_getmetatable(L, -1);
+    lua_getfield(L, -3, "string");
+    lua_setfield(L, -2, "__index");
+    lua_pushliteral(L, "text");
+    lua_setfield(L, -2, "__metatable");
+    lua_pop(L, 2);
+}
+
+}  // namespace
+
+void open_environment(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    allow(L);
+    open_base(L);
+    open_table_guards(L);
+    open_strings(L);
+    open_patterns(L);
+    protect_texts(L);
+    open_coroutines(L);
+    open_random(L);
+    open_timers(L);
+    open_watch(L);
+    open_query(L);
+    open_class_function(L);
+    open_require(L);
+    open_help(L);
+    open_vec(L, machine);
+    open_color(L, machine);
+    open_globals(L, machine);
+    lua_pushvalue(L, -1);
+    lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,30 @@
+#pragma once
+// What scripts may use of Lua's own library: an environment of allowed names, with the dangerous
+// ones left out or replaced.
+
+#include <string>
+
+#include "lua_api.h"
+
+namespace fettle::script {
+
+struct Machine;
+
+/// Makes the environment of the game and leaves it on the stack; it becomes the state's globals.
+void open_environment(lua_State* L, Machine& machine);
+
+// Parts of it, each into the table of globals on top.
+void open_base(lua_State* L);
+void open_table_guards(lua_State* L);
+void open_strings(lua_State* L);
+void open_patterns(lua_State* L);
+void open_globals(lua_State* L, Machine& machine);
+void open_require(lua_State* L);
+void open_pen(lua_State* L, Machine& machine);
+
+/// A line of `print`: into the console's answer or to the host.
+void print_line(Machine& machine, std::string text);
+/// Text of any value without calling anything but a script's own __tostring.
+void push_text(lua_State* L, int index);
+
+}  // namespace fettle::script

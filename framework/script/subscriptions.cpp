@@ -1,0 +1,374 @@
+#include "subscriptions.h"
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include "format.h"
+#include "guard.h"
+#include "machine.h"
+#include "methods.h"
+#include "protected.h"
+#include "script_classes.h"
+
+namespace fettle::script {
+
+using property::Change;
+using property::Class;
+using property::Connection;
+using property::Error;
+using property::ErrorKind;
+using property::Event;
+using property::Existence;
+using property::Handle;
+using property::Occurrence;
+using property::Property;
+using property::WatchOptions;
+
+// --- References
+
+FunctionRef::FunctionRef(lua_State* L, Machine& machine)
+    : alive_(machine.alive), reference_(luaL_ref(L, LUA_REGISTRYINDEX)) {}
+
+FunctionRef::~FunctionRef() {
+    if (*alive_) luaL_unref(*alive_, LUA_REGISTRYINDEX, reference_);
+}
+
+void FunctionRef::push(lua_State* L) const {
+    push_registry(L, reference_);
+}
+
+namespace {
+
+enum class Source : std::uint8_t { tree, timer };
+
+struct ConnectionBox {
+    Tag tag;
+    Source source;
+    std::uint64_t id;
+};
+
+void push_connection(lua_State* L, Source source, std::uint64_t id) {
+    auto* box = static_cast<ConnectionBox*>(lua_newuserdatauv(L, sizeof(ConnectionBox), 0));
+    *box = {Tag::connection, source, id};
+    push_registry(L, machine_of(L).connection_meta);
+    lua_setmetatable(L, -2);
+}
+
+ConnectionBox& connection_at(lua_State* L, const char* what) {
+    auto* box = box_at<ConnectionBox>(L, 1, Tag::connection);
+    if (!box)
+        throw Error(ErrorKind::wrong_type, std::string(what) + ": needs a connection, not " +
+                                               describe_type(L, 1) + "; call it with a colon");
+    return *box;
+}
+
+int connection_stop(lua_State* L) {
+    const ConnectionBox& box = connection_at(L, "stop");
+    Machine& machine = machine_of(L);
+    if (box.source == Source::tree)
+        machine.subscriptions->stop(box.id);
+    else
+        machine.timers.stop(box.id);
+    return 0;
+}
+
+int connection_active(lua_State* L) {
+    const ConnectionBox& box = connection_at(L, "active");
+    Machine& machine = machine_of(L);
+    lua_pushboolean(L, box.source == Source::tree ? machine.subscriptions->active(box.id)
+                                                  : machine.timers.active(box.id));
+    return 1;
+}
+
+int connection_index(lua_State* L) {
+    const std::string name = short_text(L, 2);
+    luaL_getmetafield(L, 1, "methods");
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+    const std::vector<std::string> names = {"stop", "active"};
+    throw Error(ErrorKind::unknown_name,
+                "a connection has no " + name + property::suggestion(name, names));
+}
+
+}  // namespace
+
+void push_timer_connection(lua_State* L, std::uint64_t timer) {
+    push_connection(L, Source::timer, timer);
+}
+
+// --- All connections of a runtime
+
+Subscriptions::~Subscriptions() {
+    clear();
+}
+
+void Subscriptions::clear() {
+    for (auto& [id, connection] : connections_) connection.stop();
+    connections_.clear();
+}
+
+std::uint64_t Subscriptions::insert(Connection connection) {
+    if (connections_.size() >= prune_at_) {
+        std::erase_if(connections_, [](const auto& entry) { return !entry.second.active(); });
+        prune_at_ = std::max<std::size_t>(256, 2 * connections_.size());
+    }
+    connections_.emplace(next_id_, std::move(connection));
+    return next_id_++;
+}
+
+void Subscriptions::push(lua_State* L, Connection connection) {
+    push_connection(L, Source::tree, insert(std::move(connection)));
+}
+
+void Subscriptions::keep(Connection connection) {
+    insert(std::move(connection));
+}
+
+void Subscriptions::stop(std::uint64_t id) {
+    const auto found = connections_.find(id);
+    if (found == connections_.end()) return;
+    found->second.stop();
+    connections_.erase(found);
+}
+
+bool Subscriptions::active(std::uint64_t id) const {
+    const auto found = connections_.find(id);
+    return found != connections_.end() && found->second.active();
+}
+
+// --- What handlers are told
+
+namespace {
+
+void set_text(lua_State* L, const char* field, const std::string& text) {
+    lua_pushlstring(L, text.data(), text.size());
+    lua_setfield(L, -2, field);
+}
+
+std::string path_if_alive(Machine& machine, Handle instance, const Property& property) {
+    if (!machine.tree.alive(instance)) return "(deleted)" + property::path_suffix(property.name);
+    return machine.tree.path(instance, property);
+}
+
+void push_change(lua_State* L, const Change& change) {
+    Machine& machine = machine_of(L);
+    lua_createtable(L, 0, 7);
+    push_instance(L, change.instance);
+    lua_setfield(L, -2, "instance");
+    set_text(L, "property", change.property->name);
+    set_text(L, "path", path_if_alive(machine, change.instance, *change.property));
+    set_text(L, "cause", change.cause.text());
+    lua_pushinteger(L, static_cast<lua_Integer>(change.cause.step));
+    lua_setfield(L, -2, "step");
+    seal_record(L, machine);
+}
+
+}  // namespace
+
+void push_occurrence(lua_State* L, const Occurrence& occurrence) {
+    push_record(L, occurrence.record);
+    lua_pushstring(L, "instance");
+    push_instance(L, occurrence.instance);
+    lua_rawset(L, -3);
+    lua_pushstring(L, "step");
+    lua_pushinteger(L, static_cast<lua_Integer>(occurrence.step));
+    lua_rawset(L, -3);
+}
+
+void push_existence(lua_State* L, const Existence& existence) {
+    lua_createtable(L, 0, 5);
+    push_instance(L, existence.instance);
+    lua_setfield(L, -2, "instance");
+    set_text(L, "path", existence.path);
+    set_text(L, "cause", existence.cause.text());
+    lua_pushinteger(L, static_cast<lua_Integer>(existence.cause.step));
+    lua_setfield(L, -2, "step");
+    lua_newtable(L);
+    for (const auto& [property, value] : existence.last_values) {
+        lua_pushlstring(L, property->name.data(), property->name.size());
+        push_value(L, value);
+        lua_rawset(L, -3);
+    }
+    lua_setfield(L, -2, "last");
+    seal_record(L, machine_of(L));
+}
+
+// --- Subscribing
+
+namespace {
+
+// The function at `index`, or an error.
+std::shared_ptr<FunctionRef> function_at(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a function, not " + describe_type(L, index));
+    lua_pushvalue(L, index);
+    return std::make_shared<FunctionRef>(L, machine_of(L));
+}
+
+WatchOptions options_here(lua_State* L) {
+    WatchOptions options;
+    options.label = position(L);
+    if (options.label.size() > 2) options.label.resize(options.label.size() - 2);
+    return options;
+}
+
+property::ChangeHandler change_handler(Machine& machine, std::shared_ptr<FunctionRef> function) {
+    return [&machine, function](const Change& change) {
+        protected_run(machine, Context("watcher", change.instance, change.property),
+                      [&](lua_State* L) {
+                          function->push(L);
+                          push_value(L, change.new_value);
+                          push_value(L, change.old_value);
+                          push_change(L, change);
+                          lua_call(L, 3, 0);
+                      });
+    };
+}
+
+property::ExistenceHandler existence_handler(Machine& machine, const char* name,
+                                             std::shared_ptr<FunctionRef> function) {
+    return [&machine, function, name](const Existence& existence) {
+        protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
+                      [&](lua_State* L) {
+                          function->push(L);
+                          push_existence(L, existence);
+                          lua_call(L, 1, 0);
+                      });
+    };
+}
+
+const Event& event_of(const Class& of, const std::string& name) {
+    if (const Event* event = of.event(name)) return *event;
+    std::vector<std::string> names = {"created", "deleted", "ready"};
+    for (const Event* event : of.events()) names.push_back(event->name);
+    throw Error(ErrorKind::unknown_name,
+                of.name() + ": no event \"" + name + "\"" + property::suggestion(name, names));
+}
+
+}  // namespace
+
+// The handler function is on top of the stack.
+Connection connect_event(lua_State* L, Machine& machine, Handle instance, const Class& of,
+                         const std::string& name, bool whole_class) {
+    const WatchOptions options = options_here(L);
+    const auto function = function_at(L, lua_gettop(L), "on");
+    property::Tree& tree = machine.tree;
+    if (name == "deleted") {
+        auto handler = existence_handler(machine, "deleted", function);
+        return whole_class ? tree.watch_deleted(of, handler, options)
+                           : tree.watch_deleted(instance, handler, options);
+    }
+    if (name == "created" && whole_class)
+        return tree.watch_created(of, existence_handler(machine, "created", function), options);
+    const Event& event = event_of(of, name);
+    auto handler = [&machine, function, &event](const Occurrence& occurrence) {
+        const Context context("handler of " + event.name, occurrence.instance);
+        protected_run(machine, context, [&](lua_State* M) {
+            function->push(M);
+            push_occurrence(M, occurrence);
+            lua_call(M, 1, 0);
+        });
+    };
+    return whole_class ? tree.on(of, event, handler, options)
+                       : tree.on(instance, event, handler, options);
+}
+
+int subscribe_event(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 3);
+    const Class* whole = class_object_at(L, 1);
+    const Handle self = whole ? Handle{} : check_instance(L, 1, "on");
+    if (lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    "on: needs the name of an event, not " + describe_type(L, 2));
+    const std::string name = lua_tostring(L, 2);
+    if (name == "ready" && !whole && !machine.tree.class_of(self).event(name)) {
+        machine.classes->call_when_ready(self, function_at(L, 3, "on"));
+        machine.subscriptions->push(L, {});
+        return 1;
+    }
+    const Class& of = whole ? *whole : machine.tree.class_of(self);
+    machine.subscriptions->push(L, connect_event(L, machine, self, of, name, whole != nullptr));
+    return 1;
+}
+
+int subscribe_property(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const Class* whole = class_object_at(L, 1);
+    const Handle self = whole ? Handle{} : check_instance(L, 1, "watch");
+    const int last = lua_gettop(L) >= 3 ? 3 : 2;
+    const WatchOptions options = options_here(L);
+    auto handler = change_handler(machine, function_at(L, last, "watch"));
+    if (last == 2) {
+        machine.subscriptions->push(L, whole ? machine.tree.watch(*whole, nullptr, handler, options)
+                                             : machine.tree.watch(self, handler, options));
+        return 1;
+    }
+    if (lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    "watch: needs the name of a property, not " + describe_type(L, 2));
+    const std::string name = lua_tostring(L, 2);
+    if (!whole) {
+        machine.subscriptions->push(L, machine.tree.watch(self, name, handler, options));
+        return 1;
+    }
+    const Property* property = whole->property(name);
+    if (!property)
+        throw Error(ErrorKind::unknown_name, whole->name() + "." + name + ": no such property" +
+                                                 property::suggestion(name, whole->member_names()));
+    machine.subscriptions->push(L, machine.tree.watch(*whole, property, handler, options));
+    return 1;
+}
+
+namespace {
+
+// watch("world.*.velocity", fn)
+int watch_pattern(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 2);
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(
+            ErrorKind::wrong_type,
+            "watch: needs a pattern such as \"world.*.velocity\", not " + describe_type(L, 1));
+    const std::string pattern = lua_tostring(L, 1);
+    if (pattern.find('*') == std::string::npos) {
+        // Without a wildcard it names one thing; a slip in it must not go unnoticed.
+        const property::Place place = property::resolve(machine.tree, pattern);
+        auto handler = change_handler(machine, function_at(L, 2, "watch"));
+        machine.subscriptions->push(
+            L, place.property
+                   ? machine.tree.watch(place.instance, *place.property, handler, options_here(L))
+                   : machine.tree.watch(place.instance, handler, options_here(L)));
+        return 1;
+    }
+    machine.subscriptions->push(
+        L, machine.tree.watch_pattern(pattern, change_handler(machine, function_at(L, 2, "watch")),
+                                      options_here(L)));
+    return 1;
+}
+
+}  // namespace
+
+void open_watch(lua_State* L) {
+    add_function<watch_pattern>(L, "watch");
+}
+
+void open_subscriptions(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_function<connection_index>(L, "__index");
+    lua_newtable(L);
+    add_function<connection_stop>(L, "stop");
+    add_function<connection_active>(L, "active");
+    lua_setfield(L, -2, "methods");
+    lua_pushstring(L, "connection");
+    lua_setfield(L, -2, "__name");
+    lua_pushstring(L, "connection");
+    lua_setfield(L, -2, "__metatable");
+    machine.connection_meta = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,121 @@
+#pragma once
+// Values of the tree as Lua sees them, and back. Every userdata a script can hold starts with a
+// tag, so that a wrong `self` is told apart without a lookup.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <fettle/property/class.h>
+#include <fettle/property/symbol.h>
+#include <fettle/property/value.h>
+
+#include "lua_api.h"
+
+namespace fettle::script {
+
+struct Machine;
+
+enum class Tag : std::uint32_t {
+    instance = 0x46544c01,
+    vec,
+    color,
+    list,
+    class_object,
+    connection,
+    pen
+};
+
+/// Where a value was read: a property, or a place inside a list that is its value. Assigning a
+/// component writes back there. Ad-hoc properties come and go, so they are kept by name.
+struct Origin {
+    static constexpr std::uint32_t deepest = 4;
+    property::Handle instance;
+    const property::Property* property = nullptr;  // nullptr: look `symbol` up
+    property::Symbol symbol;
+    std::uint32_t depth = 0;  // how many of `part` hold
+    std::uint32_t part[deepest] = {};
+};
+
+struct InstanceBox {
+    Tag tag;
+    property::Handle handle;
+    const property::Class* instance_class;
+};
+
+struct VecBox {
+    Tag tag;
+    bool has_origin;
+    double x, y;
+    Origin origin;  // exists only when has_origin
+};
+
+struct ColorBox {
+    Tag tag;
+    bool has_origin;
+    property::Color color;
+    Origin origin;  // exists only when has_origin
+};
+
+struct ListBox {
+    Tag tag;
+    Origin origin;
+};
+
+/// The box at `index` when it is one of that kind, else nullptr.
+template <class Box>
+Box* box_at(lua_State* L, int index, Tag tag) {
+    auto* box = static_cast<Box*>(lua_touserdata(L, index));
+    return box && lua_type(L, index) == LUA_TUSERDATA && box->tag == tag ? box : nullptr;
+}
+inline InstanceBox* instance_at(lua_State* L, int index) {
+    return box_at<InstanceBox>(L, index, Tag::instance);
+}
+inline VecBox* vec_at(lua_State* L, int index) {
+    return box_at<VecBox>(L, index, Tag::vec);
+}
+inline ColorBox* color_at(lua_State* L, int index) {
+    return box_at<ColorBox>(L, index, Tag::color);
+}
+inline ListBox* list_at(lua_State* L, int index) {
+    return box_at<ListBox>(L, index, Tag::list);
+}
+
+/// The instance at `index`, alive; else an error that names `what`.
+property::Handle check_instance(lua_State* L, int index, const char* what);
+property::Vec2 check_vec(lua_State* L, int index, const char* what);
+property::Color check_color(lua_State* L, int index, const char* what);
+double check_number(lua_State* L, int index, const char* what);
+
+void push_vec(lua_State* L, const property::Vec2& v);
+void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);
+void push_color(lua_State* L, property::Color color);
+void push_color(lua_State* L, property::Color color, const Origin& origin);
+/// The one proxy of the instance; nil for the null handle.
+void push_instance(lua_State* L, property::Handle handle);
+/// A value that comes from no property: lists become plain tables.
+void push_value(lua_State* L, const property::Value& value);
+/// A value read from a property: vectors, colors and lists remember where.
+void push_value(lua_State* L, const property::Value& value, const Origin& origin);
+
+/// Throws property::Error(wrong_type) for what cannot be a value (a function, a table with named
+/// keys).
+property::Value to_value(lua_State* L, int index);
+/// What a value of Lua is called in messages: "a number", "a Body", "a table".
+std::string describe_type(lua_State* L, int index);
+
+/// The property an origin names; throws when the instance is deleted or has it no longer.
+const property::Property& origin_property(Machine& machine, const Origin& origin);
+/// What is there now.
+property::Value origin_read(Machine& machine, const Origin& origin);
+/// Reads the whole property, replaces that part (or its component) and writes it: one change.
+void origin_write(Machine& machine, const Origin& origin, const char* component,
+                  const property::Value& value);
+/// "world.ball.vertices[2]"
+std::string origin_path(Machine& machine, const Origin& origin);
+
+void open_vec(lua_State* L, Machine& machine);
+void open_color(lua_State* L, Machine& machine);
+void open_list(lua_State* L, Machine& machine);
+
+}  // namespace fettle::script

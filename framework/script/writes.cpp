@@ -1,0 +1,126 @@
+#include "writes.h"
+
+#include <algorithm>
+
+#include "machine.h"
+
+namespace fettle::script {
+
+using property::BindingKind;
+using property::Handle;
+using property::Property;
+using property::Value;
+
+namespace {
+
+// A command that edits a thousand cells keeps a thousand records, no more.
+constexpr std::size_t most_recorded = 1000;
+
+Recording::Edit* record(Machine& machine, Handle instance, property::Symbol symbol) {
+    auto& edits = machine.recording.edits;
+    const auto same = [&](const Recording::Edit& edit) {
+        return edit.instance == instance && edit.symbol == symbol && edit.note.empty();
+    };
+    const auto found = std::find_if(edits.begin(), edits.end(), same);
+    if (found != edits.end()) return &*found;
+    if (edits.size() >= most_recorded) {
+        ++machine.recording.dropped;
+        return nullptr;
+    }
+    edits.emplace_back();
+    edits.back().instance = instance;
+    edits.back().symbol = symbol;
+    return &edits.back();
+}
+
+// Performs `write` and, during a console command, notes the property's value before and after.
+template <class Write>
+void recorded(Machine& machine, Handle instance, const Property& property, Write write) {
+    if (!machine.recording.active) {
+        write();
+        return;
+    }
+    const property::Symbol symbol = property.symbol;
+    const std::string path = machine.tree.path(instance, property);
+    const Value before = machine.tree.get(instance, property);
+    const std::string unit = property.unit;
+    const property::Precision precision = property.precision();
+    write();  // may remove the property
+    const Property* after = machine.tree.find(instance, symbol);
+    if (Recording::Edit* edit = record(machine, instance, symbol)) {
+        if (edit->path.empty()) {
+            edit->path = path;
+            edit->before = before;
+        }
+        edit->unit = unit;
+        edit->precision = precision;
+        edit->after = after ? machine.tree.get(instance, *after) : Value();
+    }
+}
+
+void note(Machine& machine, Handle instance, std::string path, std::string text) {
+    if (!machine.recording.active) return;
+    if (machine.recording.edits.size() >= most_recorded) {
+        ++machine.recording.dropped;
+        return;
+    }
+    Recording::Edit edit;
+    edit.instance = instance;
+    edit.path = std::move(path);
+    edit.note = std::move(text);
+    machine.recording.edits.push_back(std::move(edit));
+}
+
+}  // namespace
+
+void write_property(Machine& machine, Handle instance, const Property& property,
+                    const Value& value) {
+    recorded(machine, instance, property, [&] { machine.tree.set(instance, property, value); });
+}
+
+void clear_property(Machine& machine, Handle instance, const Property& property) {
+    recorded(machine, instance, property, [&] {
+        if (property.binding.kind == BindingKind::ad_hoc)
+            machine.tree.remove_ad_hoc(instance, property.name);
+        else if (property.nullable || property.read_only)  // the tree says why not
+            machine.tree.set(instance, property, Value());
+        else
+            machine.tree.reset(instance, property);
+    });
+}
+
+void add_property(Machine& machine, Handle instance, std::string_view name, const Value& value) {
+    if (!machine.recording.active) {
+        machine.tree.set_or_add(instance, name, value);
+        return;
+    }
+    const Property* before = machine.tree.find(instance, name);
+    const Value old = before ? machine.tree.get(instance, *before) : Value();
+    machine.tree.set_or_add(instance, name, value);
+    const Property& property = machine.tree.property(instance, name);
+    if (Recording::Edit* edit = record(machine, instance, property.symbol)) {
+        if (edit->path.empty()) {
+            edit->path = machine.tree.path(instance, property);
+            edit->before = old;
+        }
+        edit->after = machine.tree.get(instance, property);
+    }
+}
+
+void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
+           bool first_plain) {
+    machine.tree.move(instance, parent, name, first_plain);
+    if (machine.recording.active && machine.tree.is_below(instance, machine.tree.root()))
+        note(machine, instance, machine.tree.path(instance),
+             "new " + machine.tree.class_of(instance).name());
+}
+
+void destroy(Machine& machine, Handle instance) {
+    machine.tree.require(instance);
+    const bool placed = machine.tree.is_below(instance, machine.tree.root());
+    const std::string path = machine.recording.active ? machine.tree.path(instance) : "";
+    machine.tree.destroy(instance);
+    if (placed) note(machine, instance, path, "deleted");
+}
+
+}  // namespace fettle::script

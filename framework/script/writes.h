@@ -1,0 +1,26 @@
+#pragma once
+// Every write of a script to the tree goes through here, so that a console command can echo what it
+// changed.
+
+#include <string>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::script {
+
+struct Machine;
+
+void write_property(Machine& machine, property::Handle instance, const property::Property& property,
+                    const property::Value& value);
+/// nil: the default again; nil itself where that is a value; an ad-hoc property goes away.
+void clear_property(Machine& machine, property::Handle instance,
+                    const property::Property& property);
+/// Adds an ad-hoc property (or sets what is there).
+void add_property(Machine& machine, property::Handle instance, std::string_view name,
+                  const property::Value& value);
+/// Gives a detached instance its place.
+void place(Machine& machine, property::Handle instance, property::Handle parent,
+           std::string_view name, bool first_plain);
+void destroy(Machine& machine, property::Handle instance);
+
+}  // namespace fettle::script
