@@ -270,7 +270,7 @@ std::vector<Property> switches(Hosting& hosting) {
          .type = Type::list,
          .doc = "The bodies it touches now; the world itself where it touches the bounds. Sensors "
                 "do not count.",
-         .binding = accessor(hosting, touching),
+         .binding = accessor(hosting, [](Hosting& h, Row row) { return touching(h, row); }),
          .read_only = true,
          .transient = true,
          .simulated = true,

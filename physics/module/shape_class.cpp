@@ -174,7 +174,7 @@ std::vector<Property> derived(Hosting& hosting) {
          .type = Type::list,
          .unit = "m",
          .doc = "Its corners in the world, without rounding; a circle has none.",
-         .binding = accessor(hosting, world_vertices),
+         .binding = accessor(hosting, [](Hosting& h, Row row) { return world_vertices(h, row); }),
          .read_only = true,
          .transient = true,
          .simulated = true,

@@ -63,7 +63,9 @@ std::vector<Property> simulation(Hosting& hosting) {
          .unit = "m",
          .doc = "Walls round the world, given by their lower left and upper right corner; nil: "
                 "none.",
-         .binding = accessor(hosting, bounds, set_bounds),
+         .binding = accessor(
+             hosting, [](Hosting& h, Row row) { return bounds(h, row); },
+             [](Hosting& h, Row row, const Value& value) { set_bounds(h, row, value); }),
          .nullable = true,
          .element = Type::vec2,
          .single_precision = true},

@@ -17,6 +17,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -268,6 +269,7 @@ class Class {
 /// pointer to the first element.
 template <class Context, class Base>
 Binding column(Context& context, Native native, std::size_t stride, Base) {
+    static_assert(std::is_empty_v<Base>, "a lambda without captures, not a function's address");
     Binding b;
     b.kind = BindingKind::column;
     b.native = native;
@@ -282,6 +284,7 @@ Binding column(Context& context, Native native, std::size_t stride, Base) {
 /// `get`: captureless lambda (Context&, Row) -> anything a Value can be made of.
 template <class Context, class Get>
 Binding accessor(Context& context, Get) {
+    static_assert(std::is_empty_v<Get>, "a lambda without captures, not a function's address");
     Binding b;
     b.kind = BindingKind::accessor;
     b.context = &context;
@@ -292,6 +295,7 @@ Binding accessor(Context& context, Get) {
 /// `set`: captureless lambda (Context&, Row, const Value&).
 template <class Context, class Get, class Set>
 Binding accessor(Context& context, Get get, Set) {
+    static_assert(std::is_empty_v<Set>, "a lambda without captures, not a function's address");
     Binding b = accessor(context, get);
     b.set = [](void* c, Row row, const Value& value) {
         Set{}(*static_cast<Context*>(c), row, value);
