@@ -52,6 +52,7 @@ std::uint64_t Tree::step() const {
 void Tree::set_step(std::uint64_t step) {
     state_->step = step;
     state_->stepped = true;
+    ++state_->epoch;
 }
 
 Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate)
@@ -118,7 +119,7 @@ void Tree::State::queue_deletion(Handle handle, const Class& of, const std::stri
                        .cause = cause,
                        .last_values = {}};
         for (const Property* property : tree.properties(handle))
-            gone.last_values.emplace_back(property, tree.get(handle, *property));
+            gone.last_values.emplace_back(property, tree.peek(handle, *property));
         QueueItem item;
         item.kind = QueueItem::Kind::deleted;
         item.what = std::move(gone);
@@ -277,6 +278,7 @@ void Tree::barrier() {
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
     for (const std::uint32_t index : s.fresh) s.nodes[index].fresh = false;
     s.fresh.clear();
+    s.formulas.settle_all(s.stepped);
     s.compare_shadows();
     if (s.queue.empty()) return;
 
@@ -300,7 +302,7 @@ void Tree::barrier() {
             if (item.kind == QueueItem::Kind::initial) {
                 auto& change = std::get<Change>(item.what);
                 if (!alive(change.instance)) continue;
-                change.new_value = get(change.instance, *change.property);
+                change.new_value = peek(change.instance, *change.property);
             } else if (item.kind == QueueItem::Kind::created) {
                 auto& existence = std::get<Existence>(item.what);
                 if (!alive(existence.instance)) continue;
@@ -314,6 +316,7 @@ void Tree::barrier() {
             }
         }
         s.delivering = -1;
+        s.formulas.settle_all(false);
         s.compare_shadows();
     }
     if (first_error) std::rethrow_exception(first_error);

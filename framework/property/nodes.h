@@ -40,7 +40,9 @@ struct Node {
     bool watched = false;     // somebody watches this very instance
     bool fresh = false;       // made since the last barrier: nobody has been told of it
     bool has_ad_hoc = false;  // looked up only then
-    bool named = false;       // the user named it, so that a new parent keeps the name
+    bool has_formula = false;
+    bool has_dependents = false;  // a formula read something of it
+    bool named = false;           // the user named it, so that a new parent keeps the name
     bool counts_children = false;
 };
 

@@ -36,7 +36,7 @@ void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
     if (!property.simulated || !property.derives_from.empty()) groups_[group].only_stepped = false;
     std::vector<Row>& rows = groups_[group].rows;
     places_[{instance.index, property.symbol}] = {group, static_cast<std::uint32_t>(rows.size())};
-    rows.push_back({instance, &property, tree.get(instance, property)});
+    rows.push_back({instance, &property, tree.peek(instance, property)});
 }
 
 void Shadows::remove(Cell cell) {

@@ -60,7 +60,7 @@ void Shadows::compare(const Tree& tree, bool stepped, Found found) {
     for (Group& group : groups_) {
         if (group.only_stepped && !stepped) continue;
         for (Row& row : group.rows) {
-            Value now = tree.get(row.instance, *row.property);
+            Value now = tree.peek(row.instance, *row.property);
             if (now == row.last) continue;
             row.last.swap(now);
             found(row.instance, *row.property, now, row.last);

@@ -13,6 +13,7 @@
 #include <fettle/property/tree.h>
 
 #include "class_registry.h"
+#include "formulas.h"
 #include "nodes.h"
 #include "shadows.h"
 #include "stored_columns.h"
@@ -38,7 +39,7 @@ struct Tombstone {
 };
 
 struct Tree::State {
-    explicit State(Tree& owner) : tree(owner), watchers(owner) {}
+    explicit State(Tree& owner) : tree(owner), watchers(owner), formulas(owner) {}
 
     Tree& tree;
     ClassRegistry classes;
@@ -53,6 +54,7 @@ struct Tree::State {
 
     Watchers watchers;
     Shadows shadows;
+    Formulas formulas;
     std::vector<std::uint32_t> fresh;  // slots of instances made since the last barrier
     std::vector<QueueItem> queue;
     std::unordered_map<Cell, std::size_t, CellHash>
@@ -61,8 +63,9 @@ struct Tree::State {
     bool in_barrier = false;
     bool stepped = false;  // since the shadows were last compared
     bool edited = false;
-    bool ending = false;  // the tree itself is being destroyed
-    Cause last_edit;      // kept while anything is shadowed
+    std::uint64_t epoch = 1;  // counts whatever may have changed a value that nobody announces
+    bool ending = false;      // the tree itself is being destroyed
+    Cause last_edit;          // kept while anything is shadowed
     std::function<void(const HandlerError&)> error_sink;
 
     std::uint64_t step = 0;
@@ -79,6 +82,9 @@ struct Tree::State {
     }
     const Node& require(Handle handle) const { return const_cast<State*>(this)->require(handle); }
     [[noreturn]] void throw_deleted(Handle handle) const;
+    /// Formulas compute; they do not write.
+    void forbid_in_formula(const char* what) const;
+    void structure_changed(std::uint32_t parent, const NodeName& name);
 
     // tree.cpp
     void define_object();
@@ -93,6 +99,8 @@ struct Tree::State {
     void write(std::uint32_t index, const Node& node, const Property& property, const Value& value);
     void written(Handle handle, const Node& node, const Property& property, const Value& old_value);
     const Property& ad_hoc_property(Symbol name);
+    const Property& add_ad_hoc(Handle instance, std::string_view name, const Value& value);
+    void drop_formula(Handle instance, const Property& property);
     std::string cell_path(Handle handle, const Property& property) const;
 
     // delivery.cpp

@@ -165,6 +165,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     }
     for (const Property* property : of.initial_)
         write(index, nodes[index], *property, property->default_value);
+    structure_changed(parent, name);
     if (watchers.any_broad()) shadows.refresh(tree, watchers, self);
     if (watchers.any_created())
         queue_item({.kind = QueueItem::Kind::created,
@@ -179,12 +180,20 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
+    s.forbid_in_formula("create an instance");
     if (parent) s.require(parent);
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
     if (name.empty() && parent)
         chosen = s.nodes.free_name(parent.index, instance_class.stem(), false);
     return s.nodes.handle(s.make(instance_class, parent.index, chosen, !name.empty()));
+}
+
+void Tree::State::structure_changed(std::uint32_t parent, const NodeName& name) {
+    ++epoch;
+    if (formulas.size() == 0) return;
+    formulas.changed({parent, Symbol(name.text())});
+    formulas.structure_changed();
 }
 
 void Tree::State::visit_below(std::uint32_t top,
@@ -206,6 +215,7 @@ void Tree::State::visit_below(std::uint32_t top,
 
 void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) const {
     state_->require(top);
+    if (in_formula()) state_->formulas.note_structure();
     std::vector<Handle> all;
     state_->visit_below(top.index,
                         [&](std::uint32_t i) { all.push_back(state_->nodes.handle(i)); });
@@ -221,17 +231,25 @@ void Tree::State::destroy_one(std::uint32_t index) {
     tombstones.push_back({self, path, tree.cause()});
     if (tombstones.size() > 8192) tombstones.pop_front();
     shadows.forget(tree, self);
+    if (nodes[index].has_formula)
+        for (const Property* property : tree.properties(self)) drop_formula(self, *property);
+    const std::uint32_t parent = nodes[index].parent;
+    const NodeName name = nodes[index].name;
+    const bool has_dependents = nodes[index].has_dependents;
     const Lifecycle& lifecycle = of.lifecycle();
     if (lifecycle.destroy) lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
     if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
     if (nodes[index].has_ad_hoc) ad_hoc.erase(index);
     nodes.unlink(index);
     nodes.release(index);
+    structure_changed(parent, name);
+    if (has_dependents) formulas.instance_gone(index);
 }
 
 void Tree::destroy(Handle instance) {
     State& s = *state_;
     s.require(instance);
+    s.forbid_in_formula("delete an instance");
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     std::vector<std::uint32_t> order;
@@ -268,9 +286,11 @@ void Tree::set_row(Handle instance, Row row) {
 }
 
 Handle Tree::parent(Handle instance) const {
+    if (in_formula()) state_->formulas.note_structure();
     return state_->nodes.handle(state_->require(instance).parent);
 }
 Handle Tree::first_child(Handle instance) const {
+    if (in_formula()) state_->formulas.note_structure();
     return state_->nodes.handle(state_->require(instance).first_child);
 }
 Handle Tree::next_sibling(Handle instance) const {
@@ -278,6 +298,7 @@ Handle Tree::next_sibling(Handle instance) const {
 }
 
 std::vector<Handle> Tree::children(Handle instance) const {
+    if (in_formula()) state_->formulas.note_structure();
     std::vector<Handle> all;
     for (std::uint32_t i = state_->require(instance).first_child; i != 0; i = state_->nodes[i].next)
         all.push_back(state_->nodes.handle(i));
@@ -285,6 +306,7 @@ std::vector<Handle> Tree::children(Handle instance) const {
 }
 
 std::size_t Tree::child_count(Handle instance) const {
+    if (in_formula()) state_->formulas.note_structure();
     std::size_t count = 0;
     for (std::uint32_t i = state_->require(instance).first_child; i != 0; i = state_->nodes[i].next)
         ++count;
@@ -292,6 +314,7 @@ std::size_t Tree::child_count(Handle instance) const {
 }
 
 Handle Tree::child(Handle instance, std::string_view name) const {
+    if (in_formula()) state_->formulas.note_name(instance, Symbol(name));
     state_->require(instance);
     return state_->nodes.handle(state_->nodes.child(instance.index, NodeName::look_up(name)));
 }
@@ -313,6 +336,7 @@ std::string Tree::name(Handle instance) const {
 std::string Tree::path(Handle instance) const {
     const State& s = *state_;
     s.require(instance);
+    if (in_formula()) state_->formulas.note_structure();
     if (instance == s.root) return "game";
     std::vector<std::uint32_t> chain;
     std::uint32_t top = instance.index;
@@ -327,12 +351,13 @@ std::string Tree::path(Handle instance) const {
 void Tree::rename(Handle instance, std::string_view name) {
     State& s = *state_;
     Node& node = s.require(instance);
+    s.forbid_in_formula("rename an instance");
     if (node.name.text() == name) return;
     if (instance == s.root)
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
     const std::uint32_t parent = node.parent;
     s.check_child_name(s.nodes.handle(parent), name);
-    const Value old_name = this->name(instance);
+    const NodeName was = node.name;
     const NodeName made = NodeName::make(name);
     if (parent == 0) {
         node.name = made;
@@ -350,6 +375,8 @@ void Tree::rename(Handle instance, std::string_view name) {
         }
     }
     s.nodes[instance.index].named = true;
+    s.structure_changed(parent, was);
+    s.structure_changed(parent, made);
     if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 
@@ -366,6 +393,7 @@ void Tree::State::place_subtree(Handle top) {
 void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
     State& s = *state_;
     const Node& node = s.require(instance);
+    s.forbid_in_formula("move an instance");
     if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
     if (new_parent) {
         s.require(new_parent);
@@ -392,10 +420,14 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
         return;
     }
     const bool named = node.named || !name.empty();
+    const std::uint32_t left = node.parent;
+    const NodeName was = node.name;
     s.nodes.unlink(instance.index);
     s.nodes.link(instance.index, new_parent.index, chosen);
     s.nodes[instance.index].named = named;
     s.edited = true;
+    s.structure_changed(left, was);
+    s.structure_changed(new_parent.index, chosen);
     s.place_subtree(instance);
     if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }

@@ -116,6 +116,7 @@ std::string Tree::State::cell_path(Handle handle, const Property& property) cons
 
 const Property* Tree::find(Handle instance, Symbol name) const {
     const State& s = *state_;
+    if (s.formulas.tracking() && name) state_->formulas.note_name(instance, name);
     const Node& node = s.require(instance);
     if (const Property* declared = s.classes[node.class_id].property(name)) return declared;
     if (!node.has_ad_hoc || !name) return nullptr;
@@ -125,7 +126,8 @@ const Property* Tree::find(Handle instance, Symbol name) const {
 }
 
 const Property* Tree::find(Handle instance, std::string_view name) const {
-    return find(instance, Symbol::find(name));
+    // In a formula an absent name is a dependency as well, so it needs a symbol.
+    return find(instance, in_formula() ? Symbol(name) : Symbol::find(name));
 }
 
 const Property& Tree::property(Handle instance, std::string_view name) const {
@@ -175,6 +177,14 @@ Value Tree::State::read(std::uint32_t index, const Node& node, const Property& p
 }
 
 Value Tree::get(Handle instance, const Property& property) const {
+    State& s = *state_;
+    if (s.formulas.tracking()) s.formulas.note_read(instance, property);
+    const Node& node = s.require(instance);
+    if (node.has_formula) s.formulas.settle({instance.index, property.symbol});
+    return s.read(instance.index, node, property);
+}
+
+Value Tree::peek(Handle instance, const Property& property) const {
     return state_->read(instance.index, state_->require(instance), property);
 }
 
@@ -221,6 +231,8 @@ void Tree::State::write(std::uint32_t index, const Node& node, const Property& p
 void Tree::State::written(Handle handle, const Node& node, const Property& property,
                           const Value& old_value) {
     edited = true;
+    ++epoch;
+    if (node.has_dependents) formulas.changed({handle.index, property.symbol});
     if (!shadows.empty()) last_edit = tree.cause();
     if (!node.watched && property.interest == 0) return;
     const Value now = read(handle.index, node, property);
@@ -231,6 +243,7 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
 void Tree::set(Handle instance, const Property& property, const Value& value) {
     State& s = *state_;
     const Node& node = s.require(instance);
+    s.forbid_in_formula("write");
     if (property.read_only)
         throw Error(ErrorKind::read_only,
                     path(instance, property) + " is read-only" +
@@ -241,6 +254,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
         return reset(instance, property);
     }
     const Value next = coerce(instance, property, value);
+    if (node.has_formula) s.drop_formula(instance, property);
     const Value old = s.read(instance.index, node, property);
     const bool stands = property.binding.overridden == nullptr ||
                         property.binding.overridden(property.binding.context, node.row);
@@ -261,6 +275,7 @@ void Tree::set(Handle instance, std::string_view name, const Value& value) {
 void Tree::reset(Handle instance, const Property& property) {
     State& s = *state_;
     const Node& node = s.require(instance);
+    s.forbid_in_formula("write");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
     if (property.binding.kind == BindingKind::ad_hoc) return remove_ad_hoc(instance, property.name);
@@ -271,6 +286,8 @@ void Tree::reset(Handle instance, const Property& property) {
                             property.owner->base()->property(property.symbol) != nullptr;
     if (property.binding.reset == nullptr || redeclared)
         return set(instance, property, property.default_value);
+    s.forbid_in_formula("write");
+    if (node.has_formula) s.drop_formula(instance, property);
     const Value old = s.read(instance.index, node, property);
     property.binding.reset(property.binding.context, node.row);
     if (property.binding.invalidate != nullptr)
@@ -306,29 +323,37 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
     return *slot;
 }
 
-void Tree::set_or_add(Handle instance, std::string_view name, const Value& value) {
-    if (const Property* found = find(instance, name)) return set(instance, *found, value);
-    State& s = *state_;
-    const Class& of = class_of(instance);
+const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
+                                        const Value& value) {
+    forbid_in_formula("write");
+    const Class& of = tree.class_of(instance);
     const auto refuse = [&](ErrorKind kind, const std::string& reason) {
-        throw Error(kind, path(instance) + ": " + reason);
+        throw Error(kind, tree.path(instance) + ": " + reason);
     };
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) refuse(ErrorKind::bad_name, "the name of a property cannot be empty");
     if (of.method(name) != nullptr)
         refuse(ErrorKind::bad_name, quoted + " is a method of " + of.name());
-    if (child(instance, name)) refuse(ErrorKind::bad_name, quoted + " is a child here");
+    if (tree.child(instance, name)) refuse(ErrorKind::bad_name, quoted + " is a child here");
     for (const std::string& declared : of.member_names())
         if (near_miss(name, declared))
             refuse(ErrorKind::near_miss, of.name() + " has no property " + quoted +
                                              " (did you mean \"" + declared + "\"?)");
-    if (value.is_nil()) return;
-    const Property& added = s.ad_hoc_property(Symbol(name));
-    const Value next = coerce(instance, added, value);
-    s.ad_hoc[instance.index].emplace(added.name, std::pair(&added, next));
-    Node& node = s.require(instance);
+    const Property& added = ad_hoc_property(Symbol(name));
+    const Value next = tree.coerce(instance, added, value);
+    ad_hoc[instance.index].emplace(added.name, std::pair(&added, next));
+    Node& node = require(instance);
     node.has_ad_hoc = true;
-    s.written(instance, node, added, Value());
+    written(instance, node, added, Value());
+    return added;
+}
+
+void Tree::set_or_add(Handle instance, std::string_view name, const Value& value) {
+    if (const Property* found = find(instance, name)) return set(instance, *found, value);
+    if (value.is_nil() && !name.empty() && class_of(instance).method(name) == nullptr &&
+        !child(instance, name))
+        return;
+    state_->add_ad_hoc(instance, name, value);
 }
 
 void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
@@ -338,7 +363,9 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     auto& own = s.ad_hoc.at(instance.index);
     const auto found = own.find(std::string(name));
     if (found == own.end()) return;
+    s.forbid_in_formula("write");
     const auto [property, old] = found->second;
+    if (node.has_formula) s.drop_formula(instance, *property);
     own.erase(found);
     if (own.empty()) {
         s.ad_hoc.erase(instance.index);

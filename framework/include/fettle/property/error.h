@@ -18,6 +18,7 @@ enum class ErrorKind {
     bad_name,       // name empty, taken, or reserved
     bad_structure,  // a parent inside its own child, class that may not be created, ...
     bad_path,       // path does not parse
+    formula,        // the value is a formula that failed or depends on itself
     rejected,       // the owner of the value refused it; the message says why
     no_barrier_end  // handlers kept changing values
 };

@@ -22,6 +22,7 @@
 #include <fettle/property/change.h>
 #include <fettle/property/class.h>
 #include <fettle/property/error.h>
+#include <fettle/property/formula.h>
 #include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
 
@@ -103,6 +104,9 @@ class Tree {
 
     Value get(Handle instance, const Property& property) const;
     Value get(Handle instance, std::string_view name) const;
+    /// The value in its owner's memory, whatever a formula in error says of it. No dependency of a
+    /// running formula.
+    Value peek(Handle instance, const Property& property) const;
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
     /// Back to the default (or to what its owner computes).
@@ -120,6 +124,31 @@ class Tree {
     Value coerce(Handle instance, const Property& property, const Value& value) const;
     /// As the console prints it, references by path, numbers of float properties short.
     std::string text(const Value& value, Precision precision = Precision::double_precision) const;
+
+    // --- Formulas
+    // ----------------------------------------------------------------------------------------------------
+
+    /// The function *is* the value of the property from now on: what it reads is discovered by
+    /// running it, a read of the property gives the settled value, and a plain write replaces the
+    /// formula. An error in it, a cycle included, is thrown by reads; the owner's memory keeps the
+    /// last good value meanwhile.
+    void set_formula(Handle instance, const Property& property, Formula formula);
+    /// Adds the property first when the instance has none of that name; throws as `set_or_add`
+    /// does.
+    void set_formula(Handle instance, std::string_view name, Formula formula);
+    /// nullptr where the value is a plain one. Valid until the formula is replaced.
+    const Formula* formula(Handle instance, const Property& property) const;
+    /// Leaves the last good value as a plain one.
+    void remove_formula(Handle instance, const Property& property);
+    /// Settles the formula and tells what is wrong with it; "" when nothing is, or when there is
+    /// none.
+    std::string problem(Handle instance, const Property& property) const;
+    /// Where the value comes from: the formula's sources, theirs, and so on.
+    Explanation why(Handle instance, const Property& property) const;
+    /// Of how many properties a formula is the value.
+    std::size_t formula_count() const;
+    /// True while a formula runs: nothing may be written then.
+    bool in_formula() const;
 
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);

@@ -1,0 +1,31 @@
+#pragma once
+// Formulas: functions that are the value of a property.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+class Tree;
+
+struct Formula {
+    /// Computes the value from what it reads of the tree. It may throw; it must not write.
+    std::function<Value(const Tree&)> function;
+    /// Its text, as it is shown, edited and saved; "" for a formula that has none.
+    std::string source{};
+};
+
+/// Where a value comes from, as a tree.
+struct Explanation {
+    std::string path;
+    std::string value;    // as printed, with its unit; "" where there is none
+    std::string source;   // of a formula
+    std::string problem;  // of a formula in error
+    std::vector<Explanation> from;
+    bool repeated = false;  // explained elsewhere in the same tree
+};
+
+}  // namespace fettle::property

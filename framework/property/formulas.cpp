@@ -1,0 +1,415 @@
+#include "formulas.h"
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+
+#include "state.h"
+
+namespace fettle::property {
+namespace {
+
+// Formulas that read formulas that read ... run inside each other the first time, when nobody knows
+// yet who reads whom. A script's interpreter has little room for that (200 C calls), so a deeper
+// nest is taken up again from its far end.
+constexpr std::size_t deepest_nest = 24;
+
+// The cell that stands for "who there is at all".
+const Cell structure_cell{0, Symbol("*")};
+
+}  // namespace
+
+// --- Making and ending
+// -----------------------------------------------------------------------------------------------
+
+Formulas::Entry* Formulas::entry(Cell cell) const {
+    const auto found = entries_.find(cell);
+    return found == entries_.end() ? nullptr : found->second.get();
+}
+
+const Formula* Formulas::find(Cell cell) const {
+    const Entry* e = entry(cell);
+    return e != nullptr ? &e->formula : nullptr;
+}
+
+void Formulas::set(Handle instance, const Property& property, Formula formula) {
+    const Cell cell{instance.index, property.symbol};
+    remove(cell);
+    const auto made = std::make_shared<Entry>();
+    made->cell = cell;
+    made->instance = instance;
+    made->property = &property;
+    made->formula = std::move(formula);
+    made->number = ++made_;
+    made->value = tree_.peek(instance, property);
+    entries_[cell] = made;
+    order_.push_back(made);
+    tree_.state().nodes[instance.index].has_formula = true;
+    pending_ = true;
+    mark_dependents(cell);
+}
+
+void Formulas::remove(Cell cell) {
+    const auto found = entries_.find(cell);
+    if (found == entries_.end()) return;
+    const std::shared_ptr<Entry> gone = found->second;
+    set_dependencies(*gone, {});
+    if (gone->volatile_sources) --volatile_;
+    gone->removed = true;
+    entries_.erase(found);
+    std::erase(order_, gone);
+    mark_dependents(cell);
+}
+
+void Formulas::instance_gone(std::uint32_t index) {
+    const auto names = read_of_.find(index);
+    if (names == read_of_.end()) return;
+    const std::vector<Symbol> read = names->second;
+    for (const Symbol name : read) mark_dependents({index, name});
+}
+
+void Formulas::structure_changed() {
+    mark_dependents(structure_cell);
+}
+
+// --- Push: marking
+// ---------------------------------------------------------------------------------------------------
+
+void Formulas::mark_dependents(Cell cell) {
+    const auto first = dependents_.find(cell);
+    if (first == dependents_.end()) return;
+    std::vector<Entry*> reached;
+    const auto reach = [&reached](Entry* e, State as) {
+        if (e->state == State::clean) reached.push_back(e);
+        e->state = std::max(e->state, as);
+    };
+    for (Entry* e : first->second) reach(e, State::dirty);
+    while (!reached.empty()) {
+        const Entry* e = reached.back();
+        reached.pop_back();
+        if (const auto next = dependents_.find(e->cell); next != dependents_.end())
+            for (Entry* further : next->second) reach(further, State::check);
+    }
+    pending_ = true;
+}
+
+void Formulas::make_volatile(Entry& top) {
+    std::vector<Entry*> reached{&top};
+    while (!reached.empty()) {
+        Entry* e = reached.back();
+        reached.pop_back();
+        if (e->volatile_sources) continue;
+        e->volatile_sources = true;
+        ++volatile_;
+        if (const auto next = dependents_.find(e->cell); next != dependents_.end())
+            reached.insert(reached.end(), next->second.begin(), next->second.end());
+    }
+}
+
+// --- Noting what is read
+// ---------------------------------------------------------------------------------------------
+
+void Formulas::note_read(Handle instance, const Property& property) {
+    Dependency read;
+    read.cell = {instance.index, property.symbol};
+    read.instance = instance;
+    read.property = &property;
+    noting_->push_back(std::move(read));
+}
+
+void Formulas::note_name(Handle instance, Symbol name) {
+    Dependency read;
+    read.cell = {instance.index, name};
+    read.instance = instance;
+    noting_->push_back(std::move(read));
+}
+
+void Formulas::note_structure() {
+    Dependency read;
+    read.cell = structure_cell;
+    noting_->push_back(std::move(read));
+}
+
+void Formulas::set_dependencies(Entry& e, std::vector<Dependency> found) {
+    // The same cell read again tells nothing new; a read of the value says more than a look at the
+    // name.
+    std::unordered_map<Cell, std::size_t, CellHash> places;
+    std::vector<Dependency> distinct;
+    for (Dependency& d : found) {
+        const auto [place, first] = places.try_emplace(d.cell, distinct.size());
+        if (first)
+            distinct.push_back(std::move(d));
+        else if (distinct[place->second].property == nullptr)
+            distinct[place->second] = std::move(d);
+    }
+    for (const Dependency& d : e.dependencies) {
+        if (places.contains(d.cell)) continue;
+        std::vector<Entry*>& list = dependents_.at(d.cell);
+        std::erase(list, &e);
+        if (list.empty()) {
+            dependents_.erase(d.cell);
+            std::vector<Symbol>& names = read_of_.at(d.cell.index);
+            std::erase(names, d.cell.property);
+            if (names.empty()) read_of_.erase(d.cell.index);
+        }
+    }
+    Tree::State& s = tree_.state();
+    bool is_volatile = false;
+    for (Dependency& d : distinct) {
+        std::vector<Entry*>& list = dependents_[d.cell];
+        if (std::find(list.begin(), list.end(), &e) == list.end()) {
+            if (list.empty()) read_of_[d.cell.index].push_back(d.cell.property);
+            list.push_back(&e);
+        }
+        if (const Entry* source = entry(d.cell)) {
+            d.formula = true;
+            d.version = source->version;
+            is_volatile = is_volatile || source->volatile_sources;
+        }
+        if (Node* node = s.nodes.find(d.instance)) {
+            node->has_dependents = true;
+            if (d.property != nullptr && (d.property->simulated || d.property->read_only)) {
+                d.observed = is_volatile = true;
+                d.seen = tree_.peek(d.instance, *d.property);
+            }
+        }
+    }
+    e.dependencies = std::move(distinct);
+    if (is_volatile && !e.removed) {
+        make_volatile(e);
+    } else if (e.volatile_sources && !is_volatile && !e.removed) {
+        e.volatile_sources = false;
+        --volatile_;
+    }
+}
+
+// --- Pull: settling
+// --------------------------------------------------------------------------------------------------
+
+bool Formulas::settled(const Entry& e) const {
+    return e.state == State::clean && (!e.volatile_sources || e.checked == tree_.state().epoch);
+}
+
+Formulas::Finding Formulas::look_at_sources(const Entry& e, Entry*& unsettled) const {
+    for (const Dependency& d : e.dependencies) {
+        if (d.formula) {
+            Entry* source = entry(d.cell);
+            if (source == nullptr) return Finding::changed;
+            if (!settled(*source)) {
+                unsettled = source;
+                return Finding::unsettled_source;
+            }
+            if (source->version != d.version) return Finding::changed;
+        } else if (d.observed) {
+            if (tree_.state().nodes.find(d.instance) == nullptr) return Finding::changed;
+            if (!(tree_.peek(d.instance, *d.property) == d.seen)) return Finding::changed;
+        }
+    }
+    return Finding::unchanged;
+}
+
+// Sources first, along what was read last time: without recursion, so that a chain may be as long
+// as it likes.
+void Formulas::settle_known(Entry& top) {
+    std::vector<Entry*> way{&top};
+    top.queued = true;
+    struct Unqueue {
+        std::vector<Entry*>& way;
+        ~Unqueue() {
+            for (Entry* e : way) e->queued = false;
+        }
+    } unqueue{way};
+    while (!way.empty()) {
+        Entry& e = *way.back();
+        if (!settled(e)) {
+            Entry* source = nullptr;
+            const Finding finding = look_at_sources(e, source);
+            if (finding == Finding::unsettled_source && !source->queued && !source->running) {
+                source->queued = true;
+                way.push_back(source);
+                continue;
+            }
+            if (e.state == State::dirty || finding != Finding::unchanged) {
+                run(e);
+            } else {
+                e.state = State::clean;
+                e.checked = tree_.state().epoch;
+            }
+        }
+        e.queued = false;
+        way.pop_back();
+    }
+}
+
+void Formulas::settle(Entry& e) {
+    if (!stack_.empty()) {
+        if (stack_.size() >= deepest_nest && !settled(e)) {
+            too_deep_ = &e;
+            throw Error(ErrorKind::formula, "formulas are nested too deep");
+        }
+        return settle_known(e);
+    }
+    std::vector<Entry*> ends{&e};
+    while (!ends.empty()) {
+        too_deep_ = nullptr;
+        try {
+            settle_known(*ends.back());
+        } catch (const Error&) {
+            if (too_deep_ == nullptr) throw;
+        }
+        if (too_deep_ != nullptr)
+            ends.push_back(too_deep_);
+        else
+            ends.pop_back();
+    }
+}
+
+void Formulas::settle(Cell cell) {
+    const auto found = entries_.find(cell);
+    if (found == entries_.end()) return;
+    const std::shared_ptr<Entry> e = found->second;
+    if (e->running) throw Error(ErrorKind::formula, note_cycle(*e));
+    if (!settled(*e)) settle(*e);
+    if (!e->error.empty() && !e->removed)
+        throw Error(ErrorKind::formula,
+                    tree_.path(e->instance, *e->property) + " is in error: " + e->error);
+}
+
+// Every formula of a cycle gets the same text, begun at the one made first: so it does not matter
+// which is read first, and reading another of them again changes nothing.
+std::string Formulas::note_cycle(const Entry& again) {
+    std::vector<Entry*> cycle(std::find(stack_.begin(), stack_.end(), &again), stack_.end());
+    const auto first =
+        std::min_element(cycle.begin(), cycle.end(),
+                         [](const Entry* a, const Entry* b) { return a->number < b->number; });
+    std::rotate(cycle.begin(), first, cycle.end());
+    std::string text = "it depends on itself: ";
+    for (const Entry* e : cycle) text += tree_.path(e->instance, *e->property) + " → ";
+    text += tree_.path(cycle.front()->instance, *cycle.front()->property);
+    for (Entry* e : cycle) e->cycle = text;
+    return text;
+}
+
+void Formulas::run(Entry& e) {
+    const std::shared_ptr<Entry> held = entries_.at(e.cell);
+    std::vector<Dependency> found;
+    std::vector<Dependency>* const outer = noting_;
+    Value result;
+    std::string error;
+    e.cycle.clear();
+    e.running = true;
+    stack_.push_back(&e);
+    noting_ = &found;
+    try {
+        result = e.formula.function(tree_);
+    } catch (const std::exception& raised) {
+        error = raised.what();
+        if (error.empty()) error = "failed";
+    }
+    if (!e.cycle.empty()) error = e.cycle;
+    noting_ = nullptr;  // a setter may read what it likes
+    stack_.pop_back();
+    e.running = false;
+    struct Restore {
+        std::vector<Dependency>*& noting;
+        std::vector<Dependency>* outer;
+        ~Restore() { noting = outer; }
+    } restore{noting_, outer};
+    if (too_deep_ != nullptr) throw Error(ErrorKind::formula, "formulas are nested too deep");
+    if (e.removed) return;
+    set_dependencies(e, std::move(found));
+    e.state = State::clean;
+    e.checked = tree_.state().epoch;
+    if (error.empty())
+        finish(e, result);
+    else
+        fail(e, error);
+}
+
+void Formulas::finish(Entry& e, const Value& result) {
+    Tree::State& s = tree_.state();
+    Value next;
+    try {
+        next = tree_.coerce(e.instance, *e.property, result);
+        const Value old = tree_.peek(e.instance, *e.property);
+        if (!(next == old)) {
+            s.write(e.instance.index, s.require(e.instance), *e.property, next);
+            const Tree::CauseScope scope(tree_, Writer::formula);
+            s.written(e.instance, s.require(e.instance), *e.property, old);
+        }
+    } catch (const std::exception& refusal) {
+        return fail(e, refusal.what());
+    }
+    if (!(next == e.value) || !e.error.empty()) {
+        ++e.version;
+        mark_dependents(e.cell);
+    }
+    e.value = next;
+    e.error.clear();
+    e.state = State::clean;
+    e.checked = s.epoch;
+}
+
+void Formulas::fail(Entry& e, const std::string& error) {
+    if (error == e.error) return;
+    e.error = error;
+    ++e.version;
+    mark_dependents(e.cell);
+}
+
+void Formulas::settle_all(bool stepped) {
+    if (entries_.empty() || (!pending_ && volatile_ == 0 && !stepped)) return;
+    pending_ = false;
+    const std::vector<std::shared_ptr<Entry>> all = order_;
+    for (const std::shared_ptr<Entry>& e : all) {
+        if (e->removed) continue;
+        try {
+            // The simulation may have moved what a formula holds: the formula is the value.
+            if (stepped && e->property->simulated &&
+                !(tree_.peek(e->instance, *e->property) == e->value))
+                e->state = State::dirty;
+            if (!settled(*e)) settle(*e);
+        } catch (const Error&) {
+            // It stays with the cell, for whoever reads it.
+        }
+    }
+}
+
+// --- Explaining
+// ------------------------------------------------------------------------------------------------------
+
+std::string Formulas::problem(Cell cell) {
+    const auto found = entries_.find(cell);
+    if (found == entries_.end()) return {};
+    const std::shared_ptr<Entry> e = found->second;
+    try {
+        settle(cell);
+    } catch (const Error& error) {
+        return e->error.empty() ? error.what() : e->error;
+    }
+    return {};
+}
+
+Explanation Formulas::why(Handle instance, const Property& property, std::vector<Cell>& seen) {
+    Explanation out;
+    out.path = tree_.path(instance, property);
+    const Cell cell{instance.index, property.symbol};
+    out.problem = problem(cell);
+    const std::string unit = property.unit.empty() ? "" : " " + property.unit;
+    out.value = tree_.text(tree_.peek(instance, property), property.precision()) + unit;
+    const Entry* e = entry(cell);
+    if (e == nullptr) return out;
+    out.source = e->formula.source.empty() ? "a function" : e->formula.source;
+    if (std::find(seen.begin(), seen.end(), cell) != seen.end()) {
+        out.repeated = true;
+        return out;
+    }
+    seen.push_back(cell);
+    const std::vector<Dependency> dependencies = e->dependencies;
+    for (const Dependency& d : dependencies)
+        if (d.property != nullptr && tree_.alive(d.instance))
+            out.from.push_back(why(d.instance, *d.property, seen));
+    return out;
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,115 @@
+#pragma once
+// Formulas of a tree. Push dirty, pull values:
+//
+//   - a write marks the formulas that read the cell as *dirty*, and those that depend on these as
+//   to *check*;
+//   - a read settles: a formula to check asks its sources first and runs only when the version of
+//   one is new.
+//
+// So a diamond is computed once and never half, and an unchanged result stops there. What a formula
+// read is found by running it and found anew each time, so a branch not taken is no dependency; a
+// name that did not exist is one, so a formula recovers when it appears. Cells that nobody
+// announces (the simulation's, derived ones) are compared with what was read of them.
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/property/formula.h>
+#include <fettle/property/tree.h>
+
+#include "watchers.h"
+
+namespace fettle::property {
+
+class Formulas {
+  public:
+    explicit Formulas(Tree& tree) : tree_(tree) {}
+
+    void set(Handle instance, const Property& property, Formula formula);
+    void remove(Cell cell);
+    const Formula* find(Cell cell) const;
+    std::size_t size() const { return order_.size(); }
+
+    /// Whether a formula runs: then reads are noted.
+    bool tracking() const { return noting_ != nullptr; }
+    void note_read(Handle instance, const Property& property);
+    /// Somebody asked for a name; the answer, also "none", depends on who comes and goes.
+    void note_name(Handle instance, Symbol name);
+    /// Somebody looked at what there is, not at one name.
+    void note_structure();
+
+    /// The cell was written, or its name means something else now.
+    void changed(Cell cell) { mark_dependents(cell); }
+    void structure_changed();
+    void instance_gone(std::uint32_t index);
+
+    /// Makes the cell's value current. Throws Error(formula) when it is in error.
+    void settle(Cell cell);
+    /// All of them, in order of making; errors stay with the cells.
+    void settle_all(bool stepped);
+    std::string problem(Cell cell);
+    Explanation why(Handle instance, const Property& property, std::vector<Cell>& seen);
+
+  private:
+    enum class State : std::uint8_t { clean, check, dirty };
+    struct Dependency {
+        Cell cell;
+        Handle instance;
+        const Property* property = nullptr;  // null: a name or the structure
+        std::uint64_t version = 0;           // of a cell with a formula
+        bool formula = false;
+        bool observed = false;
+        Value seen;  // of an observed cell
+    };
+    struct Entry {
+        Cell cell;
+        Handle instance;
+        const Property* property = nullptr;
+        Formula formula;
+        std::vector<Dependency> dependencies;
+        std::string error;
+        std::string cycle;  // found while it ran
+        std::uint64_t number = 0;
+        std::uint64_t version = 1;
+        Value value;                // the last good result
+        std::uint64_t checked = 0;  // epoch at which it was last known to be settled
+        State state = State::dirty;
+        bool volatile_sources =
+            false;  // reads cells that nobody announces, itself or through another formula
+        bool running = false;
+        bool queued = false;   // on the way of `settle_known`
+        bool removed = false;  // while it ran
+    };
+
+    Entry* entry(Cell cell) const;
+    bool settled(const Entry& e) const;
+    /// What stands between an entry and being settled, as far as its sources of the last run tell.
+    enum class Finding : std::uint8_t { unchanged, changed, unsettled_source };
+    Finding look_at_sources(const Entry& e, Entry*& unsettled) const;
+    void settle(Entry& e);
+    void settle_known(Entry& e);
+    void run(Entry& e);
+    void finish(Entry& e, const Value& result);
+    void fail(Entry& e, const std::string& error);
+    void set_dependencies(Entry& e, std::vector<Dependency> found);
+    void make_volatile(Entry& e);
+    void mark_dependents(Cell cell);
+    std::string note_cycle(const Entry& again);
+
+    Tree& tree_;
+    std::unordered_map<Cell, std::shared_ptr<Entry>, CellHash> entries_;
+    std::vector<std::shared_ptr<Entry>> order_;
+    std::unordered_map<Cell, std::vector<Entry*>, CellHash> dependents_;
+    std::unordered_map<std::uint32_t, std::vector<Symbol>>
+        read_of_;                // index -> names with dependents
+    std::vector<Entry*> stack_;  // those running, outermost first
+    std::vector<Dependency>* noting_ = nullptr;
+    Entry* too_deep_ = nullptr;  // to be settled first, before the stack is climbed again
+    bool pending_ = false;       // some entry is not clean
+    std::size_t volatile_ = 0;
+    std::uint64_t made_ = 0;
+};
+
+}  // namespace fettle::property
