@@ -57,8 +57,9 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
 
     physics::Body fresh = target.world.create_body(def);
     for (const physics::Shape& shape : old.shapes()) {
+        const Handle instance = unpack(shape.user_data());
         const Row row = make_row(world_number(from), shape.index());
-        tree.set_row(unpack(shape.user_data()), migrate_shape(row, to, fresh));
+        tree.set_row(instance, migrate_shape(row, to, fresh));
     }
     // The velocity is that of the center of mass, which the shapes have just moved.
     fresh.mass();

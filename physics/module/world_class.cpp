@@ -157,7 +157,7 @@ void define_step_statistics(Hosting& hosting) {
         statistic<&S::narrow_ms>(h, "narrow_ms", "Manifolds."),
         statistic<&S::solve_ms>(h, "solve_ms", "Forces, contacts and joints."),
         statistic<&S::finish_ms>(h, "finish_ms", "Poses, boxes, continuous collision."),
-        statistic<&S::sleep_ms>(h, "sleep_ms", "Islands."),
+        statistic<&S::sleep_ms>(h, "sleep_ms", "Finding what rests."),
         statistic<&S::total_ms>(h, "total_ms", "The whole step."),
     };
     hosting.statistics_class = &hosting.tree.define(std::move(statistics));

@@ -265,7 +265,8 @@ void Shape::set_to(const Vec2& to) {
 std::span<const Vec2> Shape::vertices() const {
     FETTLE_LIVE_SHAPE
     if (record.type == ShapeType::circle || form.count == 0) return {};
-    data.refresh_shape(id_.index);
+    // A polygon's hull was computed when it was written.
+    if (record.type != ShapeType::polygon) data.refresh_shape(id_.index);
     // The same two floats in either struct.
     static_assert(sizeof(Vec2) == sizeof(V2) && alignof(Vec2) <= alignof(V2));
     return {reinterpret_cast<const Vec2*>(&data.pool.local[form.begin]), form.count};
