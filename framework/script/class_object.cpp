@@ -256,20 +256,13 @@ void refuse_slips(const Class& base, const std::string& class_name, const std::s
     if (base.method(name))
         throw Error(ErrorKind::bad_name,
                     class_name + "." + name + ": is a method of " + base.name());
-    if (name == "name" || name == "parent" || name == "class" ||
-        std::find(generic_names().begin(), generic_names().end(), name) != generic_names().end())
+    if (std::find(generic_names().begin(), generic_names().end(), name) != generic_names().end())
         throw Error(ErrorKind::bad_name, class_name + "." + name + ": every instance has that");
     for (const std::string& known : base.member_names())
         if (property::near_miss(name, known))
             throw Error(ErrorKind::near_miss, class_name + "." + name + ": " + base.name() +
                                                   " has no such property (did you mean \"" + known +
                                                   "\"?)");
-}
-
-// Tells at once about a default that its property would refuse.
-void try_out(Machine& machine, const Class& made) {
-    const Handle sample = machine.classes->create(made);
-    machine.tree.destroy(sample);
 }
 
 // Upvalues: name, base.
@@ -290,7 +283,14 @@ int define_class(lua_State* L) {
         if (lua_rawget(L, 1) == LUA_TFUNCTION) {
             functions.push_back(key);
         } else if (const Property* inherited = definition.base->property(key)) {
-            definition.defaults.emplace_back(inherited, to_value(L, -1));
+            // The same property with another default; the rest stays as inherited.
+            Property again;
+            again.name = key;
+            again.type = inherited->type;
+            again.default_value = to_value(L, -1);
+            for (const auto& [name, doc] : docs)
+                if (name == key) again.doc = doc;
+            definition.properties.push_back(std::move(again));
         } else {
             refuse_slips(*definition.base, definition.name, key);
             Property property = declared(L, definition.name, key);
@@ -306,7 +306,6 @@ int define_class(lua_State* L) {
         lua_rawget(L, 1);
         machine.classes->set_function(L, made, function);
     }
-    try_out(machine, made);
     machine.classes->push(L, made);
     return 1;
 }

@@ -160,17 +160,13 @@ bool descend(lua_State* L, Machine& machine, std::string_view name, lua_Integer 
         if (!machine.tree.alive(handle)) return false;
         lua_pop(L, 1);
         if (name.empty()) return false;
-        if (name == "parent") {
-            push_instance(L, machine.tree.parent(handle));
-            return true;
-        }
         if (const Handle child = machine.tree.child(handle, name)) {
             push_instance(L, child);
             return true;
         }
         if (const Property* property = machine.tree.find(handle, name)) {
             *read = property;
-            push_value(L, machine.tree.get(handle, *property));
+            push_value(L, machine.tree.peek(handle, *property));
             return true;
         }
         return false;
@@ -268,7 +264,6 @@ void add_instance(Machine& machine, Handle instance, bool methods_only, std::siz
             out.add(property->name, facts_with_value(machine, instance, *property), property->doc,
                     Group::value);
         }
-        for (const char* name : {"name", "parent", "class"}) out.add(name, {}, {}, Group::other);
     }
     add_functions(machine, tree.class_of(instance), out);
 }

@@ -18,7 +18,6 @@ enum class Member : std::uint8_t {
     none,
     property,  // declared by the class
     function,  // a method of the class or of every instance: `reference` is in the registry
-    pseudo,    // name, parent, class
     dynamic    // not declared: a child, an ad-hoc property, or nothing
 };
 

@@ -78,6 +78,18 @@ bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
 
 namespace {
 
+// Where several names are as near, one in the same letter case is meant.
+std::string suggest(Machine& machine, std::string_view name) {
+    std::vector<std::string> names = global_names(machine);
+    const auto capital = [](const std::string& text) {
+        return !text.empty() && text[0] >= 'A' && text[0] <= 'Z';
+    };
+    const bool wanted = capital(std::string(name));
+    std::stable_partition(names.begin(), names.end(),
+                          [&](const std::string& each) { return capital(each) == wanted; });
+    return property::suggestion(name, names);
+}
+
 int read_global(lua_State* L) {
     Machine& machine = machine_of(L);
     if (lua_type(L, 2) != LUA_TSTRING) {
@@ -105,7 +117,7 @@ int read_global(lua_State* L) {
         return 1;
     }
     throw Error(ErrorKind::unknown_name, std::string(name) + ": no such name" +
-                                             property::suggestion(name, global_names(machine)));
+                                             suggest(machine, name));
 }
 
 int write_global(lua_State* L) {

@@ -26,21 +26,6 @@ using property::Type;
 using property::Value;
 using property::Vec2;
 
-bool is_pseudo(std::string_view name) {
-    return name == "name" || name == "parent" || name == "class";
-}
-
-void push_pseudo(lua_State* L, Machine& machine, Handle instance, std::string_view name) {
-    if (name == "name") {
-        const std::string text = machine.tree.name(instance);
-        lua_pushlstring(L, text.data(), text.size());
-    } else if (name == "parent") {
-        push_instance(L, machine.tree.parent(instance));
-    } else {
-        machine.classes->push(L, machine.tree.class_of(instance));
-    }
-}
-
 std::vector<std::string> names_of(Machine& machine, Handle instance) {
     std::vector<std::string> names = machine.tree.class_of(instance).member_names();
     for (const Property* p : machine.tree.ad_hoc(instance)) names.push_back(p->name);
@@ -49,7 +34,6 @@ std::vector<std::string> names_of(Machine& machine, Handle instance) {
         names.push_back(machine.tree.name(child));
     machine.classes->add_function_names(machine.tree.class_of(instance), names);
     for (const std::string& name : generic_names()) names.push_back(name);
-    for (const char* name : {"name", "parent", "class"}) names.emplace_back(name);
     return names;
 }
 
@@ -107,8 +91,6 @@ const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of,
     } else if (const int generic = generic_reference(L, machine, name); generic != LUA_NOREF) {
         found.member = Member::function;
         found.reference = generic;
-    } else if (is_pseudo(name)) {
-        found.member = Member::pseudo;
     } else {
         found.member = Member::dynamic;
     }
@@ -143,6 +125,14 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
 
 int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     const Handle instance = self.handle;
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        // A method tells itself what a deleted instance cannot do; `alive` can be asked.
+        const Dispatch& found = look_up(L, machine, *self.instance_class);
+        if (found.member == Member::function) {
+            push_registry(L, found.reference);
+            return 1;
+        }
+    }
     machine.tree.require(instance);
     if (lua_isinteger(L, 2)) {
         push_instance(L, nth_child(machine, instance, lua_tointeger(L, 2)));
@@ -159,12 +149,6 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
         case Member::property:
             if (machine.recording.active) machine.recording.last_read = found.property;
             push_property(L, machine, instance, *found.property);
-            return 1;
-        case Member::function:
-            push_registry(L, found.reference);
-            return 1;
-        case Member::pseudo:
-            push_pseudo(L, machine, instance, name);
             return 1;
         default:
             break;

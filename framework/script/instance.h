@@ -21,10 +21,6 @@ void write_member(lua_State* L, Machine& machine, property::Handle instance,
 std::vector<std::string> names_of(Machine& machine, property::Handle instance);
 /// Methods every instance has, sorted.
 const std::vector<std::string>& generic_names();
-/// name, parent, class
-bool is_pseudo(std::string_view name);
-/// Pushes the value of a pseudo-property.
-void push_pseudo(lua_State* L, Machine& machine, property::Handle instance, std::string_view name);
 /// Destroys detached instances that were never given a place and that nothing refers to.
 void collect_unplaced(Machine& machine);
 

@@ -72,18 +72,6 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
 
 void write_member(lua_State* L, Machine& machine, Handle instance, const property::Class& of,
                   std::string_view name) {
-    if (name == "name") {
-        if (lua_type(L, 3) != LUA_TSTRING)
-            throw Error(ErrorKind::wrong_type, path_of(machine, instance, name) +
-                                                   ": a name is a text, not " +
-                                                   describe_type(L, 3));
-        machine.tree.rename(instance, lua_tostring(L, 3));
-        return;
-    }
-    if (is_pseudo(name))
-        throw Error(ErrorKind::read_only, path_of(machine, instance, name) +
-                                              ": cannot be assigned" +
-                                              (name == "parent" ? "; use :move(parent)" : ""));
     if (of.method(name) || generic_reference(L, machine, name) != LUA_NOREF)
         throw Error(ErrorKind::bad_name,
                     path_of(machine, instance, name) + ": is a method and cannot be assigned");

@@ -100,6 +100,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_help(L);
     open_vec(L, machine);
     open_color(L, machine);
+    open_list(L, machine);
     open_globals(L, machine);
     lua_pushvalue(L, -1);
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);

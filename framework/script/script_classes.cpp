@@ -188,14 +188,14 @@ void ScriptClasses::observe(const Class& of) {
     if (of.base() && scripted(*of.base())) return;  // its observer sees these too
     machine_.subscriptions->keep(
         machine_.tree.watch_created(of, [this](const property::Existence& existence) {
-            if (machine_.tree.alive(existence.instance)) adopt(existence.instance);
+            if (machine_.tree.alive(existence.instance)) adopt(existence.instance, false);
         }));
 }
 
-void ScriptClasses::adopt(Handle instance) {
+void ScriptClasses::adopt(Handle instance, bool announce) {
     if (!known_.insert(bits(instance)).second) return;
     members_.push_back(instance);
-    waiting_.push_back({instance, nullptr});
+    waiting_.push_back({instance, announce});
 }
 
 namespace {
@@ -226,7 +226,7 @@ const Class& ScriptClasses::define(Definition definition) {
                             ": exists already with another base or other properties; instances of "
                             "it live on, so that needs a restart of the game");
         Info& own = info(*existing);
-        own.defaults = std::move(definition.defaults);
+        own.defaults.clear();
         for (const Property& property : definition.properties) {
             const Property* declared = existing->property(property.name);
             if (!(declared->default_value == property.default_value))
@@ -243,7 +243,6 @@ const Class& ScriptClasses::define(Definition definition) {
     const Class& made = machine_.tree.define(std::move(descriptor));
     Info& own = info(made);
     own.scripted = true;
-    own.defaults = std::move(definition.defaults);
     observe(made);
     return made;
 }
@@ -257,8 +256,11 @@ Handle ScriptClasses::create(const Class& of) {
     std::vector<const Class*> up;
     for (const Class* c = &of; c; c = c->base())
         if (scripted(*c)) up.push_back(c);
-    if (up.empty()) return made;
-    adopt(made);
+    if (up.empty()) {
+        waiting_.push_back({made, true});
+        return made;
+    }
+    adopt(made, true);
     for (auto c = up.rbegin(); c != up.rend(); ++c)
         for (const auto& [property, value] : info(**c).defaults)
             machine_.tree.set(made, *property, value);
@@ -281,37 +283,35 @@ void ScriptClasses::explain_integer(const Property& property, const Value& value
                                            declared + ".0 for a property that takes any number");
 }
 
-void ScriptClasses::call_when_ready(Handle instance, std::shared_ptr<FunctionRef> function) {
-    waiting_.push_back({instance, std::move(function)});
-}
-
 bool ScriptClasses::deliver_ready() {
     if (waiting_.empty()) return true;
-    std::vector<Waiting> due;
-    std::vector<Waiting> later;
-    const Handle root = machine_.tree.root();
-    for (Waiting& each : waiting_) {
-        if (!machine_.tree.alive(each.instance)) continue;
-        (machine_.tree.is_below(each.instance, root) ? due : later).push_back(std::move(each));
-    }
-    waiting_ = std::move(later);
-    const auto depth = [&](const Waiting& each) {
-        std::size_t n = 0;
-        for (Handle h = machine_.tree.parent(each.instance); h; h = machine_.tree.parent(h)) ++n;
-        return n;
+    struct Due {
+        std::size_t depth;
+        Waiting what;
     };
+    std::vector<Due> due;
+    const Handle root = machine_.tree.root();
+    std::erase_if(waiting_, [&](const Waiting& waiting) {
+        const Handle instance = waiting.instance;
+        if (!machine_.tree.alive(instance)) return true;
+        if (!machine_.tree.is_below(instance, root)) return false;
+        std::size_t depth = 0;
+        for (Handle up = instance; up; up = machine_.tree.parent(up)) ++depth;
+        due.push_back({depth, waiting});
+        return true;
+    });
     std::stable_sort(due.begin(), due.end(),
-                     [&](const Waiting& a, const Waiting& b) { return depth(a) > depth(b); });
+                     [](const Due& a, const Due& b) { return a.depth > b.depth; });
+    const property::Event* event = machine_.tree.object_class().event("ready");
     bool ok = true;
-    for (const Waiting& each : due) {
+    for (const auto& [depth, each] : due) {
         if (!machine_.tree.alive(each.instance)) continue;
+        if (each.announce && event && machine_.tree.listens(each.instance, *event))
+            machine_.tree.emit(each.instance, *event, {});
         const Class& of = machine_.tree.class_of(each.instance);
-        if (!each.function && !has_function(of, "ready")) continue;
+        if (!has_function(of, "ready")) continue;
         ok &= protected_run(machine_, Context("ready", each.instance), [&](lua_State* L) {
-            if (each.function)
-                each.function->push(L);
-            else if (!push_function(L, of, "ready"))
-                return;
+            if (!push_function(L, of, "ready")) return;
             push_instance(L, each.instance);
             lua_call(L, 1, 0);
         });

@@ -16,7 +16,6 @@
 namespace fettle::script {
 
 struct Machine;
-class FunctionRef;
 
 /// The class a class object at `index` stands for, else nullptr.
 const property::Class* class_object_at(lua_State* L, int index);
@@ -40,8 +39,7 @@ class ScriptClasses {
         std::string name;
         const property::Class* base = nullptr;
         std::string doc;
-        std::vector<property::Property> properties;
-        std::vector<std::pair<const property::Property*, property::Value>> defaults;
+        std::vector<property::Property> properties;  // inherited names: another default
     };
     /// Makes the class, or on reloading takes the one that is there when its properties are the
     /// same.
@@ -53,8 +51,8 @@ class ScriptClasses {
     /// Throws for 2.5 assigned to a property that a class declared as `lives = 3`, saying so.
     void explain_integer(const property::Property& property, const property::Value& value) const;
 
-    void call_when_ready(property::Handle instance, std::shared_ptr<FunctionRef> function);
-    /// Calls `ready` of everything that found its place since; children first.
+    /// Tells everything that found its place since: calls `ready` of scripts' classes and emits the
+    /// event; children first.
     bool deliver_ready();
     bool step(double dt);
     /// Calls `draw(pen)` of everything placed.
@@ -69,11 +67,8 @@ class ScriptClasses {
         bool scripted = false;
         std::vector<std::string> function_names;
         std::vector<std::string> connected;  // events with a handler for this class
+        // Of a class defined again with other defaults than the tree knows.
         std::vector<std::pair<const property::Property*, property::Value>> defaults;
-    };
-    struct Waiting {
-        property::Handle instance;
-        std::shared_ptr<FunctionRef> function;  // nullptr: the class's `ready`
     };
 
     Info& info(const property::Class& of) { return infos_[&of]; }
@@ -81,7 +76,7 @@ class ScriptClasses {
     const property::Class* definer(const property::Class& of, std::string_view name);
     void connect(const property::Class& of, const std::string& name);
     void observe(const property::Class& of);
-    void adopt(property::Handle instance);
+    void adopt(property::Handle instance, bool announce);
     /// Calls the function of that name of everything placed; `push` adds its argument.
     template <class Push>
     bool call_all(const char* name, Push push);
@@ -92,7 +87,11 @@ class ScriptClasses {
     bool any_functions_ = false;
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
-    std::vector<Waiting> waiting_;
+    struct Waiting {
+        property::Handle instance;
+        bool announce;  // nobody else emits its `ready`
+    };
+    std::vector<Waiting> waiting_;  // made, and not told yet that they are ready
 };
 
 /// Class objects; `class` among the globals on top.

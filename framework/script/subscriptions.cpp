@@ -243,7 +243,7 @@ property::ExistenceHandler existence_handler(Machine& machine, const char* name,
 
 const Event& event_of(const Class& of, const std::string& name) {
     if (const Event* event = of.event(name)) return *event;
-    std::vector<std::string> names = {"created", "deleted", "ready"};
+    std::vector<std::string> names = {"created"};
     for (const Event* event : of.events()) names.push_back(event->name);
     throw Error(ErrorKind::unknown_name,
                 of.name() + ": no event \"" + name + "\"" + property::suggestion(name, names));
@@ -286,11 +286,6 @@ int subscribe_event(lua_State* L) {
         throw Error(ErrorKind::wrong_type,
                     "on: needs the name of an event, not " + describe_type(L, 2));
     const std::string name = lua_tostring(L, 2);
-    if (name == "ready" && !whole && !machine.tree.class_of(self).event(name)) {
-        machine.classes->call_when_ready(self, function_at(L, 3, "on"));
-        machine.subscriptions->push(L, {});
-        return 1;
-    }
     const Class& of = whole ? *whole : machine.tree.class_of(self);
     machine.subscriptions->push(L, connect_event(L, machine, self, of, name, whole != nullptr));
     return 1;

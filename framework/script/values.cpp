@@ -350,9 +350,9 @@ const Property& origin_property(Machine& machine, const Origin& origin) {
 namespace {
 
 std::vector<property::Segment> segments(const Origin& origin, const char* component) {
-    std::vector<property::Segment> part;
-    for (std::uint32_t i = 0; i < origin.depth; ++i) part.push_back({std::int64_t{origin.part[i]}});
-    if (component) part.push_back({std::string(component)});
+    std::vector<property::Segment> part(origin.depth + (component ? 1 : 0));
+    for (std::uint32_t i = 0; i < origin.depth; ++i) part[i].key = std::int64_t{origin.part[i]};
+    if (component) part.back().key = std::string(component);
     return part;
 }
 

@@ -82,10 +82,8 @@ void clear_property(Machine& machine, Handle instance, const Property& property)
     recorded(machine, instance, property, [&] {
         if (property.binding.kind == BindingKind::ad_hoc)
             machine.tree.remove_ad_hoc(instance, property.name);
-        else if (property.nullable || property.read_only)  // the tree says why not
-            machine.tree.set(instance, property, Value());
         else
-            machine.tree.reset(instance, property);
+            machine.tree.set(instance, property, Value());
     });
 }
 
