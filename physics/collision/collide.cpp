@@ -241,8 +241,14 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
             // Facing edges whose ends are level are a face contact, not a vertex one.
             const V2 d = q - p;
             if (std::fabs(dot(d, along)) > 1e-3f * length(d)) {
-                // Bare corners that have not met may yet pass each other.
-                if (a.radius + b.radius == 0.0f) return;
+                // Bare corners of something thick may yet pass each other. (Cards do lean on each
+                // other corner to corner.)
+                const float thin = 20.0f * seam;
+                const V2 reference_edge = reference.vertices[edge2] - reference.vertices[edge];
+                const V2 other_edge = other.vertices[incident2] - other.vertices[incident];
+                const float shorter =
+                    min(length_squared(reference_edge), length_squared(other_edge));
+                if (a.radius + b.radius == 0.0f && shorter > thin * thin) return;
                 if (!flipped) {
                     single_point(p, q, n, a, b, offset, margin, feature_of(r, o), m);
                 } else {

@@ -162,6 +162,7 @@ void WorldData::place_shape(uint32_t shape, Rotation q) {
 
 void WorldData::refresh_mass(uint32_t body) {
     BodyRecord& record = bodies[body];
+    if (!record.listed) return;  // no edit of it or of its shapes
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) refresh_shape(s);
     if (!record.mass_dirty) return;
     record.mass_dirty = false;

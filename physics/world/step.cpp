@@ -110,7 +110,10 @@ void WorldData::solve(float dt) {
     contact_solver.inverse_h = 1.0f / h;
     contact_solver.push_speed = settings.push_speed;
     contact_solver.restitution_threshold = settings.restitution_threshold;
-    const float hertz = min(settings.contact_hertz, 0.125f / h);
+    // 30 Hz and an eighth of the rate let a load of 300 : 1 sink in by 13 %, and a stack of twenty
+    // boxes that are not quite above each other buckles; from a third of the rate on, such loads
+    // are thrown off.
+    const float hertz = min(settings.contact_hertz, 0.25f / h);
     contact_solver.softness[0] = make_softness(hertz, settings.contact_damping, h);
     contact_solver.softness[1] = make_softness(2.0f * hertz, settings.contact_damping, h);
 

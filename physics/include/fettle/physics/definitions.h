@@ -20,10 +20,9 @@ struct WorldDef {
     bool continuous = true;           ///< fast bodies do not pass through static ones
     float restitution_threshold = 1.0f;  ///< m/s; slower impacts do not bounce
     float hit_threshold = 1.0f;          ///< m/s; slower impacts make no hit event
-    float sleep_speed = 0.05f;  ///< m/s; an island slower than this for `sleep_delay` sleeps
-    float sleep_delay = 0.5f;   ///< s
-    float contact_hertz =
-        30.0f;  ///< stiffness of contacts, limited to an eighth of the sub-step rate
+    float sleep_speed = 0.05f;    ///< m/s; an island slower than this for `sleep_delay` sleeps
+    float sleep_delay = 0.5f;     ///< s
+    float contact_hertz = 60.0f;  ///< stiffness of contacts, at most a quarter of the sub-step rate
     float contact_damping = 10.0f;  ///< damping ratio of contacts
     float push_speed = 3.0f;        ///< m/s; the fastest that an overlap is pushed apart
 };
