@@ -135,6 +135,13 @@ void ImGuiBackend::release_all() {
     for (int button = 0; button < 5; ++button) compat::mouse_button(io, button, false);
 }
 
+void ImGuiBackend::navigate_with_keys(bool on) {
+    activate();
+    int& flags = ImGui::GetIO().ConfigFlags;
+    flags = on ? flags | ImGuiConfigFlags_NavEnableKeyboard
+               : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
+}
+
 void ImGuiBackend::build_fonts(float font_size) {
     ImGuiIO& io = ImGui::GetIO();
     font_size_ = font_size;

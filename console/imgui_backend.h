@@ -28,6 +28,9 @@ class ImGuiBackend {
     /// Control, shift and alt, which widgets need to know of even when the key is not theirs.
     void feed_modifiers(const app::InputEvent& key_event);
     void release_all();
+    /// Lists that popped up are walked with the arrows and left with Escape; elsewhere the keys are
+    /// the prompt's.
+    void navigate_with_keys(bool on);
     /// `font_size` in pixels; fonts are built anew when it changes.
     void begin_frame(float width, float height, double seconds, float font_size);
     void end_frame();

@@ -43,6 +43,7 @@ void Console::State::frame(double seconds) {
     prompt_view.draw_menu(cell, ui.bold());
     popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ui.end_frame();
+    ui.navigate_with_keys(popup_open);
     building = false;
 }
 

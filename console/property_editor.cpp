@@ -232,7 +232,7 @@ void PropertyEditor::widget(const Target& target, const Value& value, float widt
             color(target, value, width);
             break;
         case Type::reference:
-            reference(value, width);
+            editable_reference(target, value.reference(), width);
             break;
         case Type::list:
             list(target, value, width);
@@ -306,8 +306,7 @@ void PropertyEditor::color(const Target& target, const Value& value, float width
         write(target, Value(property::Color{channels[0], channels[1], channels[2], channels[3]}));
 }
 
-void PropertyEditor::reference(const Value& value, float width) {
-    Handle to = value.reference();
+void PropertyEditor::reference(Handle to, float width) {
     bool alive = tree_.alive(to);
     std::string name = alive ? tree_.path(to) : to ? "(deleted)" : "none";
     ImVec2 at = ImGui::GetCursorScreenPos();
@@ -325,11 +324,27 @@ void PropertyEditor::reference(const Value& value, float width) {
     if (clicked && alive && follow) follow(to);
 }
 
+void PropertyEditor::editable_reference(const Target& target, Handle to, float width) {
+    if (target.property->read_only || target.property->any_type) {
+        reference(to, width);
+        return;
+    }
+    float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    reference(to, width - button);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (auto chosen = references_.draw(*target.property, to))
+        write(target, *chosen ? Value(*chosen) : Value());
+}
+
 void PropertyEditor::nil(const Target& target, float width) {
+    Type type = target.property->type;
+    if (type == Type::reference) {
+        editable_reference(target, {}, width);
+        return;
+    }
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("nil");
-    Type type = target.property->type;
-    if (target.property->read_only || type == Type::nil || type == Type::reference) return;
+    if (target.property->read_only || type == Type::nil) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 2);
     if (width > 0 && ImGui::SmallButton("set")) write(target, zero_of(type));
 }
@@ -383,7 +398,7 @@ void PropertyEditor::element(const Target& target, const List& elements, std::si
     std::optional<Value> changed;
     bool gone = false;
     if (old.is(Type::reference)) {
-        reference(old, room);
+        reference(old.reference(), room);
     } else {
         ImGui::BeginDisabled(fixed);
         if (old.is(Type::vec2)) {

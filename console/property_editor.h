@@ -13,12 +13,13 @@
 
 #include "fields.h"
 #include "rect.h"
+#include "reference_picker.h"
 
 namespace fettle::console {
 
 class PropertyEditor {
   public:
-    explicit PropertyEditor(property::Tree& tree) : tree_(tree) {}
+    explicit PropertyEditor(property::Tree& tree) : tree_(tree), references_(tree) {}
 
     /// A reference was clicked.
     std::function<void(property::Handle)> follow;
@@ -53,7 +54,9 @@ class PropertyEditor {
     void enumerator(const Target& target, const property::Value& value, float width);
     void vector(const Target& target, const property::Value& value, float width);
     void color(const Target& target, const property::Value& value, float width);
-    void reference(const property::Value& value, float width);
+    /// A link to an instance, and beside it the list to choose another from.
+    void reference(property::Handle to, float width);
+    void editable_reference(const Target& target, property::Handle to, float width);
     void nil(const Target& target, float width);
     void list(const Target& target, const property::Value& value, float width);
     void element(const Target& target, const property::List& elements, std::size_t index,
@@ -68,6 +71,7 @@ class PropertyEditor {
 
     property::Tree& tree_;
     Fields fields_;
+    ReferencePicker references_;
     std::unordered_map<const property::Property*, std::string> problems_;
     property::Handle problems_of_;
     std::unordered_map<const property::Property*, Rect> widgets_;

@@ -193,6 +193,34 @@ TEST_CASE("an enumerator is chosen from its list") {
     CHECK_FALSE(rig.state().popup_open);
 }
 
+TEST_CASE("Escape closes a list that popped up and not the console") {
+    BallRig rig;
+    ImVec2 at = rig.widget("type");
+    rig.click(at.x, at.y);
+    rig.draw(2);
+    REQUIRE(rig.state().popup_open);
+    rig.key("escape");
+    rig.draw(2);
+    CHECK_FALSE(rig.state().popup_open);
+    CHECK(rig.console.is_open());
+    CHECK(rig.value("world.ball.type") == Value("dynamic"));
+}
+
+TEST_CASE("a reference is chosen from the instances that fit") {
+    BallRig rig;
+    ImVec2 at = rig.widget("target", 1.0f);
+    rig.click(at.x - 8, at.y);
+    rig.draw(2);
+    REQUIRE(rig.state().popup_open);
+    rig.type("crat");
+    rig.draw();
+    rig.key("enter");
+    rig.draw(2);
+    CHECK(rig.value("world.ball.target") ==
+          Value(rig.tree.child(rig.tree.parent(rig.ball), "crate")));
+    CHECK(rig.input().empty());
+}
+
 TEST_CASE("the reset mark takes a property back to its default") {
     BallRig rig;
     rig.tree.set(rig.ball, "mass", Value(8.0));
