@@ -52,8 +52,9 @@ Binding velocity(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return widen(h.body(row).velocity()); },
         [](Hosting& h, Row row, const Value& value) {
             physics::Body body = h.body(row);
-            if (!value.vec2().isZero(0)) require_movable(body);
-            body.set_velocity(narrow(value.vec2()));
+            const physics::Vec2 wanted = narrow(value.vec2());
+            body.set_velocity(wanted);
+            if (h.state(row).velocity != wanted) require_movable(body);
         });
 }
 
@@ -62,8 +63,9 @@ Binding angular_velocity(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return h.state(row).angular_velocity; },
         [](Hosting& h, Row row, const Value& value) {
             physics::Body body = h.body(row);
-            if (value.number() != 0.0) require_movable(body);
-            body.set_angular_velocity(from_value<float>(value));
+            const auto wanted = from_value<float>(value);
+            body.set_angular_velocity(wanted);
+            if (h.state(row).angular_velocity != wanted) require_movable(body);
         });
 }
 

@@ -33,7 +33,7 @@ class Picture : public property::Painter {
         figures.push_back({"point", {position}, size, {.fill = color}});
     }
     void text(const property::Vec2& position, std::string_view, double height,
-              property::Color color) override {
+              property::Color color, property::TextAlign) override {
         figures.push_back({"text", {position}, height, {.fill = color}});
     }
     bool shows(property::Overlay overlay) const override { return overlays.contains(overlay); }

@@ -1,0 +1,130 @@
+// A hosted world is the library's world: same steps, same bits.
+
+#include "catch.h"
+#include "game.h"
+
+using namespace fettle::physics_module::testing;
+using namespace fettle;
+
+namespace {
+
+constexpr int base = 8;
+
+void bare_pyramid(physics::World& world) {
+    physics::Body ground =
+        world.create_body({.type = physics::BodyType::static_body, .position = {0, -1}});
+    ground.add(physics::Box{.width = 100, .height = 2});
+    for (int i = 0; i < base; ++i)
+        for (int j = i; j < base; ++j)
+            world
+                .create_body({.position = {0.5f * static_cast<float>(i + 1) +
+                                               static_cast<float>(j - i) - base / 2,
+                                           static_cast<float>(2 * i + 1) / 2}})
+                .add(physics::Box{});
+}
+
+void hosted_pyramid(Game& game, Handle world) {
+    const Handle ground = game.make("Body", world, {{"type", "static"}, {"position", Vec2(0, -1)}});
+    game.make("Box", ground, {{"width", 100}, {"height", 2}});
+    for (int i = 0; i < base; ++i)
+        for (int j = i; j < base; ++j) {
+            const Vec2 at(0.5 * (i + 1) + (j - i) - base / 2, (2.0 * i + 1) / 2);
+            game.make("Box", game.make("Body", world, {{"position", at}}));
+        }
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(Game, "the hosted loop and the bare library end in the same bits") {
+    physics::World bare;
+    bare_pyramid(bare);
+    hosted_pyramid(*this, world());
+    for (int i = 0; i < 200; ++i) {
+        bare.step(static_cast<float>(1.0 / 60));
+        step();
+        REQUIRE(physics.hash() == bare.hash());
+    }
+}
+
+TEST_CASE_METHOD(Game, "watching and listening change nothing of the simulation") {
+    physics::World bare;
+    bare_pyramid(bare);
+    hosted_pyramid(*this, world());
+    const property::Class& of = tree.class_named("Body");
+    int heard = 0;
+    for (const property::Event* event : of.events())
+        tree.on(of, *event, [&](const property::Occurrence&) { ++heard; });
+    tree.watch_pattern("world.**", [&](const property::Change&) { ++heard; });
+    for (int i = 0; i < 100; ++i) {
+        bare.step(static_cast<float>(1.0 / 60));
+        step();
+        REQUIRE(physics.hash() == bare.hash());
+    }
+    CHECK(heard > 1000);
+}
+
+TEST_CASE_METHOD(Game, "an edit by path in mid run is the library's edit") {
+    physics::World bare;
+    bare_pyramid(bare);
+    hosted_pyramid(*this, world());
+    for (int i = 0; i < 60; ++i) {
+        if (i == 30) {
+            bare.bodies().at(20).set_velocity({5, 3});
+            property::set(tree, "world.body_21.velocity", Vec2(5, 3));
+        }
+        bare.step(static_cast<float>(1.0 / 60));
+        step();
+        REQUIRE(physics.hash() == bare.hash());
+    }
+}
+
+TEST_CASE_METHOD(Game, "bodies built apart and placed later run like those built in place") {
+    Game in_place;
+    hosted_pyramid(in_place, in_place.world());
+    const Handle group = make("Object", {}, "group");
+    hosted_pyramid(*this, group);
+    tree.move(group, world(), "group");
+    for (int i = 0; i < 60; ++i) {
+        in_place.step();
+        step();
+        REQUIRE(physics.hash() == in_place.physics.hash());
+    }
+}
+
+TEST_CASE_METHOD(Game, "the hash tells several worlds apart") {
+    const Handle second = make("World", tree.root(), "second");
+    hosted_pyramid(*this, second);
+    step(3);
+    const std::uint64_t both = physics.hash();
+    body("Circle", {0, 10});
+    CHECK(physics.hash() != both);
+}
+
+TEST_CASE_METHOD(Game, "statistics tell about the last step") {
+    floor();
+    body("Box", {0, 0.5});
+    step(5);
+    CHECK(property::get(tree, "world.step.steps") == 5);
+    CHECK(property::get(tree, "world.step.bodies") == 2);
+    CHECK(property::get(tree, "world.step.awake_bodies") == 1);
+    CHECK(property::get(tree, "world.step.touching") == 1);
+    CHECK(property::get(tree, "world.step.total_ms").number() >= 0);
+    CHECK_THROWS_AS(property::set(tree, "world.step.bodies", 7), property::Error);
+}
+
+TEST_CASE_METHOD(Game, "what stands for an instance is found from C++ and back") {
+    const Handle crate = body("Box", {0, 5});
+    physics.body(crate).set_velocity({1, 2});
+    CHECK(vec(crate, "velocity") == Vec2(1, 2));
+    CHECK(physics.handle(physics.body(crate)) == crate);
+    CHECK(physics.handle(physics.shape(shape_of(crate))) == shape_of(crate));
+    CHECK(&physics.world(crate) == &physics.world(world()));
+    CHECK_THROWS_WITH(physics.body(world()), contains("expected a Body"));
+    tree.destroy(crate);
+    CHECK_THROWS_AS(physics.body(crate), property::Error);
+}
+
+TEST_CASE("physics is attached once") {
+    Game game;
+    CHECK_THROWS_AS(game.physics.attach(game.tree), std::logic_error);
+}

@@ -1,0 +1,88 @@
+// The mouse joint: in the tree before, while and after it acts.
+
+#include "catch.h"
+#include "game.h"
+
+using namespace fettle::physics_module::testing;
+using namespace fettle;
+
+TEST_CASE_METHOD(Game, "a mouse joint takes the point of the body that is at its target") {
+    const Handle crate = body("Box", {3, 5});
+    const Handle joint = make("MouseJoint", world());
+    set(joint, "body", crate);
+    set(joint, "target", Vec2(3.4, 5.2));
+    CHECK(vec(joint, "anchor").isApprox(Vec2(0.4, 0.2), 1e-5));
+    step();
+    CHECK(vec(joint, "anchor").isApprox(Vec2(0.4, 0.2), 1e-5));
+    set(joint, "target", Vec2(0, 8));
+    step(120);
+    CHECK(vec(joint, "anchor").isApprox(Vec2(0.4, 0.2), 1e-5));
+    const Value at = std::get<Value>(tree.call(crate, "to_world", {get(joint, "anchor")}));
+    CHECK((at.vec2() - Vec2(0, 8)).norm() < 0.2);
+    CHECK(vec(joint, "force").y() > 5);  // it carries 10 N
+}
+
+TEST_CASE_METHOD(Game, "a given anchor stays with the joint when it takes another body") {
+    const Handle a = body("Box", {0, 5}), b = body("Box", {4, 5});
+    const Handle joint = make("MouseJoint", world(), {{"body", a}, {"anchor", Vec2(0.5, 0.5)}});
+    step();
+    set(joint, "body", b);
+    step();
+    CHECK(vec(joint, "anchor") == Vec2(0.5, 0.5));
+    set(joint, "target", Vec2(4, 5));
+    set(joint, "anchor", Value());
+    CHECK(vec(joint, "anchor") != Vec2(0.5, 0.5));
+}
+
+TEST_CASE_METHOD(Game, "a joint outlives its body and takes another") {
+    const Handle a = body("Box", {0, 5}), b = body("Box", {4, 5});
+    const Handle joint =
+        make("MouseJoint", world(), {{"body", a}, {"target", Vec2(0, 9)}, {"anchor", Vec2(0, 0)}});
+    step(30);
+    REQUIRE(y(a) > 5);
+    tree.destroy(a);
+    CHECK(get(joint, "body").reference() == Handle{});
+    CHECK(vec(joint, "force") == Vec2(0, 0));
+    step(2);
+    set(joint, "frequency", 3);
+    set(joint, "target", Vec2(4, 9));
+    set(joint, "body", b);
+    step(60);
+    CHECK(y(b) > 6);
+    tree.destroy(joint);
+    step(60);
+    CHECK(y(b) < 6);
+    CHECK(physics.world(world()).joint_count() == 0);
+}
+
+TEST_CASE_METHOD(Game, "a joint acts only while it is in the world of its body") {
+    const Handle crate = body("Box", {0, 5});
+    const Handle joint = make("MouseJoint", world(), {{"body", crate}, {"target", Vec2(0, 5)}});
+    const Handle second = make("World", tree.root(), "second");
+    step(20);
+    CHECK(y(crate) > 4.5);
+    tree.move(crate, second);
+    step(20);
+    CHECK(y(crate) < 4.5);
+    set(crate, "position", Vec2(0, 5));
+    set(crate, "velocity", Vec2(0, 0));
+    tree.move(joint, second);
+    step(20);
+    CHECK(y(crate) > 4.5);
+    CHECK(get(joint, "body").reference() == crate);
+    tree.destroy(second);
+    CHECK_FALSE(tree.alive(joint));
+    step();
+}
+
+TEST_CASE_METHOD(Game, "a joint made before its body has a world acts when it has") {
+    const Handle crate = make("Body", Handle{}, {{"position", Vec2(0, 5)}});
+    make("Box", crate);
+    const Handle joint = make("MouseJoint", crate, {{"body", crate}, {"target", Vec2(0, 5)}});
+    step(5);
+    tree.move(crate, world(), "crate");
+    step(20);
+    CHECK(y(crate) > 4.5);
+    CHECK(vec(joint, "force").y() > 5);
+    CHECK_THROWS_WITH(set(joint, "body", joint), contains("Body"));
+}
