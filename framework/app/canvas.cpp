@@ -292,11 +292,14 @@ void Canvas::draw_text(const Run& run, sf::Vector2f baseline, sf::Color color) {
     }
 }
 
-void Canvas::text(const Vec2& position, std::string_view text, double height, Color color) {
+void Canvas::text(const Vec2& position, std::string_view text, double height, Color color,
+                  property::TextAlign align) {
     Run run;
     if (!finite(position) || !lay_out(run, text, pixels(height), Face::plain)) return;
     const float size = static_cast<float>(run.size) * run.scale;
     sf::Vector2f middle = pixel(position);
+    if (align != property::TextAlign::middle)
+        middle.x += (align == property::TextAlign::left ? 0.5f : -0.5f) * run.width;
     const sf::Vector2f reach{0.5f * run.width + 1, size};
     if (outside(middle - reach, middle + reach)) return;
     // The middle of capitals, which are 0.73 of the size high.

@@ -44,7 +44,7 @@ class Canvas : public property::Painter, public Surface {
               float width) override;
     void point(const property::Vec2& position, property::Color color, float size) override;
     void text(const property::Vec2& position, std::string_view text, double height,
-              property::Color color) override;
+              property::Color color, property::TextAlign align) override;
     bool shows(property::Overlay overlay) const override { return view_.show.overlay(overlay); }
     bool sees(const property::Vec2& lower, const property::Vec2& upper) const override;
     void begin_screen() override { in_pixels_ = true; }

@@ -330,6 +330,7 @@ std::size_t Tree::size() const {
 }
 
 std::string Tree::name(Handle instance) const {
+    if (in_formula()) state_->formulas.note_structure();
     return state_->require(instance).name.text();
 }
 

@@ -4,7 +4,7 @@
 //   pen.polygon(vertices [, fill [, border [, width]]])
 //   pen.line(from, to [, color [, width]])
 //   pen.point(position [, color [, size]])
-//   pen.text(position, text [, height [, color]])
+//   pen.text(position, text [, height [, color [, "middle" | "left" | "right"]]])
 //   pen.screen(function)
 // Colors are values or names; nil or false draws no fill, no border.
 
@@ -136,6 +136,17 @@ int point(lua_State* L) {
     return 0;
 }
 
+property::TextAlign align_at(lua_State* L, int index) {
+    if (lua_isnoneornil(L, index)) return property::TextAlign::middle;
+    const std::string name = lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : "";
+    if (name == "middle") return property::TextAlign::middle;
+    if (name == "left") return property::TextAlign::left;
+    if (name == "right") return property::TextAlign::right;
+    throw Error(
+        ErrorKind::wrong_type,
+        "pen.text: expected \"middle\", \"left\" or \"right\", got " + short_text(L, index));
+}
+
 int text(lua_State* L) {
     drop_self(L);
     if (lua_type(L, 1) == LUA_TSTRING) {  // the other way round is as clear
@@ -148,9 +159,10 @@ int text(lua_State* L) {
     std::size_t length = 0;
     const char* chars = lua_tolstring(L, -1, &length);
     const double height = lua_isnoneornil(L, 3) ? 0.5 : length_at(L, 3, "pen.text");
-    const Color color =
-        lua_gettop(L) >= 5 ? color_or(L, 4, "pen.text", {1, 1, 1, 1}) : Color{1, 1, 1, 1};
-    painter(L).text(position, {chars, length}, height, color);
+    const bool colored = lua_gettop(L) >= 5;  // the text as text was pushed behind the arguments
+    const Color color = colored ? color_or(L, 4, "pen.text", {1, 1, 1, 1}) : Color{1, 1, 1, 1};
+    const auto align = lua_gettop(L) >= 6 ? align_at(L, 5) : property::TextAlign::middle;
+    painter(L).text(position, {chars, length}, height, color, align);
     return 0;
 }
 

@@ -19,6 +19,9 @@ struct Paint {
     float border_width = 1.5f;
 };
 
+/// Where a text stands from its position.
+enum class TextAlign : std::uint8_t { middle, left, right };
+
 /// Draws in world units, y up. Angles in radians, counter-clockwise.
 class Painter {
   public:
@@ -30,8 +33,9 @@ class Painter {
     virtual void line(const Vec2& from, const Vec2& to, Color color, float width) = 0;
     /// A dot `size` pixels across.
     virtual void point(const Vec2& position, Color color, float size) = 0;
-    /// UTF-8 text whose middle is at `position`, `height` metres tall.
-    virtual void text(const Vec2& position, std::string_view text, double height, Color color) = 0;
+    /// UTF-8 text `height` metres tall, upright; `position` is the middle of its height.
+    virtual void text(const Vec2& position, std::string_view text, double height, Color color,
+                      TextAlign align = TextAlign::middle) = 0;
     virtual bool shows(Overlay overlay) const = 0;
     /// Whether anything of the box can be seen: lets a class skip what is outside the view.
     virtual bool sees(const Vec2& lower, const Vec2& upper) const = 0;
