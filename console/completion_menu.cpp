@@ -7,25 +7,39 @@
 
 namespace fettle::console {
 
+namespace {
+
+/// What of a candidate's place is typed already; false when the cursor is before it.
+bool typed_part(const script::Completion& completion, std::string_view input, std::size_t cursor,
+                std::string_view& typed) {
+    if (completion.replace_from > cursor || cursor > input.size()) return false;
+    typed = input.substr(completion.replace_from, cursor - completion.replace_from);
+    return true;
+}
+
+}  // namespace
+
+// Whoever found the candidates has put the best first; only the letters that matched are ours to
+// find.
 void CompletionMenu::show(std::vector<script::Completion> completions, std::string_view input,
                           std::size_t cursor) {
     candidates_.clear();
-    candidates_.reserve(completions.size());
-    for (script::Completion& completion : completions)
+    for (script::Completion& completion : completions) {
+        std::string_view typed;
+        if (!typed_part(completion, input, cursor, typed)) continue;
+        auto match = fuzzy_match(typed, completion.label);
         candidates_.push_back({std::move(completion), {}, 0});
-    keep_matching(input, cursor);
+        if (match) candidates_.back().matched = std::move(match->positions);
+    }
+    selected_ = 0;
+    open_ = !candidates_.empty();
 }
 
 void CompletionMenu::narrow(std::string_view input, std::size_t cursor) {
-    keep_matching(input, cursor);
-}
-
-void CompletionMenu::keep_matching(std::string_view input, std::size_t cursor) {
     for (Candidate& candidate : candidates_) {
-        std::size_t from = candidate.completion.replace_from;
         candidate.score = -1;
-        if (from > cursor || cursor > input.size()) continue;
-        std::string_view typed = input.substr(from, cursor - from);
+        std::string_view typed;
+        if (!typed_part(candidate.completion, input, cursor, typed)) continue;
         // What is typed may be quoted or prefixed as in the text, or bare as in the label.
         auto in_label = fuzzy_match(typed, candidate.completion.label);
         if (!in_label && !fuzzy_match(typed, candidate.completion.text)) continue;
@@ -35,8 +49,8 @@ void CompletionMenu::keep_matching(std::string_view input, std::size_t cursor) {
     std::erase_if(candidates_, [](const Candidate& candidate) { return candidate.score < 0; });
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-    open_ = !candidates_.empty();
     selected_ = 0;
+    open_ = !candidates_.empty();
 }
 
 void CompletionMenu::select(std::size_t index) {

@@ -38,8 +38,6 @@ class CompletionMenu {
     std::string common_prefix() const;
 
   private:
-    void keep_matching(std::string_view input, std::size_t cursor);
-
     std::vector<Candidate> candidates_;
     std::size_t selected_ = 0;
     bool open_ = false;

@@ -50,8 +50,15 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
         at.x += draw_text(list, at, with_alpha(tint, alpha), look.label) + style.FramePadding.x;
     }
     float room = high.x - style.FramePadding.x - at.x;
-    draw_text_fit(list, at, with_alpha(palette::text, alpha), digits, room);
-    float used = text_width(digits) + text_width(" ");
+    std::string shown = digits;
+    // As many digits as there is room for; typing shows all.
+    for (int precision = 8; precision > 1 && text_width(shown) > room; --precision) {
+        char shorter[40];
+        std::snprintf(shorter, sizeof shorter, "%.*g", precision, value);
+        shown = shorter;
+    }
+    draw_text_fit(list, at, with_alpha(palette::text, alpha), shown, room);
+    float used = text_width(shown) + text_width(" ");
     if (!look.unit.empty() && used + text_width(look.unit) <= room)
         draw_text(list, ImVec2(at.x + used, at.y), with_alpha(palette::dim, alpha), look.unit);
 }

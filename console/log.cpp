@@ -9,6 +9,22 @@ namespace fettle::console {
 
 namespace {
 
+/// Whether the traceback leads through more lines of code than the one shown.
+bool leads_elsewhere(const script::ScriptError& error) {
+    std::size_t places = 0, begin = 0;
+    const std::string& trace = error.traceback;
+    while (begin < trace.size()) {
+        std::size_t end = std::min(trace.find('\n', begin), trace.size());
+        std::string_view frame = std::string_view(trace).substr(begin, end - begin);
+        std::size_t colon = frame.find(':');
+        bool place = colon != std::string_view::npos && colon + 1 < frame.size() &&
+                     frame[colon + 1] >= '0' && frame[colon + 1] <= '9';
+        places += place ? 1 : 0;
+        begin = end + 1;
+    }
+    return places > 1;
+}
+
 /// The word at a column counted from 1.
 Span span_at(std::string_view source, std::size_t column) {
     std::size_t begin = std::min(code_point_offset(source, column - 1), source.size());
@@ -67,9 +83,7 @@ void Log::error(const script::ScriptError& error) {
         push(LineKind::caret,
              std::string(before, ' ') + std::string(std::max<std::size_t>(length, 1), '^'));
     }
-    // One frame is the line shown above.
-    if (std::count(error.traceback.begin(), error.traceback.end(), '\n') > 1)
-        add(LineKind::trace, error.traceback);
+    if (leads_elsewhere(error)) add(LineKind::trace, error.traceback);
 }
 
 void Log::clear() {

@@ -111,26 +111,28 @@ void PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     Target target{instance, &property};
     float available = ImGui::GetContentRegionAvail().x;
     float height = ImGui::GetFrameHeight();
-    auto problem = problems_.find(&property);
     bool tall = property.type == Type::list || property.any_type;
-    if (!tall && problem == problems_.end() && !ImGui::IsRectVisible(ImVec2(available, height))) {
+    bool plain = !tall && !problems_.contains(&property) && tree_.formula_count() == 0;
+    if (plain && !ImGui::IsRectVisible(ImVec2(available, height))) {
         ImGui::Dummy(ImVec2(available, height));
         return;
     }
     ImGui::PushID(&property);
     float start = ImGui::GetCursorPosX();
     float label_width = std::floor(available * label_share);
+    bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
+    const property::Formula* formula = tree_.formula(instance, property);
+    bool resettable = !property.read_only && !ad_hoc && tree_.overridden(instance, property);
+    label(target, label_width, resettable, formula != nullptr, bold);
+    ImGui::SameLine(start + label_width);
+    std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
     try {
-        Value value = tree_.get(instance, property);
-        bool resettable = !property.read_only && tree_.overridden(instance, property) &&
-                          property.binding.kind != property::BindingKind::ad_hoc;
-        bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
-        label(target, label_width, resettable, bold);
-        ImGui::SameLine(start + label_width);
+        // Of a formula in error the last good value; what is wrong stands below.
+        Value value =
+            formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
         float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
-        float width = available - label_width - button;
         ImGui::BeginGroup();
-        widget(target, value, width);
+        widget(target, value, available - label_width - button);
         ImGui::EndGroup();
         widgets_[&property] = item_rect();
         if (resettable || ad_hoc) {
@@ -141,25 +143,33 @@ void PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_[&property] = error.what();
     }
     if (std::string typed = fields_.take_problem(); !typed.empty()) problems_[&property] = typed;
-    problem = problems_.find(&property);
-    if (problem != problems_.end()) {
+    auto line = [&](ImU32 color, const std::string& text) {
+        if (text.empty()) return;
         ImGui::SetCursorPosX(start + label_width);
         ImGui::PushTextWrapPos(0);
-        ImGui::PushStyleColor(ImGuiCol_Text, palette::error);
-        ImGui::TextUnformatted(problem->second.c_str());
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
+    };
+    if (formula != nullptr && tree_.formula(instance, property) == formula) {
+        line(palette::note, formula->source.empty() ? std::string() : "is " + formula->source);
+        line(palette::error, wrong);
     }
+    line(palette::error, problem(property));
     ImGui::PopID();
 }
 
-void PropertyEditor::label(const Target& target, float width, bool overridden, ImFont* bold) {
+void PropertyEditor::label(const Target& target, float width, bool overridden, bool formula,
+                           ImFont* bold) {
     ImVec2 at = ImGui::GetCursorScreenPos();
     float mark = ImGui::GetFontSize() * 0.7f;
     ImGui::Dummy(ImVec2(width - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float y = at.y + ImGui::GetStyle().FramePadding.y;
-    if (overridden)
+    if (formula)
+        draw_text(list, ImVec2(at.x - mark * 0.1f, y), palette::note, "ƒ");
+    else if (overridden)
         list.AddCircleFilled(ImVec2(at.x + mark * 0.35f, at.y + ImGui::GetFrameHeight() / 2),
                              ImGui::GetFontSize() * 0.14f, palette::accent);
     ImU32 color = target.property->read_only ? palette::dim : palette::text;

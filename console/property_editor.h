@@ -44,7 +44,7 @@ class PropertyEditor {
         property::Handle instance;
         const property::Property* property;
     };
-    void label(const Target& target, float width, bool overridden, ImFont* bold);
+    void label(const Target& target, float width, bool overridden, bool formula, ImFont* bold);
     void tooltip(const Target& target, ImFont* bold);
     void reset_button(const Target& target);
     void widget(const Target& target, const property::Value& value, float width);

@@ -292,6 +292,29 @@ TEST_CASE("ad-hoc properties are shown edited and removed") {
     CHECK(rig.tree.find(rig.ball, "score") == nullptr);
 }
 
+TEST_CASE("a formula in error shows what is wrong and an edit replaces it") {
+    BallRig rig;
+    bool works = true;
+    rig.tree.set_formula(rig.ball, "angle",
+                         {[&](const property::Tree& tree) {
+                              if (!works) throw std::runtime_error("out of order");
+                              return tree.get(rig.ball, "mass");
+                          },
+                          "ball.mass"});
+    rig.tree.barrier();
+    rig.draw(2);
+    CHECK(rig.value("world.ball.angle") == Value(1.0));
+    works = false;
+    rig.tree.set(rig.ball, "mass", Value(2.0));
+    auto before = rig.surface.pixels();
+    rig.draw(3);
+    CHECK(rig.surface.faults() == 0);
+    CHECK(rig.surface.pixels() != before);
+    rig.replace_text("angle", "0.5");
+    CHECK(rig.value("world.ball.angle") == Value(0.5));
+    CHECK(rig.tree.formula(rig.ball, rig.tree.property(rig.ball, "angle")) == nullptr);
+}
+
 TEST_CASE("values shown follow the game") {
     BallRig rig;
     rig.draw(2);

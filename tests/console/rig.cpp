@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fuzzy.h"
+
 namespace fettle::console::test {
 
 using property::Class;
@@ -159,10 +161,13 @@ Interpreter Rig::stand_in() {
         std::size_t dot = input.substr(0, cursor).rfind('.');
         std::size_t from = dot == std::string_view::npos ? 0 : dot + 1;
         std::string_view typed = input.substr(from, cursor - from);
-        for (std::string_view name : {"friction", "force", "fixed", "mass", "inertia"})
-            if (typed.empty() || name.find(typed[0]) != std::string_view::npos)
-                found.push_back({std::string(name), std::string(name), "0.6 · number · 0 to inf",
-                                 "About " + std::string(name) + ".", from});
+        std::vector<std::pair<int, std::string>> names;
+        for (const char* name : {"friction", "force", "fixed", "mass", "inertia"})
+            if (auto match = fuzzy_match(typed, name)) names.emplace_back(match->score, name);
+        std::stable_sort(names.begin(), names.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        for (const auto& [score, name] : names)
+            found.push_back({name, name, "0.6 · number · 0 to inf", "About " + name + ".", from});
         return found;
     };
     return interpreter;

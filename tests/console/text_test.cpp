@@ -97,6 +97,19 @@ TEST_CASE("an error in the log shows message line and caret") {
     CHECK(log.lines()[5].text == "^^^^^");
 }
 
+TEST_CASE("a traceback is shown when it leads elsewhere") {
+    Log log;
+    ScriptError error;
+    error.message = "console:1: oh no";
+    error.traceback = "in metamethod index\nconsole:1: in main chunk";
+    log.error(error);
+    CHECK(log.lines().size() == 1);
+    error.traceback = "main.lua:7: in function hit\nconsole:1: in main chunk";
+    log.error(error);
+    CHECK(log.lines().size() == 4);
+    CHECK(log.lines().back().kind == LineKind::trace);
+}
+
 TEST_CASE("the log drops its oldest lines and cuts endless ones") {
     Log log;
     for (std::size_t i = 0; i < Log::max_lines + 10; ++i) log.output("line " + std::to_string(i));

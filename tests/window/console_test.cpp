@@ -1,0 +1,128 @@
+// Key typed, property changed, picture changed: the whole program in a window.
+
+#include <iostream>
+
+#include "catch.h"
+#include "game_window.h"
+
+using fettle::test::GameWindow;
+using fettle::test::missing_tools;
+using fettle::test::Picture;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path source(FETTLE_SOURCE_DIR), pictures(FETTLE_PICTURES);
+
+/// True, said aloud, where a window cannot be tested.
+bool skipped() {
+    std::string missing = missing_tools();
+    if (!missing.empty()) std::cout << "SKIPPED: " << missing << " not found\n";
+    return !missing.empty();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Opens the console and waits until it is seen.
+void open_console(GameWindow& game) {
+    Picture before = game.picture();
+    game.key("grave");
+    REQUIRE(game.eventually(
+        [&] { return game.picture().difference(before, 0, 0, 800, 300) > 50'000; }));
+}
+
+}  // namespace
+
+TEST_CASE("a command typed in a window changes the game and its picture") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    game.key("k");
+    REQUIRE(game.prints("game got\tk"));
+    Picture closed = game.settled();
+
+    open_console(game);
+    game.type("world.gravity = vec(0, 2)");
+    game.key("Return");
+    INFO(game.printed());
+    CHECK(game.prints("gravity is\tvec(0, 2)"));
+    // What was typed went nowhere else, and the grave key least of all.
+    CHECK_FALSE(contains(game.printed(), "game got\tw"));
+    CHECK_FALSE(contains(game.printed(), "game got\tgrave"));
+
+    game.key("grave");
+    CHECK(game.eventually(
+        [&] { return game.picture().difference(closed, 0, 0, 800, 300) < 50'000; }));
+    // The crate has fallen up and away from where it lay.
+    CHECK(game.eventually(
+        [&] { return game.picture().difference(closed, 360, 640, 440, 720) > 3'000; }));
+    game.key("j");
+    CHECK(game.prints("game got\tj"));
+    CHECK(game.running());
+}
+
+TEST_CASE("Tab completes a path in a window") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    open_console(game);
+    game.type("world.cra");
+    game.key("Tab");
+    game.type(".");
+    Picture before = game.settled();
+    game.key("Tab");
+    // The list of candidates lies over the game below the console.
+    CHECK(game.eventually(
+        [&] { return game.picture().difference(before, 20, 370, 600, 560) > 20'000; }));
+    game.settled().save_png(pictures / "console.png");
+    game.type("gravity_s");
+    game.key("Tab");
+    game.type(" = 3");
+    game.key("Return");
+    INFO(game.printed());
+    CHECK(game.prints("gravity_scale is\t3"));
+
+    game.type("world.crate.masss = 2");
+    game.key("Return");
+    game.key("Up");
+    for (int i = 0; i < 5; ++i) game.key("BackSpace");
+    game.type(" = 2");
+    game.key("Return");
+    CHECK_FALSE(contains(game.printed(), "game got"));
+    CHECK(game.running());
+}
+
+TEST_CASE("a body clicked in a window is it and is edited in the inspector") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    open_console(game);
+    // The crate lies at (-6, -7): 40 pixels a metre, (0, 0) in the middle of 1280 by 800.
+    game.click(400, 680);
+    game.type("it.mass = 7");
+    game.key("Return");
+    INFO(game.printed());
+    CHECK(game.prints("mass is\t7"));
+    CHECK_FALSE(contains(game.printed(), "game got"));
+    game.settled().save_png(pictures / "inspector.png");
+}
+
+TEST_CASE("the showcase runs in a window") {
+    if (skipped()) return;
+    fs::path showcase = source / "scripts" / "showcase";
+    if (!fs::exists(showcase / "main.lua")) {
+        std::cout << "SKIPPED: there is no showcase\n";
+        return;
+    }
+    GameWindow game(showcase);
+    Picture first = game.picture();
+    CHECK(game.eventually([&] { return game.picture().difference(first) > 10'000; }));
+    game.settled().save_png(pictures / "showcase.png");
+    open_console(game);
+    game.type("world.gravity");
+    game.key("Return");
+    game.settled().save_png(pictures / "showcase-console.png");
+    CHECK(game.running());
+}

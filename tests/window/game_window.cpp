@@ -1,0 +1,137 @@
+#include "game_window.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+namespace fettle::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double patience = 30;  // seconds for anything to happen, on however slow a machine
+constexpr auto poll_interval = std::chrono::milliseconds(20);
+constexpr int screen_width = 1280, screen_height = 800;
+
+}  // namespace
+
+std::string missing_tools() {
+    std::string missing;
+    for (const char* program : {"Xvfb", "xdotool"})
+        if (!available(program)) missing += (missing.empty() ? "" : " and ") + std::string(program);
+    return missing;
+}
+
+GameWindow::GameWindow(const fs::path& game) {
+    std::string pattern = (fs::temp_directory_path() / "fettle-window-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    start_display();
+    environment_["XDG_STATE_HOME"] = (folder_ / "state").string();
+    environment_["WAYLAND_DISPLAY"] = "";
+    environment_["LIBGL_ALWAYS_SOFTWARE"] = "1";
+    program_ = Process({FETTLE_PROGRAM, "run", game.string()}, environment_, folder_ / "printed");
+    fs::path found = folder_ / "windows";
+    bool shown = eventually([&] {
+        fs::remove(found);
+        return run({"xdotool", "search", "--onlyvisible", "--name", "."}, environment_, found) ==
+                   0 &&
+               !read_file(found).empty();
+    });
+    if (!shown) throw std::runtime_error("no window came up\n" + printed());
+    // Without a window manager nobody puts it anywhere in particular.
+    std::string window = read_file(found);
+    window = window.substr(0, window.find('\n'));
+    xdotool({"windowmove", "--sync", window, "0", "0"});
+    xdotool({"windowfocus", window});
+}
+
+GameWindow::~GameWindow() {
+    program_.end();
+    display_.end();
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+void GameWindow::start_display() {
+    // The first free number; Xvfb refuses one that is taken.
+    for (int number = 120; number < 160; ++number) {
+        if (fs::exists("/tmp/.X11-unix/X" + std::to_string(number))) continue;
+        std::string name = ":" + std::to_string(number);
+        std::string screen =
+            std::to_string(screen_width) + "x" + std::to_string(screen_height) + "x24";
+        display_ = Process(
+            {"Xvfb", name, "-screen", "0", screen, "-fbdir", folder_.string(), "-nolisten", "tcp"},
+            {}, folder_ / "display");
+        environment_["DISPLAY"] = name;
+        bool up = eventually([&] {
+            return !display_.running() ||
+                   run({"xdotool", "getdisplaygeometry"}, environment_, "/dev/null") == 0;
+        });
+        if (up && display_.running()) return;
+    }
+    throw std::runtime_error("no virtual display came up\n" + read_file(folder_ / "display"));
+}
+
+void GameWindow::xdotool(const std::vector<std::string>& arguments) const {
+    std::vector<std::string> command = {"xdotool"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    if (run(command, environment_, folder_ / "xdotool") != 0)
+        throw std::runtime_error("xdotool failed\n" + read_file(folder_ / "xdotool"));
+}
+
+void GameWindow::key(const std::string& name) {
+    xdotool({"key", "--delay", "30", name});
+}
+void GameWindow::type(const std::string& text) {
+    xdotool({"type", "--delay", "20", text});
+}
+
+void GameWindow::move(int x, int y) {
+    xdotool({"mousemove", "--sync", std::to_string(x), std::to_string(y)});
+}
+
+void GameWindow::click(int x, int y) {
+    move(x, y);
+    xdotool({"click", "1"});
+}
+
+Picture GameWindow::picture() const {
+    return read_xwd(folder_ / "Xvfb_screen0");
+}
+std::string GameWindow::printed() const {
+    return read_file(folder_ / "printed");
+}
+
+bool GameWindow::eventually(const std::function<bool()>& condition) {
+    auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > deadline) return false;
+        std::this_thread::sleep_for(poll_interval);
+    }
+    return true;
+}
+
+bool GameWindow::prints(const std::string& text) {
+    return eventually([&] { return printed().find(text) != std::string::npos; });
+}
+
+Picture GameWindow::settled() {
+    constexpr int same_needed = 10;
+    Picture last = picture();
+    int same = 0;
+    for (int i = 0; i < 200 && same < same_needed; ++i) {
+        std::this_thread::sleep_for(poll_interval);
+        Picture next = picture();
+        // A blinking caret and a pulsing outline never rest.
+        same = next.difference(last) < 3000 ? same + 1 : 0;
+        last = std::move(next);
+    }
+    return last;
+}
+
+}  // namespace fettle::test

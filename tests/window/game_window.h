@@ -1,0 +1,50 @@
+#pragma once
+// A game in a window of a virtual display, played with real key and mouse events.
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "picture.h"
+#include "process.h"
+
+namespace fettle::test {
+
+/// What is missing on this machine to run a test in a window; "" when nothing is.
+std::string missing_tools();
+
+class GameWindow {
+  public:
+    /// Starts a virtual display and in it `fettle run GAME`. Throws std::runtime_error when either
+    /// does not come up.
+    explicit GameWindow(const std::filesystem::path& game);
+    ~GameWindow();
+
+    /// Names of xdotool: "grave", "Return", "ctrl+a".
+    void key(const std::string& name);
+    void type(const std::string& text);
+    void click(int x, int y);
+    void move(int x, int y);
+
+    Picture picture() const;
+    /// What the program has printed so far.
+    std::string printed() const;
+    /// Waits until it is true; false when it does not become so within some seconds.
+    bool eventually(const std::function<bool()>& condition);
+    bool prints(const std::string& text);
+    /// Waits until nothing changes in the picture for a while, but not for ever.
+    Picture settled();
+    bool running() { return program_.running(); }
+
+  private:
+    void start_display();
+    void xdotool(const std::vector<std::string>& arguments) const;
+
+    std::filesystem::path folder_;
+    std::map<std::string, std::string> environment_;
+    Process display_, program_;
+};
+
+}  // namespace fettle::test
