@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -24,18 +23,26 @@ void require_display() {
             "there is no display to draw on: set DISPLAY, use xvfb-run, or run with --headless");
 }
 
+/// SFML explains what goes wrong on a stream of its own, and finds fault where there is none (a
+/// virtual display cannot wait for its screen). Failures are told by what its functions return.
+class Silence {
+  public:
+    Silence() : before_(sf::err().rdbuf(nullptr)) {}
+    ~Silence() { sf::err().rdbuf(before_); }
+    Silence(const Silence&) = delete;
+
+  private:
+    std::streambuf* before_;
+};
+
 void write_image(const sf::Image& image, const std::filesystem::path& file) {
     std::error_code ignored;
     const std::filesystem::path folder = file.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
         throw std::runtime_error(file.string() + ": cannot be written, since there is no folder " +
                                  folder.string());
-    // SFML explains itself on a stream of its own; one message is enough.
-    std::ostringstream reason;
-    std::streambuf* before = sf::err().rdbuf(reason.rdbuf());
-    const bool written = image.saveToFile(file.string());
-    sf::err().rdbuf(before);
-    if (!written)
+    const Silence silence;
+    if (!image.saveToFile(file.string()))
         throw std::runtime_error(file.string() +
                                  ": the picture cannot be written (endings known: .png .jpg .bmp "
                                  ".tga)");
@@ -128,6 +135,7 @@ class Pacer {
 class SfmlWindow : public Window {
   public:
     explicit SfmlWindow(const WindowOptions& options) : title_(options.title) {
+        const Silence silence;
         sfml::open(window_, title_, options.width, options.height, samples);
         window_.setVerticalSyncEnabled(true);
         window_.setKeyRepeatEnabled(true);  // for the console; the game is told of the first only
@@ -180,6 +188,7 @@ class SfmlWindow : public Window {
     void set_vsync(bool on) override {
         if (on == vsync_) return;
         vsync_ = on;
+        const Silence silence;
         window_.setVerticalSyncEnabled(on);
     }
 
