@@ -49,12 +49,14 @@ Binding angle(Hosting& hosting) {
 
 Binding velocity(Hosting& hosting) {
     return accessor(
-        hosting, [](Hosting& h, Row row) { return widen(h.body(row).velocity()); },
+        hosting, [](Hosting& h, Row row) { return widen(h.velocity(row)); },
         [](Hosting& h, Row row, const Value& value) {
-            physics::Body body = h.body(row);
             const physics::Vec2 wanted = narrow(value.vec2());
-            body.set_velocity(wanted);
-            if (h.state(row).velocity != wanted) require_movable(body);
+            h.set_velocity(row, wanted);
+            if (h.state(row).velocity != wanted) {
+                h.set_velocity(row, physics::Vec2::Zero());
+                require_movable(h.body(row));
+            }
         });
 }
 

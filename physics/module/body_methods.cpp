@@ -16,7 +16,12 @@ template <class Run>
 Method method(Hosting& hosting, Method described, Run) {
     described.context = &hosting;
     described.call = [](void* context, property::Tree&, Handle, Row row, Arguments arguments) {
-        return Run{}(static_cast<Hosting*>(context)->body(row), arguments);
+        auto& h = *static_cast<Hosting*>(context);
+        const bool outside = world_number(row) == limbo;
+        if (outside) h.velocity(row);
+        Result result = Run{}(h.body(row), arguments);
+        if (outside) h.set_velocity(row, h.body(row).velocity());
+        return result;
     };
     return described;
 }

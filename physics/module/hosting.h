@@ -51,6 +51,9 @@ struct HostedWorld {
     bool unreported = false;
     SlotValues<Look> looks;                                  // by shape slot
     SlotValues<std::optional<property::Color>> body_colors;  // by body slot
+    // Limbo: what was written, by body slot. Shapes that come later move the center of mass, but
+    // not what its velocity is to be in a world.
+    SlotValues<std::optional<physics::Vec2>> velocities;
     // Who stood for what was destroyed while it touched something: its end is still to be told.
     // By generation.
     std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;
@@ -84,6 +87,18 @@ class Hosting {
     physics::Shape shape(Row row) {
         physics::World& in = world(row);
         return in.shape({slot_of(row), in.shape_generation(slot_of(row))});
+    }
+    /// Of the center of mass.
+    physics::Vec2 velocity(Row row) {
+        physics::Body of = body(row);
+        if (world_number(row) == limbo)
+            if (const auto written = hosted(row).velocities.get(slot_of(row)))
+                of.set_velocity(*written);
+        return of.velocity();
+    }
+    void set_velocity(Row row, const physics::Vec2& velocity) {
+        body(row).set_velocity(velocity);
+        if (world_number(row) == limbo) hosted(row).velocities.set(slot_of(row), velocity);
     }
     HostedWorld* world_at(std::uint32_t number) { return worlds_[number].get(); }
     const HostedWorld* world_at(std::uint32_t number) const { return worlds_[number].get(); }

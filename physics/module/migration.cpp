@@ -52,25 +52,28 @@ physics::ShapeDef description(const physics::Shape& shape) {
 Row Hosting::migrate_body(Row from, std::uint32_t to) {
     physics::Body old = body(from);
     HostedWorld& target = *worlds_[to];
-    const physics::BodyDef def = description(old);
+    physics::BodyDef def = description(old);
+    def.velocity = velocity(from);
     const bool awake = old.awake();
 
     physics::Body fresh = target.world.create_body(def);
     for (const physics::Shape& shape : old.shapes()) {
         const Handle instance = unpack(shape.user_data());
-        const Row row = make_row(world_number(from), shape.index());
-        tree.set_row(instance, migrate_shape(row, to, fresh));
+        const Row shape_row = make_row(world_number(from), shape.index());
+        tree.set_row(instance, migrate_shape(shape_row, to, fresh));
     }
     // The velocity is that of the center of mass, which the shapes have just moved.
+    const Row row = make_row(to, fresh.index());
     fresh.mass();
-    fresh.set_velocity(def.velocity);
     fresh.set_angular_velocity(def.angular_velocity);
+    set_velocity(row, def.velocity);
     if (!awake) fresh.set_awake(false);
+    hosted(from).velocities.forget(slot_of(from));
     const auto color = hosted(from).body_colors.take(slot_of(from));
     if (color) target.body_colors.set(fresh.index(), color);
     old.destroy();
     joints.loosen();
-    return make_row(to, fresh.index());
+    return row;
 }
 
 Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owner) {

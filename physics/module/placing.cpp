@@ -65,6 +65,7 @@ void Hosting::destroy_body(Row row) {
     const physics::Body gone = body(row);
     if (gone.is_touching()) in.departed_bodies[gone.id().generation] = unpack(gone.user_data());
     in.body_colors.forget(slot_of(row));
+    in.velocities.forget(slot_of(row));
     physics::Body(gone).destroy();
     joints.loosen();
 }

@@ -105,7 +105,7 @@ std::vector<Property> tuning(Hosting& hosting) {
                "How long something rests before it falls asleep.",
                bound<&World::sleep_delay, &World::set_sleep_delay>(hosting)),
         number("contact_hertz", defaults.contact_hertz, "Hz",
-               "Stiffness of contacts, at most an eighth of the rate of sub-steps.",
+               "Stiffness of contacts, at most a quarter of the rate of sub-steps.",
                bound<&World::contact_hertz, &World::set_contact_hertz>(hosting)),
         number("contact_damping", defaults.contact_damping, "", "Damping ratio of contacts.",
                bound<&World::contact_damping, &World::set_contact_damping>(hosting)),
@@ -115,21 +115,27 @@ std::vector<Property> tuning(Hosting& hosting) {
     };
 }
 
+/// An instance that somebody moved away may outlive its world; it tells of limbo then.
+const StepStatistics& statistics_of(Hosting& hosting, Row row) {
+    const HostedWorld* hosted = hosting.world_at(world_number(row));
+    return (hosted != nullptr ? hosted : hosting.world_at(limbo))->world.statistics();
+}
+
 template <auto Member>
 Property statistic(Hosting& hosting, std::string name, std::string doc) {
     using Figure = std::remove_cvref_t<decltype(std::declval<StepStatistics>().*Member)>;
     constexpr bool is_time = std::is_same_v<Figure, float>;
-    return {.name = std::move(name),
-            .type = is_time ? Type::number : Type::integer,
-            .unit = is_time ? "ms" : "",
-            .doc = std::move(doc),
-            .binding = accessor(
-                hosting,
-                [](Hosting& h, Row row) { return to_value(h.world(row).statistics().*Member); }),
-            .read_only = true,
-            .transient = true,
-            .simulated = true,
-            .single_precision = is_time};
+    return {
+        .name = std::move(name),
+        .type = is_time ? Type::number : Type::integer,
+        .unit = is_time ? "ms" : "",
+        .doc = std::move(doc),
+        .binding = accessor(
+            hosting, [](Hosting& h, Row row) { return to_value(statistics_of(h, row).*Member); }),
+        .read_only = true,
+        .transient = true,
+        .simulated = true,
+        .single_precision = is_time};
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fettle/property/storage/scene.h>
+
 #include "catch.h"
 #include "game.h"
 
@@ -264,8 +266,19 @@ TEST_CASE_METHOD(Game, "a sleeping body sleeps on in another world") {
 TEST_CASE_METHOD(Game,
                  "a spinning body with its weight aside keeps its velocity when it is placed") {
     const Handle wheel = make("Body", {}, {{"velocity", Vec2(1, 2)}, {"angular_velocity", 5}});
-    make("Circle", wheel, {{"center", Vec2(1, 0)}});
+    const Handle rim = make("Circle", wheel, {{"center", Vec2(1, 0)}});
+    CHECK(vec(wheel, "velocity") == Vec2(1, 2));
+    tree.move(wheel, world(), "wheel");
+    CHECK(vec(wheel, "velocity") == Vec2(1, 2));
+    tree.move(wheel, {});
+    set(rim, "center", Vec2(0, 3));
+    tree.call(wheel, "apply_impulse", {Vec2(0, 0)});
+    CHECK(vec(wheel, "velocity") == Vec2(1, 2));
+    set(wheel, "type", "static");
+    CHECK(vec(wheel, "velocity") == Vec2(0, 0));
+    set(wheel, "type", "dynamic");
     set(wheel, "velocity", Vec2(1, 2));
+    set(wheel, "angular_velocity", 5);
     tree.move(wheel, world(), "wheel");
     CHECK(vec(wheel, "velocity") == Vec2(1, 2));
     CHECK(number(wheel, "angular_velocity") == 5);
@@ -302,4 +315,30 @@ TEST_CASE_METHOD(Game, "scene values of a body are those that differ from the de
         if (!property->read_only && tree.overridden(ground, *property))
             names.push_back(property->name);
     CHECK(names == std::vector<std::string>{"type", "position"});
+}
+
+TEST_CASE_METHOD(Travellers, "a scene file brings back bodies and shapes and joints as they were") {
+    const Handle group = make("Object", world(), "group");
+    tree.move(crate, group, "crate");
+    set(crate, "mass", 8);
+    make("MouseJoint", group, {{"body", crate}, {"target", Vec2(1, 8)}});
+    const Handle ground = floor();
+    tree.move(ground, group, "ground");
+    const std::string text = property::scene_text(tree, group);
+
+    Game other;
+    const Handle loaded = property::load_scene_text(other.tree, text, "test.json", other.world());
+    CHECK(property::scene_text(other.tree, loaded) == text);
+    step(40);
+    other.step(40);
+    CHECK(physics.hash() == other.physics.hash());
+}
+
+TEST_CASE_METHOD(Game, "statistics moved away from a world that is deleted do no harm") {
+    const Handle second = make("World", tree.root(), "second");
+    const Handle statistics = tree.child(second, "step");
+    tree.move(statistics, tree.root(), "numbers");
+    tree.destroy(second);
+    step();
+    CHECK(get(statistics, "bodies").integer() == 0);
 }
