@@ -32,6 +32,8 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
         ->capture_default_str();
     command->add_option("--steps", options.steps, "Steps instead of the scene's own number")
         ->check(CLI::Range(2, 1000000));
+    command->add_flag("--processor-time", options.processor_time,
+                      "Time on a processor instead of wall time: where others use the machine too");
     add_output(*command, options.output);
 }
 

@@ -17,7 +17,8 @@ struct ScenesOptions {
     std::vector<std::string> engines;  // none: all
     int threads = 1;
     int runs = 3;
-    int steps = 0;  // 0: as the scene says
+    int steps = 0;                // 0: as the scene says
+    bool processor_time = false;  // instead of wall time: for a machine that others use too
     OutputOptions output;
 };
 int run_scenes(const ScenesOptions& options);

@@ -65,6 +65,7 @@ class SceneRunner {
         else
             print_table();
         if (!options_.output.svg.empty()) write_svg(chart(), options_.output.svg);
+        warn_when_busy();
         return hashes_agree() ? 0 : 1;
     }
 
@@ -120,7 +121,7 @@ class SceneRunner {
         constexpr int turns = 20;
         const std::size_t count = engines_.size();
         std::vector<std::unique_ptr<Simulation>> simulations(count);
-        std::vector<double> ms(count, 0);
+        std::vector<StepTime> time(count);
         for (std::size_t i = 0; i < count; ++i) {
             if (!able(*engines_[i])) continue;
             simulations[i] = std::make_unique<Simulation>(scene, *engines_[i]);
@@ -131,7 +132,7 @@ class SceneRunner {
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = (k + static_cast<std::size_t>(turn + run)) % count;
                 if (simulations[i])
-                    ms[i] += simulations[i]->advance(goal - simulations[i]->steps()).wall_ms;
+                    time[i] += simulations[i]->advance(goal - simulations[i]->steps());
                 progress.add(1.0 / static_cast<double>(turns * count));
             }
         }
@@ -139,11 +140,16 @@ class SceneRunner {
             if (!simulations[i]) continue;
             if (!row.cells[i]) row.cells[i].emplace();
             Cell& cell = *row.cells[i];
-            cell.ms.push_back(ms[i] / std::max(1, scene.steps - 1));
+            cell.ms.push_back(measured(time[i]) / std::max(1, scene.steps - 1));
+            busy_ = std::max(busy_, time[i].wall_ms / time[i].thread_ms);
             cell.bodies = simulations[i]->engine().bodies();
             cell.contacts = simulations[i]->engine().contacts();
             cell.hash = simulations[i]->hash();
         }
+    }
+
+    double measured(const StepTime& time) const {
+        return options_.processor_time ? time.thread_ms : time.wall_ms;
     }
 
     const Cell* cell(const Row& row, std::string_view engine) const {
@@ -172,17 +178,20 @@ class SceneRunner {
     }
 
     void print_table() const {
-        std::vector<std::string> headers = {"ms a step", "bodies", "steps"};
+        std::vector<std::string> headers = {"ms a step", "bodies", "contacts", "steps"};
         for (const EngineKind* kind : engines_) headers.emplace_back(kind->name);
         for (const EngineKind* kind : engines_) {
             if (kind->name != "box2d") headers.push_back(std::string(kind->name) + "/box2d");
         }
         Table table(headers);
         for (const Row& row : rows_) {
-            std::size_t bodies = 0;
-            for (const auto& cell : row.cells) bodies = cell ? cell->bodies : bodies;
+            std::size_t bodies = 0, contacts = 0;  // in the first engine
+            for (auto cell = row.cells.rbegin(); cell != row.cells.rend(); ++cell) {
+                bodies = *cell ? (*cell)->bodies : bodies;
+                contacts = *cell ? (*cell)->contacts : contacts;
+            }
             std::vector<std::string> line = {row.scene, std::to_string(bodies),
-                                             std::to_string(row.steps)};
+                                             std::to_string(contacts), std::to_string(row.steps)};
             for (const auto& cell : row.cells) line.push_back(cell ? figure(cell->step_ms()) : "");
             const Cell* peer = cell(row, "box2d");
             for (std::size_t i = 0; i < engines_.size(); ++i) {
@@ -215,6 +224,12 @@ class SceneRunner {
         return chart;
     }
 
+    void warn_when_busy() const {
+        if (options_.threads != 1 || options_.processor_time || busy_ < 1.2) return;
+        std::cerr << "this machine was busy: steps took up to " << figure(busy_, 2)
+                  << " times the time they had a processor; --processor-time measures that\n";
+    }
+
     /// The tree must not change what is simulated.
     bool hashes_agree() const {
         bool agree = true;
@@ -233,6 +248,7 @@ class SceneRunner {
     std::vector<const EngineKind*> engines_;
     std::vector<const CatalogueEntry*> scenes_;
     std::vector<Row> rows_;
+    double busy_ = 1;  // most wall time over processor time
 };
 
 }  // namespace

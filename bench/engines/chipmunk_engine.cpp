@@ -4,8 +4,10 @@
 // Box2D's half a centimetre is used instead.
 
 #include <chipmunk/chipmunk.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <vector>
 
@@ -45,13 +47,26 @@ struct ShapeMaker {
     }
 };
 
+/// The first space greets on standard output, which belongs to tables and JSON lines: it is sent to
+/// the error stream.
+cpSpace* new_space() {
+    std::fflush(stdout);
+    const int output = dup(STDOUT_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    cpSpace* space = cpSpaceNew();
+    std::fflush(stdout);
+    dup2(output, STDOUT_FILENO);
+    close(output);
+    return space;
+}
+
 void count_arbiter(cpBody*, cpArbiter* arbiter, void* count) {
     *static_cast<std::size_t*>(count) += cpArbiterGetCount(arbiter) > 0 ? 1 : 0;
 }
 
 class ChipmunkEngine : public Engine {
   public:
-    explicit ChipmunkEngine(const Scene& scene) : space_(cpSpaceNew()) {
+    explicit ChipmunkEngine(const Scene& scene) : space_(new_space()) {
         cpSpaceSetGravity(space_, vec(scene.gravity));
         cpSpaceSetIterations(space_, 10);
         cpSpaceSetCollisionSlop(space_, 0.005);

@@ -29,8 +29,8 @@ struct Chart {
         std::string label;
         std::vector<std::optional<double>> values{};  // one a series; none: no bar
     };
-    std::string title;
-    std::string unit;
+    std::string title{};
+    std::string unit{};
     std::vector<std::string> series{};
     std::vector<Group> groups{};
 };
