@@ -9,13 +9,29 @@ namespace fettle::program {
 
 namespace fs = std::filesystem;
 
-fs::path showcase() {
+namespace {
+
+// What belongs to Fettle itself: installed beside the program, or in the source folder it was built
+// from.
+fs::path own(const fs::path& file) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const fs::path& folder : {program / "../share/fettle/scripts/showcase",
-                                   fs::path(FETTLE_SOURCE_DIR "/scripts/showcase")})
-        if (fs::exists(folder / "main.lua", error)) return fs::weakly_canonical(folder);
-    throw FileError("the showcase is missing from the installation; name a game to run");
+    for (const fs::path& folder : {program / "../share/fettle", fs::path(FETTLE_SOURCE_DIR)})
+        if (fs::exists(folder / file, error)) return fs::weakly_canonical(folder / file);
+    return {};
+}
+
+}  // namespace
+
+fs::path showcase() {
+    const fs::path main = own("scripts/showcase/main.lua");
+    if (main.empty())
+        throw FileError("the showcase is missing from the installation; name a game to run");
+    return main.parent_path();
+}
+
+fs::path assets() {
+    return own("assets");
 }
 
 void require_game(const fs::path& game) {

@@ -17,6 +17,9 @@ class FileError : public std::runtime_error {
 /// FileError when it is in neither.
 std::filesystem::path showcase();
 
+/// Fettle's own assets; empty when they are missing.
+std::filesystem::path assets();
+
 /// Throws FileError unless `game` is a .lua file, or a folder with
 /// main.lua.
 void require_game(const std::filesystem::path& game);

@@ -38,7 +38,8 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         if (!error.where.empty()) told.context += " (" + error.where + ")";
         fail(told);
     });
-    runtime_ = std::make_unique<script::Runtime>(tree_, script::Options{.seed = options.seed});
+    runtime_ = std::make_unique<script::Runtime>(
+        tree_, script::Options{.seed = options.seed, .assets = assets()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
     runtime_->on_print([this](std::string_view text) {
         std::fwrite(text.data(), 1, text.size(), stdout);

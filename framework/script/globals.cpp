@@ -29,8 +29,8 @@ const std::vector<std::string>& callback_names() {
 
 const std::vector<std::string>& later_names() {
     static const std::vector<std::string> names = {
-        "edit",      "formula", "history",  "keep",   "load_game", "redo", "restore", "rewind",
-        "save_game", "scene",   "snapshot", "tweaks", "tween",     "undo", "who",     "why"};
+        "edit",      "formula",  "history", "keep",  "load_game", "redo", "restore", "rewind",
+        "save_game", "snapshot", "tweaks",  "tween", "undo",      "who",  "why"};
     return names;
 }
 
@@ -116,8 +116,8 @@ int read_global(lua_State* L) {
         lua_pushnil(L);
         return 1;
     }
-    throw Error(ErrorKind::unknown_name, std::string(name) + ": no such name" +
-                                             suggest(machine, name));
+    throw Error(ErrorKind::unknown_name,
+                std::string(name) + ": no such name" + suggest(machine, name));
 }
 
 int write_global(lua_State* L) {

@@ -154,14 +154,14 @@ int text(lua_State* L) {
         lua_remove(L, 1);
         lua_insert(L, 2);
     }
+    lua_settop(L, 5);
     const Vec2 position = point_at(L, 1, "pen.text");
+    const double height = lua_isnil(L, 3) ? 0.5 : length_at(L, 3, "pen.text");
+    const Color color = color_or(L, 4, "pen.text", {1, 1, 1, 1});
+    const auto align = align_at(L, 5);
     push_text(L, 2);
     std::size_t length = 0;
     const char* chars = lua_tolstring(L, -1, &length);
-    const double height = lua_isnoneornil(L, 3) ? 0.5 : length_at(L, 3, "pen.text");
-    const bool colored = lua_gettop(L) >= 5;  // the text as text was pushed behind the arguments
-    const Color color = colored ? color_or(L, 4, "pen.text", {1, 1, 1, 1}) : Color{1, 1, 1, 1};
-    const auto align = lua_gettop(L) >= 6 ? align_at(L, 5) : property::TextAlign::middle;
     painter(L).text(position, {chars, length}, height, color, align);
     return 0;
 }

@@ -97,6 +97,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_query(L);
     open_class_function(L);
     open_require(L);
+    open_scenes(L);
     open_help(L);
     open_vec(L, machine);
     open_color(L, machine);

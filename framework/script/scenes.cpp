@@ -1,0 +1,118 @@
+// `scene`: files of instances, for scripts.
+//   scene.load(file [, parent [, name]])   the instance that was loaded; detached without a parent
+//   scene.save(file, instance)
+// Files lie in the game's folder; what is not there is looked for among Fettle's own assets, which
+// are read only.
+
+#include <filesystem>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+#include <fettle/property/storage/scene.h>
+
+#include "guard.h"
+#include "machine.h"
+#include "sandbox.h"
+#include "values.h"
+
+namespace fettle::script {
+
+namespace fs = std::filesystem;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+
+namespace {
+
+std::string file_name(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a file name, not " + describe_type(L, index));
+    std::size_t length = 0;
+    const char* chars = lua_tolstring(L, index, &length);
+    std::string name(chars, length);
+    const fs::path path(name);
+    bool leaves = path.is_absolute() || name.empty() || name.find('\0') != std::string::npos;
+    for (const fs::path& part : path) leaves = leaves || part == "..";
+    if (leaves)
+        throw Error(ErrorKind::rejected, std::string(what) + ": \"" + name.substr(0, 80) +
+                                             "\" is no file below the game's folder");
+    return name;
+}
+
+// `file` below `folder`, or nothing when it is not there. A symbolic link must not lead out.
+fs::path below(const fs::path& folder, const std::string& file, const char* what) {
+    std::error_code code;
+    const fs::path root = fs::canonical(folder, code);
+    if (code) return {};
+    const fs::path path = fs::weakly_canonical(root / file, code);
+    if (code) return {};
+    const fs::path relative = path.lexically_relative(root);
+    if (relative.empty() || *relative.begin() == "..")
+        throw Error(ErrorKind::rejected, std::string(what) + ": \"" + file +
+                                             "\" leads out of the folder " +
+                                             root.filename().string());
+    return path;
+}
+
+std::vector<std::string> scenes_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code code;
+    for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end;
+         it.increment(code)) {
+        if (names.size() > 1000 || it.depth() > 4) break;
+        if (it->path().extension() == ".json")
+            names.push_back(it->path().lexically_relative(folder).generic_string());
+    }
+    return names;
+}
+
+int load(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string file = file_name(L, 1, "scene.load");
+    const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "scene.load");
+    std::string name;
+    if (!lua_isnoneornil(L, 3)) {
+        if (lua_type(L, 3) != LUA_TSTRING)
+            throw Error(ErrorKind::wrong_type,
+                        "scene.load: needs a name, not " + describe_type(L, 3));
+        name = lua_tostring(L, 3);
+    }
+    std::error_code code;
+    fs::path path = below(machine.folder, file, "scene.load");
+    if (path.empty() || !fs::exists(path, code))
+        path = below(machine.options.assets, file, "scene.load");
+    if (path.empty() || !fs::exists(path, code)) {
+        std::vector<std::string> names = scenes_in(machine.folder);
+        for (std::string& each : scenes_in(machine.options.assets))
+            names.push_back(std::move(each));
+        throw Error(ErrorKind::unknown_name, "scene.load: there is no file \"" + file + "\"" +
+                                                 property::suggestion(file, names));
+    }
+    std::vector<std::string> warnings;
+    const Handle loaded = property::load_scene(machine.tree, path, parent, name, &warnings);
+    for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
+    push_instance(L, loaded);
+    return 1;
+}
+
+int save(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string file = file_name(L, 1, "scene.save");
+    const Handle node = check_instance(L, 2, "scene.save");
+    const fs::path path = below(machine.folder, file, "scene.save");
+    if (path.empty()) throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
+    property::save_scene(machine.tree, node, path);
+    return 0;
+}
+
+}  // namespace
+
+void open_scenes(lua_State* L) {
+    lua_newtable(L);
+    add_function<load>(L, "load");
+    add_function<save>(L, "save");
+    lua_setfield(L, -2, "scene");
+}
+
+}  // namespace fettle::script
