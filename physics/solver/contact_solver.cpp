@@ -170,7 +170,6 @@ void ContactSolver::warm_start() {
         pair.apply(impulse, 1.0f, angular_a, angular_b);
         pair.store(a, b);
     }
-    bodies[0] = SolverBody{};
 }
 
 void ContactSolver::solve_biased() {
@@ -181,7 +180,6 @@ void ContactSolver::solve_biased() {
         solve_normals<true>(c, a, b, pair, softness[c.fixed], inverse_h, push_speed);
         pair.store(a, b);
     }
-    bodies[0] = SolverBody{};
 }
 
 void ContactSolver::relax() {
@@ -200,7 +198,6 @@ void ContactSolver::relax() {
         }
         pair.store(a, b);
     }
-    bodies[0] = SolverBody{};
 }
 
 void ContactSolver::restitute() {
@@ -227,7 +224,6 @@ void ContactSolver::restitute() {
         }
         pair.store(a, b);
     }
-    bodies[0] = SolverBody{};
 }
 
 }  // namespace fettle::physics::detail

@@ -1,5 +1,7 @@
 #include <world/world_data.h>
 
+#include <bit>
+
 // Between the records and the solver: constraints are written once a step in the order of the awake
 // contacts, and their impulses are read back.
 
@@ -41,85 +43,197 @@ void prepare_extra(const ContactRecord& record, const ContactConstraint& c, cons
     }
 }
 
+void prepare_constraint(const ContactRecord& record, const SolverBody& a, const SolverBody& b,
+                        float impulse_ratio, ContactConstraint& c) {
+    const Manifold& m = record.manifold;
+    c.normal = m.normal;
+    c.friction = record.friction;
+    c.count = uint16_t(m.count);
+    c.fixed = (a.inverse_mass == 0.0f) | (b.inverse_mass == 0.0f) ? 1 : 0;
+    c.extra = 0;
+    const V2 t = right_perp(m.normal);
+    for (int k = 0; k < m.count; ++k) {
+        prepare_point(m.points[k], m.normal, t, a, b, impulse_ratio, c.points[k]);
+    }
+    if (m.count < 2) {
+        // A second point of no mass: whoever solves both alike adds nothing for it.
+        c.points[1] = {};
+        c.coupling_normal = c.coupling_tangent = 0.0f;
+        return;
+    }
+    const ConstraintPoint &p = c.points[0], &q = c.points[1];
+    const float inverse = a.inverse_mass + b.inverse_mass;
+    c.coupling_normal = inverse + a.inverse_inertia * p.normal_lever_a * q.normal_lever_a +
+                        b.inverse_inertia * p.normal_lever_b * q.normal_lever_b;
+    c.coupling_tangent = inverse + a.inverse_inertia * p.tangent_lever_a * q.tangent_lever_a +
+                         b.inverse_inertia * p.tangent_lever_b * q.tangent_lever_b;
+}
+
+void pack(const ContactConstraint& c, const Softness& soft, WideContact& wide, int lane) {
+    wide.a[lane] = c.a;
+    wide.b[lane] = c.b;
+    wide.normal_x[lane] = c.normal.x;
+    wide.normal_y[lane] = c.normal.y;
+    wide.friction[lane] = c.friction;
+    wide.bias_rate[lane] = soft.bias_rate;
+    wide.mass_scale[lane] = soft.mass_scale;
+    wide.impulse_keep[lane] = 1.0f - soft.impulse_scale;
+    wide.coupling_normal[lane] = c.coupling_normal;
+    wide.coupling_tangent[lane] = c.coupling_tangent;
+    for (int k = 0; k < 2; ++k) {
+        const ConstraintPoint& from = c.points[k];
+        WidePoint& to = wide.points[k];
+        to.normal_lever_a[lane] = from.normal_lever_a;
+        to.normal_lever_b[lane] = from.normal_lever_b;
+        to.tangent_lever_a[lane] = from.tangent_lever_a;
+        to.tangent_lever_b[lane] = from.tangent_lever_b;
+        to.separation[lane] = from.separation;
+        to.normal_mass[lane] = from.normal_mass;
+        to.tangent_mass[lane] = from.tangent_mass;
+        to.normal_impulse[lane] = from.normal_impulse;
+        to.tangent_impulse[lane] = from.tangent_impulse;
+    }
+}
+
+/// Colors of contacts between two that move, then those with something fixed: solved last, they
+/// have the last word.
+constexpr int moving_colors = 48;
+
 }  // namespace
 
-void WorldData::prepare_contacts(float h) {
-    constraints.clear();
-    extras.clear();
-    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+/// Greedy coloring, anew in every step: the lowest color that neither body has yet. What finds
+/// none, and what needs more than a plain contact, is solved one at a time.
+void WorldData::color_contacts() {
+    colored.clear();
+    color_begin.fill(0);
+    colors_of_body.assign(solver_bodies.size(), 0);
+    serial_contacts.clear();
     for (uint32_t slot : awake_contacts) {
         const ContactRecord& record = contacts[slot];
-        const Manifold& m = record.manifold;
-        if (m.count == 0 || record.sensor) continue;
-        const uint32_t ia = bodies[record.body_a].solver_index;
-        const uint32_t ib = bodies[record.body_b].solver_index;
-        const SolverBody& a = solver_bodies[ia];
-        const SolverBody& b = solver_bodies[ib];
-        ContactConstraint& c = constraints.emplace_back();
-        c.a = ia;
-        c.b = ib;
-        c.normal = m.normal;
-        c.friction = record.friction;
+        if (record.manifold.count == 0 || record.sensor) continue;
+        const uint32_t a = bodies[record.body_a].solver_index,
+                       b = bodies[record.body_b].solver_index;
+        const bool moves_a = bodies[record.body_a].mobility == Mobility::dynamic && a != 0;
+        const bool moves_b = bodies[record.body_b].mobility == Mobility::dynamic && b != 0;
+        const uint64_t taken =
+            (moves_a ? colors_of_body[a] : 0) | (moves_b ? colors_of_body[b] : 0);
+        const int first = moves_a && moves_b ? 0 : moving_colors;
+        const int color = first + std::countr_one(taken >> first);
+        if (record.special || color >= (first == 0 ? moving_colors : color_count)) {
+            serial_contacts.push_back(slot);
+            continue;
+        }
+        if (moves_a) colors_of_body[a] |= uint64_t{1} << color;
+        if (moves_b) colors_of_body[b] |= uint64_t{1} << color;
+        colored.push_back({slot, uint32_t(color)});
+        ++color_begin[size_t(color)];
+    }
+    // From counts to the first lane of each color; every color begins a group of its own.
+    uint32_t begin = 0;
+    for (uint32_t& entry : color_begin) {
+        const uint32_t count = entry;
+        entry = begin;
+        begin += (count + lanes - 1) / lanes * lanes;
+    }
+    wide_slots.assign(begin, none);
+    wide_contacts.resize(begin / lanes);
+}
+
+void WorldData::prepare_contacts(float h, const Softness (&softness)[2]) {
+    color_contacts();
+    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+    auto prepare = [&](uint32_t slot, ContactConstraint& c) {
+        const ContactRecord& record = contacts[slot];
         c.contact = slot;
-        c.count = uint16_t(m.count);
-        c.fixed = (a.inverse_mass == 0.0f) | (b.inverse_mass == 0.0f) ? 1 : 0;
-        const V2 t = right_perp(m.normal);
-        for (int k = 0; k < m.count; ++k)
-            prepare_point(m.points[k], m.normal, t, a, b, ratio, c.points[k]);
-        if (m.count == 2) {
-            const ConstraintPoint &p = c.points[0], &q = c.points[1];
-            const float inverse = a.inverse_mass + b.inverse_mass;
-            c.coupling_normal = inverse + a.inverse_inertia * p.normal_lever_a * q.normal_lever_a +
-                                b.inverse_inertia * p.normal_lever_b * q.normal_lever_b;
-            c.coupling_tangent = inverse +
-                                 a.inverse_inertia * p.tangent_lever_a * q.tangent_lever_a +
-                                 b.inverse_inertia * p.tangent_lever_b * q.tangent_lever_b;
-        }
-        c.extra = 0;
-        if (record.special) {
-            prepare_extra(record, c, a, b, ratio, extras.emplace_back());
-            c.extra = uint32_t(extras.size());
-        }
+        c.a = bodies[record.body_a].solver_index;
+        c.b = bodies[record.body_b].solver_index;
+        prepare_constraint(record, solver_bodies[c.a], solver_bodies[c.b], ratio, c);
+    };
+    ContactConstraint c;
+    for (const auto& [slot, color] : colored) {
+        const uint32_t place = color_begin[color]++;
+        prepare(slot, c);
+        wide_slots[place] = slot;
+        pack(c, softness[c.fixed], wide_contacts[place / lanes], int(place % lanes));
+    }
+    // Lanes that no contact came to: body 0 against itself, without mass.
+    const ContactConstraint nothing = {};
+    for (uint32_t place = 0; place < wide_slots.size(); ++place) {
+        if (wide_slots[place] == none)
+            pack(nothing, {}, wide_contacts[place / lanes], int(place % lanes));
+    }
+    constraints.clear();
+    extras.clear();
+    for (uint32_t slot : serial_contacts) {
+        ContactConstraint& serial = constraints.emplace_back();
+        prepare(slot, serial);
+        if (!contacts[slot].special) continue;
+        prepare_extra(contacts[slot], serial, solver_bodies[serial.a], solver_bodies[serial.b],
+                      ratio, extras.emplace_back());
+        serial.extra = uint32_t(extras.size());
     }
 }
 
 void WorldData::store_contacts() {
+    for (uint32_t place = 0; place < wide_slots.size(); ++place) {
+        if (wide_slots[place] == none) continue;
+        const WideContact& wide = wide_contacts[place / lanes];
+        const uint32_t lane = place % lanes;
+        Manifold& m = contacts[wide_slots[place]].manifold;
+        for (int k = 0; k < m.count; ++k) {
+            m.points[k].normal_impulse = wide.points[k].normal_impulse[lane];
+            m.points[k].tangent_impulse = wide.points[k].tangent_impulse[lane];
+        }
+        update_touch(wide_slots[place], false);
+    }
     for (const ContactConstraint& c : constraints) {
-        ContactRecord& record = contacts[c.contact];
-        Manifold& m = record.manifold;
-        float impulse = 0.0f, nearest = m.points[0].separation;
-        for (int k = 0; k < c.count; ++k) {
+        Manifold& m = contacts[c.contact].manifold;
+        for (int k = 0; k < m.count; ++k) {
             m.points[k].normal_impulse = c.points[k].normal_impulse;
             m.points[k].tangent_impulse = c.points[k].tangent_impulse;
-            impulse += c.points[k].normal_impulse;
-            nearest = min(nearest, m.points[k].separation);
         }
-        if (c.extra != 0) {
-            const ContactExtra& extra = extras[c.extra - 1];
-            record.rolling_impulse = extra.rolling_impulse;
-            impulse += extra.greatest[0] + extra.greatest[1];
+        if (c.extra == 0) {
+            update_touch(c.contact, false);
+            continue;
         }
-        // A bounce is over within one step and never looks near: its impulse tells. Twice the
-        // distance ends a touch, so that nothing flickers at the limit.
-        const bool touching =
-            impulse > 0.0f || nearest <= (record.touching ? 2.0f : 1.0f) * touch_distance;
-        if (touching != record.touching) set_touching(c.contact, touching);
-        if (!record.hit_events || c.extra == 0) continue;
         const ContactExtra& extra = extras[c.extra - 1];
-        float speed = 0.0f, total = 0.0f;
-        V2 point;
-        for (int k = 0; k < c.count; ++k) {
-            total += extra.total[k];
-            if (extra.greatest[k] > 0.0f && -extra.approach[k] > speed) {
-                speed = -extra.approach[k];
-                point = bodies[record.body_a].center + m.points[k].anchor_a;
-            }
+        contacts[c.contact].rolling_impulse = extra.rolling_impulse;
+        update_touch(c.contact, extra.greatest[0] + extra.greatest[1] > 0.0f);
+        if (contacts[c.contact].hit_events) report_hit(c, extra);
+    }
+}
+
+/// `pushed`: an impulse flowed in some sub-step, even if none is left.
+void WorldData::update_touch(uint32_t contact, bool pushed) {
+    ContactRecord& record = contacts[contact];
+    float nearest = infinity;
+    for (int k = 0; k < record.manifold.count; ++k) {
+        const ManifoldPoint& point = record.manifold.points[k];
+        pushed |= point.normal_impulse > 0.0f;
+        nearest = min(nearest, point.separation);
+    }
+    // A bounce is over within one step and never looks near: its impulse tells. Twice the distance
+    // ends a touch, so that nothing flickers at the limit.
+    const bool touching = pushed || nearest <= (record.touching ? 2.0f : 1.0f) * touch_distance;
+    if (touching != record.touching) set_touching(contact, touching);
+}
+
+void WorldData::report_hit(const ContactConstraint& c, const ContactExtra& extra) {
+    const ContactRecord& record = contacts[c.contact];
+    float speed = 0.0f, total = 0.0f;
+    V2 point;
+    for (int k = 0; k < c.count; ++k) {
+        total += extra.total[k];
+        if (extra.greatest[k] > 0.0f && -extra.approach[k] > speed) {
+            speed = -extra.approach[k];
+            point = bodies[record.body_a].center + record.manifold.points[k].anchor_a;
         }
-        if (speed > settings.hit_threshold) {
-            events.contact_hit.push_back({shape_id(record.shape_a), shape_id(record.shape_b),
-                                          body_id(record.body_a), body_id(record.body_b),
-                                          to_vec2(point), to_vec2(m.normal), speed, total});
-        }
+    }
+    if (speed > settings.hit_threshold) {
+        events.contact_hit.push_back({shape_id(record.shape_a), shape_id(record.shape_b),
+                                      body_id(record.body_a), body_id(record.body_b),
+                                      to_vec2(point), to_vec2(record.manifold.normal), speed,
+                                      total});
     }
 }
 

@@ -100,36 +100,43 @@ void WorldData::solve(float dt) {
     const int substeps = settings.substeps;
     const float h = dt / float(substeps);
     gather_bodies(h);
-    prepare_contacts(h);
     std::vector<MouseConstraint> mice = prepare_joints(h);
 
-    ContactSolver contact_solver;
-    contact_solver.bodies = solver_bodies;
-    contact_solver.constraints = constraints;
-    contact_solver.extras = extras;
-    contact_solver.inverse_h = 1.0f / h;
-    contact_solver.push_speed = settings.push_speed;
-    contact_solver.restitution_threshold = settings.restitution_threshold;
+    ContactSolver serial;
     // 30 Hz and an eighth of the rate let a load of 300 : 1 sink in by 13 %, and a stack of twenty
     // boxes that are not quite above each other buckles; from a third of the rate on, such loads
     // are thrown off.
     const float hertz = min(settings.contact_hertz, 0.25f / h);
-    contact_solver.softness[0] = make_softness(hertz, settings.contact_damping, h);
-    contact_solver.softness[1] = make_softness(2.0f * hertz, settings.contact_damping, h);
+    serial.softness[0] = make_softness(hertz, settings.contact_damping, h);
+    serial.softness[1] = make_softness(2.0f * hertz, settings.contact_damping, h);
+    prepare_contacts(h, serial.softness);
+    serial.bodies = solver_bodies;
+    serial.constraints = constraints;
+    serial.extras = extras;
+    serial.inverse_h = 1.0f / h;
+    serial.push_speed = settings.push_speed;
+    serial.restitution_threshold = settings.restitution_threshold;
+    const WideKernels& kernels = wide_kernels(baseline_kernels);
+    const WideStep wide = {solver_bodies.data(), wide_contacts.data(), wide_contacts.size(),
+                           serial.inverse_h, serial.push_speed};
 
     for (int substep = 0; substep < substeps; ++substep) {
         integrate_velocities(solver_bodies, solver_forces, h);
         zero_locked();
+        solver_bodies[0] = {};  // every pass writes it back unmoved; whatever happens, it stays so
         for (MouseConstraint& m : mice) m.warm_start(solver_bodies[m.body]);
-        contact_solver.warm_start();
+        serial.warm_start();
+        kernels.warm_start(wide);
         for (MouseConstraint& m : mice) m.solve(solver_bodies[m.body]);
-        contact_solver.solve_biased();
+        serial.solve_biased();
+        kernels.solve_biased(wide);
         zero_locked();
         integrate_positions(solver_bodies, h);
-        contact_solver.relax();
+        serial.relax();
+        kernels.relax(wide);
         zero_locked();
     }
-    contact_solver.restitute();
+    serial.restitute();
     zero_locked();
 
     last_substep = h;
@@ -255,7 +262,7 @@ void WorldData::step(float dt) {
     statistics.contacts = contact_count;
     statistics.awake_bodies = uint32_t(awake_bodies.size());
     statistics.awake_contacts = uint32_t(awake_contacts.size());
-    statistics.touching = uint32_t(constraints.size());
+    statistics.touching = uint32_t(constraints.size() + colored.size());
     statistics.islands = island_count;
 }
 

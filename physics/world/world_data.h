@@ -6,8 +6,10 @@
 #include <geometry/vertex_pool.h>
 #include <solver/constraint.h>
 #include <solver/mouse_solver.h>
+#include <solver/wide_contact.h>
 #include <world/records.h>
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +33,12 @@ struct FastBody {
     V2 start;  ///< center of mass before
     V2 shift;
     float turn = 0.0f;
+};
+
+inline constexpr int color_count = 64;
+struct ColoredContact {
+    uint32_t slot;
+    uint32_t color;
 };
 
 /// The border is solid where normal·p <= depth.
@@ -70,7 +78,14 @@ struct WorldData : Columns {
     // Of the step; kept for their capacity.
     std::vector<SolverBody> solver_bodies;
     std::vector<SolverForce> solver_forces;
-    std::vector<ContactConstraint> constraints;
+    std::vector<ContactConstraint> constraints;  ///< of the serial contacts
+    std::vector<uint32_t> serial_contacts;       ///< solved one at a time
+    std::vector<WideContact> wide_contacts;      ///< by color
+    std::vector<uint32_t> wide_slots;            ///< contact in each lane, or none
+    std::vector<ColoredContact> colored;
+    std::array<uint32_t, color_count> color_begin{};
+    std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
+    bool baseline_kernels = false;         ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
     std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
     std::vector<FastBody> fast_bodies;
@@ -179,8 +194,11 @@ struct WorldData : Columns {
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
     // ../solver
-    void prepare_contacts(float h);
+    void color_contacts();
+    void prepare_contacts(float h, const Softness (&softness)[2]);
     void store_contacts();
+    void update_touch(uint32_t contact, bool pushed);
+    void report_hit(const ContactConstraint& c, const ContactExtra& extra);
     void zero_locked();
 
     // queries.cpp

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <solver/constraint.h>
+
+#include <cstddef>
+
+// Contacts in groups of eight of one color: no two in a color share a body that moves, so the lanes
+// do not know of each other. Structure of arrays; lanes left over have body 0 on both sides and no
+// mass.
+
+namespace fettle::physics::detail {
+
+inline constexpr int lanes = 8;
+
+struct alignas(32) WidePoint {
+    float normal_lever_a[lanes], normal_lever_b[lanes];
+    float tangent_lever_a[lanes], tangent_lever_b[lanes];
+    float separation[lanes];
+    float normal_mass[lanes], tangent_mass[lanes];
+    float normal_impulse[lanes], tangent_impulse[lanes];
+};
+
+struct alignas(32) WideContact {
+    uint32_t a[lanes], b[lanes];
+    float normal_x[lanes], normal_y[lanes];
+    float friction[lanes];
+    float bias_rate[lanes], mass_scale[lanes], impulse_keep[lanes];  ///< softness
+    float coupling_normal[lanes], coupling_tangent[lanes];
+    WidePoint points[2];
+};
+
+struct WideStep {
+    SolverBody* bodies = nullptr;
+    WideContact* contacts = nullptr;
+    std::size_t count = 0;
+    float inverse_h = 0.0f;
+    float push_speed = 0.0f;
+};
+
+/// The passes of the solver for one instruction set. They compute what `ContactSolver` does for one
+/// contact, operation by operation, so the result depends neither on the width nor on the machine.
+struct WideKernels {
+    void (*warm_start)(const WideStep&);
+    void (*solve_biased)(const WideStep&);
+    void (*relax)(const WideStep&);
+    const char* name;
+};
+
+extern const WideKernels wide_kernels_baseline;
+#if defined(__x86_64__)
+extern const WideKernels wide_kernels_avx2;
+#endif
+
+/// The widest that this machine has, or the baseline alone (for tests that compare them).
+const WideKernels& wide_kernels(bool baseline_only = false);
+
+}  // namespace fettle::physics::detail
