@@ -124,7 +124,7 @@ bool Atlas::prepare(const std::u32string& line, unsigned size, Face face) {
     for (const char32_t c : line)
         if (!glyphs_.contains(key(c, size, face))) missing.push_back(c);
     if (missing.empty()) return true;
-    for (const char32_t c : missing) source.getGlyph(c, size, false);
+    for (const char32_t c : missing) (void)source.getGlyph(c, size, false);
     // The font draws into a texture of its own for each size; its pixels move over here, once.
     const sf::Image image = source.getTexture(size).copyToImage();
     const std::uint8_t* from = image.getPixelsPtr();

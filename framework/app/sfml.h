@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include <SFML/Config.hpp>
 #include <SFML/Graphics.hpp>
@@ -101,50 +102,55 @@ inline bool poll(sf::RenderWindow& window, InputEvent& out) {
             out.kind = kind;
             out.gamepad = static_cast<int>(number) + 1;
         };
-        if (event->is<sf::Event::Closed>()) {
-            out.kind = EventKind::closing;
-        } else if (const auto* e = event->getIf<sf::Event::Resized>()) {
-            out.kind = EventKind::resized;
-            place(sf::Vector2i(e->size));
-        } else if (event->is<sf::Event::FocusGained>() || event->is<sf::Event::FocusLost>()) {
-            out.kind = EventKind::focus;
-            out.focused = event->is<sf::Event::FocusGained>();
-        } else if (const auto* e = event->getIf<sf::Event::TextEntered>()) {
-            out.kind = EventKind::text;
-            out.character = e->unicode;
-        } else if (const auto* e = event->getIf<sf::Event::KeyPressed>()) {
-            key(EventKind::key_pressed, *e);
-        } else if (const auto* e = event->getIf<sf::Event::KeyReleased>()) {
-            key(EventKind::key_released, *e);
-        } else if (const auto* e = event->getIf<sf::Event::MouseButtonPressed>()) {
-            button(EventKind::mouse_pressed, *e);
-        } else if (const auto* e = event->getIf<sf::Event::MouseButtonReleased>()) {
-            button(EventKind::mouse_released, *e);
-        } else if (const auto* e = event->getIf<sf::Event::MouseMoved>()) {
-            out.kind = EventKind::mouse_moved;
-            place(e->position);
-        } else if (const auto* e = event->getIf<sf::Event::MouseWheelScrolled>()) {
-            if (e->wheel != sf::Mouse::Wheel::Vertical) continue;
-            out.kind = EventKind::wheel;
-            out.delta = e->delta;
-            place(e->position);
-        } else if (const auto* e = event->getIf<sf::Event::JoystickButtonPressed>()) {
-            gamepad(EventKind::gamepad_pressed, e->joystickId);
-            out.name = std::to_string(e->button + 1);
-        } else if (const auto* e = event->getIf<sf::Event::JoystickButtonReleased>()) {
-            gamepad(EventKind::gamepad_released, e->joystickId);
-            out.name = std::to_string(e->button + 1);
-        } else if (const auto* e = event->getIf<sf::Event::JoystickMoved>()) {
-            gamepad(EventKind::gamepad_axis, e->joystickId);
-            set_axis(out, e->axis, e->position);
-        } else if (const auto* e = event->getIf<sf::Event::JoystickConnected>()) {
-            gamepad(EventKind::gamepad_connected, e->joystickId);
-        } else if (const auto* e = event->getIf<sf::Event::JoystickDisconnected>()) {
-            gamepad(EventKind::gamepad_disconnected, e->joystickId);
-        } else {
-            continue;
-        }
-        return true;
+        bool known = true;
+        event->visit([&](const auto& e) {
+            using E = std::decay_t<decltype(e)>;
+            if constexpr (std::is_same_v<E, sf::Event::Closed>) {
+                out.kind = EventKind::closing;
+            } else if constexpr (std::is_same_v<E, sf::Event::Resized>) {
+                out.kind = EventKind::resized;
+                place(sf::Vector2i(e.size));
+            } else if constexpr (std::is_same_v<E, sf::Event::FocusGained> ||
+                                 std::is_same_v<E, sf::Event::FocusLost>) {
+                out.kind = EventKind::focus;
+                out.focused = std::is_same_v<E, sf::Event::FocusGained>;
+            } else if constexpr (std::is_same_v<E, sf::Event::TextEntered>) {
+                out.kind = EventKind::text;
+                out.character = e.unicode;
+            } else if constexpr (std::is_same_v<E, sf::Event::KeyPressed>) {
+                key(EventKind::key_pressed, e);
+            } else if constexpr (std::is_same_v<E, sf::Event::KeyReleased>) {
+                key(EventKind::key_released, e);
+            } else if constexpr (std::is_same_v<E, sf::Event::MouseButtonPressed>) {
+                button(EventKind::mouse_pressed, e);
+            } else if constexpr (std::is_same_v<E, sf::Event::MouseButtonReleased>) {
+                button(EventKind::mouse_released, e);
+            } else if constexpr (std::is_same_v<E, sf::Event::MouseMoved>) {
+                out.kind = EventKind::mouse_moved;
+                place(e.position);
+            } else if constexpr (std::is_same_v<E, sf::Event::MouseWheelScrolled>) {
+                known = e.wheel == sf::Mouse::Wheel::Vertical;
+                out.kind = EventKind::wheel;
+                out.delta = e.delta;
+                place(e.position);
+            } else if constexpr (std::is_same_v<E, sf::Event::JoystickButtonPressed>) {
+                gamepad(EventKind::gamepad_pressed, e.joystickId);
+                out.name = std::to_string(e.button + 1);
+            } else if constexpr (std::is_same_v<E, sf::Event::JoystickButtonReleased>) {
+                gamepad(EventKind::gamepad_released, e.joystickId);
+                out.name = std::to_string(e.button + 1);
+            } else if constexpr (std::is_same_v<E, sf::Event::JoystickMoved>) {
+                gamepad(EventKind::gamepad_axis, e.joystickId);
+                set_axis(out, e.axis, e.position);
+            } else if constexpr (std::is_same_v<E, sf::Event::JoystickConnected>) {
+                gamepad(EventKind::gamepad_connected, e.joystickId);
+            } else if constexpr (std::is_same_v<E, sf::Event::JoystickDisconnected>) {
+                gamepad(EventKind::gamepad_disconnected, e.joystickId);
+            } else {
+                known = false;
+            }
+        });
+        if (known) return true;
     }
     return false;
 }
