@@ -88,7 +88,7 @@ inline float float_argument(const property::Value& value) {
     return narrowed;
 }
 inline physics::Vec2 vec2_argument(const property::Value& value) {
-    const physics::Vec2 narrowed = narrow(value.vec2());
+    physics::Vec2 narrowed = narrow(value.vec2());
     if (!std::isfinite(narrowed.x()) || !std::isfinite(narrowed.y()))
         throw std::invalid_argument("a vector is too large for single precision");
     return narrowed;
