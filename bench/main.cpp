@@ -101,7 +101,11 @@ int main(int argc, char** argv) {
     add_hosting(app, hosting);
     add_hosted_steps(app, hosted_steps);
     add_stability(app, stability);
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
     try {
         if (app.got_subcommand("scenes")) return run_scenes(scenes);
 #ifdef FETTLE_BENCH_GOOGLE

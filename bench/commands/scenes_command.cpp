@@ -1,5 +1,6 @@
 // `fettle-bench scenes`: the same scenes in every engine, in turns.
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <iostream>
@@ -80,6 +81,12 @@ class SceneRunner {
 
     bool able(const EngineKind& kind) const {
         return kind.make && options_.threads <= kind.max_threads;
+    }
+
+    /// Whether the table has a column for its ratio to Box2D.
+    bool compared(const EngineKind& kind) const {
+        const auto is_box2d = [](const EngineKind* other) { return other->name == "box2d"; };
+        return kind.name != "box2d" && std::ranges::any_of(engines_, is_box2d);
     }
 
     /// What will be missing from the table, and why.
@@ -181,7 +188,7 @@ class SceneRunner {
         std::vector<std::string> headers = {"ms a step", "bodies", "contacts", "steps"};
         for (const EngineKind* kind : engines_) headers.emplace_back(kind->name);
         for (const EngineKind* kind : engines_) {
-            if (kind->name != "box2d") headers.push_back(std::string(kind->name) + "/box2d");
+            if (compared(*kind)) headers.push_back(std::string(kind->name) + "/box2d");
         }
         Table table(headers);
         for (const Row& row : rows_) {
@@ -195,7 +202,7 @@ class SceneRunner {
             for (const auto& cell : row.cells) line.push_back(cell ? figure(cell->step_ms()) : "");
             const Cell* peer = cell(row, "box2d");
             for (std::size_t i = 0; i < engines_.size(); ++i) {
-                if (engines_[i]->name == "box2d") continue;
+                if (!compared(*engines_[i])) continue;
                 line.push_back(peer && row.cells[i] ? ratio_text(*row.cells[i], *peer) : "");
             }
             table.add(std::move(line));
