@@ -12,6 +12,7 @@
 #endif
 
 #include "exit_status.h"
+#include "game_path.h"
 
 namespace fettle::program {
 
