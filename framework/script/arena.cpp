@@ -39,10 +39,7 @@ void Arena::give(void* block, std::size_t size) {
         std::free(block);
         return;
     }
-    auto* node = static_cast<Free*>(block);
-    Free*& head = lists_[list_of(size)];
-    node->next = head;
-    head = node;
+    give_small(block, size);
 }
 
 // Lua answers a refusal with a full collection and asks once more for the same; only the second
@@ -60,7 +57,23 @@ bool Arena::refuse(std::size_t growth, std::size_t size) {
 
 void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t new_size) {
     auto& arena = *static_cast<Arena*>(user);
-    if (!block) old_size = 0;  // Lua then passes the kind of object, not a size
+    // The common cases first: a new small object, a small one swept.
+    if (!block) {
+        if (new_size - 1 < small && arena.bytes_ + new_size <= arena.limit_) {
+            Free*& head = arena.lists_[list_of(new_size)];
+            if (Free* taken = head) {
+                head = taken->next;
+                arena.bytes_ += new_size;
+                arena.refused_ = 0;
+                return taken;
+            }
+        }
+        old_size = 0;  // Lua then passes the kind of object, not a size
+    } else if (new_size == 0 && old_size <= small) {
+        arena.give_small(block, old_size);
+        arena.bytes_ -= old_size;
+        return nullptr;
+    }
     if (new_size == 0) {
         if (block) arena.give(block, old_size);
         arena.bytes_ -= old_size;

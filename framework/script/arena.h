@@ -40,6 +40,12 @@ class Arena {
 
     void* take(std::size_t size);
     void give(void* block, std::size_t size);
+    void give_small(void* block, std::size_t size) {
+        auto* node = static_cast<Free*>(block);
+        Free*& head = lists_[list_of(size)];
+        node->next = head;
+        head = node;
+    }
     bool refuse(std::size_t growth, std::size_t size);
 
     std::array<Free*, small / granule + 1> lists_{};

@@ -280,7 +280,7 @@ int load_chunk(lua_State* L) {
     return 1;
 }
 
-// --- xpcall
+// --- pcall, xpcall
 
 // Upvalue: the script's handler. While a command is being stopped it is not asked.
 int call_handler(lua_State* L) {
@@ -293,10 +293,30 @@ int call_handler(lua_State* L) {
     return 1;
 }
 
+// Raising an error costs as much as some hundred instructions.
+constexpr std::uint64_t cost_of_error = 300;
+
+int finish_pcall(lua_State* L, int status, lua_KContext) {
+    if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L);
+    machine_of(L).budget.charge(L, cost_of_error);
+    lua_pushboolean(L, 0);
+    lua_insert(L, -2);
+    return 2;
+}
+
+int protected_call(lua_State* L) {
+    luaL_checkany(L, 1);
+    lua_pushboolean(L, 1);  // first result when all goes well
+    lua_insert(L, 1);
+    const int status = lua_pcallk(L, lua_gettop(L) - 2, LUA_MULTRET, 0, 0, finish_pcall);
+    return finish_pcall(L, status, 0);
+}
+
 int finish_xpcall(lua_State* L, int status, lua_KContext) {
     const bool failed = status != LUA_OK && status != LUA_YIELD;
     lua_pushboolean(L, !failed);
     if (failed) {
+        machine_of(L).budget.charge(L, cost_of_error);
         lua_insert(L, -2);
         return 2;
     }
@@ -367,6 +387,7 @@ void open_base(lua_State* L) {
     add_function<set_metatable>(L, "setmetatable");
     add_function<get_metatable>(L, "getmetatable");
     add_function<load_chunk>(L, "load");
+    add_function<protected_call>(L, "pcall");
     add_function<protected_call_with_handler>(L, "xpcall");
     add_function<collect_garbage>(L, "collectgarbage");
     add_function<quit>(L, "quit");

@@ -41,7 +41,7 @@ class Budget {
   private:
     static constexpr int interval = 250;
     // A single instruction can take long (comparing two texts of 60 MB): time is limited as well.
-    static constexpr std::chrono::seconds longest{10};
+    static constexpr std::chrono::seconds longest{5};
     static void hook(lua_State* L, lua_Debug* frame);
     void stop(lua_State* L, const std::string& why);
     void arm();

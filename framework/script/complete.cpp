@@ -49,12 +49,15 @@ class Candidates {
     }
     void add_as(const std::string& label, const std::string& text, std::size_t from,
                 std::string detail, std::string doc, Group group) {
-        const int score = fuzzy_score(typed_, label);
+        int score = fuzzy_score(typed_, label);
         if (score == 0) return;
+        if (expected_) score += 10'000;
         for (const Entry& entry : entries_)
             if (entry.completion.label == label) return;
         entries_.push_back({score, group, {text, label, std::move(detail), std::move(doc), from}});
     }
+    /// What is added until the next call is what belongs here, ahead of everything else.
+    void expect(bool expected) { expected_ = expected; }
     std::size_t replace_from() const { return replace_from_; }
 
     std::vector<Completion> take() {
@@ -78,6 +81,7 @@ class Candidates {
     std::string_view typed_;
     std::size_t replace_from_;
     std::vector<Entry> entries_;
+    bool expected_ = false;
 };
 
 // --- What stands before the cursor
@@ -197,7 +201,7 @@ bool push_path(lua_State* L, Machine& machine, std::string_view path, const Prop
     if (lua_isnil(L, -1)) {
         lua_pop(L, 1);
         if (first == "_")
-            push_registry(L, machine.last_result);
+            push_last_result(L, machine);
         else if (!push_known_global(L, machine, first))
             return false;
     }
@@ -470,10 +474,12 @@ std::vector<Completion> complete(Machine& machine, std::string_view input, std::
                     add_members(L, machine, separator == ':', token - 1, out);
                 return;
             }
+            out.expect(true);
             if (const Property* property = assigned_property(L, machine, before, scanned, token))
                 add_enumerators(*property, false, out);
             if (const Class* of = constructor_at(machine, before, scanned, token))
                 add_keys(machine, *of, out);
+            out.expect(false);
             add_globals(L, machine, out);
         },
         false);

@@ -60,6 +60,7 @@ int create(lua_State* L) {
     if (lua_type(L, 1) != LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type,
                     "coroutine.create: needs a function, not " + describe_type(L, 1));
+    machine_of(L).budget.charge(L, 100);
     lua_State* thread = lua_newthread(L);
     lua_pushvalue(L, 1);
     lua_xmove(L, thread, 1);

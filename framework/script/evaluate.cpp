@@ -94,8 +94,10 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
         if (count > most_results) line += "  … " + std::to_string(count - most_results) + " more";
         evaluation.lines.push_back(std::move(line));
     }
+    push_registry(L, machine.last_result);
     lua_pushvalue(L, 1);
-    lua_rawseti(L, LUA_REGISTRYINDEX, machine.last_result);
+    lua_rawseti(L, -2, 1);
+    lua_pop(L, 1);
     try {
         evaluation.result = to_value(L, 1);
     } catch (const property::Error&) {
@@ -185,6 +187,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             break;
     }
     lua_call(L, 0, LUA_MULTRET);
+    machine.budget.check(L);  // a pcall that ends the chunk may have caught the end of the budget
     evaluation.lines = std::move(machine.recording.lines);
     machine.recording.lines.clear();
     add_results(L, machine, command, evaluation);

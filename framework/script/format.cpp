@@ -175,6 +175,11 @@ std::string brief(lua_State* L, int index, int depth) {
 
 }  // namespace
 
+std::string key_in_message(lua_State* L, int index) {
+    return lua_type(L, index) == LUA_TSTRING ? cut(lua_tostring(L, index), line_width)
+                                             : short_text(L, index);
+}
+
 std::string short_text(lua_State* L, int index) {
     return brief(L, index, 0);
 }

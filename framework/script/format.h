@@ -18,6 +18,8 @@ std::string number_for_people(double number);
 /// One line of at most about 80 characters: `2`, `"text"`, `vec(1, 2)`, `world.ball`, `{1, 2, x =
 /// 3}`.
 std::string short_text(lua_State* L, int index);
+/// A key in a message: a name as it is, anything else as `short_text`.
+std::string key_in_message(lua_State* L, int index);
 /// "2 kg", "vec(0, -10) m/s²"
 std::string with_unit(const Machine& machine, const property::Value& value,
                       const property::Property& property);

@@ -52,6 +52,12 @@ std::vector<std::string> global_names(Machine& machine) {
     return names;
 }
 
+void push_last_result(lua_State* L, Machine& machine) {
+    push_registry(L, machine.last_result);
+    lua_rawgeti(L, -1, 1);
+    lua_remove(L, -2);
+}
+
 bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
     if (name == "game") {
         push_instance(L, machine.tree.root());
@@ -70,7 +76,7 @@ bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
         return true;
     }
     if (name == "_" && machine.recording.active) {
-        push_registry(L, machine.last_result);
+        push_last_result(L, machine);
         return true;
     }
     return false;

@@ -17,6 +17,8 @@ const std::vector<std::string>& callback_names();
 const std::vector<std::string>& later_names();
 /// Everything a global name can stand for, sorted.
 std::vector<std::string> global_names(Machine& machine);
+/// Pushes the result of the last console command.
+void push_last_result(lua_State* L, Machine& machine);
 /// Pushes what a name means that the environment does not hold: `game`, its children, classes,
 /// `it`, `_`.
 bool push_known_global(lua_State* L, Machine& machine, std::string_view name);

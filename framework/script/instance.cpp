@@ -62,9 +62,14 @@ void push_property(lua_State* L, Machine& machine, Handle instance, const Proper
         default:
             break;
     }
+    const bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
+    if (value.is(Type::vec2) && !ad_hoc) {
+        push_vec(L, value.vec2(), instance, property);
+        return;
+    }
     Origin origin;
     origin.instance = instance;
-    if (property.binding.kind == property::BindingKind::ad_hoc)
+    if (ad_hoc)
         origin.symbol = property.symbol;
     else
         origin.property = &property;
@@ -194,22 +199,27 @@ int instance_index(lua_State* L) {
 
 // --- Writing
 
-// A scalar or vec straight from the stack; false for anything that needs thought.
-bool simple_value(lua_State* L, Value& value) {
+// A number, boolean or vec straight from the stack; false for anything that needs thought. Each
+// value is made where it is handed over: a copy of one just made stalls on its half-written bytes.
+bool write_simple(lua_State* L, Machine& machine, Handle instance, const Property& property) {
     switch (lua_type(L, 3)) {
         case LUA_TNUMBER:
-            if (lua_isinteger(L, 3))
-                value = Value(static_cast<std::int64_t>(lua_tointeger(L, 3)));
-            else
-                value = Value(static_cast<double>(lua_tonumber(L, 3)));
+            if (lua_isinteger(L, 3)) {
+                machine.tree.set(instance, property,
+                                 Value(static_cast<std::int64_t>(lua_tointeger(L, 3))));
+            } else {
+                if (property.type == Type::integer) return false;  // may need an explanation
+                machine.tree.set(instance, property,
+                                 Value(static_cast<double>(lua_tonumber(L, 3))));
+            }
             return true;
         case LUA_TBOOLEAN:
-            value = Value(lua_toboolean(L, 3) != 0);
+            machine.tree.set(instance, property, Value(lua_toboolean(L, 3) != 0));
             return true;
         case LUA_TUSERDATA: {
             const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
             if (box->tag != Tag::vec) return false;
-            value = Value(Vec2(box->x, box->y));
+            machine.tree.set(instance, property, Value(Vec2(box->x, box->y)));
             return true;
         }
         default:
@@ -257,13 +267,9 @@ int instance_newindex(lua_State* L) {
         const char* key = lua_tolstring(L, 2, nullptr);
         const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
         if (slot.key == key && slot.instance_class == self->instance_class &&
-            slot.member == Member::property && slot.property->type != Type::integer) {
-            Value value;
-            if (simple_value(L, value)) {
-                machine.tree.set(self->handle, *slot.property, value);
-                return 0;
-            }
-        }
+            slot.member == Member::property &&
+            write_simple(L, machine, self->handle, *slot.property))
+            return 0;
     }
     return write_slowly(L, machine, *self);
 }

@@ -55,7 +55,7 @@ int list_index(lua_State* L) {
     if (lua_type(L, 2) != LUA_TNUMBER || !whole_number)
         throw Error(ErrorKind::unknown_name, origin_path(machine_of(L), box.origin) +
                                                  ": a list has elements 1, 2, 3 ..., not " +
-                                                 short_text(L, 2));
+                                                 key_in_message(L, 2));
     const Value value = whole(L, box);
     const List& list = value.list();
     if (index < 1 || static_cast<std::size_t>(index) > list.size()) {

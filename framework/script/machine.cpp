@@ -46,10 +46,7 @@ int open_all(lua_State* L) {
     machine.anchors = new_table(L, nullptr);
     machine.loaded = new_table(L, nullptr);
     machine.killed = new_table(L, "k");
-    lua_pushboolean(L, 0);
-    machine.last_result = luaL_ref(L, LUA_REGISTRYINDEX);
-    lua_pushnil(L);
-    lua_rawseti(L, LUA_REGISTRYINDEX, machine.last_result);
+    machine.last_result = new_table(L, nullptr);
     open_instance(L, machine);
     open_sets(L, machine);
     open_records(L, machine);
@@ -76,7 +73,7 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
     running = main;
     *static_cast<Machine**>(lua_getextraspace(main)) = this;
     arena.on_refusal = [this](std::size_t size) { budget.memory_refused(size); };
-    arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 8); };
+    arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
     lua_pushcfunction(main, guarded<open_all>);
     if (lua_pcall(main, 0, 0, 0) != LUA_OK) {
         const char* message = lua_tostring(main, -1);

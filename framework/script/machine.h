@@ -78,7 +78,7 @@ struct Machine {
     int anchors = 0;      // names in the dispatch cache
     int generic = 0;      // methods every instance has
     int loaded = 0;       // modules by name
-    int last_result = 0;  // `_`
+    int last_result = 0;  // `_` is element 1: a reference itself must never be nil
     int killed = 0;       // weak: coroutines stopped for good
     int pen = 0;
 

@@ -38,8 +38,8 @@ void copy_library(lua_State* L, const char* from, std::initializer_list<const ch
 
 // Into the environment on top.
 void allow(lua_State* L) {
-    for (const char* name : {"assert", "error", "ipairs", "next", "pcall", "rawequal", "rawget",
-                             "rawlen", "rawset", "select", "tonumber", "type"}) {
+    for (const char* name : {"assert", "error", "ipairs", "next", "rawequal", "rawget", "rawlen",
+                             "rawset", "select", "tonumber", "type"}) {
         lua_getglobal(L, name);
         lua_setfield(L, -2, name);
     }

@@ -50,7 +50,7 @@ int repeat(lua_State* L) {
         lua_pushliteral(L, "");
         return 1;
     }
-    machine_of(L).budget.charge(L, static_cast<std::uint64_t>(count) / 4);
+    machine_of(L).budget.charge(L, static_cast<std::uint64_t>(count) / 8);
     lua_pushvalue(L, lua_upvalueindex(1));
     lua_insert(L, 1);
     lua_call(L, lua_gettop(L) - 1, 1);

@@ -84,7 +84,7 @@ int connection_active(lua_State* L) {
 }
 
 int connection_index(lua_State* L) {
-    const std::string name = short_text(L, 2);
+    const std::string name = key_in_message(L, 2);
     luaL_getmetafield(L, 1, "methods");
     lua_pushvalue(L, 2);
     if (lua_rawget(L, -2) != LUA_TNIL) return 1;

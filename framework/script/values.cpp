@@ -54,6 +54,17 @@ void push_vec(lua_State* L, const Vec2& v, const Origin& origin) {
     new (&box->origin) Origin(origin);
 }
 
+void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& property) {
+    auto* box = new_box<VecBox>(L, sizeof(VecBox), machine_of(L).vec_meta);
+    box->tag = Tag::vec;
+    box->has_origin = true;
+    box->x = v.x();
+    box->y = v.y();
+    box->origin.instance = instance;
+    box->origin.property = &property;
+    box->origin.depth = 0;  // the rest is read only when this says so, or without a property
+}
+
 void push_color(lua_State* L, property::Color color) {
     auto* box = new_box<ColorBox>(L, offsetof(ColorBox, origin), machine_of(L).color_meta);
     box->tag = Tag::color;
@@ -369,6 +380,7 @@ std::string origin_path(Machine& machine, const Origin& origin) {
 
 Value origin_read(Machine& machine, const Origin& origin) {
     const Value whole = machine.tree.get(origin.instance, origin_property(machine, origin));
+    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size() / 8);
     if (origin.depth == 0) return whole;
     return property::part_of(whole, segments(origin, nullptr), origin_path(machine, origin));
 }
@@ -377,6 +389,7 @@ void origin_write(Machine& machine, const Origin& origin, const char* component,
                   const Value& value) {
     const Property& property = origin_property(machine, origin);
     const Value whole = machine.tree.get(origin.instance, property);
+    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size());
     write_property(machine, origin.instance, property,
                    property::with_part(whole, segments(origin, component), value,
                                        origin_path(machine, origin)));

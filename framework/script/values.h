@@ -89,6 +89,8 @@ double check_number(lua_State* L, int index, const char* what);
 
 void push_vec(lua_State* L, const property::Vec2& v);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);
+void push_vec(lua_State* L, const property::Vec2& v, property::Handle instance,
+              const property::Property& property);
 void push_color(lua_State* L, property::Color color);
 void push_color(lua_State* L, property::Color color, const Origin& origin);
 /// The one proxy of the instance; nil for the null handle.

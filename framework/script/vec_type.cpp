@@ -155,7 +155,7 @@ int vec_index(lua_State* L) {
         throw Error(ErrorKind::unknown_name,
                     std::string("a vec has no ") + key + property::suggestion(key, vec_names()));
     }
-    throw Error(ErrorKind::unknown_name, "a vec has x and y, not element " + short_text(L, 2));
+    throw Error(ErrorKind::unknown_name, "a vec has x and y, not element " + key_in_message(L, 2));
 }
 
 // A component of a vec that was read from a property is written there; the rest of the property

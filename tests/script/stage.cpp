@@ -105,8 +105,8 @@ ClassDescriptor body_class(Module& module) {
     Property number{.name = "number"};
     number.infinity = true;
     Property counter{.name = "counter", .type = Type::integer};
-    c.properties = {position, velocity, friction, type,   awake,  serial, color,
-                    mass,     energy,   target,   title,  number, counter};
+    c.properties = {position, velocity, friction, type,  awake,  serial, color,
+                    mass,     energy,   target,   title, number, counter};
     Method nudge;
     nudge.name = "nudge";
     nudge.parameters = {{.name = "by", .type = Type::vec2}, {.name = "times"}};
@@ -120,10 +120,10 @@ ClassDescriptor body_class(Module& module) {
         return Value();
     };
     c.methods = {nudge};
-    c.events = {Event{.name = "contact_begin",
-                      .fields = {{.name = "other", .type = Type::reference},
-                                 {.name = "speed", .unit = "m/s"}},
-                      .doc = "It began to touch another."}};
+    c.events = {Event{
+        .name = "contact_begin",
+        .fields = {{.name = "other", .type = Type::reference}, {.name = "speed", .unit = "m/s"}},
+        .doc = "It began to touch another."}};
     return c;
 }
 
@@ -217,7 +217,9 @@ std::string Stage::console(const std::string& command) {
     return joined(e.lines);
 }
 
-Value Stage::get(const std::string& path) const { return fettle::property::get(*tree, path); }
+Value Stage::get(const std::string& path) const {
+    return fettle::property::get(*tree, path);
+}
 
 std::string joined(const std::vector<std::string>& lines) {
     std::string text;

@@ -1,6 +1,6 @@
 #pragma once
-// A tree with a small module of its own, a runtime over it, and what came out of both: the scripting
-// library is tested without physics and without a window.
+// A tree with a small module of its own, a runtime over it, and what came out of both: the
+// scripting library is tested without physics and without a window.
 
 #include <memory>
 #include <string>

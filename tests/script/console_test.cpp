@@ -1,0 +1,208 @@
+// Console commands: what they print, echo and complete.
+
+#include "stage.h"
+
+using stage::Stage;
+
+TEST_CASE("a bare expression prints its value with the unit of its property") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2, friction = 0.1 }");
+    CHECK(s.console("world.ball.mass") == "2 kg");
+    CHECK(s.console("world.ball.friction") == "0.1");
+    CHECK(s.console("world.gravity") == "vec(0, -10) m/s²");
+    CHECK(s.console("world.gravity.y") == "-10 m/s²");
+    CHECK(s.console("world.ball.mass * 3") == "6");
+    CHECK(s.console("1 + 1") == "2");
+    CHECK(s.console("1, 'two', nil") == "1  \"two\"  nil");
+    CHECK(s.console("\"text\"") == "\"text\"");
+    CHECK(s.console("{3, 4, x = 5}") == "{3, 4, x = 5}");
+    CHECK(s.console("=world.ball.mass") == "2 kg");
+    CHECK(s.console("nil") == "nil");
+    CHECK(s.console("local x = 3") == "");
+    CHECK(s.console("  ") == "");
+    const auto e = s.runtime->evaluate("world.ball.mass");
+    CHECK(e.ok);
+    CHECK(e.result == stage::Value(2.0));
+    CHECK(s.console("_ + 1") == "3");
+}
+
+TEST_CASE("an assignment echoes old and new value once") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 }");
+    CHECK(s.console("world.ball.mass = 5") == "world.ball.mass: 2 → 5 kg");
+    CHECK(s.console("world.ball.mass = 6 world.ball.mass = 7 world.ball.friction = 0.1") ==
+          "world.ball.mass: 5 → 7 kg|world.ball.friction: 0.6 → 0.1");
+    CHECK(s.console("world.ball.mass = 7") == "world.ball.mass: 7 kg (unchanged)");
+    CHECK(s.console("world.ball.position.x = 3") == "world.ball.position: vec(0, 0) → vec(3, 0) m");
+    CHECK(s.console("world.ball.lives = 3") == "world.ball.lives: nil → 3");
+    CHECK(s.console("world.ball.lives = nil") == "world.ball.lives: 3 → nil");
+    CHECK(s.console("world.other = Body { Circle {} }") == "world.other: new Body");
+    CHECK(s.console("world.other = nil") == "world.other: deleted");
+    CHECK(s.console("x = 3") == "");
+    CHECK(s.console("x") == "3");
+    CHECK(s.prints("print(x)") == "3");
+    s.run("for i = 1, 50 do world:add(Body {}) end");
+    CHECK_THAT(s.console("world:all('Body'):set('mass', 9) return"), contains("… 31 more changes"));
+    std::string cause;
+    s.tree->watch(s.tree->child(s.world, "ball"), "mass",
+                  [&](const fettle::property::Change& change) { cause = change.cause.text(); });
+    s.console("world.ball.mass = 1");
+    s.tree->barrier();
+    CHECK_THAT(cause, contains("console"));
+    s.run("\nworld.ball.mass = 2");
+    s.tree->barrier();
+    CHECK(cause == "main.lua:2, step 0");
+}
+
+TEST_CASE("an instance prints as a table with units and a set as rows") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2, Circle {} }");
+    const std::string one = s.console("world.ball");
+    CHECK_THAT(one, contains("world.ball · Body|"));
+    CHECK_THAT(one, contains("mass"));
+    CHECK_THAT(one, contains("2 kg"));
+    CHECK_THAT(one, contains(".circle  Circle"));
+    CHECK(one.find("angle") == std::string::npos);
+    CHECK(one.find("  friction") < one.find("  mass"));
+    s.run("for i = 1, 100 do world:add(Body { mass = i }) end");
+    const std::string all = s.console("world:all('Body')");
+    CHECK_THAT(all, contains("path"));
+    CHECK_THAT(all, contains("mass [kg]"));
+    CHECK_THAT(all, contains("… 71 more (101 instances)"));
+    CHECK_THAT(s.console("query('world.body_1*.mass')"), contains("world.body_"));
+    CHECK_THAT(s.console("{world.ball, world.body_1}"), contains("class"));
+    CHECK_THAT(s.console("game"), contains("game · "));
+    CHECK(s.console("world:all('Circle'):set('radius', 1) and nil") != "");
+}
+
+TEST_CASE("an incomplete chunk asks for more") {
+    Stage s;
+    CHECK(s.console("for i = 1, 3 do") == "incomplete");
+    CHECK(s.console("world.ball = Body {") == "incomplete");
+    CHECK(s.console("x = [[a") == "incomplete");
+    CHECK(s.console("f(") == "incomplete");
+    CHECK(s.console("for i = 1, 3 do\nprint(i)\nend") == "1|2|3");
+    CHECK_THAT(s.console("for for"), contains("error: console:1:"));
+}
+
+TEST_CASE("errors in the console show line and caret and the nearest spelling") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    auto e = s.runtime->evaluate("local x = 1\nprint(world.ball.mas)");
+    REQUIRE(e.error);
+    CHECK(e.error->message == "console:2: world.ball.mas: no such name (did you mean \"mass\"?)");
+    CHECK(e.error->line == 2);
+    CHECK(e.error->file == "console");
+    CHECK(e.error->context == "console");
+    const auto lines = fettle::script::error_lines(*e.error);
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[1] == "  print(world.ball.mas)");
+    CHECK(lines[2] == "                   ^");
+    e = s.runtime->evaluate("x = = 2");
+    REQUIRE(e.error);
+    CHECK(e.error->column == 3);
+    e = s.runtime->evaluate("nil + 1");
+    REQUIRE(e.error);
+    CHECK_THAT(e.error->message, contains("arithmetic on a nil value"));
+    CHECK_THAT(s.console("a.b is 3 + 4"), contains("not available yet"));
+    // What was printed and changed before the error is still told.
+    CHECK(s.runtime->evaluate("print('before') error('x')").lines.size() == 1);
+}
+
+TEST_CASE("documentation is asked for with a question mark or help") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK_THAT(s.console("world.ball.mass?"), contains("How hard it is to move."));
+    CHECK_THAT(s.console("world.ball.mass?"), contains("kg"));
+    CHECK_THAT(s.console("world.ball?"), contains("A thing that moves."));
+    CHECK_THAT(s.console("Body?"), contains("properties"));
+    CHECK_THAT(s.console("Body?"), contains("contact_begin"));
+    CHECK_THAT(s.console("Body.friction?"), contains("default 0.6"));
+    CHECK_THAT(s.console("help(world)"), contains("raycast(from, to)"));
+    CHECK_THAT(s.console("help(world.raycast)"), contains("The first body a ray meets."));
+    CHECK_THAT(s.console("help(world.ball.delete)"), contains("Deletes it"));
+    CHECK_THAT(s.console("help(after)"), contains("simulation time"));
+    CHECK_THAT(s.console("help('world.ball.mass')"), contains("How hard"));
+    CHECK_THAT(s.console("help()"), contains("random"));
+    CHECK_THAT(s.console("help(3)"), contains("integer"));
+    CHECK_THAT(s.console("find('fric')"), contains("Body.friction"));
+    CHECK_THAT(s.console("find('rough')"), contains("Body.friction"));
+    CHECK_THAT(s.console("find('zzz')"), contains("nothing has"));
+}
+
+TEST_CASE("it is what was selected") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK_THAT(s.console("it"), contains("nothing is selected"));
+    s.runtime->set_it(s.tree->child(s.world, "ball"));
+    CHECK(s.console("it.mass = 3") == "world.ball.mass: 1 → 3 kg");
+    CHECK(s.console("it.mass") == "3 kg");
+    CHECK_THAT(s.console("it.mass?"), contains("How hard"));
+}
+
+namespace {
+
+std::vector<std::string> labels(Stage& s, const std::string& input) {
+    std::vector<std::string> result;
+    for (const auto& c : s.runtime->complete(input, input.size())) result.push_back(c.label);
+    return result;
+}
+
+bool has(const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+// The input with the first candidate taken.
+std::string taken(Stage& s, const std::string& input) {
+    const auto list = s.runtime->complete(input, input.size());
+    if (list.empty()) return "";
+    return input.substr(0, list[0].replace_from) + list[0].text;
+}
+
+}  // namespace
+
+TEST_CASE("completion knows paths and keys and methods and enumerators") {
+    Stage s;
+    s.run(
+        "world.ball = Body { mass = 2 }; world[\"my ball\"] = Body {}; lives = 3; "
+        "Ball = class('Ball', Body) {} function Ball:hurt() end world.b2 = Ball {}");
+    CHECK(taken(s, "wor") == "world");
+    CHECK(taken(s, "print(world.ba") == "print(world.ball");
+    CHECK(taken(s, "world.ball.mas") == "world.ball.mass");
+    CHECK(taken(s, "world.ball.frction") == "world.ball.friction");
+    CHECK(taken(s, "world.ball.xyz") == "");
+    CHECK(taken(s, "world.ball.frct") == "world.ball.friction");
+    CHECK(taken(s, "world.ball:nu") == "world.ball:nudge");
+    CHECK(taken(s, "world.b2:hu") == "world.b2:hurt");
+    CHECK(taken(s, "world.my") == "world[\"my ball\"]");
+    CHECK(taken(s, "world[\"my ball\"].mas") == "world[\"my ball\"].mass");
+    CHECK(taken(s, "world.ball.type = \"ki") == "world.ball.type = \"kinematic");
+    CHECK(has(labels(s, "world.ball.type = "), "static"));
+    CHECK(taken(s, "world.ball.awake = f") == "world.ball.awake = false");
+    CHECK(taken(s, "Body { mas") == "Body { mass");
+    CHECK(taken(s, "Body { mass = 2, fric") == "Body { mass = 2, friction");
+    CHECK(taken(s, "Body { type = \"st") == "Body { type = \"static");
+    CHECK(taken(s, "color(\"tomat") == "color(\"tomato");
+    CHECK(taken(s, "world.ball:on(\"cont") == "world.ball:on(\"contact_begin");
+    CHECK(taken(s, "world:find(\"Bo") == "world:find(\"Body");
+    CHECK(taken(s, "world.gravity.") == "world.gravity.x");
+    CHECK(has(labels(s, "liv"), "lives"));
+    CHECK(has(labels(s, "string."), "format"));
+    CHECK(has(labels(s, "world.gravity:"), "length"));
+    CHECK(labels(s, "world.nothing.").empty());
+    CHECK(labels(s, "1 .. ").size() > 10);
+    for (const auto& candidate : s.runtime->complete("world.ball.mas", 14))
+        if (candidate.label == "mass") {
+            CHECK(candidate.detail == "2 kg · number · kg · 0 to inf · default 1");
+            CHECK(candidate.doc == "How hard it is to move.");
+        }
+    // Nothing of a script runs meanwhile.
+    s.run(
+        "trap = setmetatable({}, { __index = function() error('ran') end }); "
+        "trap2 = setmetatable({}, { __index = function() while true do end end })");
+    CHECK(labels(s, "trap.x.").empty());
+    CHECK(labels(s, "trap2.x.").empty());
+    for (const char* odd : {"", ".", ":", "[", "\"", "a.b.c.d.", "((((", "world[", "world[1].", "]",
+                            "world.ball.type == \"", "\xff\xfe.", "{{{", "Body{", "= = ="})
+        s.runtime->complete(odd, std::string(odd).size() + 5);
+}

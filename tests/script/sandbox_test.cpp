@@ -1,0 +1,224 @@
+// What hostile console commands try. None may crash, hang, or get out.
+
+#include "stage.h"
+
+using stage::Stage;
+
+namespace {
+
+fettle::script::Options small_budget() {
+    fettle::script::Options options;
+    options.console_budget = 3'000'000;
+    options.console_memory = std::size_t{24} << 20;
+    options.memory_limit = std::size_t{96} << 20;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("a runaway command is stopped and says where") {
+    const std::string attack = GENERATE(
+        as<std::string>{}, "while true do end", "while true do pcall(error) end",
+        "while true do pcall(function() while true do end end) end",
+        "local function f() pcall(f) while true do end end f()",
+        "xpcall(function() while true do end end, function() while true do end end)",
+        "xpcall(error, function() while true do end end)",
+        "while true do xpcall(error, function(e) return e end) end",
+        "repeat until coroutine.wrap(function() while true do end end)()",
+        "while true do coroutine.wrap(function() for i = 1, 900 do end end)() end",
+        "local function f() while true do coroutine.wrap(f)() end end f()",
+        "local function f() while true do coroutine.resume(coroutine.create(f)) end end f()",
+        "local co = coroutine.create(function() while true do end end) "
+        "while true do coroutine.resume(co) end",
+        "local co = coroutine.wrap(function() local x <close> = setmetatable({}, "
+        "{ __close = function() while true do end end }) while true do end end) pcall(co) "
+        "while true do end",
+        "local x <close> = setmetatable({}, { __close = function() while true do end end }) "
+        "while true do end",
+        "local x <close> = setmetatable({}, { __close = function() while true do end end })",
+        "goto top ::top:: goto top", "for i = 1, math.huge do end",
+        "setmetatable({}, { __index = function(t, k) return t[k] end }).x = nil "
+        "local t = setmetatable({}, { __index = function(t, k) return t[k .. 'x'] end }) return "
+        "t.x",
+        "return tostring(setmetatable({}, { __tostring = function() while true do end end }))",
+        "print(setmetatable({}, { __tostring = function() while true do end end }))",
+        "load(function() while true do end end)", "load(function() return ' ' end)",
+        "string.gsub(('x'):rep(1e6), '.', function() while true do end end)",
+        "table.sort({3, 2, 1, 4, 5}, function() while true do end end)",
+        "world:find('World', 3) while true do end",
+        "for _ in pairs(setmetatable({}, { __pairs = function() while true do end end })) do end",
+        "while true do collectgarbage() end", "return (('a'):rep(100)):find(('.-'):rep(50) .. 'b')",
+        "return (('a'):rep(30000)):match('.-.-.-.-b')",
+        "return (('a'):rep(30000)):gsub('a*a*a*a*b', '')",
+        "for x in (('a'):rep(30000)):gmatch('a-a-a-a-b') do end",
+        "while true do local s = ('x'):rep(1e6) end",
+        "while true do pcall(string.rep, 'x', 1e10) end",
+        "for i = 1, 1e9 do world.gravity = vec(0, i) end",
+        "for i = 1, 1e9 do world.gravity.x = i end",
+        "while true do pcall(function() world.x = {} world.y = nil end) end",
+        "local t = setmetatable({}, { __len = function() return 1e15 end }) table.insert(t, 1, 2) "
+        "while true do end");
+    Stage s(small_budget());
+    CAPTURE(attack);
+    const auto e = s.runtime->evaluate(attack);
+    CHECK_FALSE(e.ok);
+    REQUIRE(e.error);
+    CHECK_THAT(e.error->message,
+               contains("console:1: ") || contains("stopped") || contains("C stack overflow"));
+    // The console lives on.
+    CHECK(s.console("1 + 1") == "2");
+    CHECK(s.prints("local n = 0 for i = 1, 5000000 do n = n + 1 end print(n)") == "5000000");
+}
+
+TEST_CASE("a command that needs too much memory is stopped") {
+    const std::string attack = GENERATE(
+        as<std::string>{}, "return ('x'):rep(1e10)", "local t = {} for i = 1, 1e9 do t[i] = {} end",
+        "local t = {} while true do pcall(function() for i = 1, 1e9 do t[#t + 1] = i .. 'x' end "
+        "end) end",
+        "local s = 'x' while true do s = s .. s end",
+        "return table.concat(setmetatable({}, { __index = rawlen, __len = function() return 1e9 "
+        "end }))",
+        "return table.concat(setmetatable({}, { __index = function() return 'x' end }), '', 1, "
+        "1e9)",
+        "table.move({}, 1, 1e9, 2)", "return table.unpack({}, 1, 1e9)",
+        "return table.pack(table.unpack({}, 1, 1e6))", "return ('%99.99f'):rep(1e6):format(1)",
+        "return ('x'):rep(1e6):gsub('x', ('y'):rep(1e6))",
+        "local s = ('x'):rep(2e7) local t = {} for i = 1, 100 do t[i] = s .. i end",
+        "local function f(n) return f(n + 1) + 1 end return f(1)",
+        "local function f(...) return f(1, ...) end return f()",
+        "local t = {} t.t = t for i = 1, 1e8 do t[i] = coroutine.create(print) end",
+        "load(('('):rep(1e5))", "return ('x'):rep(-1), (''):rep(1e18), ('x'):rep(1e18)",
+        "return string.pack(('i16'):rep(1e6), 1)",
+        "world.list = {} for i = 1, 1e9 do world.list[i] = i end");
+    Stage s(small_budget());
+    CAPTURE(attack);
+    s.runtime->evaluate(attack);
+    CHECK(s.runtime->memory() < (std::size_t{64} << 20));
+    CHECK(s.console("1 + 1") == "2");
+    CHECK(s.prints("local t = {} for i = 1, 1000 do t[i] = {} end print(#t)") == "1000");
+}
+
+TEST_CASE("memory that a command asked for is given back") {
+    Stage s(small_budget());
+    s.run("function fill() local t = {} for i = 1, 300000 do t[i] = { i } end end");
+    CHECK_THAT(s.console("local t = {} for i = 1, 1e8 do t[i] = { i } end"),
+               contains("more memory than a command may use"));
+    CHECK(s.console("#('x'):rep(1e7)") == "10000000");
+}
+
+TEST_CASE("nothing dangerous can be reached") {
+    Stage s;
+    for (const char* name :
+         {"debug", "io", "package", "dofile", "loadfile", "loadstring", "newproxy", "getfenv"}) {
+        CAPTURE(name);
+        CHECK_THAT(s.fails(std::string("return ") + name), contains("no such name"));
+    }
+    s.run(R"lua(
+assert(rawget(os, "execute") == nil and rawget(os, "exit") == nil and rawget(os, "remove") == nil)
+assert(rawget(os, "getenv") == nil and rawget(os, "setlocale") == nil and rawget(os, "tmpname") == nil)
+assert(rawget(string, "dump") == nil)
+assert(os.time() and os.clock() and os.date())
+assert(getmetatable("") == "text")
+assert(not pcall(setmetatable, _G, {}))
+assert(getmetatable(world) == "instance" and getmetatable(vec(0, 0)) == "vec")
+assert(getmetatable(Body) == "class" and getmetatable(_G) == "globals")
+assert(not pcall(setmetatable, world, {}))
+assert(not pcall(rawset, world, "x", 1) and not pcall(rawget, world, "x"))
+assert(not pcall(rawlen, world) and rawequal(world, world))
+assert(load("\27Lua") == nil)
+local f, message = load("return 1", "x", "b"); assert(f and f() == 1)
+assert(load("return world", "x", "t", { world = 3 })() == 3)
+assert(not pcall(setmetatable, {}, { __gc = print }))
+assert(not pcall(collectgarbage, "stop") and not pcall(collectgarbage, "generational"))
+assert(not pcall(string.format, "%p", {}))
+assert(string.format("%s %5.2f %d %%", {}, 1.5, 3) == "table  1.50 3 %")
+assert(not tostring(print):find("0x") and not tostring({}):find("0x"))
+assert(not pcall(function() return ("").x.y end))
+)lua");
+    // Methods with a wrong self.
+    for (const char* call :
+         {"world.add(3, Body {})", "world.delete('x')", "world.has()", "world.on({}, 'x', print)",
+          "world.raycast(vec(1, 1), vec(0, 0), vec(1, 1))", "world.children(Body)",
+          "vec(1, 2).length(3)", "vec(1, 2).length()", "world.add(Body, Body {})",
+          "world.watch(Circle, 'radius', 3)", "world:add(world)", "world.clone(color('red'))",
+          "(after(1, print)).stop(world)", "world:all().set({}, 'mass', 1)"}) {
+        CAPTURE(call);
+        s.fails(call);
+    }
+}
+
+TEST_CASE("errors of any type are told") {
+    Stage s;
+    CHECK_THAT(s.fails("error({ code = 3 })"), contains("{code = 3}"));
+    CHECK_THAT(s.fails("error(nil)"), contains("nil"));
+    CHECK_THAT(s.fails("error(world)"), contains("world"));
+    CHECK_THAT(
+        s.fails("error(setmetatable({}, { __tostring = function() while true do end end }))"),
+        contains("table"));
+    CHECK_THAT(s.fails("error('plain', 0)"), contains("plain"));
+    CHECK_THAT(s.fails("local t = setmetatable({}, { __name = ('x'):rep(1e6) }) return t + 1"),
+               contains("arithmetic"));
+    CHECK_THAT(s.fails("local function f() return f() + 1 end f()"), contains("stack overflow"));
+    CHECK_THAT(s.fails("string.rep()"), contains("main.lua:1"));
+    CHECK_THAT(s.fails("return #nil"), contains("main.lua:1"));
+    CHECK_THAT(s.fails("this is no Lua"), contains("main.lua:1: syntax error"));
+}
+
+TEST_CASE("protected calls in scripts work as in Lua") {
+    Stage s;
+    s.run(R"lua(
+local ok, e = pcall(error, "x"); assert(not ok and e == "x")
+assert(select("#", pcall(function() return 1, nil, 3 end)) == 4)
+local ok, e = xpcall(function(a, b) return a + b end, print, 1, 2); assert(ok and e == 3)
+local ok, e = xpcall(function() error("y", 0) end, function(m) return m .. "!" end)
+assert(not ok and e == "y!")
+local co = coroutine.wrap(function()
+    local ok, v = xpcall(function() return coroutine.yield(1) end, print)
+    return ok, v
+end)
+assert(co() == 1)
+local ok, v = co(5)
+assert(ok and v == 5)
+local ok, e = pcall(function() world.nope.x = 1 end)
+assert(not ok and e:find("nope"))
+)lua");
+}
+
+TEST_CASE("patterns match as in Lua") {
+    Stage s;
+    s.run(R"lua(
+assert(("hello world"):find("wor") == 7)
+assert(select(2, ("hello"):find("l+")) == 4)
+assert(("key = value"):match("^(%w+)%s*=%s*(%w+)$") == "key")
+assert(("x"):find("") == 1 and (""):find("") == 1 and ("abc"):find("b", -2) == 2)
+assert(("a.b"):find(".", 1, true) == 2 and ("abc"):find("d") == nil)
+assert(("2024-01-02"):gsub("(%d+)-(%d+)-(%d+)", "%3.%2.%1") == "02.01.2024")
+assert(("hello"):gsub("", "-") == "-h-e-l-l-o-")
+assert(("abc"):gsub("%w", "%0%0") == "aabbcc")
+assert(select(2, ("abc abc"):gsub("abc", { abc = "x" })) == 2)
+assert(("abc"):gsub("b", function() return nil end) == "abc")
+assert(("THE (quick) fox"):find("%((%a+)%)") == 5)
+assert(("f(a(b)c)d"):match("%b()") == "(a(b)c)")
+assert(("THE (quick) fox"):gsub("%f[%a]%a+", "x") == "x (x) x")
+assert(("aXb"):match("()X()") == 2)
+assert(("[test]"):match("[%[%]]") == "[" and ("a-b"):match("[a%-]+") == "a-")
+assert(("abcd"):match("[^a-c]") == "d" and ("]"):match("[]]") == "]")
+assert(("aa"):match("(a)%1") == "a" and ("ab"):match("(a)%1") == nil)
+assert(("  trim  "):match("^%s*(.-)%s*$") == "trim")
+assert(("x=1,y=2"):gsub("(%w+)=(%w+)", "%2=%1") == "1=x,2=y")
+local t = {} for k, v in ("a=1, b=2"):gmatch("(%w+)=(%w+)") do t[#t + 1] = k .. v end
+assert(table.concat(t, " ") == "a1 b2")
+local n = 0 for w in ("one two  three"):gmatch("%a+") do n = n + 1 end assert(n == 3)
+local n = 0 for _ in ("abc"):gmatch("") do n = n + 1 end assert(n == 4)
+assert(("abc"):gsub("^a", "x") == "xbc" and ("aaa"):gsub("^a", "x") == "xaa")
+assert(("abc"):gsub("c$", "x") == "abx" and ("a$c"):find("$", 1, true) == 2)
+assert(("a\0b"):find("\0") == 2 and ("a\0b"):match("%z?") ~= nil)
+assert(("abc"):gsub("b", "%%") == "a%c")
+for _, bad in ipairs { "[a", "(a", "a)", "%b", "%f", "(()", "%1" } do
+    assert(not pcall(string.find, "aaaa", bad), bad)
+end
+assert(not pcall(string.find, "a", "%") and not pcall(string.find, "a", "a)"))
+assert(not pcall(string.gsub, "a", "a", "%2"))
+assert(not pcall(string.gsub, "a", "a", function() return {} end))
+)lua");
+}
