@@ -189,10 +189,16 @@ Span error_span(std::string_view line, std::string_view message) {
         std::size_t skip = dot == std::string::npos || dot + 1 == name.size() ? 0 : dot + 1;
         return {at + skip, at + name.size(), Token::plain};
     }
-    std::size_t begin = 0, end = line.size();
-    while (begin < end && blank(line[begin])) ++begin;
-    while (end > begin && blank(line[end - 1])) --end;
-    return {begin, end, Token::plain};
+    // Names without a path or quotes: the first word of the message that is in the line.
+    for (const Span& word : highlight_output(message)) {
+        std::string_view name = message.substr(word.begin, word.end - word.begin);
+        if (word.token != Token::plain || name.size() < 3 || !letter(name.front())) continue;
+        std::size_t at = find_word(line, name);
+        if (at != std::string_view::npos) return {at, at + name.size(), Token::plain};
+    }
+    std::vector<Span> spans = highlight_command(line);
+    if (spans.empty()) return {0, 0, Token::plain};
+    return {spans.front().begin, spans.front().end, Token::plain};
 }
 
 }  // namespace fettle::console

@@ -30,8 +30,8 @@ std::vector<Span> highlight_command(std::string_view line);
 /// A printed line: numbers, quoted strings, paths, arrows; prose stays plain.
 std::vector<Span> highlight_output(std::string_view line);
 
-/// Where the trouble is in a source line, as far as the message tells: the name it quotes or the
-/// last name of the path it complains about; the whole trimmed line when nothing of it is found.
+/// Where the trouble is in a source line, as far as the message tells: the name it quotes, the last
+/// name of the path it complains about, or a word of it; else where the line begins.
 Span error_span(std::string_view source_line, std::string_view message);
 
 }  // namespace fettle::console

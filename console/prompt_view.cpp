@@ -14,6 +14,7 @@ namespace {
 
 constexpr float gutter = 2;  // columns
 constexpr std::size_t menu_rows = 10;
+constexpr float row_padding = 5;  // pixels
 constexpr double blink_seconds = 0.55;
 
 float columns(std::string_view text) {
@@ -66,7 +67,7 @@ void PromptView::draw(float height, float cell, bool focused) {
         const TextEdit& edit = prompt_.edit();
         std::size_t from = prompt_.menu().selection().replace_from;
         menu_anchor_ =
-            ImVec2(text_origin.x + static_cast<float>(edit.column_of(from)) * cell, end.y + 3);
+            ImVec2(text_origin.x + static_cast<float>(edit.column_of(from)) * cell, end.y + 5);
     }
 }
 
@@ -174,7 +175,7 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(style.ItemSpacing.x, 0));
-    float row_height = ImGui::GetTextLineHeightWithSpacing() + 2;
+    float row_height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
     auto rows = static_cast<float>(std::min(menu_rows, menu.candidates().size()));
     float inner = width - 2 * style.WindowPadding.x;
     ImGui::BeginChild("rows", ImVec2(inner, rows * row_height));
@@ -202,7 +203,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
     const auto& candidate = prompt_.menu().candidates()[index];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 at = ImGui::GetCursorScreenPos();
-    float height = ImGui::GetTextLineHeightWithSpacing() + 2;
+    float height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
     ImGui::PushID(static_cast<int>(index));
     bool clicked = ImGui::InvisibleButton("candidate", ImVec2(width, height));
     bool hovered = ImGui::IsItemHovered();
@@ -233,6 +234,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
 void PromptView::draw_description(float cell, ImFont* bold) {
     const script::Completion& chosen = prompt_.menu().selection();
     if (chosen.doc.empty()) return;
+    ImGui::Spacing();
     ImGui::Separator();
     ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - cell);
     ImGui::Indent(cell);

@@ -80,7 +80,9 @@ TEST_CASE("the caret stands below the name the message is about") {
     CHECK(marked("world.bal.mass = 5", "world has no \"bal\" (did you mean \"ball\"?)") == "bal");
     CHECK(marked("  x = )", "unexpected symbol near ')'") == ")");
     CHECK(marked("it.mass = it.massive", "world.ball.massive: no such name") == "massive");
-    CHECK(marked("  nothing named ", "something failed") == "nothing named");
+    CHECK(marked("  nothing named ", "something failed") == "nothing");
+    CHECK(marked("x = scene.load()", "main.lua:9: scene is not available") == "scene");
+    CHECK(marked("", "something failed").empty());
 }
 
 TEST_CASE("an error in the log shows message line and caret") {

@@ -183,7 +183,7 @@ TEST_CASE("a candidate is chosen with the mouse") {
     auto rect = rig.state().prompt_view.menu_rect();
     REQUIRE_FALSE(rect.empty());
     std::string second = rig.state().prompt.menu().candidates()[1].completion.text;
-    float row = rig.state().ui.font_size() + 3;
+    float row = rig.state().ui.font_size() + 5;
     rig.click(rect.low.x + 60, rect.low.y + 7 + row * 1.5f);
     rig.draw();
     CHECK(rig.input() == "world.ball." + second);

@@ -124,5 +124,7 @@ TEST_CASE("the showcase runs in a window") {
     game.type("world.gravity");
     game.key("Return");
     game.settled().save_png(pictures / "showcase-console.png");
+    INFO(game.printed());
+    CHECK_FALSE(contains(game.printed(), ".lua:"));  // no script error
     CHECK(game.running());
 }

@@ -121,11 +121,11 @@ bool GameWindow::prints(const std::string& text) {
 }
 
 Picture GameWindow::settled() {
-    constexpr int same_needed = 10;
+    constexpr int same_needed = 4, most = 40;
     Picture last = picture();
     int same = 0;
-    for (int i = 0; i < 200 && same < same_needed; ++i) {
-        std::this_thread::sleep_for(poll_interval);
+    for (int i = 0; i < most && same < same_needed; ++i) {
+        std::this_thread::sleep_for(4 * poll_interval);
         Picture next = picture();
         // A blinking caret and a pulsing outline never rest.
         same = next.difference(last) < 3000 ? same + 1 : 0;

@@ -17,7 +17,9 @@ std::size_t Picture::difference(const Picture& other, unsigned left, unsigned to
     for (unsigned y = top; y < std::min(bottom, height); ++y)
         for (unsigned x = left; x < std::min(right, width); ++x) {
             std::size_t at = (std::size_t{y} * width + x) * 3;
-            count += std::equal(&rgb[at], &rgb[at] + 3, &other.rgb[at]) ? 0 : 1;
+            bool same = rgb[at] == other.rgb[at] && rgb[at + 1] == other.rgb[at + 1] &&
+                        rgb[at + 2] == other.rgb[at + 2];
+            count += same ? 0 : 1;
         }
     return count;
 }
@@ -43,11 +45,14 @@ Picture read_xwd(const std::filesystem::path& file) {
     std::size_t begin = field(header_size) + field(colors) * 12, pitch = field(bytes_per_line);
     if (bytes.size() < begin + pitch * picture.height)
         throw std::runtime_error(file.string() + " is cut off");
-    for (std::size_t y = 0; y < picture.height; ++y)
-        for (std::size_t x = 0; x < picture.width; ++x)
-            for (std::size_t channel : {2u, 1u, 0u})  // blue comes first
-                picture.rgb.push_back(
-                    static_cast<std::uint8_t>(bytes[begin + y * pitch + x * 4 + channel]));
+    picture.rgb.resize(std::size_t{picture.width} * picture.height * 3);
+    std::uint8_t* out = picture.rgb.data();
+    for (std::size_t y = 0; y < picture.height; ++y) {
+        const char* row = &bytes[begin + y * pitch];
+        for (std::size_t x = 0; x < picture.width; ++x, row += 4)
+            for (int channel : {2, 1, 0})  // blue comes first
+                *out++ = static_cast<std::uint8_t>(row[channel]);
+    }
     return picture;
 }
 
