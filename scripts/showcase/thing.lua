@@ -14,7 +14,9 @@ Thing = class("Thing", Body) {
 function Thing:repaint()
     local paint = self.tint
     if showcase.red_touch and self.touching > 0 then
-        paint = color(red.r * 0.7 + paint.r * 0.3, red.g * 0.7 + paint.g * 0.3, red.b * 0.7 + paint.b * 0.3)
+        local keep = 0.35
+        paint = color(red.r + (paint.r - red.r) * keep, red.g + (paint.g - red.g) * keep,
+            red.b + (paint.b - red.b) * keep)
     end
     for _, shape in ipairs(self:children()) do
         if shape:has("color") then shape.color = paint end
