@@ -243,6 +243,7 @@ void Body::set_angular_damping(float damping) {
 
 bool Body::awake() const {
     FETTLE_LIVE_BODY
+    data.refresh_mass(id_.index);  // an infinite mass does not wake
     return record.solver_index != 0;
 }
 

@@ -129,6 +129,7 @@ void WorldData::wake_all() {
     }
 }
 
+/// Afterwards the lists of what is awake still hold the group: see `compact_awake`.
 void WorldData::put_to_sleep(std::span<const uint32_t> group) {
     uint32_t island = free_island;
     if (island != none) {
@@ -151,7 +152,11 @@ void WorldData::put_to_sleep(std::span<const uint32_t> group) {
         previous[body] = {states[body].position, states[body].angle};
         event_sink().slept.push_back(body_id(body));
     }
-    // One pass over each list keeps its order, which a removal one by one would not.
+}
+
+/// Drops from the lists who fell asleep. One pass over each keeps its order, which a removal one by
+/// one would not.
+void WorldData::compact_awake() {
     size_t kept = 0;
     for (uint32_t body : awake_bodies) {
         if (bodies[body].solver_index == 0) continue;
@@ -190,6 +195,7 @@ void WorldData::put_group_to_sleep(uint32_t body) {
         });
     }
     put_to_sleep(group);
+    compact_awake();
 }
 
 void WorldData::sleep_resting_islands() {
@@ -229,6 +235,7 @@ void WorldData::sleep_resting_islands() {
         groups[group_of[root]].push_back(awake_bodies[i]);
     }
     for (const auto& group : groups) put_to_sleep(group);
+    if (!groups.empty()) compact_awake();
 }
 
 }  // namespace fettle::physics::detail

@@ -115,6 +115,7 @@ uint32_t WorldData::create_body(const BodyDef& def) {
         if (!def.awake && settings.sleeping) {
             // No sleep event for what was never awake: straight into an island of its own.
             const uint32_t only[1] = {slot};
+            remove_awake(slot);
             put_to_sleep(only);
             event_sink().slept.pop_back();
             record.never_awake = true;

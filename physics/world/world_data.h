@@ -172,6 +172,7 @@ struct WorldData : Columns {
     void wake_touching(uint32_t body);
     void wake_all();
     void put_to_sleep(std::span<const uint32_t> group);
+    void compact_awake();
     void put_group_to_sleep(uint32_t body);
     void sleep_resting_islands();
     void add_awake(uint32_t body);
