@@ -164,7 +164,6 @@ std::vector<Property> weight(Hosting& hosting) {
     const std::vector<std::string> sources = {"type",       "*.density", "*.radius", "*.center",
                                               "*.width",    "*.height",  "*.angle",  "*.rounding",
                                               "*.vertices", "*.from",    "*.to"};
-    std::vector<std::string> of_center = sources;
     std::vector<std::string> of_inertia = sources;
     of_inertia.insert(of_inertia.end(), {"mass", "center"});
     return {
@@ -197,7 +196,7 @@ std::vector<Property> weight(Hosting& hosting) {
                 "computes it again.",
          .binding = overridable<&Body::center, &Body::set_center, &Body::center_override>(hosting),
          .simulated = true,
-         .derives_from = of_center,
+         .derives_from = sources,
          .single_precision = true},
     };
 }

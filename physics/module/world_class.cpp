@@ -122,14 +122,14 @@ const StepStatistics& statistics_of(Hosting& hosting, Row row) {
 }
 
 template <auto Member>
-Property statistic(Hosting& hosting, std::string name, std::string doc) {
+Property statistic(Hosting& hosting, const char* name, const char* doc) {
     using Figure = std::remove_cvref_t<decltype(std::declval<StepStatistics>().*Member)>;
     constexpr bool is_time = std::is_same_v<Figure, float>;
     return {
-        .name = std::move(name),
+        .name = name,
         .type = is_time ? Type::number : Type::integer,
         .unit = is_time ? "ms" : "",
-        .doc = std::move(doc),
+        .doc = doc,
         .binding = accessor(
             hosting, [](Hosting& h, Row row) { return to_value(statistics_of(h, row).*Member); }),
         .read_only = true,

@@ -49,7 +49,7 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
     c.normal = m.normal;
     c.friction = record.friction;
     c.count = uint16_t(m.count);
-    c.fixed = (a.inverse_mass == 0.0f) | (b.inverse_mass == 0.0f) ? 1 : 0;
+    c.fixed = uint16_t(a.inverse_mass == 0.0f || b.inverse_mass == 0.0f);
     c.extra = 0;
     const V2 t = right_perp(m.normal);
     for (int k = 0; k < m.count; ++k) {
@@ -185,6 +185,7 @@ void WorldData::store_contacts() {
             m.points[k].tangent_impulse = wide.points[k].tangent_impulse[lane];
         }
         update_touch(wide_slots[place], false);
+        report_hit(wide_slots[place], nullptr);
     }
     for (const ContactConstraint& c : constraints) {
         Manifold& m = contacts[c.contact].manifold;
@@ -194,12 +195,13 @@ void WorldData::store_contacts() {
         }
         if (c.extra == 0) {
             update_touch(c.contact, false);
+            report_hit(c.contact, nullptr);
             continue;
         }
         const ContactExtra& extra = extras[c.extra - 1];
         contacts[c.contact].rolling_impulse = extra.rolling_impulse;
         update_touch(c.contact, extra.greatest[0] + extra.greatest[1] > 0.0f);
-        if (contacts[c.contact].hit_events) report_hit(c, extra);
+        report_hit(c.contact, &extra);
     }
 }
 
@@ -218,23 +220,28 @@ void WorldData::update_touch(uint32_t contact, bool pushed) {
     if (touching != record.touching) set_touching(contact, touching);
 }
 
-void WorldData::report_hit(const ContactConstraint& c, const ContactExtra& extra) {
-    const ContactRecord& record = contacts[c.contact];
-    float speed = 0.0f, total = 0.0f;
+/// From what is known anyway: that somebody wants to hear of hits must change nothing.
+void WorldData::report_hit(uint32_t contact, const ContactExtra* extra) {
+    const ContactRecord& record = contacts[contact];
+    if (!record.hit_events || !record.touching) return;
+    float speed = 0.0f;
     V2 point;
-    for (int k = 0; k < c.count; ++k) {
-        total += extra.total[k];
-        if (extra.greatest[k] > 0.0f && -extra.approach[k] > speed) {
-            speed = -extra.approach[k];
-            point = bodies[record.body_a].center + record.manifold.points[k].anchor_a;
-        }
+    for (int k = 0; k < record.manifold.count; ++k) {
+        const ManifoldPoint& p = record.manifold.points[k];
+        const bool met = p.normal_impulse > 0.0f || p.separation <= touch_distance ||
+                         (extra != nullptr && extra->greatest[k] > 0.0f);
+        const V2 here = bodies[record.body_a].center + p.anchor_a;
+        const float approach = met ? approach_speed(record, here) : 0.0f;
+        if (approach <= speed) continue;
+        speed = approach;
+        point = here;
     }
-    if (speed > settings.hit_threshold) {
-        events.contact_hit.push_back({shape_id(record.shape_a), shape_id(record.shape_b),
-                                      body_id(record.body_a), body_id(record.body_b),
-                                      to_vec2(point), to_vec2(record.manifold.normal), speed,
-                                      total});
-    }
+    if (!(speed > settings.hit_threshold)) return;
+    const float impulse =
+        extra != nullptr ? extra->total[0] + extra->total[1] : speed * impact_mass(record, point);
+    events.contact_hit.push_back({shape_id(record.shape_a), shape_id(record.shape_b),
+                                  body_id(record.body_a), body_id(record.body_b), to_vec2(point),
+                                  to_vec2(record.manifold.normal), speed, impulse});
 }
 
 }  // namespace fettle::physics::detail

@@ -55,8 +55,7 @@ void WorldData::remix(ContactRecord& c) const {
                                b.rolling_resistance * forms[c.shape_b].radius);
     c.surface_speed = a.surface_speed + b.surface_speed;
     c.hit_events = a.hit_events || b.hit_events;
-    c.special = c.hit_events || c.restitution > 0.0f || c.rolling_resistance > 0.0f ||
-                c.surface_speed != 0.0f;
+    c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
 }
 
 void WorldData::remix_shape(uint32_t shape) {

@@ -102,7 +102,7 @@ struct ContactRecord {
     uint32_t awake_index = none;
     bool touching = false;  ///< as events tell it
     bool sensor = false;
-    bool special = false;  ///< rolling resistance, surface speed, restitution or hit events
+    bool special = false;  ///< rolling resistance, surface speed or restitution
     bool hit_events = false;
     float friction = 0.0f, restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
     float rolling_impulse = 0.0f;

@@ -199,7 +199,7 @@ struct WorldData : Columns {
     void prepare_contacts(float h, const Softness (&softness)[2]);
     void store_contacts();
     void update_touch(uint32_t contact, bool pushed);
-    void report_hit(const ContactConstraint& c, const ContactExtra& extra);
+    void report_hit(uint32_t contact, const ContactExtra* extra);
     void zero_locked();
 
     // queries.cpp

@@ -36,7 +36,7 @@ struct ContactHitEvent {
     Vec2 point = Vec2::Zero();
     Vec2 normal = Vec2::Zero();  ///< from a to b
     float speed = 0.0f;          ///< m/s, approach along the normal
-    float impulse = 0.0f;        ///< N s, over the whole step
+    float impulse = 0.0f;        ///< N s, that stopped the approach
 };
 
 struct SensorEvent {
