@@ -129,6 +129,7 @@ void Console::State::draw_height_handle() {
         settings.set("height", property::Value(std::clamp<double>(share, 0.15, 1)));
     }
     ImGui::SetCursorScreenPos(before);
+    ImGui::Dummy(ImVec2(0, 0));  // newer versions want an item where the cursor was moved to
 }
 
 // --- The inspector
