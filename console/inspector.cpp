@@ -34,8 +34,11 @@ void Inspector::draw(ImFont* bold) {
     input_line("##search", "search by name or class", search_, 0);
     outline_.search(search_);
     float available = ImGui::GetContentRegionAvail().y;
-    draw_outline(std::floor(available * outline_share_));
-    draw_splitter();
+    bool alone = !tree_.alive(selected_);
+    float below = 2.5f * ImGui::GetTextLineHeightWithSpacing();
+    draw_outline(
+        std::max(1.0f, std::floor(alone ? available - below : available * outline_share_)));
+    if (!alone) draw_splitter();
     if (!tree_.alive(selected_)) {
         ImGui::Spacing();
         ImGui::PushTextWrapPos(0);

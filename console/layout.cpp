@@ -38,13 +38,16 @@ void Console::State::frame(double seconds) {
     } else {
         inspector_rect = {};
     }
-    draw_panel(width - 2 * margin - right,
-               std::min(settings.number("height") * height, height - 2 * margin), cell);
+    draw_panel(width - 2 * margin - right, panel_height(), cell);
     prompt_view.draw_menu(cell, ui.bold());
     popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ui.end_frame();
     ui.navigate_with_keys(popup_open);
     building = false;
+}
+
+float Console::State::panel_height() {
+    return std::max(1.0f, std::min(settings.number("height") * height, height - 2 * margin));
 }
 
 // --- The panel
@@ -137,7 +140,9 @@ void Console::State::draw_height_handle() {
 
 void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::SetNextWindowPos(ImVec2(left, margin));
-    ImGui::SetNextWindowSize(ImVec2(inspector_width, height - 2 * margin));
+    // With nothing selected there is only the outline, and the game shows below it.
+    float tall = tree.alive(inspector.selected()) ? height : panel_height() + 2 * margin;
+    ImGui::SetNextWindowSize(ImVec2(inspector_width, tall - 2 * margin));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##inspector", nullptr, panel_flags);
     inspector_rect = window_rect();

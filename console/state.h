@@ -58,6 +58,7 @@ struct Console::State {
 
     // --- Looks (layout.cpp)
     void frame(double seconds);
+    float panel_height();
     void draw_panel(float width, float height, float cell);
     void draw_title(float cell);
     bool title_button(const char* label, bool lit, float& right);
