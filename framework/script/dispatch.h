@@ -1,8 +1,8 @@
 #pragma once
 // From the name a script writes to what an instance has under it. Lua interns short names, so the
-// address of a name and the class of the instance find the property in one probe of a small table.
-// Names that are in it are anchored in Lua's registry, so an address never comes to mean another
-// name.
+// address of a name (lua_topointer, which also tells a name from a number in the same call) and the
+// class of the instance find the property in one probe of a small table. Names that are in it are
+// anchored in Lua's registry, so an address never comes to mean another name.
 
 #include <array>
 #include <cstddef>
@@ -22,7 +22,7 @@ enum class Member : std::uint8_t {
 };
 
 struct Dispatch {
-    const char* key = nullptr;
+    const void* key = nullptr;
     const property::Class* instance_class = nullptr;
     const property::Property* property = nullptr;
     int reference = LUA_NOREF;
@@ -31,7 +31,7 @@ struct Dispatch {
 
 class DispatchCache {
   public:
-    Dispatch& slot(const property::Class* instance_class, const char* key) {
+    Dispatch& slot(const property::Class* instance_class, const void* key) {
         const auto a = reinterpret_cast<std::uintptr_t>(key);
         const auto b = reinterpret_cast<std::uintptr_t>(instance_class);
         return slots_[((a >> 4) ^ (a >> 13) ^ (b >> 5)) & (slots_.size() - 1)];

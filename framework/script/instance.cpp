@@ -47,6 +47,18 @@ namespace {
                                              ": no such name" + property::suggestion(name, names));
 }
 
+[[gnu::noinline]] void push_other(lua_State* L, const Value& value, Handle instance,
+                                  const Property& property) {
+    const bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
+    Origin origin;
+    origin.instance = instance;
+    if (ad_hoc)
+        origin.symbol = property.symbol;
+    else
+        origin.property = &property;
+    push_value(L, value, origin);
+}
+
 void push_property(lua_State* L, Machine& machine, Handle instance, const Property& property) {
     const Value value = machine.tree.get(instance, property);
     switch (value.type()) {
@@ -62,30 +74,21 @@ void push_property(lua_State* L, Machine& machine, Handle instance, const Proper
         default:
             break;
     }
-    const bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
-    if (value.is(Type::vec2) && !ad_hoc) {
+    if (value.is(Type::vec2) && property.binding.kind != property::BindingKind::ad_hoc)
         push_vec(L, value.vec2(), instance, property);
-        return;
-    }
-    Origin origin;
-    origin.instance = instance;
-    if (ad_hoc)
-        origin.symbol = property.symbol;
     else
-        origin.property = &property;
-    push_value(L, value, origin);
+        push_other(L, value, instance, property);
 }
 
 // Names found once are remembered for the class; how they are remembered is what they are.
-const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of, const char* key,
-                      std::size_t length) {
+const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of, const void* key,
+                      std::string_view name) {
     static constexpr std::size_t longest_interned = 40;  // longer names of Lua have no one address
     static constexpr std::size_t most_dynamic_names = 4096;  // a script may make up names forever
     static thread_local Dispatch uncached;
     Dispatch found;
     found.key = key;
     found.instance_class = &of;
-    const std::string_view name(key, length);
     const Symbol symbol = Symbol::find(name);
     if (const Property* property = symbol ? of.property(symbol) : nullptr) {
         found.member = Member::property;
@@ -99,7 +102,7 @@ const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of,
     } else {
         found.member = Member::dynamic;
     }
-    if (length > longest_interned ||
+    if (name.size() > longest_interned ||
         (found.member == Member::dynamic && ++machine.dynamic_names > most_dynamic_names)) {
         uncached = found;
         return uncached;
@@ -115,11 +118,12 @@ const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of,
 }
 
 const Dispatch& look_up(lua_State* L, Machine& machine, const property::Class& of) {
-    std::size_t length = 0;
-    const char* key = lua_tolstring(L, 2, &length);
+    const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine.dispatch.slot(&of, key);
     if (slot.key == key && slot.instance_class == &of) return slot;
-    return learn(L, machine, of, key, length);
+    std::size_t length = 0;
+    const char* name = lua_tolstring(L, 2, &length);
+    return learn(L, machine, of, key, {name, length});
 }
 
 Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
@@ -128,7 +132,7 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
     return child;
 }
 
-int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
+[[gnu::noinline]] int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     const Handle instance = self.handle;
     if (lua_type(L, 2) == LUA_TSTRING) {
         // A method tells itself what a deleted instance cannot do; `alive` can be asked.
@@ -171,7 +175,7 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     unknown_name(machine, instance, name);
 }
 
-[[noreturn]] void no_self(lua_State* L) {
+[[noreturn, gnu::noinline]] void no_self(lua_State* L) {
     throw Error(ErrorKind::wrong_type, "needs an instance, not " + describe_type(L, 1));
 }
 
@@ -179,20 +183,12 @@ int instance_index(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     if (!self || self->tag != Tag::instance) no_self(L);
     Machine& machine = machine_of(L);
-    if (lua_type(L, 2) == LUA_TSTRING && !machine.recording.active) {
-        const char* key = lua_tolstring(L, 2, nullptr);
-        const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-        if (slot.key == key && slot.instance_class == self->instance_class) {
-            if (slot.member == Member::property) {
-                push_property(L, machine, self->handle, *slot.property);
-                return 1;
-            }
-            if (slot.member == Member::function) {
-                // The method itself finds out whether the instance is alive.
-                push_registry(L, slot.reference);
-                return 1;
-            }
-        }
+    const void* key = lua_topointer(L, 2);
+    const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
+    if (slot.key == key && slot.instance_class == self->instance_class &&
+        slot.member == Member::property && !machine.recording.active) [[likely]] {
+        push_property(L, machine, self->handle, *slot.property);
+        return 1;
     }
     return read_slowly(L, machine, *self);
 }
@@ -242,7 +238,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     write_property(machine, instance, property, value);
 }
 
-int write_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
+[[gnu::noinline]] int write_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     const Handle instance = self.handle;
     machine.tree.require(instance);
     if (lua_type(L, 2) != LUA_TSTRING)
@@ -263,14 +259,12 @@ int instance_newindex(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     if (!self || self->tag != Tag::instance) no_self(L);
     Machine& machine = machine_of(L);
-    if (lua_type(L, 2) == LUA_TSTRING && !machine.recording.active) {
-        const char* key = lua_tolstring(L, 2, nullptr);
-        const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-        if (slot.key == key && slot.instance_class == self->instance_class &&
-            slot.member == Member::property &&
-            write_simple(L, machine, self->handle, *slot.property))
-            return 0;
-    }
+    const void* key = lua_topointer(L, 2);
+    const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
+    if (slot.key == key && slot.instance_class == self->instance_class &&
+        slot.member == Member::property && !machine.recording.active &&
+        write_simple(L, machine, self->handle, *slot.property)) [[likely]]
+        return 0;
     return write_slowly(L, machine, *self);
 }
 
