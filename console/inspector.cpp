@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "imgui_compat.h"
 #include "theme.h"
@@ -180,11 +181,12 @@ void Inspector::draw_properties(ImFont* bold) {
     const property::Class* owner = nullptr;
     bool unfolded = true;
     Handle shown = selected_;
-    for (const Property* property : tree_.properties(shown)) {
+    const std::vector<const Property*> properties = tree_.properties(shown);
+    for (const Property* property : properties) {
         if (property->hidden) continue;
         bool ad_hoc = property->binding.kind == property::BindingKind::ad_hoc;
         const property::Class* now = ad_hoc ? nullptr : property->owner;
-        if (now != owner || (owner == nullptr && property == tree_.properties(shown).front())) {
+        if (now != owner || (owner == nullptr && property == properties.front())) {
             owner = now;
             unfolded = group(now != nullptr ? now->name() : "added here", true, bold);
         }
@@ -192,9 +194,9 @@ void Inspector::draw_properties(ImFont* bold) {
             ImGui::SetScrollHereY(0.3f);
             scroll_to_property_.clear();
         }
-        if (unfolded) editor_.draw(shown, *property, bold);
-        if (shown != selected_) break;  // a link was followed
-        if (!tree_.alive(shown)) break;
+        bool edited = unfolded && editor_.draw(shown, *property, bold);
+        if (shown != selected_ || !tree_.alive(shown)) break;  // a link was followed
+        if (edited && tree_.properties(shown).size() != properties.size()) break;
     }
     if (tree_.alive(shown) && shown == selected_) {
         if (!tree_.class_of(shown).methods().empty() && group("methods", false, bold))

@@ -79,6 +79,7 @@ std::string describe(const property::Tree& tree, const Property& property) {
 }
 
 void PropertyEditor::attempt(const Target& target, const std::function<void()>& edit) {
+    edited_ = true;
     try {
         property::Tree::CauseScope cause(tree_, property::Writer::inspector);
         edit();
@@ -105,27 +106,29 @@ std::string PropertyEditor::problem(const Property& property) const {
 // --- The row
 // --------------------------------------------------------------------------------------------------------
 
-void PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
+bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
     if (problems_of_ != instance) forget();
     problems_of_ = instance;
+    edited_ = false;
     Target target{instance, &property};
     float available = ImGui::GetContentRegionAvail().x;
-    float height = ImGui::GetFrameHeight();
     bool tall = property.type == Type::list || property.any_type;
     bool plain = !tall && !problems_.contains(&property) && tree_.formula_count() == 0;
-    if (plain && !ImGui::IsRectVisible(ImVec2(available, height))) {
-        ImGui::Dummy(ImVec2(available, height));
-        return;
+    if (plain && !ImGui::IsRectVisible(ImVec2(available, ImGui::GetFrameHeight()))) {
+        ImGui::Dummy(ImVec2(available, ImGui::GetFrameHeight()));
+        return false;
     }
     ImGui::PushID(&property);
     float start = ImGui::GetCursorPosX();
     float label_width = std::floor(available * label_share);
     bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
     const property::Formula* formula = tree_.formula(instance, property);
+    std::string source = formula != nullptr ? formula->source : std::string();
+    std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
     bool resettable = !property.read_only && !ad_hoc && tree_.overridden(instance, property);
+    bool gone = false;
     label(target, label_width, resettable, formula != nullptr, bold);
     ImGui::SameLine(start + label_width);
-    std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
     try {
         // Of a formula in error the last good value; what is wrong stands below.
         Value value =
@@ -137,27 +140,32 @@ void PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         widgets_[&property] = item_rect();
         if (resettable || ad_hoc) {
             ImGui::SameLine(start + available - ImGui::GetFrameHeight());
-            reset_button(target);
+            gone = reset_button(target);
         }
     } catch (const std::exception& error) {
         problems_[&property] = error.what();
     }
-    if (std::string typed = fields_.take_problem(); !typed.empty()) problems_[&property] = typed;
-    auto line = [&](ImU32 color, const std::string& text) {
-        if (text.empty()) return;
-        ImGui::SetCursorPosX(start + label_width);
-        ImGui::PushTextWrapPos(0);
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopStyleColor();
-        ImGui::PopTextWrapPos();
-    };
-    if (formula != nullptr && tree_.formula(instance, property) == formula) {
-        line(palette::note, formula->source.empty() ? std::string() : "is " + formula->source);
-        line(palette::error, wrong);
+    if (std::string typed = fields_.take_problem(); !typed.empty()) {
+        problems_[&property] = typed;
+        edited_ = true;  // an expression was run
     }
-    line(palette::error, problem(property));
+    if (!gone) {
+        remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
+        remark(start + label_width, palette::error, wrong);
+        remark(start + label_width, palette::error, problem(property));
+    }
     ImGui::PopID();
+    return edited_;
+}
+
+void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {
+    if (text.empty()) return;
+    ImGui::SetCursorPosX(left);
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
 }
 
 void PropertyEditor::label(const Target& target, float width, bool overridden, bool formula,
@@ -197,17 +205,18 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
     ImGui::EndTooltip();
 }
 
-void PropertyEditor::reset_button(const Target& target) {
+bool PropertyEditor::reset_button(const Target& target) {
     if (target.property->binding.kind == property::BindingKind::ad_hoc) {
-        if (small_button("remove", "×", "remove this property"))
-            attempt(target, [&] { tree_.remove_ad_hoc(target.instance, target.property->name); });
-        return;
+        if (!small_button("remove", "×", "remove this property")) return false;
+        attempt(target, [&] { tree_.remove_ad_hoc(target.instance, target.property->name); });
+        return !problems_.contains(target.property);
     }
     std::string tip =
         "back to " + tree_.text(target.property->default_value, target.property->precision());
     if (target.property->binding.reset != nullptr) tip = "back to what its owner computes";
     if (small_button("reset", "↺", tip.c_str()))
         attempt(target, [&] { tree_.reset(target.instance, *target.property); });
+    return false;
 }
 
 // --- Widgets

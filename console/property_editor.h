@@ -24,7 +24,8 @@ class PropertyEditor {
     /// A reference was clicked.
     std::function<void(property::Handle)> follow;
 
-    void draw(property::Handle instance, const property::Property& property, ImFont* bold);
+    /// True when something was edited: other properties may be gone then.
+    bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Call once a frame, before and after all rows.
     void begin_frame() { widgets_.clear(); }
     void end_frame() { fields_.end_frame(); }
@@ -46,7 +47,10 @@ class PropertyEditor {
     };
     void label(const Target& target, float width, bool overridden, bool formula, ImFont* bold);
     void tooltip(const Target& target, ImFont* bold);
-    void reset_button(const Target& target);
+    /// True when the property is gone.
+    bool reset_button(const Target& target);
+    /// A line of text below the widget.
+    void remark(float left, ImU32 color, const std::string& text);
     void widget(const Target& target, const property::Value& value, float width);
     void boolean(const Target& target, const property::Value& value);
     void number(const Target& target, const property::Value& value, float width);
@@ -72,6 +76,7 @@ class PropertyEditor {
     property::Tree& tree_;
     Fields fields_;
     ReferencePicker references_;
+    bool edited_ = false;
     std::unordered_map<const property::Property*, std::string> problems_;
     property::Handle problems_of_;
     std::unordered_map<const property::Property*, Rect> widgets_;
