@@ -79,7 +79,9 @@ TEST_CASE("a block goes on until it is closed") {
 }
 
 TEST_CASE("a runaway command is stopped") {
-    LuaRig rig({.console_budget = 200'000});
+    script::Options options;
+    options.console_budget = 200'000;
+    LuaRig rig(options);
     rig.run("while true do end");
     CHECK(rig.lua.state().prompt.edit().empty());
     bool error = false;
