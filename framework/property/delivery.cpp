@@ -86,6 +86,7 @@ void Tree::State::queue_change(Handle handle, const Property& property, const Va
                                const Value& new_value, const Cause& cause) {
     const Cell cell{handle.index, property.symbol};
     shadows.update(cell, new_value);
+    writes.note_in_full(handle, property.symbol, cause);
     const auto [place, first] = queued_changes.try_emplace(cell, queue.size());
     if (!first) {
         Change& waiting = std::get<Change>(queue[place->second].what);

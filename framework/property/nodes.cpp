@@ -62,7 +62,7 @@ std::uint32_t Nodes::allocate() {
     return index;
 }
 
-void Nodes::release(std::uint32_t index) {
+void Nodes::release(std::uint32_t index, bool keep) {
     Node& node = nodes_[index];
     if (node.counts_children)
         std::erase_if(counters_, [index](const auto& entry) { return entry.first >> 32 == index; });
@@ -70,7 +70,51 @@ void Nodes::release(std::uint32_t index) {
     ++node.generation;
     --alive_;
     // A slot whose generations are used up rests for ever: no handle may ever mean two instances.
-    if (node.generation != 0) free_.push_back(index);
+    if (node.generation != 0 && !keep) free_.push_back(index);
+}
+
+void Nodes::revive(Handle handle) {
+    nodes_[handle.index] = Node{};
+    nodes_[handle.index].generation = handle.generation;
+    nodes_[handle.index].alive = true;
+    ++alive_;
+}
+
+void Nodes::free_kept(Handle handle) {
+    const Node& node = nodes_[handle.index];
+    if (!node.alive && node.generation == handle.generation + 1 && node.generation != 0)
+        free_.push_back(handle.index);
+}
+
+void Nodes::reorder(std::uint32_t index, std::uint32_t before) {
+    Node& node = nodes_[index];
+    const std::uint32_t parent = node.parent;
+    if (parent == 0 || before == index) return;
+    if (before != 0 && nodes_[before].parent != parent) return;
+    detach_link(index);
+    Node& above = nodes_[parent];
+    const std::uint32_t behind = before == 0 ? above.first_child : nodes_[before].next;
+    const std::uint32_t last = above.first_child == 0 ? 0 : nodes_[above.first_child].previous;
+    node.next = behind;
+    if (before == 0) above.first_child = index;
+    if (before != 0) nodes_[before].next = index;
+    // `previous` of the first child is the last one.
+    node.previous = before != 0 ? before : last == 0 ? index : last;
+    if (behind != 0) nodes_[behind].previous = index;
+    if (behind == 0) nodes_[above.first_child].previous = index;
+}
+
+void Nodes::detach_link(std::uint32_t index) {
+    Node& node = nodes_[index];
+    Node& above = nodes_[node.parent];
+    if (above.first_child == index) {
+        above.first_child = node.next;
+        if (node.next != 0) nodes_[node.next].previous = node.previous;
+    } else {
+        nodes_[node.previous].next = node.next;
+        const std::uint32_t after = node.next != 0 ? node.next : above.first_child;
+        nodes_[after].previous = node.previous;
+    }
 }
 
 void Nodes::link(std::uint32_t index, std::uint32_t parent, NodeName name) {
@@ -96,15 +140,7 @@ void Nodes::unlink(std::uint32_t index) {
     Node& node = nodes_[index];
     if (node.parent == 0) return;
     index_erase(index);
-    Node& above = nodes_[node.parent];
-    if (above.first_child == index) {
-        above.first_child = node.next;
-        if (node.next != 0) nodes_[node.next].previous = node.previous;
-    } else {
-        nodes_[node.previous].next = node.next;
-        const std::uint32_t after = node.next != 0 ? node.next : above.first_child;
-        nodes_[after].previous = node.previous;
-    }
+    detach_link(index);
     node.parent = node.next = node.previous = 0;
 }
 

@@ -68,11 +68,16 @@ class Nodes {
     std::uint32_t end() const { return static_cast<std::uint32_t>(nodes_.size()); }
 
     std::uint32_t allocate();
-    void release(std::uint32_t index);
+    /// `keep`: the slot stays free for the same instance to come back (`revive`) until `free_kept`.
+    void release(std::uint32_t index, bool keep = false);
+    void revive(Handle handle);
+    void free_kept(Handle handle);
 
     /// Appends to the children of `parent`. The name must be free.
     void link(std::uint32_t index, std::uint32_t parent, NodeName name);
     void unlink(std::uint32_t index);
+    /// Puts a child behind its sibling `before`; 0: first.
+    void reorder(std::uint32_t index, std::uint32_t before);
     std::uint32_t child(std::uint32_t parent, NodeName name) const;
     /// `stem_1`, `stem_2` ...; with `first_plain` `stem`, `stem_2` ... Never one used before under
     /// this parent, unless `first_plain`.
@@ -81,6 +86,7 @@ class Nodes {
   private:
     // Open addressing over (parent, name); a slot holds a node index, 0 is empty. Deletion shifts
     // back, no tombstones.
+    void detach_link(std::uint32_t index);
     std::size_t slot_of(std::uint32_t parent, NodeName name) const;
     void index_insert(std::uint32_t index);
     void index_erase(std::uint32_t index);

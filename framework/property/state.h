@@ -14,10 +14,12 @@
 
 #include "class_registry.h"
 #include "formulas.h"
+#include "history.h"
 #include "nodes.h"
 #include "shadows.h"
 #include "stored_columns.h"
 #include "watchers.h"
+#include "writes_log.h"
 
 namespace fettle::property {
 
@@ -39,7 +41,7 @@ struct Tombstone {
 };
 
 struct Tree::State {
-    explicit State(Tree& owner) : tree(owner), watchers(owner), formulas(owner) {}
+    explicit State(Tree& owner) : tree(owner), watchers(owner), formulas(owner), history(owner) {}
 
     Tree& tree;
     ClassRegistry classes;
@@ -55,6 +57,8 @@ struct Tree::State {
     Watchers watchers;
     Shadows shadows;
     Formulas formulas;
+    History history;
+    WritesLog writes;
     std::vector<std::uint32_t> fresh;  // slots of instances made since the last barrier
     std::vector<QueueItem> queue;
     std::unordered_map<Cell, std::size_t, CellHash>
@@ -88,7 +92,9 @@ struct Tree::State {
 
     // tree.cpp
     void define_object();
-    std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named);
+    /// `again`: the instance comes back with its old identity.
+    std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
+                       Handle again = {});
     void check_child_name(Handle parent, std::string_view name) const;
     void destroy_one(std::uint32_t index);
     void place_subtree(Handle top);

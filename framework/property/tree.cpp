@@ -3,6 +3,7 @@
 #include <fettle/property/tree.h>
 
 #include <algorithm>
+#include <optional>
 
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
@@ -135,8 +136,10 @@ void Tree::State::check_child_name(Handle parent, std::string_view name) const {
                     tree.path(parent) + ": " + quoted + " is a property there; remove it first");
 }
 
-std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName name, bool named) {
-    const std::uint32_t index = nodes.allocate();
+std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName name, bool named,
+                                Handle again) {
+    if (again) nodes.revive(again);
+    const std::uint32_t index = again ? again.index : nodes.allocate();
     nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
     nodes[index].named = named;
     nodes[index].fresh = true;
@@ -186,7 +189,9 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
     if (name.empty() && parent)
         chosen = s.nodes.free_name(parent.index, instance_class.stem(), false);
-    return s.nodes.handle(s.make(instance_class, parent.index, chosen, !name.empty()));
+    const Handle made = s.nodes.handle(s.make(instance_class, parent.index, chosen, !name.empty()));
+    if (s.history.recording()) s.history.born(made);
+    return made;
 }
 
 void Tree::State::structure_changed(std::uint32_t parent, const NodeName& name) {
@@ -241,7 +246,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
     if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
     if (nodes[index].has_ad_hoc) ad_hoc.erase(index);
     nodes.unlink(index);
-    nodes.release(index);
+    nodes.release(index, history.keeps_slots());
     structure_changed(parent, name);
     if (has_dependents) formulas.instance_gone(index);
 }
@@ -252,9 +257,11 @@ void Tree::destroy(Handle instance) {
     s.forbid_in_formula("delete an instance");
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
+    if (s.history.recording()) s.history.dying(instance);
     std::vector<std::uint32_t> order;
     s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
     for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);
+    s.history.deletion_done();
 }
 
 bool Tree::alive(Handle instance) const {
@@ -358,26 +365,24 @@ void Tree::rename(Handle instance, std::string_view name) {
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
     const std::uint32_t parent = node.parent;
     s.check_child_name(s.nodes.handle(parent), name);
+    std::optional<History::Position> before;
+    if (s.history.recording()) before = s.history.position(instance);
     const NodeName was = node.name;
     const NodeName made = NodeName::make(name);
     if (parent == 0) {
         node.name = made;
     } else {
-        // Renaming keeps the place among the siblings: unlink, link, then rotate the others behind
-        // it.
-        std::vector<std::uint32_t> behind;
-        for (std::uint32_t i = node.next; i != 0; i = s.nodes[i].next) behind.push_back(i);
+        // Renaming keeps the place among the siblings.
+        const bool first = s.nodes[parent].first_child == instance.index;
+        const std::uint32_t in_front = first ? 0 : node.previous;
         s.nodes.unlink(instance.index);
         s.nodes.link(instance.index, parent, made);
-        for (const std::uint32_t i : behind) {
-            const NodeName kept = s.nodes[i].name;
-            s.nodes.unlink(i);
-            s.nodes.link(i, parent, kept);
-        }
+        s.nodes.reorder(instance.index, in_front);
     }
     s.nodes[instance.index].named = true;
     s.structure_changed(parent, was);
     s.structure_changed(parent, made);
+    if (before) s.history.moved(instance, *before);
     if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 
@@ -421,6 +426,8 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
         return;
     }
     const bool named = node.named || !name.empty();
+    std::optional<History::Position> before;
+    if (s.history.recording()) before = s.history.position(instance);
     const std::uint32_t left = node.parent;
     const NodeName was = node.name;
     s.nodes.unlink(instance.index);
@@ -430,6 +437,7 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
     s.structure_changed(left, was);
     s.structure_changed(new_parent.index, chosen);
     s.place_subtree(instance);
+    if (before) s.history.moved(instance, *before);
     if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 

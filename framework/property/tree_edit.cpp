@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include <fettle/property/path.h>
@@ -232,6 +233,8 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
                           const Value& old_value) {
     edited = true;
     ++epoch;
+    writes.note(handle, property.symbol, writer, step);
+    if (history.recording()) writes.note_in_full(handle, property.symbol, tree.cause());
     if (node.has_dependents) formulas.changed({handle.index, property.symbol});
     if (!shadows.empty()) last_edit = tree.cause();
     if (!node.watched && property.interest == 0) return;
@@ -254,18 +257,25 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
         return reset(instance, property);
     }
     const Value next = coerce(instance, property, value);
-    if (node.has_formula) s.drop_formula(instance, property);
+    std::optional<History::CellState> before;
+    if (s.history.recording() && property.binding.kind != BindingKind::node)
+        before = s.history.capture(instance, property);
     const Value old = s.read(instance.index, node, property);
+    const bool had_formula =
+        node.has_formula && s.formulas.find({instance.index, property.symbol}) != nullptr;
     const bool stands = property.binding.overridden == nullptr ||
                         property.binding.overridden(property.binding.context, node.row);
-    if (old == next && stands) return;
+    if (old == next && stands && !had_formula) return;
     try {
         s.write(instance.index, node, property, next);
     } catch (const std::invalid_argument& refusal) {
         throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
     }
+    // A value that was taken replaces the formula; one that was refused leaves it.
+    if (had_formula) s.drop_formula(instance, property);
     // The setter may have moved nodes (a rename, another parent), so the node is looked up again.
     if (const Node* after = s.nodes.find(instance)) s.written(instance, *after, property, old);
+    if (before) s.history.edited(instance, property, std::move(*before));
 }
 
 void Tree::set(Handle instance, std::string_view name, const Value& value) {
@@ -286,13 +296,15 @@ void Tree::reset(Handle instance, const Property& property) {
                             property.owner->base()->property(property.symbol) != nullptr;
     if (property.binding.reset == nullptr || redeclared)
         return set(instance, property, property.default_value);
-    s.forbid_in_formula("write");
+    std::optional<History::CellState> before;
+    if (s.history.recording()) before = s.history.capture(instance, property);
     if (node.has_formula) s.drop_formula(instance, property);
     const Value old = s.read(instance.index, node, property);
     property.binding.reset(property.binding.context, node.row);
     if (property.binding.invalidate != nullptr)
         property.binding.invalidate(property.binding.context, node.row);
     s.written(instance, node, property, old);
+    if (before) s.history.edited(instance, property, std::move(*before));
 }
 
 bool Tree::overridden(Handle instance, const Property& property) const {
@@ -345,6 +357,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     Node& node = require(instance);
     node.has_ad_hoc = true;
     written(instance, node, added, Value());
+    if (history.recording()) history.edited(instance, added, {});
     return added;
 }
 
@@ -365,6 +378,8 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     if (found == own.end()) return;
     s.forbid_in_formula("write");
     const auto [property, old] = found->second;
+    std::optional<History::CellState> before;
+    if (s.history.recording()) before = s.history.capture(instance, *property);
     if (node.has_formula) s.drop_formula(instance, *property);
     own.erase(found);
     if (own.empty()) {
@@ -372,6 +387,7 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
         node.has_ad_hoc = false;
     }
     s.written(instance, node, *property, old);
+    if (before) s.history.edited(instance, *property, std::move(*before));
 }
 
 std::string Tree::text(const Value& value, Precision precision) const {

@@ -2,6 +2,8 @@
 
 #include <fettle/property/tree.h>
 
+#include <optional>
+
 #include "state.h"
 
 namespace fettle::property {
@@ -22,7 +24,10 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
     s.forbid_in_formula("define another");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
+    std::optional<History::CellState> before;
+    if (s.history.recording()) before = s.history.capture(instance, property);
     s.formulas.set(instance, property, std::move(formula));
+    if (before) s.history.edited(instance, property, std::move(*before));
 }
 
 void Tree::set_formula(Handle instance, std::string_view name, Formula formula) {
@@ -38,8 +43,13 @@ const Formula* Tree::formula(Handle instance, const Property& property) const {
 
 void Tree::remove_formula(Handle instance, const Property& property) {
     state_->require(instance);
-    state_->forbid_in_formula("end another");
-    state_->drop_formula(instance, property);
+    State& s = *state_;
+    s.forbid_in_formula("end another");
+    if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
+    std::optional<History::CellState> before;
+    if (s.history.recording()) before = s.history.capture(instance, property);
+    s.drop_formula(instance, property);
+    if (before) s.history.edited(instance, property, std::move(*before));
 }
 
 std::string Tree::problem(Handle instance, const Property& property) const {
@@ -51,6 +61,36 @@ Explanation Tree::why(Handle instance, const Property& property) const {
     state_->require(instance);
     std::vector<Cell> seen;
     return state_->formulas.why(instance, property, seen);
+}
+
+// --- History ---
+
+void Tree::begin_edit(std::string name) {
+    state_->history.begin(std::move(name));
+}
+void Tree::end_edit() {
+    state_->history.end();
+}
+UndoResult Tree::undo() {
+    state_->forbid_in_formula("undo");
+    return state_->history.undo();
+}
+UndoResult Tree::redo() {
+    state_->forbid_in_formula("redo");
+    return state_->history.redo();
+}
+std::vector<HistoryEntry> Tree::history() const {
+    return state_->history.entries();
+}
+void Tree::set_history_limit(std::size_t bytes) {
+    state_->history.set_limit(bytes);
+}
+
+Provenance Tree::who(Handle instance, const Property& property) const {
+    state_->require(instance);
+    const Provenance written = state_->writes.find(instance, property.symbol);
+    if (written.known || !property.simulated) return written;
+    return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
 }
 
 std::size_t Tree::formula_count() const {

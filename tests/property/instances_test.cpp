@@ -60,12 +60,20 @@ TEST_CASE_METHOD(Fixture, "a dangling handle is detected and tells who deleted i
     CHECK_FALSE(tree.alive(ball));
     CHECK(message_of([&] { tree.get(ball, "mass"); }) ==
           "world.ball was deleted at step 412 by console");
-    // Its slot is used again; the old handle still means the old ball.
+}
+
+TEST_CASE_METHOD(Fixture, "a handle never comes to mean the next owner of its slot") {
+    const Handle ball = tree.create(*module.type, world, "ball");
+    std::function<std::string()> locate = [] { return std::string("main.lua:7"); };
+    {
+        Tree::CauseScope scope(tree, Writer::script, &locate);
+        tree.destroy(ball);
+    }
     const Handle next = tree.create(*module.type, world, "ball");
     CHECK(next.index == ball.index);
     CHECK_FALSE(tree.alive(ball));
     CHECK(message_of([&] { tree.set(ball, "mass", 2); }) ==
-          "world.ball was deleted at step 412 by console");
+          "world.ball was deleted at step 0 by main.lua:7");
     CHECK(tree.get(next, "mass") == Value(1.0));
 }
 

@@ -23,6 +23,7 @@
 #include <fettle/property/class.h>
 #include <fettle/property/error.h>
 #include <fettle/property/formula.h>
+#include <fettle/property/history.h>
 #include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
 
@@ -149,6 +150,23 @@ class Tree {
     std::size_t formula_count() const;
     /// True while a formula runs: nothing may be written then.
     bool in_formula() const;
+
+    // --- History
+    // ----------------------------------------------------------------------------------------------------
+
+    /// What people write (console, inspector, remote) is undoable, each write by itself; between
+    /// `begin_edit` and `end_edit` all of it is one step of undo, and what a script writes is an
+    /// edit too. May be nested.
+    void begin_edit(std::string name);
+    void end_edit();
+    /// Acts at once, as a new edit at the current time. Throws Error(bad_structure) in the middle
+    /// of an edit.
+    UndoResult undo();
+    UndoResult redo();
+    std::vector<HistoryEntry> history() const;
+    /// What the history may hold, 64 MiB unless told; the oldest entries go first.
+    void set_history_limit(std::size_t bytes);
+    Provenance who(Handle instance, const Property& property) const;
 
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);

@@ -1,0 +1,245 @@
+#include "catch.h"
+#include "fixture.h"
+
+using namespace fettle::property;
+using namespace fettle::property::testing;
+
+namespace {
+struct Fixture {
+    Tree tree;
+    BallModule module{tree};
+    Handle world = tree.create(tree.object_class(), tree.root(), "world");
+    Handle ball = tree.create(*module.type, world, "ball");
+
+    template <class F>
+    void as(Writer writer, F f) {
+        const Tree::CauseScope scope(tree, writer);
+        f();
+    }
+    template <class F>
+    void console(F f) {
+        as(Writer::console, f);
+    }
+    double mass() { return tree.get(ball, "mass").number(); }
+    std::vector<std::string> child_names() {
+        std::vector<std::string> names;
+        for (const Handle c : tree.children(world)) names.push_back(tree.name(c));
+        return names;
+    }
+};
+using Names = std::vector<std::string>;
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "an edit by a person is undone and done again") {
+    console([&] { tree.set(ball, "mass", 5); });
+    console([&] { tree.set(ball, "mass", 7); });
+    CHECK(tree.undo().done);
+    CHECK(mass() == 5);
+    CHECK(tree.undo().name == "world.ball.mass: 1 → 5");
+    CHECK(mass() == 1);
+    CHECK_FALSE(tree.overridden(ball, tree.property(ball, "mass")));
+    CHECK_FALSE(tree.undo().done);
+    tree.redo();
+    tree.redo();
+    CHECK(mass() == 7);
+    CHECK_FALSE(tree.redo().done);
+}
+
+TEST_CASE_METHOD(Fixture, "what callbacks write is game logic and no edit") {
+    as(Writer::script, [&] { tree.set(ball, "mass", 5); });
+    tree.set(ball, "mass", 6);
+    CHECK(tree.history().empty());
+    CHECK_FALSE(tree.undo().done);
+    tree.begin_edit("tune");
+    as(Writer::script, [&] {
+        tree.set(ball, "mass", 7);
+        tree.set(ball, "radius", 2.0);
+    });
+    tree.end_edit();
+    REQUIRE(tree.history().size() == 1);
+    CHECK(tree.history()[0].name == "tune");
+    CHECK(tree.history()[0].edits == 2);
+    tree.undo();
+    CHECK(mass() == 6);
+    CHECK(tree.get(ball, "radius") == Value(0.5));
+}
+
+TEST_CASE_METHOD(Fixture, "a drag is one step of undo whatever it passes") {
+    console([&] {
+        tree.begin_edit("drag");
+        for (int i = 2; i < 100; ++i) tree.set(ball, "mass", i);
+        tree.end_edit();
+    });
+    REQUIRE(tree.history().size() == 1);
+    CHECK(tree.history()[0].edits == 1);
+    tree.undo();
+    CHECK(mass() == 1);
+    tree.redo();
+    CHECK(mass() == 99);
+}
+
+TEST_CASE_METHOD(Fixture, "a new edit ends what could be done again") {
+    console([&] { tree.set(ball, "mass", 5); });
+    tree.undo();
+    console([&] { tree.set(ball, "mass", 6); });
+    CHECK_FALSE(tree.redo().done);
+    CHECK(mass() == 6);
+}
+
+TEST_CASE_METHOD(Fixture, "undo and redo are edits of their own that watchers hear") {
+    std::vector<std::string> log;
+    console([&] { tree.set(ball, "mass", 5); });
+    tree.barrier();
+    tree.watch(ball, "mass", [&](const Change& c) {
+        log.push_back(tree.text(c.old_value) + ">" + tree.text(c.new_value) + " " + c.cause.text());
+    });
+    tree.set_step(9);
+    tree.undo();
+    tree.barrier();
+    CHECK(log == Names{"5>1 undo, step 9"});
+}
+
+TEST_CASE_METHOD(
+    Fixture, "an instance deleted comes back as itself with children and values and its place") {
+    const Handle after = tree.create(*module.type, world, "after");
+    const Handle part = tree.create(*module.type, ball, "part");
+    tree.set(part, "radius", 3.0);
+    tree.set(ball, "velocity", Vec2(1, 2));
+    tree.set_or_add(ball, "lives", 3);
+    tree.set_or_add(after, "friend", part);
+    tree.set_formula(part, "mass",
+                     {[&](const Tree& t) { return t.get(after, "mass"); }, "after.mass"});
+    tree.watch(ball, "mass", [](const Change&) {});
+    console([&] { tree.destroy(ball); });
+    // Its slot is kept: what is made meanwhile gets another.
+    const Handle other = tree.create(*module.type, world, "other");
+    CHECK(other.index != ball.index);
+    CHECK(other.index != part.index);
+    CHECK_FALSE(tree.alive(part));
+    const UndoResult result = tree.undo();
+    REQUIRE(result.notes.size() == 1);
+    CHECK_THAT(result.notes[0], contains("watchers of world.ball ended"));
+    CHECK(tree.alive(ball));
+    CHECK(tree.path(part) == "world.ball.part");
+    CHECK(tree.get(part, "radius") == Value(3.0));
+    CHECK(tree.get(ball, "velocity") == Value(Vec2(1, 2)));
+    CHECK(tree.get(ball, "lives") == Value(3));
+    CHECK(tree.get(after, "friend") == Value(part));
+    CHECK(tree.text(tree.get(after, "friend")) == "world.ball.part");
+    CHECK(child_names() == Names{"ball", "after", "other"});
+    tree.set(after, "mass", 4);
+    CHECK(tree.get(part, "mass") == Value(4.0));
+    tree.redo();
+    CHECK_FALSE(tree.alive(ball));
+    CHECK(child_names() == Names{"after", "other"});
+    tree.undo();
+    CHECK(tree.get(part, "radius") == Value(3.0));
+}
+
+TEST_CASE_METHOD(
+    Fixture,
+    "an instance created is deleted by undo and comes back by redo with what it had then") {
+    Handle made;
+    console([&] { made = tree.create(*module.type, world, "made"); });
+    as(Writer::script, [&] { tree.set(made, "mass", 8); });
+    tree.undo();
+    CHECK_FALSE(tree.alive(made));
+    tree.redo();
+    CHECK(tree.alive(made));
+    CHECK(tree.get(made, "mass") == Value(8.0));
+}
+
+TEST_CASE_METHOD(Fixture, "moving and renaming are undone to the same place") {
+    for (const char* name : {"a", "b", "c"}) tree.create(*module.type, world, name);
+    const Handle b = tree.child(world, "b");
+    console([&] {
+        tree.begin_edit("about");
+        tree.rename(b, "z");
+        tree.move(b, ball);
+        tree.end_edit();
+    });
+    CHECK(tree.path(b) == "world.ball.z");
+    tree.undo();
+    CHECK(child_names() == Names{"ball", "a", "b", "c"});
+    tree.redo();
+    CHECK(tree.path(b) == "world.ball.z");
+}
+
+TEST_CASE_METHOD(Fixture, "formulas and ad-hoc properties are undone") {
+    console([&] { tree.set_or_add(ball, "lives", 3); });
+    console([&] { tree.set_formula(ball, "mass", {[](const Tree&) { return Value(9.0); }, "9"}); });
+    CHECK(mass() == 9);
+    console([&] { tree.set(ball, "mass", 2); });
+    tree.undo();
+    CHECK(mass() == 9);
+    REQUIRE(tree.formula(ball, tree.property(ball, "mass")) != nullptr);
+    CHECK(tree.formula(ball, tree.property(ball, "mass"))->source == "9");
+    tree.undo();
+    CHECK(tree.formula(ball, tree.property(ball, "mass")) == nullptr);
+    CHECK(mass() == 1);
+    tree.undo();
+    CHECK(tree.find(ball, "lives") == nullptr);
+    tree.redo();
+    CHECK(tree.get(ball, "lives") == Value(3));
+}
+
+TEST_CASE_METHOD(Fixture, "a value refused leaves the formula it would have replaced") {
+    tree.set_formula(ball, "radius", {[](const Tree&) { return Value(2.0); }});
+    CHECK_THROWS_AS(tree.set(ball, "radius", 13.0), Error);
+    CHECK(tree.formula(ball, tree.property(ball, "radius")) != nullptr);
+}
+
+TEST_CASE_METHOD(Fixture, "undo says what it could not do") {
+    console([&] { tree.set(ball, "mass", 5); });
+    tree.destroy(ball);  // by the game
+    const UndoResult result = tree.undo();
+    CHECK(result.done);
+    REQUIRE(result.notes.size() == 1);
+    CHECK_THAT(result.notes[0], contains("deleted since"));
+    tree.begin_edit("open");
+    CHECK_THROWS_AS(tree.undo(), Error);
+    tree.end_edit();
+}
+
+TEST_CASE_METHOD(Fixture, "the history forgets its oldest edits when it grows too large") {
+    tree.set_history_limit(20000);
+    console([&] {
+        for (int i = 0; i < 1000; ++i)
+            tree.set_or_add(ball, "text", std::string(100, 'a') + std::to_string(i));
+    });
+    CHECK(tree.history().size() < 200);
+    CHECK(tree.history().size() > 5);
+    while (tree.undo().done) {
+    }
+    CHECK(tree.get(ball, "text").text().size() > 100);
+    // Slots kept for the deleted are given back as their deletion is forgotten.
+    tree.set_history_limit(2000);
+    for (int i = 0; i < 2000; ++i) {
+        const Handle brief = tree.create(*module.type, world, "brief");
+        console([&] { tree.destroy(brief); });
+    }
+    CHECK(tree.create(*module.type, world, "last").index < 100);
+}
+
+TEST_CASE_METHOD(Fixture, "who wrote last is known by writer and step and for edits by place") {
+    const Property& p = tree.property(ball, "mass");
+    CHECK_FALSE(tree.who(ball, p).known);
+    tree.set_step(3);
+    as(Writer::script, [&] { tree.set(ball, "mass", 2); });
+    CHECK(tree.who(ball, p).cause.text() == "script, step 3");
+    tree.set_step(4);
+    std::function<std::string()> locate = [] { return std::string("console:1"); };
+    {
+        const Tree::CauseScope scope(tree, Writer::console, &locate);
+        tree.set(ball, "mass", 3);
+    }
+    CHECK(tree.who(ball, p).cause.text() == "console:1, step 4");
+    tree.set_step(5);
+    as(Writer::script, [&] { tree.set(ball, "mass", 4); });
+    CHECK(tree.who(ball, p).cause.text() == "script, step 5");
+    CHECK(tree.who(ball, tree.property(ball, "velocity")).cause.writer == Writer::simulation);
+    tree.destroy(ball);
+    const Handle next = tree.create(*module.type, world, "ball");
+    REQUIRE(next.index == ball.index);
+    CHECK_FALSE(tree.who(next, p).known);
+}
