@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -182,6 +183,9 @@ Value Tree::get(Handle instance, const Property& property) const {
     if (s.formulas.tracking()) s.formulas.note_read(instance, property);
     const Node& node = s.require(instance);
     if (node.has_formula) s.formulas.settle({instance.index, property.symbol});
+    // The commonest binding, without another call.
+    const Binding& binding = property.binding;
+    if (binding.kind == BindingKind::accessor) return binding.get(binding.context, node.row);
     return s.read(instance.index, node, property);
 }
 
@@ -243,10 +247,78 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
     queue_change(handle, property, old_value, now, tree.cause());
 }
 
+namespace {
+
+// A component that is certainly in order, as the property's memory holds it; false for everything
+// that needs a second look (NaN, infinity, out of range, too large for a float).
+bool plain_component(const Property& property, double& x) {
+    if (property.precision() == Precision::single_precision)
+        x = static_cast<double>(static_cast<float>(x));
+    return std::abs(x) <= std::numeric_limits<double>::max() && x >= property.range.min &&
+           x <= property.range.max;
+}
+
+bool same_bits(double a, double b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+enum class Quick : std::uint8_t { not_plain, unchanged, written };
+
+// The same steps as in `set` below for a plain number or vec2 of the property's own type behind an
+// accessor: what scripts write most. Nobody may have to be told of it.
+Quick write_plain(const Node& node, const Property& property, const Value& value) {
+    const Binding& binding = property.binding;
+    if (property.type == Type::number) {
+        double x = value.number();
+        if (!plain_component(property, x)) return Quick::not_plain;
+        const Value old = binding.get(binding.context, node.row);
+        if (old.is(Type::number) && same_bits(old.number(), x)) return Quick::unchanged;
+        binding.set(binding.context, node.row, Value(x));
+    } else {
+        Vec2 v = value.vec2();
+        if (!plain_component(property, v.x()) || !plain_component(property, v.y()))
+            return Quick::not_plain;
+        const Value old = binding.get(binding.context, node.row);
+        if (old.is(Type::vec2) && same_bits(old.vec2().x(), v.x()) &&
+            same_bits(old.vec2().y(), v.y()))
+            return Quick::unchanged;
+        binding.set(binding.context, node.row, Value(v));
+    }
+    return Quick::written;
+}
+
+// Whether `write_plain` may try.
+bool is_plain(const Node& node, const Property& property, const Value& value) {
+    return property.binding.kind == BindingKind::accessor && value.type() == property.type &&
+           (property.type == Type::number || property.type == Type::vec2) && !property.read_only &&
+           property.interest == 0 && property.binding.overridden == nullptr &&
+           !(node.watched || node.has_formula || node.has_dependents);
+}
+
+}  // namespace
+
 void Tree::set(Handle instance, const Property& property, const Value& value) {
     State& s = *state_;
     const Node& node = s.require(instance);
     s.forbid_in_formula("write");
+    if (s.shadows.empty() && is_plain(node, property, value) && !s.history.recording()) {
+        const Row row = node.row;
+        Quick done;
+        try {
+            done = write_plain(node, property, value);
+        } catch (const std::invalid_argument& refusal) {
+            throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+        }
+        if (done == Quick::unchanged) return;
+        if (done == Quick::written) {
+            if (property.binding.invalidate != nullptr)
+                property.binding.invalidate(property.binding.context, row);
+            s.edited = true;
+            ++s.epoch;
+            s.writes.note(instance, property.symbol, s.writer, s.step);
+            return;
+        }
+    }
     if (property.read_only)
         throw Error(ErrorKind::read_only,
                     path(instance, property) + " is read-only" +
@@ -402,56 +474,6 @@ std::string Tree::text(const Value& value, Precision precision) const {
         out += text(element, precision);
     }
     return out + "}";
-}
-
-// --- Methods
-// ---------------------------------------------------------------------------------------------------------
-
-Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
-    const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
-    if (arguments.size() < method.required || arguments.size() > method.parameters.size())
-        throw Error(ErrorKind::wrong_type,
-                    where() + ": expected " + std::to_string(method.required) +
-                        (method.required == method.parameters.size()
-                             ? ""
-                             : " to " + std::to_string(method.parameters.size())) +
-                        " arguments, got " + std::to_string(arguments.size()));
-    std::vector<Value> coerced(method.parameters.size());
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const Field& parameter = method.parameters[i];
-        Property as;
-        as.name = parameter.name;
-        as.type = parameter.type;
-        as.any_type = parameter.type == Type::nil;
-        as.unit = parameter.unit;
-        as.nullable = i >= method.required;
-        struct Argument {
-            std::string call, name;
-        } argument{where(), parameter.name};
-        const auto name = [](const void* what) {
-            const auto& a = *static_cast<const Argument*>(what);
-            return a.call + ": argument \"" + a.name + "\"";
-        };
-        coerced[i] =
-            coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
-    }
-    try {
-        return method.call(method.context, *this, instance, row(instance), coerced);
-    } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected, where() + ": " + refusal.what());
-    }
-}
-
-Result Tree::call(Handle instance, std::string_view method,
-                  std::initializer_list<Value> arguments) {
-    const Class& of = class_of(instance);
-    if (const Method* found = of.method(method))
-        return call(instance, *found, std::span(arguments.begin(), arguments.size()));
-    std::vector<std::string> names;
-    for (const Method* m : of.methods()) names.push_back(m->name);
-    throw Error(ErrorKind::unknown_name, path(instance) + " has no method \"" +
-                                             std::string(method) + "\"" +
-                                             suggestion(method, names));
 }
 
 }  // namespace fettle::property

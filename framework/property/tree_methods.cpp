@@ -1,0 +1,60 @@
+// Methods of a tree's instances: arguments are coerced as values of properties are.
+
+#include <stdexcept>
+
+#include <fettle/property/spelling.h>
+#include <fettle/property/tree.h>
+
+#include "coerce.h"
+#include "state.h"
+
+namespace fettle::property {
+
+Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
+    const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
+    if (arguments.size() < method.required || arguments.size() > method.parameters.size())
+        throw Error(ErrorKind::wrong_type,
+                    where() + ": expected " + std::to_string(method.required) +
+                        (method.required == method.parameters.size()
+                             ? ""
+                             : " to " + std::to_string(method.parameters.size())) +
+                        " arguments, got " + std::to_string(arguments.size()));
+    std::vector<Value> coerced(method.parameters.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const Field& parameter = method.parameters[i];
+        Property as;
+        as.name = parameter.name;
+        as.type = parameter.type;
+        as.any_type = parameter.type == Type::nil;
+        as.unit = parameter.unit;
+        as.nullable = i >= method.required;
+        struct Argument {
+            std::string call, name;
+        } argument{where(), parameter.name};
+        const auto name = [](const void* what) {
+            const auto& a = *static_cast<const Argument*>(what);
+            return a.call + ": argument \"" + a.name + "\"";
+        };
+        coerced[i] =
+            coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
+    }
+    try {
+        return method.call(method.context, *this, instance, row(instance), coerced);
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected, where() + ": " + refusal.what());
+    }
+}
+
+Result Tree::call(Handle instance, std::string_view method,
+                  std::initializer_list<Value> arguments) {
+    const Class& of = class_of(instance);
+    if (const Method* found = of.method(method))
+        return call(instance, *found, std::span(arguments.begin(), arguments.size()));
+    std::vector<std::string> names;
+    for (const Method* m : of.methods()) names.push_back(m->name);
+    throw Error(ErrorKind::unknown_name, path(instance) + " has no method \"" +
+                                             std::string(method) + "\"" +
+                                             suggestion(method, names));
+}
+
+}  // namespace fettle::property
