@@ -57,24 +57,19 @@ GameWindow::~GameWindow() {
     fs::remove_all(folder_, ignored);
 }
 
+// Xvfb takes the first free number itself and tells it: nobody else can take it in between.
 void GameWindow::start_display() {
-    // The first free number; Xvfb refuses one that is taken.
-    for (int number = 120; number < 160; ++number) {
-        if (fs::exists("/tmp/.X11-unix/X" + std::to_string(number))) continue;
-        std::string name = ":" + std::to_string(number);
-        std::string screen =
-            std::to_string(screen_width) + "x" + std::to_string(screen_height) + "x24";
-        display_ = Process(
-            {"Xvfb", name, "-screen", "0", screen, "-fbdir", folder_.string(), "-nolisten", "tcp"},
-            {}, folder_ / "display");
-        environment_["DISPLAY"] = name;
-        bool up = eventually([&] {
-            return !display_.running() ||
-                   run({"xdotool", "getdisplaygeometry"}, environment_, "/dev/null") == 0;
-        });
-        if (up && display_.running()) return;
-    }
-    throw std::runtime_error("no virtual display came up\n" + read_file(folder_ / "display"));
+    fs::path number = folder_ / "number";
+    std::string screen = std::to_string(screen_width) + "x" + std::to_string(screen_height) + "x24";
+    std::string command = "exec Xvfb -displayfd 3 -screen 0 " + screen + " -fbdir '" +
+                          folder_.string() + "' -nolisten tcp 3>'" + number.string() + "'";
+    display_ = Process({"sh", "-c", command}, {}, folder_ / "display");
+    bool up = eventually(
+        [&] { return !display_.running() || read_file(number).find('\n') != std::string::npos; });
+    if (!up || !display_.running())
+        throw std::runtime_error("no virtual display came up\n" + read_file(folder_ / "display"));
+    std::string name = read_file(number);
+    environment_["DISPLAY"] = ":" + name.substr(0, name.find('\n'));
 }
 
 void GameWindow::xdotool(const std::vector<std::string>& arguments) const {
