@@ -2,7 +2,6 @@
 #include <world/arguments.h>
 #include <world/live_body.h>
 
-
 namespace fettle::physics {
 
 using namespace detail;

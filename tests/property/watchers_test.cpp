@@ -289,7 +289,8 @@ TEST_CASE("a connection outlives its tree") {
     connection.stop();
 }
 
-TEST_CASE_METHOD(Fixture, "what comes and goes between two barriers is told to nobody but its own watchers") {
+TEST_CASE_METHOD(
+    Fixture, "what comes and goes between two barriers is told to nobody but its own watchers") {
     tree.barrier();
     tree.watch_created(*module.type, [&](const Existence&) { log.push_back("created"); });
     tree.watch_deleted(*module.type, [&](const Existence&) { log.push_back("deleted"); });
