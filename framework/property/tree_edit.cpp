@@ -264,34 +264,50 @@ bool same_bits(double a, double b) {
 
 enum class Quick : std::uint8_t { not_plain, unchanged, written };
 
-// The same steps as in `set` below for a plain number or vec2 of the property's own type behind an
-// accessor: what scripts write most. Nobody may have to be told of it.
-Quick write_plain(const Node& node, const Property& property, const Value& value) {
+// The same steps as in `set` below for a plain number or vec2 of the property's own type: what
+// scripts write most. Nobody may have to be told of it.
+Quick write_plain(Tree::State& s, std::uint32_t index, const Property& property,
+                  const Value& value) {
     const Binding& binding = property.binding;
+    const Node& node = s.nodes[index];
+    const bool direct = binding.kind == BindingKind::accessor;
+    const auto read = [&] {
+        return direct ? binding.get(binding.context, node.row) : s.read(index, node, property);
+    };
+    const auto write = [&](const Value& next) {
+        if (!direct) {
+            s.write(index, node, property, next);
+            return;
+        }
+        binding.set(binding.context, node.row, next);
+        // The setter may have moved nodes.
+        if (binding.invalidate != nullptr) binding.invalidate(binding.context, s.nodes[index].row);
+    };
     if (property.type == Type::number) {
         double x = value.number();
         if (!plain_component(property, x)) return Quick::not_plain;
-        const Value old = binding.get(binding.context, node.row);
+        const Value old = read();
         if (old.is(Type::number) && same_bits(old.number(), x)) return Quick::unchanged;
-        binding.set(binding.context, node.row, Value(x));
+        write(Value(x));
     } else {
         Vec2 v = value.vec2();
         if (!plain_component(property, v.x()) || !plain_component(property, v.y()))
             return Quick::not_plain;
-        const Value old = binding.get(binding.context, node.row);
+        const Value old = read();
         if (old.is(Type::vec2) && same_bits(old.vec2().x(), v.x()) &&
             same_bits(old.vec2().y(), v.y()))
             return Quick::unchanged;
-        binding.set(binding.context, node.row, Value(v));
+        write(Value(v));
     }
     return Quick::written;
 }
 
 // Whether `write_plain` may try.
 bool is_plain(const Node& node, const Property& property, const Value& value) {
-    return property.binding.kind == BindingKind::accessor && value.type() == property.type &&
+    return value.type() == property.type &&
            (property.type == Type::number || property.type == Type::vec2) && !property.read_only &&
            property.interest == 0 && property.binding.overridden == nullptr &&
+           property.binding.kind != BindingKind::node &&
            !(node.watched || node.has_formula || node.has_dependents);
 }
 
@@ -302,17 +318,14 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     const Node& node = s.require(instance);
     s.forbid_in_formula("write");
     if (s.shadows.empty() && is_plain(node, property, value) && !s.history.recording()) {
-        const Row row = node.row;
         Quick done;
         try {
-            done = write_plain(node, property, value);
+            done = write_plain(s, instance.index, property, value);
         } catch (const std::invalid_argument& refusal) {
             throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
         }
         if (done == Quick::unchanged) return;
         if (done == Quick::written) {
-            if (property.binding.invalidate != nullptr)
-                property.binding.invalidate(property.binding.context, row);
             s.edited = true;
             ++s.epoch;
             s.writes.note(instance, property.symbol, s.writer, s.step);

@@ -195,12 +195,21 @@ int instance_index(lua_State* L) {
 
 // --- Writing
 
+// Integers up to this are the same number as a float: 2^24.
+constexpr lua_Integer exact_in_float = 16'777'216;
+
 // A number, boolean or vec straight from the stack; false for anything that needs thought. Each
 // value is made where it is handed over: a copy of one just made stalls on its half-written bytes.
 bool write_simple(lua_State* L, Machine& machine, Handle instance, const Property& property) {
     switch (lua_type(L, 3)) {
         case LUA_TNUMBER:
             if (lua_isinteger(L, 3)) {
+                const lua_Integer whole = lua_tointeger(L, 3);
+                if (property.type == Type::number && whole >= -exact_in_float &&
+                    whole <= exact_in_float) {
+                    machine.tree.set(instance, property, Value(static_cast<double>(whole)));
+                    return true;
+                }
                 machine.tree.set(instance, property,
                                  Value(static_cast<std::int64_t>(lua_tointeger(L, 3))));
             } else {

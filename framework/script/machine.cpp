@@ -54,6 +54,9 @@ int open_all(lua_State* L) {
     open_classes(L, machine);
     open_pen(L, machine);
     open_environment(L, machine);
+    // Games make many short-lived vectors over a small heap: with the default pause of 200 % most
+    // of their cost is marking that heap again and again.
+    lua_gc(L, LUA_GCINC, 400, 0, 0);
     lua_settop(L, 0);
     return 0;
 }

@@ -34,7 +34,7 @@ std::string signature(const Method& method) {
 
 namespace {
 
-constexpr std::size_t most_parameters = 16;
+constexpr std::size_t most_parameters = 8;
 
 // Upvalue 1: the method.
 int call_method(lua_State* L) {

@@ -9,6 +9,7 @@
 #include "format.h"
 #include "guard.h"
 #include "machine.h"
+#include "writes.h"
 
 namespace fettle::script {
 
@@ -158,6 +159,22 @@ int vec_index(lua_State* L) {
     throw Error(ErrorKind::unknown_name, "a vec has x and y, not element " + key_in_message(L, 2));
 }
 
+// The common case, a property that is a vec: the other component stays as it is now.
+void write_component(Machine& machine, VecBox& v, char component, double number) {
+    const property::Property& property = origin_property(machine, v.origin);
+    const Value whole = machine.tree.get(v.origin.instance, property);
+    if (!whole.is(property::Type::vec2))
+        throw Error(ErrorKind::wrong_type, origin_path(machine, v.origin) + ": is a vec no longer");
+    Vec2 next = whole.vec2();
+    (component == 'x' ? next.x() : next.y()) = number;
+    write_property(machine, v.origin.instance, property, Value(next));
+    const Value now = machine.tree.get(v.origin.instance, property);  // as its memory holds it
+    if (now.is(property::Type::vec2)) {
+        v.x = now.vec2().x();
+        v.y = now.vec2().y();
+    }
+}
+
 // A component of a vec that was read from a property is written there; the rest of the property
 // stays as it is now.
 int vec_newindex(lua_State* L) {
@@ -172,7 +189,12 @@ int vec_newindex(lua_State* L) {
         if (lua_type(L, 3) != LUA_TNUMBER)
             throw Error(ErrorKind::wrong_type, origin_path(machine, v->origin) + "." + key +
                                                    ": needs a number, not " + describe_type(L, 3));
-        origin_write(machine, v->origin, key, Value(static_cast<double>(lua_tonumber(L, 3))));
+        const double number = lua_tonumber(L, 3);
+        if (v->origin.depth == 0) {
+            write_component(machine, *v, key[0], number);
+            return 0;
+        }
+        origin_write(machine, v->origin, key, Value(number));
         const Value now = origin_read(machine, v->origin);
         if (now.is(property::Type::vec2)) {
             v->x = now.vec2().x();
