@@ -194,6 +194,14 @@ void ScriptClasses::observe(const Class& of) {
 
 void ScriptClasses::adopt(Handle instance, bool announce) {
     if (!known_.insert(bits(instance)).second) return;
+    if (members_.size() >= prune_at_ && !calling_) {
+        std::erase_if(members_, [this](Handle member) {
+            if (machine_.tree.alive(member)) return false;
+            known_.erase(bits(member));
+            return true;
+        });
+        prune_at_ = std::max<std::size_t>(1024, 2 * members_.size());
+    }
     members_.push_back(instance);
     waiting_.push_back({instance, announce});
 }
@@ -324,6 +332,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
     if (!any_functions_ || members_.empty()) return true;
     const Handle root = machine_.tree.root();
     bool ok = true;
+    calling_ = true;
     std::size_t kept = 0;
     // Whatever the functions create joins at the next call.
     const std::size_t count = members_.size();
@@ -345,6 +354,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
     }
     members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(kept),
                    members_.begin() + static_cast<std::ptrdiff_t>(count));
+    calling_ = false;
     return ok;
 }
 

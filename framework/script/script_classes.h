@@ -87,6 +87,8 @@ class ScriptClasses {
     bool any_functions_ = false;
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
+    std::size_t prune_at_ = 1024;              // deleted ones are looked for then
+    bool calling_ = false;                     // `members_` is being walked
     struct Waiting {
         property::Handle instance;
         bool announce;  // nobody else emits its `ready`

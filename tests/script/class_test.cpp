@@ -71,6 +71,19 @@ detached = Ball {}
     CHECK(s.errors.empty());
 }
 
+TEST_CASE("instances of a script's class come and go by the thousand") {
+    Stage s;
+    s.run(R"lua(
+Spark = class("Spark", Object) { age = 0 }
+function Spark:step(dt) self.age = self.age + 1; if self.age >= 3 then self:delete() end end
+every(0, function() for i = 1, 100 do world:add(Spark {}) end end)
+)lua");
+    s.step(100);
+    CHECK(s.tree->child_count(s.world) <= 300);
+    CHECK(s.tree->child_count(s.world) >= 200);
+    CHECK(s.errors.empty());
+}
+
 TEST_CASE("instances that a module makes of a script's class are called too") {
     Stage s;
     s.run(R"lua(
