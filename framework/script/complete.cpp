@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <unordered_set>
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
@@ -52,8 +53,7 @@ class Candidates {
         int score = fuzzy_score(typed_, label);
         if (score == 0) return;
         if (expected_) score += 10'000;
-        for (const Entry& entry : entries_)
-            if (entry.completion.label == label) return;
+        if (entries_.size() >= most_collected || !labels_.insert(label).second) return;
         entries_.push_back({score, group, {text, label, std::move(detail), std::move(doc), from}});
     }
     /// What is added until the next call is what belongs here, ahead of everything else.
@@ -80,7 +80,10 @@ class Candidates {
     };
     std::string_view typed_;
     std::size_t replace_from_;
+    // A world may have a hundred thousand children.
+    static constexpr std::size_t most_collected = 20'000;
     std::vector<Entry> entries_;
+    std::unordered_set<std::string> labels_;
     bool expected_ = false;
 };
 

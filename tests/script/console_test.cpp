@@ -196,6 +196,10 @@ TEST_CASE("completion knows paths and keys and methods and enumerators") {
             CHECK(candidate.detail == "2 kg · number · kg · 0 to inf · default 1");
             CHECK(candidate.doc == "How hard it is to move.");
         }
+    s.run("for i = 1, 20000 do world:add(Circle {}) end");
+    CHECK(taken(s, "world.ball.mas") == "world.ball.mass");
+    CHECK(taken(s, "world.gravi") == "world.gravity");
+    CHECK(labels(s, "world.").size() == 200);
     // Nothing of a script runs meanwhile.
     s.run(
         "trap = setmetatable({}, { __index = function() error('ran') end }); "
