@@ -127,15 +127,35 @@ void draw_motion(physics::World& world, Painter& painter, double alpha) {
     }
 }
 
-void draw_joints(physics::World& world, Painter& painter, double alpha) {
-    const Color color{0.6f, 0.95f, 0.75f, 1.0f};
-    for (const physics::MouseJoint& joint : world.joints()) {
-        const Frame frame(world, joint.body().index(), alpha);
-        const Vec2 from = frame.point(joint.anchor()), to = widen(joint.target());
-        painter.line(from, to, color, 1.5f);
-        painter.point(from, color, 5);
-        painter.point(to, color, 5);
+/// A body's coordinates on the way between the last two steps; the world's for no body.
+Vec2 anchor_point(const physics::World& world, const physics::Body& body,
+                  const physics::Vec2& anchor, double alpha) {
+    return body ? Frame(world, body.index(), alpha).point(anchor) : widen(anchor);
+}
+
+/// The line that the joint acts along, and to the centers of the bodies where it holds them.
+void draw_joint(const physics::World& world, const physics::Joint& joint, Painter& painter,
+                double alpha) {
+    const Color color =
+        joint.enabled() ? Color{0.6f, 0.95f, 0.75f, 1.0f} : Color{0.6f, 0.6f, 0.6f, 0.7f};
+    const physics::Body a = joint.body_a(), b = joint.body_b();
+    const Vec2 from = anchor_point(world, a, joint.anchor_a(), alpha);
+    const Vec2 to = anchor_point(world, b, joint.anchor_b(), alpha);
+    const Vec2 reach(1, 1);
+    if (!painter.sees(from.cwiseMin(to) - reach, from.cwiseMax(to) + reach)) return;
+    painter.line(from, to, color, 1.5f);
+    const auto type = joint.type();
+    if (type != physics::JointType::mouse && type != physics::JointType::distance) {
+        const Color faint{color.r, color.g, color.b, 0.5f * color.a};
+        if (a) painter.line(anchor_point(world, a, a.center(), alpha), from, faint, 1);
+        if (b) painter.line(anchor_point(world, b, b.center(), alpha), to, faint, 1);
     }
+    painter.point(from, color, 5);
+    painter.point(to, color, 5);
+}
+
+void draw_joints(physics::World& world, Painter& painter, double alpha) {
+    for (const physics::Joint& joint : world.joints()) draw_joint(world, joint, painter, alpha);
 }
 
 /// What sleeps is marked.

@@ -1,118 +1,172 @@
-// Joint and MouseJoint.
+// Joint, MouseJoint, and PairJoint: what all that tie two bodies have.
 
-#include "bindings.h"
 #include "classes.h"
+#include "joint_bindings.h"
 
 namespace fettle::physics_module {
 namespace {
 
-using physics::MouseJoint;
-
-/// A setting that is kept in the record and, while the joint acts, told to the library.
+/// A setting that all joints have.
 template <auto Field, auto Set>
-Binding setting(Hosting& hosting) {
-    using Argument = typename Setter<Set>::Argument;
+Binding common_setting(Hosting& hosting) {
     return accessor(
         hosting, [](Hosting& h, Row row) { return to_value(h.joints.at(row).*Field); },
         [](Hosting& h, Row row, const Value& value) {
-            const auto wanted = from_value<Argument>(value);
-            if (MouseJoint joint = h.joints.native(row)) (joint.*Set)(wanted);
+            const auto wanted = from_value<typename Setter<Set>::Argument>(value);
+            if (physics::Joint joint = h.joints.native(row)) (joint.*Set)(wanted);
             h.joints.at(row).*Field = wanted;
-            h.joints.loosen();
         });
 }
 
+template <std::size_t Side>
 Binding body(Hosting& hosting) {
     return accessor(
-        hosting, [](Hosting& h, Row row) { return h.joints.body(row); },
-        [](Hosting& h, Row row, const Value& value) { h.joints.set_body(row, value.reference()); });
+        hosting, [](Hosting& h, Row row) { return h.joints.body(row, Side); },
+        [](Hosting& h, Row row, const Value& value) {
+            h.joints.set_body(row, Side, value.reference());
+        });
 }
 
+template <std::size_t Side>
 Binding anchor(Hosting& hosting) {
-    Binding binding = accessor(
-        hosting, [](Hosting& h, Row row) { return to_value(h.joints.anchor(row)); },
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return to_value(h.joints.at(row).anchors[Side]); },
         [](Hosting& h, Row row, const Value& value) {
-            h.joints.set_anchor(row, narrow(value.vec2()));
+            const physics::Vec2 wanted = narrow(value.vec2());
+            if (physics::Joint joint = h.joints.native(row))
+                Side == 0 ? joint.set_anchor_a(wanted) : joint.set_anchor_b(wanted);
+            h.joints.at(row).anchors[Side] = wanted;
+        });
+}
+
+Binding mouse_anchor(Hosting& hosting) {
+    Binding binding = accessor(
+        hosting, [](Hosting& h, Row row) { return to_value(h.joints.mouse_anchor(row)); },
+        [](Hosting& h, Row row, const Value& value) {
+            const physics::Vec2 wanted = narrow(value.vec2());
+            if (physics::MouseJoint joint = h.joints.native<physics::MouseJoint>(row))
+                joint.set_anchor(wanted);
+            h.joints.settings<MouseSettings>(row).anchor.give(wanted);
         });
     binding.reset = [](void* context, Row row) {
-        static_cast<Hosting*>(context)->joints.set_anchor(row, std::nullopt);
+        auto& joints = static_cast<Hosting*>(context)->joints;
+        joints.settings<MouseSettings>(row).anchor.give(std::nullopt);
+        joints.remake(row);
     };
     binding.overridden = [](void* context, Row row) {
-        return static_cast<Hosting*>(context)->joints.at(row).anchor.has_value();
+        auto& joints = static_cast<Hosting*>(context)->joints;
+        return joints.settings<MouseSettings>(row).anchor.value.has_value();
     };
     return binding;
 }
 
 Binding force(Hosting& hosting) {
     return accessor(hosting, [](Hosting& h, Row row) {
-        const MouseJoint joint = h.joints.native(row);
+        const physics::Joint joint = h.joints.native(row);
         return to_value(joint ? joint.force() : physics::Vec2(physics::Vec2::Zero()));
     });
 }
 
-property::Lifecycle lifecycle(Hosting& hosting) {
-    property::Lifecycle lifecycle;
-    lifecycle.context = &hosting;
-    lifecycle.create = [](void* context, property::Tree&, Handle self) {
-        auto& h = *static_cast<Hosting*>(context);
-        return h.joints.create(h.world_above(self));
-    };
-    lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
-        auto& h = *static_cast<Hosting*>(context);
-        h.joints.place(row, h.world_above(self));
-        return row;
-    };
-    lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
-        static_cast<Hosting*>(context)->joints.destroy(row);
-    };
-    return lifecycle;
+Binding torque(Hosting& hosting) {
+    return accessor(hosting, [](Hosting& h, Row row) {
+        const physics::Joint joint = h.joints.native(row);
+        return to_value(joint ? joint.torque() : 0.0f);
+    });
 }
 
-}  // namespace
-
-void define_joints(Hosting& hosting) {
-    using Record = MouseJointRecord;
+void define_joint(Hosting& hosting) {
     property::ClassDescriptor joint;
     joint.name = "Joint";
     joint.doc =
         "Ties bodies together or to the world. It acts while it and its bodies are in the "
         "same world.";
     joint.creatable = false;
-    joint.lifecycle = lifecycle(hosting);
-    joint.properties = {{.name = "enabled",
-                         .type = Type::boolean,
-                         .default_value = true,
-                         .doc = "Whether it acts.",
-                         .binding = setting<&Record::enabled, &MouseJoint::set_enabled>(hosting)},
-                        {.name = "force",
-                         .type = Type::vec2,
-                         .unit = "N",
-                         .doc = "What it pulled with in the last step.",
-                         .binding = force(hosting),
-                         .read_only = true,
-                         .transient = true,
-                         .simulated = true,
-                         .single_precision = true}};
+    joint.lifecycle = joint_lifecycle<MouseSettings>(hosting);
+    joint.properties = {
+        {.name = "enabled",
+         .type = Type::boolean,
+         .default_value = true,
+         .doc = "Whether it acts.",
+         .binding = common_setting<&JointRecord::enabled, &physics::Joint::set_enabled>(hosting)},
+        {.name = "force",
+         .type = Type::vec2,
+         .unit = "N",
+         .doc = "What it pulled its body, or body_b, with in the last step.",
+         .binding = force(hosting),
+         .read_only = true,
+         .transient = true,
+         .simulated = true,
+         .single_precision = true},
+        joint_figure("torque", "N m",
+                     "What it turned body_b with in the last step, besides what its force does.",
+                     torque(hosting))};
     hosting.tree.define(std::move(joint));
+}
 
+template <std::size_t Side>
+Property body_property(Hosting& hosting, std::string name) {
+    return {.name = std::move(name),
+            .type = Type::reference,
+            .doc =
+                "One of the two that are tied; nil: the world. When it is deleted, the joint "
+                "does not act until it is given another, or nil.",
+            .binding = body<Side>(hosting),
+            .reference_class = "Body"};
+}
+
+template <std::size_t Side>
+Property anchor_property(Hosting& hosting, std::string name) {
+    return {
+        .name = std::move(name),
+        .type = Type::vec2,
+        .unit = "m",
+        .doc = "The point where that body is held, in its coordinates, or in those of the world.",
+        .binding = anchor<Side>(hosting),
+        .single_precision = true};
+}
+
+void define_pair_joint(Hosting& hosting) {
+    property::ClassDescriptor pair;
+    pair.name = "PairJoint";
+    pair.base = "Joint";
+    pair.doc = "Ties two bodies, or one to the world. While both are the same, it does not act.";
+    pair.creatable = false;
+    pair.lifecycle = joint_lifecycle<DistanceSettings>(hosting);
+    pair.properties = {
+        body_property<0>(hosting, "body_a"),
+        body_property<1>(hosting, "body_b"),
+        anchor_property<0>(hosting, "anchor_a"),
+        anchor_property<1>(hosting, "anchor_b"),
+        {.name = "collide",
+         .type = Type::boolean,
+         .default_value = false,
+         .doc = "Whether the two bodies collide with each other.",
+         .binding = common_setting<&JointRecord::collide, &physics::Joint::set_collide>(hosting)},
+    };
+    hosting.tree.define(std::move(pair));
+}
+
+void define_mouse_joint(Hosting& hosting) {
+    using S = MouseSettings;
+    using physics::MouseJoint;
     property::ClassDescriptor mouse;
     mouse.name = "MouseJoint";
     mouse.base = "Joint";
     mouse.stem = "mouse_joint";
     mouse.doc = "Pulls a point of a body softly towards a target: how a mouse drags.";
-    mouse.lifecycle = lifecycle(hosting);
+    mouse.lifecycle = joint_lifecycle<S>(hosting);
     mouse.properties = {
         {.name = "body",
          .type = Type::reference,
          .doc = "What is pulled; nil: nothing.",
-         .binding = body(hosting),
+         .binding = body<1>(hosting),
          .reference_class = "Body"},
         {.name = "anchor",
          .type = Type::vec2,
          .unit = "m",
          .doc = "The point of the body that is pulled, in its coordinates. Unless one is given, "
                 "the point that was at the target when the joint began to act.",
-         .binding = anchor(hosting),
+         .binding = mouse_anchor(hosting),
          .simulated = true,
          .derives_from = {"body", "target"},
          .single_precision = true},
@@ -120,31 +174,59 @@ void define_joints(Hosting& hosting) {
          .type = Type::vec2,
          .unit = "m",
          .doc = "Where it is pulled to, in the world.",
-         .binding = setting<&Record::target, &MouseJoint::set_target>(hosting),
+         .binding = joint_setting<&S::target, &MouseJoint::set_target>(hosting),
          .single_precision = true},
-        {.name = "frequency",
-         .default_value = Record{}.frequency,
-         .unit = "Hz",
-         .range = not_negative,
-         .doc = "How stiff it is; 0 is slack.",
-         .binding = setting<&Record::frequency, &MouseJoint::set_hertz>(hosting),
-         .single_precision = true},
-        {.name = "damping_ratio",
-         .default_value = Record{}.damping_ratio,
-         .range = not_negative,
-         .doc = "1 comes to rest without swinging.",
-         .binding = setting<&Record::damping_ratio, &MouseJoint::set_damping_ratio>(hosting),
-         .single_precision = true},
-        {.name = "max_force",
-         .default_value = static_cast<double>(Record{}.max_force),
-         .unit = "N",
-         .range = not_negative,
-         .doc = "It never pulls harder.",
-         .binding = setting<&Record::max_force, &MouseJoint::set_max_force>(hosting),
-         .infinity = true,
-         .single_precision = true},
+        joint_number("frequency", S{}.frequency, "Hz", "How stiff it is; 0 is slack.",
+                     joint_setting<&S::frequency, &MouseJoint::set_hertz>(hosting)),
+        joint_number("damping_ratio", S{}.damping_ratio, "", "1 comes to rest without swinging.",
+                     joint_setting<&S::damping_ratio, &MouseJoint::set_damping_ratio>(hosting)),
+        joint_number("max_force", S{}.max_force, "N", "It never pulls harder.",
+                     joint_setting<&S::max_force, &MouseJoint::set_max_force>(hosting)),
     };
+    mouse.properties.back().infinity = true;
     hosting.tree.define(std::move(mouse));
+}
+
+}  // namespace
+
+Property joint_number(std::string name, double default_value, std::string unit, std::string doc,
+                      Binding binding) {
+    return {.name = std::move(name),
+            .default_value = default_value,
+            .unit = std::move(unit),
+            .range = not_negative,
+            .doc = std::move(doc),
+            .binding = binding,
+            .single_precision = true};
+}
+
+Property found_number(std::string name, std::string unit, std::string doc, Binding binding) {
+    return {.name = std::move(name),
+            .unit = std::move(unit),
+            .doc = std::move(doc),
+            .binding = binding,
+            .simulated = true,
+            .derives_from = {"body_a", "body_b", "anchor_a", "anchor_b"},
+            .single_precision = true};
+}
+
+Property joint_figure(std::string name, std::string unit, std::string doc, Binding binding) {
+    return {.name = std::move(name),
+            .unit = std::move(unit),
+            .doc = std::move(doc),
+            .binding = binding,
+            .read_only = true,
+            .transient = true,
+            .simulated = true,
+            .single_precision = true};
+}
+
+void define_joints(Hosting& hosting) {
+    define_joint(hosting);
+    define_mouse_joint(hosting);
+    define_pair_joint(hosting);
+    define_distance_joint(hosting);
+    define_revolute_joint(hosting);
 }
 
 }  // namespace fettle::physics_module

@@ -7,7 +7,7 @@
 
 namespace fettle::physics::detail {
 
-bool WorldData::may_collide(uint32_t a, uint32_t b) const {
+bool WorldData::filters_agree(uint32_t a, uint32_t b) const {
     const uint32_t body_a = forms[a].body, body_b = forms[b].body;
     if (body_a == body_b) return false;
     if (bodies[body_a].mobility != Mobility::dynamic &&
@@ -19,6 +19,10 @@ bool WorldData::may_collide(uint32_t a, uint32_t b) const {
     if (sb.sensor && shapes[a].type == ShapeType::border) return false;
     if (sa.group != 0 && sa.group == sb.group) return sa.group > 0;
     return (sa.mask & sb.category) != 0 && (sb.mask & sa.category) != 0;
+}
+
+bool WorldData::may_collide(uint32_t a, uint32_t b) const {
+    return filters_agree(a, b) && !joint_forbids_contact(forms[a].body, forms[b].body);
 }
 
 void WorldData::try_pair(uint32_t shape, uint32_t other) {
@@ -106,7 +110,7 @@ void WorldData::destroy_contact(uint32_t slot, bool in_narrow_phase) {
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = bodies[owners[side]];
-        const ContactRecord::Edge edge = c.edges[side];
+        const ListEdge edge = c.edges[side];
         if (edge.previous != none)
             contacts[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
         else

@@ -4,8 +4,8 @@
 
 // Sleeping. What is awake is listed; what sleeps is in an island with all that fell asleep with it,
 // costs nothing in a step, and wakes as a whole. Islands are found by union-find over the active
-// contacts, and only in steps in which some body has rested long enough: keeping them up to date
-// all the time would cost more than that.
+// contacts and joints, and only in steps in which some body has rested long enough: keeping them up
+// to date all the time would cost more than that.
 
 namespace fettle::physics::detail {
 namespace {
@@ -121,6 +121,8 @@ void WorldData::wake_touching(uint32_t body) {
     for_each_contact(body, [&](uint32_t contact) {
         if (contacts[contact].manifold.count > 0) wake_body(other_body(contact, body));
     });
+    for_each_joint(
+        body, [&](uint32_t joint, uint32_t side) { wake_body(joints[joint].bodies[side ^ 1]); });
 }
 
 void WorldData::wake_all() {
@@ -184,14 +186,18 @@ void WorldData::put_group_to_sleep(uint32_t body) {
     seen[body] = true;
     for (size_t i = 0; i < group.size(); ++i) {
         if (bodies[group[i]].mobility != Mobility::dynamic) continue;
-        for_each_contact(group[i], [&](uint32_t contact) {
-            const ContactRecord& c = contacts[contact];
-            const uint32_t other = other_body(contact, group[i]);
-            if (c.manifold.count == 0 || c.sensor || seen[other] || bodies[other].solver_index == 0)
-                return;
+        auto follow = [&](uint32_t other) {
+            if (seen[other] || bodies[other].solver_index == 0) return;
             if (bodies[other].mobility != Mobility::dynamic) return;
             seen[other] = true;
             group.push_back(other);
+        };
+        for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
+            if (joints[joint].enabled) follow(joints[joint].bodies[side ^ 1]);
+        });
+        for_each_contact(group[i], [&](uint32_t contact) {
+            const ContactRecord& c = contacts[contact];
+            if (c.manifold.count > 0 && !c.sensor) follow(other_body(contact, group[i]));
         });
     }
     put_to_sleep(group);
@@ -207,19 +213,25 @@ void WorldData::sleep_resting_islands() {
         const BodyRecord& record = bodies[awake_bodies[i]];
         restless[i] = !record.can_sleep || record.sleep_time < settings.sleep_delay;
     }
-    for (uint32_t slot : awake_contacts) {
-        const ContactRecord& c = contacts[slot];
-        if (c.manifold.count == 0 || c.sensor) continue;
-        const uint32_t a = bodies[c.body_a].solver_index, b = bodies[c.body_b].solver_index;
-        if (a == 0 || b == 0) continue;
-        const bool moves_a = bodies[c.body_a].mobility == Mobility::dynamic;
-        const bool moves_b = bodies[c.body_b].mobility == Mobility::dynamic;
+    auto link = [&](uint32_t body_a, uint32_t body_b) {
+        const uint32_t a = bodies[body_a].solver_index, b = bodies[body_b].solver_index;
+        if (a == 0 || b == 0) return;
+        const bool moves_a = bodies[body_a].mobility == Mobility::dynamic;
+        const bool moves_b = bodies[body_b].mobility == Mobility::dynamic;
         if (moves_a && moves_b)
             sets.unite(a - 1, b - 1);
-        else if (moves_a && in_motion(c.body_b))
+        else if (moves_a && in_motion(body_b))
             restless[a - 1] = 1;  // carried by something that moves
-        else if (moves_b && in_motion(c.body_a))
+        else if (moves_b && in_motion(body_a))
             restless[b - 1] = 1;
+    };
+    for (uint32_t slot : awake_contacts) {
+        const ContactRecord& c = contacts[slot];
+        if (c.manifold.count > 0 && !c.sensor) link(c.body_a, c.body_b);
+    }
+    for (uint32_t joint = 0; joint < joints.size(); ++joint) {
+        const JointRecord& j = joints[joint];
+        if (joint_generations[joint] != 0 && j.enabled) link(j.bodies[0], j.bodies[1]);
     }
     std::vector<uint8_t> island_restless(count, 0);
     for (uint32_t i = 0; i < count; ++i) island_restless[sets.find(i)] |= restless[i];

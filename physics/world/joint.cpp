@@ -1,126 +1,134 @@
-#include <world/arguments.h>
-#include <world/world_data.h>
+#include <world/live_joint.h>
 
-#include <stdexcept>
+// The handles of joints: what all have, and the mouse.
 
 namespace fettle::physics {
 
 using namespace detail;
 
-#define FETTLE_LIVE_JOINT                                                                          \
-    if (world_ == nullptr || !world_->is_valid(id_)) dangling("joint", id_.index, id_.generation); \
-    WorldData& data = *world_->data_;                                                              \
-    [[maybe_unused]] JointRecord& record = data.joints[id_.index];
+namespace detail {
 
-bool MouseJoint::is_valid() const {
+void wrong_joint(JointType expected, JointType is) {
+    constexpr const char* names[] = {"mouse", "distance", "revolute"};
+    throw std::invalid_argument(std::string("expected a ") + names[size_t(expected)] +
+                                " joint, got a " + names[size_t(is)] + " joint");
+}
+
+}  // namespace detail
+
+bool Joint::is_valid() const {
     return world_ != nullptr && world_->is_valid(id_);
 }
 
-void MouseJoint::destroy() {
-    FETTLE_LIVE_JOINT
-    data.destroy_joint(id_.index);
+WorldData& Joint::live() const {
+    if (!is_valid()) dangling("joint", id_.index, id_.generation);
+    return *world_->data_;
 }
 
-Body MouseJoint::body() const {
-    FETTLE_LIVE_JOINT
-    return {world_, data.body_id(record.body)};
+void Joint::destroy() {
+    live().destroy_joint(id_.index);
+}
+
+JointType Joint::type() const {
+    return live().joints[id_.index].type;
+}
+
+Body Joint::body_a() const {
+    const WorldData& data = live();
+    const uint32_t body = data.joints[id_.index].bodies[0];
+    return body == 0 ? Body() : Body(world_, data.body_id(body));
+}
+
+Body Joint::body_b() const {
+    const WorldData& data = live();
+    const uint32_t body = data.joints[id_.index].bodies[1];
+    return body == 0 ? Body() : Body(world_, data.body_id(body));
+}
+
+void Joint::set_body(uint32_t side, const Body& body) {
+    WorldData& data = live();
+    const char* name = side == 0 ? "body_a" : "body_b";
+    const bool is_world = body == Body();
+    if (!is_world && !body.is_valid()) dangling("body", body.index(), body.id().generation);
+    if (!is_world && &body.world() != world_)
+        throw std::invalid_argument(std::string(name) + ": expected a body of the same world");
+    const uint32_t slot = is_world ? 0 : body.index();
+    if (slot == data.joints[id_.index].bodies[side ^ 1])
+        throw std::invalid_argument(std::string(name) + ": expected another body than the other's");
+    data.set_joint_body(id_.index, side, slot);
+}
+
+void Joint::set_body_a(const Body& body) {
+    set_body(0, body);
+}
+void Joint::set_body_b(const Body& body) {
+    set_body(1, body);
+}
+
+Vec2 Joint::anchor_a() const {
+    return to_vec2(live().joints[id_.index].anchors[0]);
+}
+void Joint::set_anchor_a(const Vec2& anchor) {
+    live().joints[id_.index].anchors[0] = to_v2(check_coordinates("anchor_a", anchor));
+    live().wake_joint(id_.index);
+}
+
+Vec2 Joint::anchor_b() const {
+    return to_vec2(live().joints[id_.index].anchors[1]);
+}
+void Joint::set_anchor_b(const Vec2& anchor) {
+    live().joints[id_.index].anchors[1] = to_v2(check_coordinates("anchor_b", anchor));
+    live().wake_joint(id_.index);
+}
+
+Vec2 Joint::world_anchor_a() const {
+    const Body body = body_a();
+    return body ? body.world_point(anchor_a()) : anchor_a();
+}
+Vec2 Joint::world_anchor_b() const {
+    const Body body = body_b();
+    return body ? body.world_point(anchor_b()) : anchor_b();
+}
+
+bool Joint::enabled() const {
+    return live().joints[id_.index].enabled;
+}
+void Joint::set_enabled(bool enabled) {
+    live().set_joint_enabled(id_.index, enabled);
+}
+
+bool Joint::collide() const {
+    return live().joints[id_.index].collide;
+}
+void Joint::set_collide(bool collide) {
+    live().set_joint_collide(id_.index, collide);
+}
+
+Vec2 Joint::force() const {
+    return to_vec2(live().joints[id_.index].force);
+}
+float Joint::torque() const {
+    return live().joints[id_.index].torque;
+}
+
+uint64_t Joint::user_data() const {
+    return live().joints[id_.index].user_data;
+}
+void Joint::set_user_data(uint64_t value) {
+    live().joints[id_.index].user_data = value;
 }
 
 void MouseJoint::set_body(const Body& body) {
-    FETTLE_LIVE_JOINT
-    if (!world_->is_valid(body.id())) dangling("body", body.index(), body.id().generation);
-    if (&body.world() != world_)
-        throw std::invalid_argument("body: expected a body of the same world");
-    data.wake_for_edit(record.body);
-    --data.bodies[record.body].joint_count;
-    record.body = body.index();
-    record.impulse = {};
-    ++data.bodies[record.body].joint_count;
-    data.wake_for_edit(record.body);
+    if (!body.is_valid()) dangling("body", body.index(), body.id().generation);
+    set_body_b(body);
 }
-
-Vec2 MouseJoint::anchor() const {
-    FETTLE_LIVE_JOINT
-    return to_vec2(record.anchor);
-}
-
-void MouseJoint::set_anchor(const Vec2& anchor) {
-    FETTLE_LIVE_JOINT
-    record.anchor = to_v2(check_coordinates("anchor", anchor));
-    data.wake_body(record.body);
-}
-
-Vec2 MouseJoint::target() const {
-    FETTLE_LIVE_JOINT
-    return to_vec2(record.target);
-}
-
 void MouseJoint::set_target(const Vec2& target) {
-    FETTLE_LIVE_JOINT
-    record.target = to_v2(check_coordinates("target", target));
-    data.wake_body(record.body);
+    set_anchor_a(check_coordinates("target", target));
 }
-
-float MouseJoint::hertz() const {
-    FETTLE_LIVE_JOINT
-    return record.hertz;
-}
-
-void MouseJoint::set_hertz(float hertz) {
-    FETTLE_LIVE_JOINT
-    record.hertz = check_not_negative("hertz", hertz);
-    data.wake_body(record.body);
-}
-
-float MouseJoint::damping_ratio() const {
-    FETTLE_LIVE_JOINT
-    return record.damping_ratio;
-}
-
-void MouseJoint::set_damping_ratio(float ratio) {
-    FETTLE_LIVE_JOINT
-    record.damping_ratio = check_not_negative("damping_ratio", ratio);
-    data.wake_body(record.body);
-}
-
-float MouseJoint::max_force() const {
-    FETTLE_LIVE_JOINT
-    return record.max_force;
-}
-
-void MouseJoint::set_max_force(float force) {
-    FETTLE_LIVE_JOINT
-    record.max_force = check_range("max_force", force, 0.0f, infinity);
-    data.wake_body(record.body);
-}
-
-bool MouseJoint::enabled() const {
-    FETTLE_LIVE_JOINT
-    return record.enabled;
-}
-
-void MouseJoint::set_enabled(bool enabled) {
-    FETTLE_LIVE_JOINT
-    record.enabled = enabled;
-    data.wake_body(record.body);
-}
-
-Vec2 MouseJoint::force() const {
-    FETTLE_LIVE_JOINT
-    return data.last_substep > 0.0f ? Vec2(to_vec2(record.impulse) / data.last_substep)
-                                    : Vec2(Vec2::Zero());
-}
-
-uint64_t MouseJoint::user_data() const {
-    FETTLE_LIVE_JOINT
-    return record.user_data;
-}
-
-void MouseJoint::set_user_data(uint64_t value) {
-    FETTLE_LIVE_JOINT
-    record.user_data = value;
-}
-
-#undef FETTLE_LIVE_JOINT
+FETTLE_JOINT_SETTING(MouseJoint, MouseData, hertz, check_not_negative("hertz", value))
+FETTLE_JOINT_SETTING(MouseJoint, MouseData, damping_ratio,
+                     check_not_negative("damping_ratio", value))
+FETTLE_JOINT_SETTING(MouseJoint, MouseData, max_force,
+                     check_range("max_force", value, 0.0f, infinity))
 
 }  // namespace fettle::physics

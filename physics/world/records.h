@@ -18,6 +18,11 @@ inline constexpr uint32_t none = 0xffffffffu;
 /// How a body takes part in the step. An infinitely heavy dynamic body is fixed.
 enum class Mobility : uint8_t { fixed, kinematic, dynamic };
 
+/// A place in a list of a body: what links two bodies is in the lists of both.
+struct ListEdge {
+    uint32_t previous = none, next = none;  ///< edges: index << 1 | side
+};
+
 struct BodyRecord {
     // What the step gathers of an awake body.
     V2 center;        ///< center of mass, world
@@ -52,8 +57,9 @@ struct BodyRecord {
     uint32_t first_shape = none, last_shape = none, shape_count = 0;
     uint32_t first_contact = none;  ///< edge: contact << 1 | side
     uint32_t contact_count = 0;
-    uint32_t touching = 0;   ///< contacts, sensors not counted
-    uint32_t island = none;  ///< among the sleeping islands
+    uint32_t touching = 0;        ///< contacts, sensors not counted
+    uint32_t island = none;       ///< among the sleeping islands
+    uint32_t first_joint = none;  ///< edge: joint << 1 | side
     uint32_t joint_count = 0;
 
     float mass = 0.0f, inertia = 0.0f, area = 0.0f;
@@ -107,19 +113,21 @@ struct ContactRecord {
     float friction = 0.0f, restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
     float rolling_impulse = 0.0f;
     Manifold manifold;
-    struct Edge {
-        uint32_t previous = none, next = none;
-    } edges[2];  ///< in the contact lists of body a and b
+    ListEdge edges[2];  ///< in the contact lists of body a and b
     uint32_t next_free = none;
 };
 
+/// What all joints have. What a type adds is in the list of that type, without gaps.
 struct JointRecord {
-    uint32_t body = none;
-    V2 anchor;  ///< body coordinates
-    V2 target;
-    float hertz = 5.0f, damping_ratio = 0.7f, max_force = infinity;
+    JointType type = JointType::mouse;
     bool enabled = true;
-    V2 impulse;  ///< of the last sub-step, for warm starting
+    bool collide = false;         ///< the two bodies, with each other
+    uint32_t place = none;        ///< in the list of its type
+    uint32_t bodies[2] = {0, 0};  ///< 0: the world
+    V2 anchors[2];                ///< body coordinates
+    ListEdge edges[2];            ///< in the joint lists of body a and b
+    V2 force;                     ///< of the last step, on body b
+    float torque = 0.0f;
     uint64_t user_data = 0;
     uint32_t next_free = none;
 };

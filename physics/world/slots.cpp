@@ -129,9 +129,7 @@ uint32_t WorldData::create_body(const BodyDef& def) {
 void WorldData::destroy_body(uint32_t body) {
     wake_for_edit(body);
     wake_touching(body);
-    for (uint32_t j = 0; bodies[body].joint_count > 0 && j < joints.size(); ++j) {
-        if (joint_generations[j] != 0 && joints[j].body == body) destroy_joint(j);
-    }
+    while (bodies[body].first_joint != none) destroy_joint(bodies[body].first_joint >> 1);
     while (bodies[body].first_shape != none) destroy_shape(bodies[body].first_shape);
     if (bodies[body].solver_index != 0) remove_awake(body);
     leave_island(body);
@@ -255,34 +253,6 @@ void WorldData::detach_shape(uint32_t shape) {
     mark_placement(body);
     // Alone, its box is in its own coordinates again.
     place_shape(shape, {});
-}
-
-uint32_t WorldData::create_joint(const JointRecord& record) {
-    uint32_t slot = free_joint;
-    if (slot != none) {
-        free_joint = joints[slot].next_free;
-    } else {
-        slot = uint32_t(joints.size());
-        joints.emplace_back();
-        joint_generations.push_back(0);
-    }
-    joints[slot] = record;
-    joint_generations[slot] = next_generation++;
-    ++joint_count;
-    ++bodies[record.body].joint_count;
-    wake_for_edit(record.body);
-    return slot;
-}
-
-void WorldData::destroy_joint(uint32_t joint) {
-    const uint32_t body = joints[joint].body;
-    wake_for_edit(body);
-    --bodies[body].joint_count;
-    joints[joint] = {};
-    joints[joint].next_free = free_joint;
-    free_joint = joint;
-    joint_generations[joint] = 0;
-    --joint_count;
 }
 
 }  // namespace fettle::physics::detail

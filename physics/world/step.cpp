@@ -1,6 +1,5 @@
 #include <geometry/trigonometry.h>
 #include <solver/contact_solver.h>
-#include <solver/mouse_solver.h>
 #include <world/world_data.h>
 
 #include <chrono>
@@ -100,7 +99,7 @@ void WorldData::solve(float dt) {
     const int substeps = settings.substeps;
     const float h = dt / float(substeps);
     gather_bodies(h);
-    std::vector<MouseConstraint> mice = prepare_joints(h);
+    const JointStep joint_step = prepare_joints(h);
 
     ContactSolver serial;
     // 30 Hz and an eighth of the rate let a load of 300 : 1 sink in by 13 %, and a stack of twenty
@@ -124,14 +123,15 @@ void WorldData::solve(float dt) {
         integrate_velocities(solver_bodies, solver_forces, h);
         zero_locked();
         solver_bodies[0] = {};  // every pass writes it back unmoved; whatever happens, it stays so
-        for (MouseConstraint& m : mice) m.warm_start(solver_bodies[m.body]);
+        warm_start_joints();
         serial.warm_start();
         kernels.warm_start(wide);
-        for (MouseConstraint& m : mice) m.solve(solver_bodies[m.body]);
+        solve_joints(joint_step);
         serial.solve_biased();
         kernels.solve_biased(wide);
         zero_locked();
         integrate_positions(solver_bodies, h);
+        relax_joints(joint_step);
         serial.relax();
         kernels.relax(wide);
         zero_locked();
@@ -140,37 +140,8 @@ void WorldData::solve(float dt) {
     zero_locked();
 
     last_substep = h;
-    for (const MouseConstraint& m : mice) joints[m.joint].impulse = m.impulse;
+    store_joints(joint_step);
     store_contacts();
-}
-
-std::vector<MouseConstraint> WorldData::prepare_joints(float h) {
-    std::vector<MouseConstraint> mice;
-    if (joint_count == 0) return mice;
-    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
-    for (uint32_t j = 0; j < joints.size(); ++j) {
-        if (joint_generations[j] == 0) continue;
-        JointRecord& joint = joints[j];
-        const BodyRecord& body = bodies[joint.body];
-        if (!joint.enabled || body.solver_index == 0 || body.mobility != Mobility::dynamic) {
-            joint.impulse = {};
-            continue;
-        }
-        const BodyState& state = states[joint.body];
-        MouseConstraint m;
-        m.body = body.solver_index;
-        m.joint = j;
-        m.lever = rotate({state.cosine, state.sine}, joint.anchor - body.local_center);
-        m.gap = body.center + m.lever - joint.target;
-        m.impulse = ratio * joint.impulse;
-        m.greatest_impulse = joint.max_force * h;
-        m.softness = make_softness(joint.hertz, joint.damping_ratio, h);
-        m.prepare(solver_bodies[m.body]);
-        // A slack joint pulls nothing.
-        if (!(joint.hertz > 0.0f)) m.mass_xx = m.mass_xy = m.mass_yy = 0.0f;
-        mice.push_back(m);
-    }
-    return mice;
 }
 
 void WorldData::finish_bodies(float dt) {
@@ -241,6 +212,7 @@ void WorldData::step(float dt) {
     statistics.moved_proxies = 0;
     statistics.edits_ms = clock.lap();
     find_pairs();
+    wake_jointed();
     statistics.pairs_ms = clock.lap();
     narrow_phase();
     statistics.narrow_ms = clock.lap();

@@ -137,10 +137,39 @@ Fault check_pairs(const WorldData& data) {
     return {};
 }
 
+/// Every joint is in the lists of both its bodies and at its place in the list of its type.
+Fault check_joints(const WorldData& data) {
+    std::vector<uint32_t> degree(data.bodies.size());
+    size_t live = 0, listed = 0;
+    for (uint32_t joint = 0; joint < data.joints.size(); ++joint) {
+        if (data.joint_generations[joint] == 0) continue;
+        ++live;
+        for (uint32_t body : data.joints[joint].bodies) ++degree[body];
+    }
+    if (live != data.joint_count) return std::string("the number of joints is wrong");
+    for (uint32_t body = 0; body < data.bodies.size(); ++body) {
+        uint32_t walked = 0;
+        data.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+            walked += data.joints[joint].bodies[side] == body;
+        });
+        if (walked != degree[body] || walked != data.bodies[body].joint_count)
+            return "body " + number(body) + " has a broken list of joints";
+    }
+    bool placed = true;
+    auto check_list = [&](const auto& list) {
+        for (size_t place = 0; place < list.size(); ++place)
+            placed &= data.joints[list[place].joint].place == place;
+        listed += list.size();
+    };
+    std::apply([&](const auto&... list) { (check_list(list), ...); }, data.joint_lists);
+    if (!placed || listed != live) return std::string("a list of joints does not hold its joints");
+    return {};
+}
+
 }  // namespace
 
 std::optional<std::string> detail::WorldData::validate() const {
-    for (auto check : {check_bodies, check_contacts, check_trees, check_pairs}) {
+    for (auto check : {check_bodies, check_contacts, check_trees, check_pairs, check_joints}) {
         if (Fault fault = check(*this)) return fault;
     }
     return {};

@@ -171,22 +171,6 @@ Shape World::create_shape(const Polygon& polygon, const ShapeDef& def) {
     return make_shape(this, *data_, polygon, def);
 }
 
-MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
-    if (!is_valid(def.body)) dangling("body", def.body.index, def.body.generation);
-    JointRecord record;
-    record.body = def.body.index;
-    record.target = to_v2(check_coordinates("target", def.target));
-    record.hertz = check_not_negative("hertz", def.hertz);
-    record.damping_ratio = check_not_negative("damping_ratio", def.damping_ratio);
-    record.max_force = check_range("max_force", def.max_force, 0.0f, infinity);
-    record.enabled = def.enabled;
-    record.user_data = def.user_data;
-    record.anchor = to_v2(def.anchor ? check_coordinates("anchor", *def.anchor)
-                                     : body(def.body).local_point(def.target));
-    const uint32_t slot = data_->create_joint(record);
-    return {this, {slot, data_->joint_generations[slot]}};
-}
-
 void World::clear() {
     for (Body b : bodies()) b.destroy();
     for (Shape s : shapes()) s.destroy();
@@ -208,8 +192,8 @@ std::vector<Shape> World::shapes() {
     return all;
 }
 
-std::vector<MouseJoint> World::joints() {
-    std::vector<MouseJoint> all;
+std::vector<Joint> World::joints() {
+    std::vector<Joint> all;
     for (uint32_t i = 0; i < data_->joints.size(); ++i) {
         if (data_->joint_generations[i] != 0)
             all.emplace_back(this, JointId{i, data_->joint_generations[i]});

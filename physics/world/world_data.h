@@ -5,13 +5,16 @@
 #include <fettle/physics/world.h>
 #include <geometry/vertex_pool.h>
 #include <solver/constraint.h>
-#include <solver/mouse_solver.h>
+#include <solver/distance_joint.h>
+#include <solver/mouse_joint.h>
+#include <solver/revolute_joint.h>
 #include <solver/wide_contact.h>
 #include <world/records.h>
 
 #include <array>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace fettle::physics::detail {
@@ -47,6 +50,18 @@ struct BorderPlane {
     float depth = 0.0f;
 };
 
+/// By type, in the order of `JointType`: what joints are set to, and what they are in a step.
+using JointLists =
+    std::tuple<std::vector<MouseData>, std::vector<DistanceData>, std::vector<RevoluteData>>;
+using JointConstraints = std::tuple<std::vector<MouseConstraint>, std::vector<DistanceConstraint>,
+                                    std::vector<RevoluteConstraint>>;
+template <class Data>
+inline constexpr JointType joint_type = JointType::mouse;
+template <>
+inline constexpr JointType joint_type<DistanceData> = JointType::distance;
+template <>
+inline constexpr JointType joint_type<RevoluteData> = JointType::revolute;
+
 /// Everything of a world: arrays addressed by slot, lists of what is awake, lists of what an edit
 /// left out of date. The member functions are grouped by the file that defines them.
 struct WorldData : Columns {
@@ -56,6 +71,7 @@ struct WorldData : Columns {
     std::vector<ShapeRecord> shapes;
     std::vector<ContactRecord> contacts;
     std::vector<JointRecord> joints;
+    JointLists joint_lists;
     std::vector<Island> islands;
     uint32_t free_body = none, free_shape = none, free_contact = none, free_joint = none,
              free_island = none;
@@ -87,6 +103,7 @@ struct WorldData : Columns {
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
     bool baseline_kernels = false;         ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
+    JointConstraints joint_constraints;
     std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
     std::vector<FastBody> fast_bodies;
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio
@@ -118,8 +135,46 @@ struct WorldData : Columns {
     void destroy_shape(uint32_t shape);
     void attach_shape(uint32_t shape, uint32_t body);
     void detach_shape(uint32_t shape);
-    uint32_t create_joint(const JointRecord& record);
+
+    // joints.cpp: what links two bodies
+    template <class Data>
+    uint32_t create_joint(const JointRecord& record, const Data& data) {
+        auto& list = std::get<std::vector<Data>>(joint_lists);
+        const uint32_t slot = add_joint(record, joint_type<Data>, uint32_t(list.size()));
+        list.push_back(data);
+        list.back().joint = slot;
+        return slot;
+    }
+    uint32_t add_joint(const JointRecord& record, JointType type, uint32_t place);
     void destroy_joint(uint32_t joint);
+    void link_joint(uint32_t joint, uint32_t side);
+    void unlink_joint(uint32_t joint, uint32_t side);
+    void set_joint_body(uint32_t joint, uint32_t side, uint32_t body);
+    void set_joint_enabled(uint32_t joint, bool enabled);
+    void set_joint_collide(uint32_t joint, bool collide);
+    void wake_joint(uint32_t joint);
+    void wake_jointed();
+    bool keeps_apart(uint32_t joint) const;
+    bool joint_forbids_contact(uint32_t body_a, uint32_t body_b) const;
+    void refilter_joint(uint32_t joint);
+    enum class Role { idle, asleep, acting };
+    Role role_of(const JointRecord& joint) const;
+    JointEnds joint_ends(const JointRecord& joint) const;
+    template <class Constraint>
+    void prepare_list(const JointStep& step, std::vector<Constraint>& made);
+    JointStep prepare_joints(float h);
+    void warm_start_joints();
+    void solve_joints(const JointStep& step);
+    void relax_joints(const JointStep& step);
+    void store_joints(const JointStep& step);
+    template <typename Visit>
+    void for_each_joint(uint32_t body, Visit&& visit) const {
+        for (uint32_t edge = bodies[body].first_joint; edge != none;) {
+            const uint32_t next = joints[edge >> 1].edges[edge & 1].next;
+            visit(edge >> 1, edge & 1);
+            edge = next;
+        }
+    }
 
     // edits.cpp: what an edit leaves to do, and doing it when somebody looks
     void mark_geometry(uint32_t shape);
@@ -140,6 +195,7 @@ struct WorldData : Columns {
 
     // contacts.cpp: pairs and manifolds
     void find_pairs();
+    bool filters_agree(uint32_t shape_a, uint32_t shape_b) const;
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const;
     void try_pair(uint32_t shape, uint32_t other);
     void create_contact(uint32_t shape_a, uint32_t shape_b);
@@ -186,7 +242,6 @@ struct WorldData : Columns {
     void step(float dt);
     void solve(float dt);
     void gather_bodies(float h);
-    std::vector<MouseConstraint> prepare_joints(float h);
     void finish_bodies(float dt);
     void finish_shapes(uint32_t body, Rotation q);
     // continuous.cpp

@@ -14,7 +14,7 @@ local rows = {
     { "Period", "one step" },
     { "R", "the scene from its beginning" },
     { "G", "gravity off and on" },
-    { "K  V  M", "contacts, velocities, centers of mass" },
+    { "K  V  M  J", "contacts, velocities, centers of mass, joints" },
     { "T", "red while touching" },
     { "H", "this help" },
     { "Grave", "the console: every value is live" },

@@ -27,6 +27,7 @@ local commands = {
     k = function() view.show.contacts = not view.show.contacts end,
     v = function() view.show.velocities = not view.show.velocities end,
     m = function() view.show.centers = not view.show.centers end,
+    j = function() view.show.joints = not view.show.joints end,
     g = function() world.gravity = world.gravity.y == 0 and vec(0, -10) or vec(0, 0) end,
     t = function() showcase.red_touch = not showcase.red_touch end,
     c = tools.circle,

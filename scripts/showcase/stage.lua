@@ -9,6 +9,7 @@ function stage.show(name)
     world.stage = scene.load("showcase/" .. name .. ".json", world, "stage")
     view.center = world.stage.eye
     view.height = world.stage.eye_height
+    view.show.joints = world.stage:has("show_joints") and world.stage.show_joints
     time.paused = false
 end
 

@@ -151,7 +151,7 @@ TEST_CASE("bodies and shapes die anywhere in random sequences and the world stay
         auto shapes = world.shapes();
         const float x = float(random() % 1000) / 100.0f - 5.0f,
                     y = float(random() % 1000) / 100.0f + 1.0f;
-        switch (random() % 18) {
+        switch (random() % 21) {
             case 0:
             case 1:
             case 2:
@@ -207,6 +207,33 @@ TEST_CASE("bodies and shapes die anywhere in random sequences and the world stay
             case 17: {
                 auto joints = world.joints();
                 if (!joints.empty()) pick(joints).destroy();
+                break;
+            }
+            case 18:
+            case 19: {
+                if (bodies.size() < 2) break;
+                JointDef def = {.body_a = pick(bodies).id(), .body_b = pick(bodies).id()};
+                def.collide = random() % 2 == 0;
+                def.anchor_a = {x, y};
+                if (random() % 4 == 0) def.body_a = {};
+                if (def.body_a == def.body_b) break;
+                if (random() % 2 == 0)
+                    world.create_distance_joint(def);
+                else
+                    world.create_revolute_joint(def).set_max_motor_torque(infinity);
+                break;
+            }
+            case 20: {
+                auto joints = world.joints();
+                if (joints.empty()) break;
+                Joint joint = pick(joints);
+                if (random() % 2 == 0) joint.set_enabled(!joint.enabled());
+                joint.set_collide(!joint.collide());
+                if (joint.type() == JointType::distance) {
+                    DistanceJoint distance = world.distance_joint(joint.id());
+                    distance.set_hertz(random() % 2 == 0 ? 0.0f : 30.0f);
+                    distance.set_max_length(std::fabs(x));
+                }
                 break;
             }
         }

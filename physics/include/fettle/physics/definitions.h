@@ -98,6 +98,17 @@ struct Polygon {
     float rounding = 0.0f;  ///< radius added all round
 };
 
+/// What every joint starts with; the rest is set on the joint.
+struct JointDef {
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = Vec2::Zero();  ///< body coordinates, m
+    Vec2 anchor_b = Vec2::Zero();
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+};
+
 /// A soft pull of a point of a body towards a target: how a mouse drags.
 struct MouseJointDef {
     BodyId body = {};

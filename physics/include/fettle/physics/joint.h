@@ -4,43 +4,121 @@
 
 namespace fettle::physics {
 
-/// A light handle to a joint that drags a point of a body softly towards a target. Errors as for
-/// `Body`. Every setter wakes the body. Destroying the body destroys the joint.
-class MouseJoint {
+namespace detail {
+struct WorldData;
+}
+
+/// A light handle to what ties two bodies together, or one to the world. Errors as for `Body`.
+/// Every setter wakes both bodies and takes effect in the next step. Destroying a body destroys its
+/// joints. Where a body is expected, an invalid one is the world; where one is returned, too.
+class Joint {
   public:
-    MouseJoint() = default;
-    MouseJoint(World* world, JointId id) : world_(world), id_(id) {}
+    Joint() = default;
+    Joint(World* world, JointId id) : world_(world), id_(id) {}
 
     bool is_valid() const;
     explicit operator bool() const { return is_valid(); }
     JointId id() const { return id_; }
     World& world() const { return *world_; }
-    friend bool operator==(const MouseJoint&, const MouseJoint&) = default;
+    friend bool operator==(const Joint&, const Joint&) = default;
     void destroy();
 
-    JointType type() const { return JointType::mouse; }
-    Body body() const;
-    void set_body(const Body& body);  ///< keeps the anchor's body coordinates
-    Vec2 anchor() const;              ///< body coordinates, m
-    void set_anchor(const Vec2& anchor);
-    Vec2 target() const;  ///< world, m
-    void set_target(const Vec2& target);
-    float hertz() const;
-    void set_hertz(float hertz);
-    float damping_ratio() const;
-    void set_damping_ratio(float ratio);
-    float max_force() const;  ///< N
-    void set_max_force(float force);
+    JointType type() const;
+    Body body_a() const;
+    void set_body_a(const Body& body);  ///< keeps the anchor's body coordinates; not that of b
+    Body body_b() const;
+    void set_body_b(const Body& body);
+    Vec2 anchor_a() const;  ///< body coordinates, m
+    void set_anchor_a(const Vec2& anchor);
+    Vec2 anchor_b() const;
+    void set_anchor_b(const Vec2& anchor);
+    Vec2 world_anchor_a() const;
+    Vec2 world_anchor_b() const;
     bool enabled() const;
-    void set_enabled(bool enabled);
-    Vec2 force() const;  ///< N, what it pulled with in the last step
+    void set_enabled(bool enabled);  ///< disabled, it does nothing at all
+    bool collide() const;
+    void set_collide(bool collide);  ///< whether the two bodies collide with each other
+    Vec2 force() const;              ///< N, on body b in the last step
+    float torque() const;            ///< N m, on body b in the last step, besides that of the force
 
     uint64_t user_data() const;
     void set_user_data(uint64_t value);
 
+  protected:
+    detail::WorldData& live() const;
+    template <class Data>
+    Data& own() const;
+    template <class Data>
+    Data& edit() const;  ///< the same, waking the bodies
+
   private:
+    void set_body(uint32_t side, const Body& body);
+
     World* world_ = nullptr;
     JointId id_;
+};
+
+/// Drags a point of a body softly towards a target.
+class MouseJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    Body body() const { return body_b(); }
+    void set_body(const Body& body);  ///< keeps the anchor's body coordinates; not the world
+    Vec2 anchor() const { return anchor_b(); }
+    void set_anchor(const Vec2& anchor) { set_anchor_b(anchor); }
+    Vec2 target() const { return anchor_a(); }  ///< world, m
+    void set_target(const Vec2& target);
+    float hertz() const;
+    void set_hertz(float hertz);  ///< 0: slack
+    float damping_ratio() const;
+    void set_damping_ratio(float ratio);
+    float max_force() const;  ///< N
+    void set_max_force(float force);
+};
+
+/// A rod, a rope or a spring between two points.
+class DistanceJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    float length() const;  ///< m, of the rod, or of the spring at rest
+    void set_length(float length);
+    float min_length() const;  ///< m; where it is above `max_length`, that counts
+    void set_min_length(float length);
+    float max_length() const;  ///< m; infinity: none
+    void set_max_length(float length);
+    float hertz() const;  ///< infinity (the default): a rod; 0: slack between the limits
+    void set_hertz(float hertz);
+    float damping_ratio() const;  ///< of the spring; 1 comes to rest without swinging
+    void set_damping_ratio(float ratio);
+    float distance() const;  ///< m, between the anchors now
+};
+
+/// Holds two points together: the bodies turn about them.
+class RevoluteJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    /// rad, of b relative to a, less the reference; not wrapped. Limits and spring speak of it.
+    float angle() const;
+    float reference_angle() const;
+    void set_reference_angle(float angle);
+    float lower_angle() const;  ///< rad; -infinity (the default): none
+    void set_lower_angle(float angle);
+    float upper_angle() const;  ///< rad; infinity (the default): none. It counts where they cross
+    void set_upper_angle(float angle);
+    float motor_speed() const;  ///< rad/s, of b relative to a
+    void set_motor_speed(float speed);
+    float max_motor_torque() const;  ///< N m; 0 (the default): no motor
+    void set_max_motor_torque(float torque);
+    float hertz() const;  ///< of a spring to `target_angle`; 0 (the default): none
+    void set_hertz(float hertz);
+    float damping_ratio() const;
+    void set_damping_ratio(float ratio);
+    float target_angle() const;  ///< rad
+    void set_target_angle(float angle);
+    float motor_torque() const;  ///< N m, what the motor gave in the last step
 };
 
 }  // namespace fettle::physics

@@ -49,7 +49,7 @@ enum class ShapeType : uint8_t {
             ///< and rays
 };
 
-enum class JointType : uint8_t { mouse };
+enum class JointType : uint8_t { mouse, distance, revolute };
 
 /// Axis-aligned box. `min` is the lower left corner.
 struct Aabb {

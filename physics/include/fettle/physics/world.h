@@ -28,7 +28,7 @@ struct Columns {
 };
 }  // namespace detail
 
-/// A world of rigid bodies. It owns everything; `Body`, `Shape` and `MouseJoint` are handles into
+/// A world of rigid bodies. It owns everything; `Body`, `Shape` and `Joint` are handles into
 /// it, so it neither moves nor must it die before they are last used. Not thread-safe; different
 /// worlds are independent.
 ///
@@ -88,6 +88,8 @@ class World {
     Shape create_shape(const Segment& segment, const ShapeDef& def = {});
     Shape create_shape(const Polygon& polygon, const ShapeDef& def = {});
     MouseJoint create_mouse_joint(const MouseJointDef& def);
+    DistanceJoint create_distance_joint(const JointDef& def);  ///< a rod as long as it is now
+    RevoluteJoint create_revolute_joint(const JointDef& def);  ///< the angle now counts as 0
     void clear();  ///< destroys every body, shape and joint
 
     bool is_valid(BodyId id) const {
@@ -104,7 +106,10 @@ class World {
     }
     Body body(BodyId id) { return {this, id}; }
     Shape shape(ShapeId id) { return {this, id}; }
+    Joint joint(JointId id) { return {this, id}; }
     MouseJoint mouse_joint(JointId id) { return {this, id}; }
+    DistanceJoint distance_joint(JointId id) { return {this, id}; }
+    RevoluteJoint revolute_joint(JointId id) { return {this, id}; }
 
     // Unchecked, for hosts that keep slots: `index` must be that of a live body. A reference holds
     // until the next creation of a body.
@@ -121,7 +126,7 @@ class World {
     // Everything alive, in slot order. The border of the world is not listed.
     std::vector<Body> bodies();
     std::vector<Shape> shapes();
-    std::vector<MouseJoint> joints();
+    std::vector<Joint> joints();
     std::vector<Contact> contacts() const;  ///< touching ones, sleeping ones too
     uint32_t body_count() const;
     uint32_t shape_count() const;
@@ -148,7 +153,7 @@ class World {
   private:
     friend class Body;
     friend class Shape;
-    friend class MouseJoint;
+    friend class Joint;
     detail::WorldData& data() const { return *data_; }
 
     std::unique_ptr<detail::WorldData> data_;

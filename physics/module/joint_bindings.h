@@ -1,0 +1,91 @@
+#pragma once
+// Bindings of joints: what they are set to is kept in the record and, while the joint acts, told to
+// the library.
+
+#include "bindings.h"
+
+namespace fettle::physics_module {
+
+template <auto Field>
+struct Settings;
+template <class Of, class Held, Held Of::*Field>
+struct Settings<Field> {
+    using Class = Of;
+    using Value = Held;
+};
+
+/// A setting of one type of joint.
+template <auto Field, auto Set>
+Binding joint_setting(Hosting& hosting) {
+    using Of = typename Settings<Field>::Class;
+    using Native = typename Of::Native;
+    using Argument = typename Setter<Set>::Argument;
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return to_value(h.joints.settings<Of>(row).*Field); },
+        [](Hosting& h, Row row, const Value& value) {
+            const auto wanted = from_value<Argument>(value);
+            if (Native joint = h.joints.native<Native>(row)) (joint.*Set)(wanted);
+            h.joints.settings<Of>(row).*Field = wanted;
+        });
+}
+
+/// A setting that is found when the joint begins to act unless one is given; `Look` tells what
+/// would be found now.
+template <auto Field, auto Set, auto Look>
+Binding found_setting(Hosting& hosting) {
+    using Of = typename Settings<Field>::Class;
+    using Native = typename Of::Native;
+    using Argument = typename Setter<Set>::Argument;
+    Binding binding = accessor(
+        hosting,
+        [](Hosting& h, Row row) {
+            const auto& found = h.joints.settings<Of>(row).*Field;
+            return to_value(found.value ? *found.value : Look(h.joints, h.joints.at(row)));
+        },
+        [](Hosting& h, Row row, const Value& value) {
+            const auto wanted = from_value<Argument>(value);
+            if (Native joint = h.joints.native<Native>(row)) (joint.*Set)(wanted);
+            (h.joints.settings<Of>(row).*Field).give(wanted);
+        });
+    binding.reset = [](void* context, Row row) {
+        auto& joints = static_cast<Hosting*>(context)->joints;
+        (joints.settings<Of>(row).*Field).give(std::nullopt);
+        joints.remake(row);
+    };
+    binding.overridden = [](void* context, Row row) {
+        return (static_cast<Hosting*>(context)->joints.settings<Of>(row).*Field).value.has_value();
+    };
+    return binding;
+}
+
+template <class Of>
+property::Lifecycle joint_lifecycle(Hosting& hosting) {
+    property::Lifecycle lifecycle;
+    lifecycle.context = &hosting;
+    lifecycle.create = [](void* context, property::Tree&, Handle self) {
+        auto& h = *static_cast<Hosting*>(context);
+        return h.joints.create<Of>(h.world_above(self));
+    };
+    lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
+        auto& h = *static_cast<Hosting*>(context);
+        h.joints.place(row, h.world_above(self));
+        return row;
+    };
+    lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
+        static_cast<Hosting*>(context)->joints.destroy(row);
+    };
+    return lifecycle;
+}
+
+/// A number of a joint that is no less than zero.
+Property joint_number(std::string name, double default_value, std::string unit, std::string doc,
+                      Binding binding);
+/// What a joint found, or was given.
+Property found_number(std::string name, std::string unit, std::string doc, Binding binding);
+/// A number that is only told.
+Property joint_figure(std::string name, std::string unit, std::string doc, Binding binding);
+
+void define_distance_joint(Hosting& hosting);
+void define_revolute_joint(Hosting& hosting);
+
+}  // namespace fettle::physics_module

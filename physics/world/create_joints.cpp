@@ -1,0 +1,65 @@
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <stdexcept>
+
+// Joints are made with what all have; what a type adds has defaults.
+
+namespace fettle::physics {
+
+using namespace detail;
+
+namespace {
+
+JointRecord checked(const World& world, const JointDef& def) {
+    JointRecord record;
+    const BodyId ids[2] = {def.body_a, def.body_b};
+    for (int side = 0; side < 2; ++side) {
+        if (!ids[side]) continue;
+        if (!world.is_valid(ids[side])) dangling("body", ids[side].index, ids[side].generation);
+        record.bodies[side] = ids[side].index;
+    }
+    if (record.bodies[0] == record.bodies[1])
+        throw std::invalid_argument("body_a and body_b: expected two different bodies");
+    record.anchors[0] = to_v2(check_coordinates("anchor_a", def.anchor_a));
+    record.anchors[1] = to_v2(check_coordinates("anchor_b", def.anchor_b));
+    record.collide = def.collide;
+    record.enabled = def.enabled;
+    record.user_data = def.user_data;
+    return record;
+}
+
+}  // namespace
+
+MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
+    if (!is_valid(def.body)) dangling("body", def.body.index, def.body.generation);
+    JointRecord record;
+    record.bodies[1] = def.body.index;
+    record.anchors[0] = to_v2(check_coordinates("target", def.target));
+    record.anchors[1] = to_v2(def.anchor ? check_coordinates("anchor", *def.anchor)
+                                         : body(def.body).local_point(def.target));
+    record.enabled = def.enabled;
+    record.user_data = def.user_data;
+    MouseData mouse;
+    mouse.hertz = check_not_negative("hertz", def.hertz);
+    mouse.damping_ratio = check_not_negative("damping_ratio", def.damping_ratio);
+    mouse.max_force = check_range("max_force", def.max_force, 0.0f, infinity);
+    const uint32_t slot = data_->create_joint(record, mouse);
+    return {this, {slot, data_->joint_generations[slot]}};
+}
+
+DistanceJoint World::create_distance_joint(const JointDef& def) {
+    const uint32_t slot = data_->create_joint(checked(*this, def), DistanceData{});
+    DistanceJoint joint(this, {slot, data_->joint_generations[slot]});
+    joint.set_length(joint.distance());
+    return joint;
+}
+
+RevoluteJoint World::create_revolute_joint(const JointDef& def) {
+    const uint32_t slot = data_->create_joint(checked(*this, def), RevoluteData{});
+    RevoluteJoint joint(this, {slot, data_->joint_generations[slot]});
+    joint.set_reference_angle(joint.angle());
+    return joint;
+}
+
+}  // namespace fettle::physics

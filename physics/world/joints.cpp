@@ -1,0 +1,249 @@
+#include <world/world_data.h>
+
+#include <utility>
+
+// Joints: what all of them have in slots, linked into lists of both bodies, and what a type adds in
+// a list of that type without gaps. A step writes those that act into constraints, in the order of
+// the lists, and reads their impulses back.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Calls `visit` with the list of that type.
+template <class Visit, size_t... I>
+void with_list(JointLists& lists, JointType type, Visit&& visit, std::index_sequence<I...>) {
+    ((size_t(type) == I ? visit(std::get<I>(lists)) : void()), ...);
+}
+
+}  // namespace
+
+uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_t place) {
+    uint32_t slot = free_joint;
+    if (slot != none) {
+        free_joint = joints[slot].next_free;
+    } else {
+        slot = uint32_t(joints.size());
+        joints.emplace_back();
+        joint_generations.push_back(0);
+    }
+    joints[slot] = record;
+    joints[slot].type = type;
+    joints[slot].place = place;
+    joint_generations[slot] = next_generation++;
+    ++joint_count;
+    link_joint(slot, 0);
+    link_joint(slot, 1);
+    wake_joint(slot);
+    refilter_joint(slot);
+    return slot;
+}
+
+void WorldData::destroy_joint(uint32_t joint) {
+    wake_joint(joint);
+    joints[joint].enabled = false;
+    refilter_joint(joint);
+    unlink_joint(joint, 0);
+    unlink_joint(joint, 1);
+    const uint32_t place = joints[joint].place;
+    auto erase = [&](auto& list) {
+        list[place] = list.back();
+        joints[list[place].joint].place = place;
+        list.pop_back();
+    };
+    constexpr auto types = std::make_index_sequence<std::tuple_size_v<JointLists>>();
+    with_list(joint_lists, joints[joint].type, erase, types);
+    joints[joint] = {};
+    joints[joint].next_free = free_joint;
+    free_joint = joint;
+    joint_generations[joint] = 0;
+    --joint_count;
+}
+
+void WorldData::link_joint(uint32_t joint, uint32_t side) {
+    JointRecord& record = joints[joint];
+    BodyRecord& body = bodies[record.bodies[side]];
+    record.edges[side] = {none, body.first_joint};
+    if (body.first_joint != none)
+        joints[body.first_joint >> 1].edges[body.first_joint & 1].previous = joint << 1 | side;
+    body.first_joint = joint << 1 | side;
+    ++body.joint_count;
+}
+
+void WorldData::unlink_joint(uint32_t joint, uint32_t side) {
+    BodyRecord& body = bodies[joints[joint].bodies[side]];
+    const ListEdge edge = joints[joint].edges[side];
+    if (edge.previous != none)
+        joints[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
+    else
+        body.first_joint = edge.next;
+    if (edge.next != none) joints[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
+    --body.joint_count;
+}
+
+void WorldData::set_joint_body(uint32_t joint, uint32_t side, uint32_t body) {
+    wake_joint(joint);
+    const bool enabled = std::exchange(joints[joint].enabled, false);
+    refilter_joint(joint);  // those who part may collide
+    unlink_joint(joint, side);
+    joints[joint].bodies[side] = body;
+    link_joint(joint, side);
+    joints[joint].enabled = enabled;
+    auto forget = [&](auto& list) { list[joints[joint].place].impulses = {}; };
+    constexpr auto types = std::make_index_sequence<std::tuple_size_v<JointLists>>();
+    with_list(joint_lists, joints[joint].type, forget, types);
+    wake_joint(joint);
+    refilter_joint(joint);
+}
+
+void WorldData::set_joint_enabled(uint32_t joint, bool enabled) {
+    joints[joint].enabled = enabled;
+    wake_joint(joint);
+    refilter_joint(joint);
+}
+
+void WorldData::set_joint_collide(uint32_t joint, bool collide) {
+    joints[joint].collide = collide;
+    wake_joint(joint);
+    refilter_joint(joint);
+}
+
+void WorldData::wake_joint(uint32_t joint) {
+    for (uint32_t body : joints[joint].bodies) wake_body(body);
+}
+
+/// Who sleeps at a joint to something that has begun to move.
+void WorldData::wake_jointed() {
+    if (island_count == 0) return;
+    for (uint32_t joint = 0; joint < joints.size(); ++joint) {
+        const auto [a, b] = joints[joint].bodies;
+        if (joint_generations[joint] == 0 || !joints[joint].enabled) continue;
+        if (bodies[a].asleep() && in_motion(b)) wake_body(a);
+        if (bodies[b].asleep() && in_motion(a)) wake_body(b);
+    }
+}
+
+/// The border belongs to the world, and what hangs in the world still collides with it.
+bool WorldData::keeps_apart(uint32_t joint) const {
+    const JointRecord& j = joints[joint];
+    return j.enabled && !j.collide && j.bodies[0] != 0 && j.bodies[1] != 0;
+}
+
+bool WorldData::joint_forbids_contact(uint32_t body_a, uint32_t body_b) const {
+    if (bodies[body_a].joint_count > bodies[body_b].joint_count) std::swap(body_a, body_b);
+    for (uint32_t edge = bodies[body_a].first_joint; edge != none;) {
+        const JointRecord& joint = joints[edge >> 1];
+        if (joint.bodies[~edge & 1] == body_b && keeps_apart(edge >> 1)) return true;
+        edge = joint.edges[edge & 1].next;
+    }
+    return false;
+}
+
+/// After an edit: contacts between the two bodies end, or are looked for.
+void WorldData::refilter_joint(uint32_t joint) {
+    auto [a, b] = joints[joint].bodies;
+    if (bodies[a].contact_count > bodies[b].contact_count) std::swap(a, b);
+    if (joint_forbids_contact(a, b)) {
+        for_each_contact(a, [&](uint32_t contact) {
+            if (other_body(contact, a) == b) destroy_contact(contact);
+        });
+        return;
+    }
+    if (a == 0 || b == 0) return;
+    for (uint32_t body : {a, b}) {
+        for (uint32_t s = bodies[body].first_shape; s != none; s = shapes[s].next) mark_moved(s);
+    }
+}
+
+WorldData::Role WorldData::role_of(const JointRecord& joint) const {
+    Role role = Role::idle;
+    for (uint32_t body : joint.bodies) {
+        if (!joint.enabled || bodies[body].mobility != Mobility::dynamic) continue;
+        if (bodies[body].solver_index != 0) return Role::acting;
+        role = Role::asleep;
+    }
+    return role;
+}
+
+JointEnds WorldData::joint_ends(const JointRecord& joint) const {
+    const auto [a, b] = joint.bodies;
+    const BodyRecord &body_a = bodies[a], &body_b = bodies[b];
+    JointEnds ends;
+    ends.a = body_a.solver_index;
+    ends.b = body_b.solver_index;
+    ends.place = joint.place;
+    ends.start_a =
+        rotate({states[a].cosine, states[a].sine}, joint.anchors[0] - body_a.local_center);
+    ends.start_b =
+        rotate({states[b].cosine, states[b].sine}, joint.anchors[1] - body_b.local_center);
+    ends.lever_a = ends.start_a;
+    ends.lever_b = ends.start_b;
+    ends.apart = body_b.center - body_a.center;
+    ends.angle = (states[b].angle - states[a].angle) + (body_b.angle_rest - body_a.angle_rest);
+    return ends;
+}
+
+template <class Constraint>
+void WorldData::prepare_list(const JointStep& step, std::vector<Constraint>& made) {
+    made.clear();
+    for (auto& data : std::get<std::vector<typename Constraint::Data>>(joint_lists)) {
+        JointRecord& joint = joints[data.joint];
+        const Role role = role_of(joint);
+        if (role == Role::idle) {
+            data.impulses = {};
+            joint.force = {};
+            joint.torque = 0.0f;
+        }
+        if (role != Role::acting) continue;  // asleep, it goes on as it was when it wakes
+        Constraint& c = made.emplace_back();
+        c.ends = joint_ends(joint);
+        c.impulses = data.impulses;
+        c.impulses.scale(step.impulse_ratio);
+        c.prepare(data, step, solver_bodies[c.ends.a], solver_bodies[c.ends.b]);
+    }
+}
+
+JointStep WorldData::prepare_joints(float h) {
+    JointStep step;
+    step.h = h;
+    step.inverse_h = 1.0f / h;
+    step.impulse_ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+    step.rigid = make_softness(min(60.0f, 0.25f / h), 2.0f, h);
+    std::apply([&](auto&... list) { (prepare_list(step, list), ...); }, joint_constraints);
+    return step;
+}
+
+void WorldData::warm_start_joints() {
+    auto pass = [&](auto& list) {
+        for (auto& c : list) c.warm_start(solver_bodies[c.ends.a], solver_bodies[c.ends.b]);
+    };
+    std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
+}
+
+void WorldData::solve_joints(const JointStep& step) {
+    auto pass = [&](auto& list) {
+        for (auto& c : list) c.solve(solver_bodies[c.ends.a], solver_bodies[c.ends.b], step);
+    };
+    std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
+}
+
+void WorldData::relax_joints(const JointStep& step) {
+    auto pass = [&](auto& list) {
+        for (auto& c : list) c.relax(solver_bodies[c.ends.a], solver_bodies[c.ends.b], step);
+    };
+    std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
+}
+
+void WorldData::store_joints(const JointStep& step) {
+    auto pass = [&](auto& list) {
+        using Data = typename std::remove_cvref_t<decltype(list)>::value_type::Data;
+        for (auto& c : list) {
+            Data& data = std::get<std::vector<Data>>(joint_lists)[c.ends.place];
+            data.impulses = c.impulses;
+            joints[data.joint].force = step.inverse_h * c.push();
+            joints[data.joint].torque = step.inverse_h * c.twist();
+        }
+    };
+    std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
+}
+
+}  // namespace fettle::physics::detail
