@@ -197,7 +197,7 @@ std::vector<HistoryEntry> History::entries() const {
 // ---------------------------------------------------------------------------------------------------------
 
 UndoResult History::undo() {
-    if (depth_ > 0)
+    if (depth_ > 0 && !open_.steps.empty())
         throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
     if (done_.empty()) return {};
     Transaction transaction = std::move(done_.back());
@@ -208,7 +208,7 @@ UndoResult History::undo() {
 }
 
 UndoResult History::redo() {
-    if (depth_ > 0)
+    if (depth_ > 0 && !open_.steps.empty())
         throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
     if (undone_.empty()) return {};
     Transaction transaction = std::move(undone_.back());

@@ -8,6 +8,7 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include "formulas.h"
 #include "guard.h"
 #include "instance.h"
 #include "machine.h"
@@ -100,7 +101,9 @@ void fill(lua_State* L, Machine& machine, const Class& of, Handle made) {
     for (const std::string& key : properties) {
         push_key(L, key);
         lua_replace(L, 3);
-        if (const Property* property = of.property(key)) {
+        if (is_formula(L, 3)) {
+            define_formula(L, machine, 3, made, key);
+        } else if (const Property* property = of.property(key)) {
             const Value value = to_value(L, 3);
             machine.classes->explain_integer(*property, value);
             machine.tree.set(made, *property, value);

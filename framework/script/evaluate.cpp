@@ -11,6 +11,7 @@
 
 #include "errors.h"
 #include "format.h"
+#include "formulas.h"
 #include "help.h"
 #include "machine.h"
 #include "protected.h"
@@ -109,7 +110,7 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
     auto& edits = machine.recording.edits;
     std::size_t shown = 0, changed = 0;
     for (const auto& edit : edits) {
-        const bool same = edit.note.empty() && edit.before == edit.after;
+        const bool same = edit.note.empty() && edit.before == edit.after && !edit.replaced;
         if (same && edits.size() > 1) continue;
         ++changed;
         if (shown >= most_echoes) continue;
@@ -122,7 +123,10 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
         if (!same) line += cut(machine.tree.text(edit.before, edit.precision), 60) + " → ";
         line += cut(machine.tree.text(edit.after, edit.precision), 60);
         if (!edit.unit.empty()) line += " " + edit.unit;
-        if (same) line += " (unchanged)";
+        if (edit.replaced)
+            line += " (replaces its formula)";
+        else if (same)
+            line += " (unchanged)";
         evaluation.lines.push_back(std::move(line));
     }
     changed += machine.recording.dropped;
@@ -149,11 +153,30 @@ Compiled compile(lua_State* L, std::string_view command) {
     return ends_early(L) ? Compiled::incomplete : Compiled::wrong;
 }
 
-// `a.b is expr` will define a formula.
-bool looks_like_formula(std::string_view command) {
+// `a.b is expr`: the formula whose text is the expression becomes the value of `b` of `a`. False
+// when it is not of that form.
+bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     const std::size_t at = command.find(" is ");
-    std::string last;
-    return at != std::string_view::npos && is_plain_path(trimmed(command.substr(0, at)), last);
+    std::string name;
+    if (at == std::string_view::npos) return false;
+    const std::string_view path = trimmed(command.substr(0, at));
+    const std::string source(trimmed(command.substr(at + 4)));
+    if (!is_plain_path(path, name) || source.empty()) return false;
+    if (!path.ends_with("." + name))
+        throw property::Error(
+            property::ErrorKind::bad_path,
+            "a formula is the value of a property: write it as instance.property is ...");
+    if (compile(L, path.substr(0, path.size() - name.size() - 1)) != Compiled::expression)
+        lua_error(L);
+    lua_call(L, 0, 1);
+    const property::Handle instance = check_instance(L, -1, "is");
+    if (luaL_loadbufferx(L, ("return " + source).data(), source.size() + 7, chunk_name, "t") !=
+        LUA_OK)
+        lua_error(L);
+    push_formula(L, source);
+    define_formula(L, machine, lua_gettop(L), instance, name);
+    lua_settop(L, 0);
+    return true;
 }
 
 // `x?`
@@ -174,13 +197,19 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (add_help(L, machine, command, evaluation)) return;
+    if (command == "undo" || command == "redo") {
+        lua_getglobal(L, std::string(command).c_str());
+        lua_call(L, 0, 0);
+        evaluation.lines = std::move(machine.recording.lines);
+        machine.recording.lines.clear();
+        return;
+    }
     switch (compile(L, command)) {
         case Compiled::incomplete:
             evaluation.incomplete = true;
             return;
         case Compiled::wrong:
-            if (looks_like_formula(command))
-                throw std::runtime_error("formulas (a.b is expression) are not available yet");
+            if (add_formula(L, machine, command)) return;
             lua_error(L);
             return;
         default:
@@ -196,7 +225,11 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
 // Everything that must be undone however the command ends.
 class Session {
   public:
-    explicit Session(Machine& machine) : machine_(machine) {
+    Session(Machine& machine, std::string_view command) : machine_(machine) {
+        {
+            const property::Tree::CauseScope scope(machine.tree, property::Writer::console);
+            machine.tree.begin_edit(std::string(command.substr(0, 80)));
+        }
         machine.recording = {};
         machine.recording.active = true;
         machine.writer = property::Writer::console;
@@ -206,6 +239,7 @@ class Session {
         machine_.budget.end();
         machine_.writer = property::Writer::script;
         machine_.recording.active = false;
+        machine_.tree.end_edit();
     }
     Session(const Session&) = delete;
 
@@ -225,7 +259,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     if (command.front() == '=') command.remove_prefix(1);
     machine.sources["console"] = std::string(command);
     {
-        const Session session(machine);
+        const Session session(machine, command);
         const bool ok = protected_run(
             machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);
         if (!ok) {

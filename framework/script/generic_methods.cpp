@@ -7,6 +7,7 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include "formulas.h"
 #include "guard.h"
 #include "instance.h"
 #include "instance_set.h"
@@ -67,6 +68,28 @@ int has(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string name = text_at(L, 2, "has");
     lua_pushboolean(L, machine.tree.find(self, name) || machine.tree.child(self, name));
+    return 1;
+}
+
+const Property& property_at(lua_State* L, Machine& machine, Handle self, const char* what) {
+    return machine.tree.property(self, text_at(L, 2, what));
+}
+
+int problem(lua_State* L) {
+    const Handle self = check_instance(L, 1, "problem");
+    Machine& machine = machine_of(L);
+    const std::string text = machine.tree.problem(self, property_at(L, machine, self, "problem"));
+    if (text.empty())
+        lua_pushnil(L);
+    else
+        lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+int formula_of(lua_State* L) {
+    const Handle self = check_instance(L, 1, "formula");
+    Machine& machine = machine_of(L);
+    push_formula_function(L, machine, self, property_at(L, machine, self, "formula"));
     return 1;
 }
 
@@ -230,11 +253,15 @@ const std::vector<GenericMethod>& generic_methods() {
          guarded<each>},
         {"find", "class [, condition]",
          "Everything below of that class for which the condition holds, as a set.", guarded<find>},
+        {"formula", "property", "The function that is the property's value, or nil.",
+         guarded<formula_of>},
         {"has", "name", "Whether it has a property or child of that name.", guarded<has>},
         {"is_a", "class", "Whether it is of that class or of one derived from it.", guarded<is_a>},
         {"move", "parent [, name]", "Gives it another parent; nil detaches it.", guarded<move>},
         {"on", "event, function", "Calls the function when the event happens to it.",
          guarded<subscribe_event>},
+        {"problem", "property", "What is wrong with the property's formula, or nil.",
+         guarded<problem>},
         {"watch", "[property,] function",
          "Calls function(new, old, change) after the property has changed.",
          guarded<subscribe_property>},

@@ -28,9 +28,8 @@ const std::vector<std::string>& callback_names() {
 }
 
 const std::vector<std::string>& later_names() {
-    static const std::vector<std::string> names = {
-        "edit",      "formula",  "history", "keep",  "load_game", "redo", "restore", "rewind",
-        "save_game", "snapshot", "tweaks",  "tween", "undo",      "who",  "why"};
+    static const std::vector<std::string> names = {"keep",      "load_game", "restore", "rewind",
+                                                   "save_game", "snapshot",  "tweaks",  "tween"};
     return names;
 }
 

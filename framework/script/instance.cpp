@@ -8,6 +8,7 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include "formulas.h"
 #include "generic_methods.h"
 #include "guard.h"
 #include "machine.h"
@@ -235,6 +236,10 @@ bool write_simple(lua_State* L, Machine& machine, Handle instance, const Propert
 void write_declared(lua_State* L, Machine& machine, Handle instance, const Property& property) {
     if (lua_isnil(L, 3)) {
         clear_property(machine, instance, property);
+        return;
+    }
+    if (is_formula(L, 3)) {
+        define_formula(L, machine, 3, instance, property.name);
         return;
     }
     Value value;

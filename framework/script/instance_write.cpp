@@ -4,6 +4,7 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include "formulas.h"
 #include "generic_methods.h"
 #include "instance.h"
 #include "machine.h"
@@ -87,6 +88,10 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const propert
             clear_property(machine, instance, *property);
             return;
         }
+        if (is_formula(L, 3)) {
+            define_formula(L, machine, 3, instance, name);
+            return;
+        }
         if (!orphan_at(L, machine)) {
             Value value;
             try {
@@ -101,6 +106,10 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const propert
     }
     refuse_near_miss(machine, instance, of, name);
     if (lua_isnil(L, 3)) return;
+    if (is_formula(L, 3)) {
+        define_formula(L, machine, 3, instance, name);
+        return;
+    }
     if (const Handle orphan = orphan_at(L, machine)) {
         place(machine, orphan, instance, name, false);
         return;

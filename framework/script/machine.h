@@ -37,7 +37,8 @@ struct Recording {
         property::Precision precision{};
         property::Value before;
         property::Value after;
-        std::string note;  // instead of values: "new Body", "deleted"
+        bool replaced = false;  // there was a formula
+        std::string note;       // instead of values: "new Body", "deleted"
     };
     bool active = false;
     std::vector<Edit> edits;

@@ -98,6 +98,8 @@ void open_environment(lua_State* L, Machine& machine) {
     open_class_function(L);
     open_require(L);
     open_scenes(L);
+    open_formulas(L);
+    open_history(L);
     open_help(L);
     open_vec(L, machine);
     open_color(L, machine);

@@ -21,6 +21,8 @@ void open_patterns(lua_State* L);
 void open_globals(lua_State* L, Machine& machine);
 void open_require(lua_State* L);
 void open_scenes(lua_State* L);
+void open_formulas(lua_State* L);
+void open_history(lua_State* L);
 void open_pen(lua_State* L, Machine& machine);
 
 /// A line of `print`: into the console's answer or to the host.

@@ -23,7 +23,8 @@ enum class Tag : std::uint32_t {
     list,
     class_object,
     connection,
-    pen
+    pen,
+    formula
 };
 
 /// Where a value was read: a property, or a place inside a list that is its value. Assigning a

@@ -42,9 +42,10 @@ void recorded(Machine& machine, Handle instance, const Property& property, Write
     }
     const property::Symbol symbol = property.symbol;
     const std::string path = machine.tree.path(instance, property);
-    const Value before = machine.tree.get(instance, property);
+    const Value before = machine.tree.peek(instance, property);
     const std::string unit = property.unit;
     const property::Precision precision = property.precision();
+    const bool replaced = machine.tree.formula(instance, property) != nullptr;
     write();  // may remove the property
     const Property* after = machine.tree.find(instance, symbol);
     if (Recording::Edit* edit = record(machine, instance, symbol)) {
@@ -54,7 +55,8 @@ void recorded(Machine& machine, Handle instance, const Property& property, Write
         }
         edit->unit = unit;
         edit->precision = precision;
-        edit->after = after ? machine.tree.get(instance, *after) : Value();
+        edit->after = after ? machine.tree.peek(instance, *after) : Value();
+        if (replaced) edit->replaced = true;
     }
 }
 
@@ -76,6 +78,20 @@ void note(Machine& machine, Handle instance, std::string path, std::string text)
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {
     recorded(machine, instance, property, [&] { machine.tree.set(instance, property, value); });
+}
+
+void write_formula(Machine& machine, Handle instance, std::string_view name,
+                   property::Formula formula) {
+    const std::string source = formula.source.empty() ? "a function" : formula.source;
+    machine.tree.set_formula(instance, name, std::move(formula));
+    if (!machine.recording.active) return;
+    const Property& property = machine.tree.property(instance, name);
+    const std::string problem = machine.tree.problem(instance, property);
+    std::string told = "is " + source + " = ";
+    told += machine.tree.text(machine.tree.peek(instance, property), property.precision());
+    if (!property.unit.empty()) told += " " + property.unit;
+    if (!problem.empty()) told = "is " + source + ", in error: " + problem;
+    note(machine, instance, machine.tree.path(instance, property), told);
 }
 
 void clear_property(Machine& machine, Handle instance, const Property& property) {

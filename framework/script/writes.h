@@ -18,6 +18,9 @@ void clear_property(Machine& machine, property::Handle instance,
 /// Adds an ad-hoc property (or sets what is there).
 void add_property(Machine& machine, property::Handle instance, std::string_view name,
                   const property::Value& value);
+/// The formula is the value from now on; adds the property where there is none.
+void write_formula(Machine& machine, property::Handle instance, std::string_view name,
+                   property::Formula formula);
 /// Gives a detached instance its place.
 void place(Machine& machine, property::Handle instance, property::Handle parent,
            std::string_view name, bool first_plain);

@@ -197,6 +197,7 @@ TEST_CASE_METHOD(Fixture, "undo says what it could not do") {
     REQUIRE(result.notes.size() == 1);
     CHECK_THAT(result.notes[0], contains("deleted since"));
     tree.begin_edit("open");
+    tree.set_or_add(world, "score", 1);
     CHECK_THROWS_AS(tree.undo(), Error);
     tree.end_edit();
 }
