@@ -104,7 +104,7 @@ TEST_CASE("errors in the console show line and caret and the nearest spelling") 
     e = s.runtime->evaluate("nil + 1");
     REQUIRE(e.error);
     CHECK_THAT(e.error->message, contains("arithmetic on a nil value"));
-    CHECK_THAT(s.console("a.b is 3 + 4"), contains("not available yet"));
+    CHECK_THAT(s.console("a.b is 3 + 4"), contains("a: no such name"));
     // What was printed and changed before the error is still told.
     CHECK(s.runtime->evaluate("print('before') error('x')").lines.size() == 1);
 }

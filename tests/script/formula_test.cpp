@@ -1,0 +1,105 @@
+// Formulas and history as scripts and the console see them.
+
+#include "stage.h"
+
+using stage::Stage;
+
+TEST_CASE("a formula of a script follows what it reads") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 } world.shadow = Body {}");
+    s.run("world.shadow.mass = formula(function() return world.ball.mass * 2 end)");
+    CHECK(s.prints("print(world.shadow.mass)") == "4.0");
+    CHECK(s.prints("world.ball.mass = 5 print(world.shadow.mass)") == "10.0");
+    s.run("world.score = formula(function() return world.shadow.mass + 1 end)");
+    CHECK(s.prints("print(world.score, world.shadow:formula('mass') ~= nil, "
+                   "world.ball:formula('mass'))") == "11.0\ttrue\tnil");
+    s.run("world.shadow.mass = 1");
+    CHECK(s.prints("print(world.score, world.shadow:formula('mass'))") == "2.0\tnil");
+    s.run("world.third = Body { mass = formula(function() return world.ball.mass end) }");
+    CHECK(s.prints("print(world.third.mass)") == "5.0");
+}
+
+TEST_CASE("a formula in error raises when it is read and mends itself") {
+    Stage s;
+    s.run("world.total = formula(function() return world.ball.mass end)");
+    CHECK_THAT(s.prints("print(world:problem('total'))"), contains("world.ball: no such name"));
+    CHECK_THAT(s.fails("print(world.total)"), contains("world.total is in error"));
+    s.run("world.ball = Body { mass = 3 }");
+    CHECK(s.prints("print(world.total, world:problem('total'))") == "3.0\tnil");
+    s.run("world.ball = nil");
+    CHECK_THAT(s.prints("print(world:problem('total'))"), contains("no such name"));
+    s.step();
+    CHECK(s.errors.empty());
+}
+
+TEST_CASE("a formula computes and does nothing else") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    s.run("world.a = formula(function() world.ball.mass = 2 return 1 end)");
+    CHECK_THAT(s.prints("print(world:problem('a'))"), contains("cannot write"));
+    s.run("world.b = formula(function() while true do end end)");
+    CHECK_THAT(s.prints("print(world:problem('b'))"), contains("budget"));
+    s.run("world.c = formula(function() coroutine.yield() end)");
+    CHECK_THAT(s.prints("print(world:problem('c'))"), contains("yield"));
+    s.run("world.d = formula(function() return print end)");
+    CHECK(s.prints("print(world:problem('d') ~= nil)") == "true");
+    CHECK_THAT(s.fails("world.e = formula(3)"), contains("needs a function"));
+    CHECK(s.prints("print(world.ball.mass)") == "1.0");
+    s.run(
+        "co = coroutine.wrap(function() world.f = formula(function() return world.ball.mass end) "
+        "return world.f end)");
+    CHECK(s.prints("print(co())") == "1.0");
+}
+
+TEST_CASE("the console defines formulas and says when one is replaced") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 } world.shadow = Body {}");
+    CHECK(s.console("world.shadow.mass is world.ball.mass * 2") ==
+          "world.shadow.mass: is world.ball.mass * 2 = 4 kg");
+    CHECK(s.console("world.ball.mass = 4") == "world.ball.mass: 2 → 4 kg");
+    CHECK(s.console("world.shadow.mass") == "8 kg");
+    CHECK(s.console("why('world.shadow.mass')") ==
+          "world.shadow.mass = 8 kg   is world.ball.mass * 2|  world.ball.mass = 4 kg");
+    CHECK(s.console("world.shadow.mass = 3") ==
+          "world.shadow.mass: 8 → 3 kg (replaces its formula)");
+    CHECK_THAT(s.console("world.shadow.mass is world.nobody.mass"),
+               contains("in error") && contains("nobody"));
+    CHECK_THAT(s.console("world.shadow.mass is"), contains("error"));
+    CHECK_THAT(s.console("ball is 3"), contains("instance.property"));
+    s.runtime->set_it(s.tree->child(s.world, "ball"));
+    CHECK_THAT(s.console("it.mass is 7"), contains("world.ball.mass: is 7 = 7 kg"));
+}
+
+TEST_CASE("a command of the console is one step of undo") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 } world.other = Body {}");
+    s.console("world.ball.mass = 5 world.other.mass = 6");
+    s.console("world.new = Body { mass = 9, Circle {} }");
+    s.console("world.ball = nil");
+    CHECK_THAT(s.console("history()"), contains("world.ball = nil"));
+    CHECK_THAT(s.console("undo"), contains("undo: world.ball = nil"));
+    CHECK(s.console("world.ball.mass") == "5 kg");
+    CHECK_THAT(s.console("undo()"), contains("undo: world.new"));
+    CHECK(s.console("world:has('new')") == "false");
+    s.console("undo");
+    CHECK(s.prints("print(world.ball.mass, world.other.mass)") == "2.0\t1.0");
+    CHECK(s.console("undo") == "nothing to undo");
+    s.console("redo");
+    s.console("redo");
+    CHECK(s.prints("print(world.ball.mass, world.new.mass)") == "5.0\t9.0");
+    CHECK_THAT(s.console("who('world.ball.mass')"), contains("world.ball.mass: "));
+    CHECK_THAT(s.console("who('world.ball')"), contains("is an instance"));
+}
+
+TEST_CASE("what a script does in an edit is undoable and nothing else it does") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 }");
+    s.run("world.ball.mass = 3");
+    s.run("edit('heavier', function() world.ball.mass = 30 world.ball.friction = 0 end)");
+    CHECK_THAT(s.fails("edit('broken', function() world.ball.mass = 31 error('stop') end)"),
+               contains("stop"));
+    s.run("undo()");
+    CHECK(s.prints("print(world.ball.mass)") == "30.0");
+    s.run("undo()");
+    CHECK(s.prints("print(world.ball.mass, world.ball.friction > 0)") == "3.0\ttrue");
+}
