@@ -18,6 +18,7 @@ struct JointStep {
     float h = 0.0f;  ///< sub-step, s
     float inverse_h = 0.0f;
     float impulse_ratio = 1.0f;  ///< to the last sub-step: scales the impulses for warm starting
+    int sweeps = 1;              ///< over all joints in each pass
     Softness rigid;              ///< of what is meant to be rigid
 };
 
