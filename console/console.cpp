@@ -75,7 +75,7 @@ void Console::State::pause_time(bool paused) {
     Handle time;
     const property::Property* property = pause_property(tree, time);
     if (property == nullptr) return;
-    property::Tree::CauseScope cause(tree, property::Writer::console);
+    property::Tree::CauseScope cause(tree, property::Writer::module);
     if (paused) time_was_paused = tree.get(time, *property).boolean();
     if (!time_was_paused) tree.set(time, *property, Value(paused));
     pausing = paused;

@@ -80,6 +80,11 @@ std::string describe(const property::Tree& tree, const Property& property) {
 
 void PropertyEditor::attempt(const Target& target, const std::function<void()>& edit) {
     edited_ = true;
+    // From the press of the mouse to its release all edits are one step of undo.
+    if (!dragging_ && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        dragging_ = true;
+        tree_.begin_edit("edit " + tree_.path(target.instance, *target.property), false);
+    }
     try {
         property::Tree::CauseScope cause(tree_, property::Writer::inspector);
         edit();
@@ -87,6 +92,13 @@ void PropertyEditor::attempt(const Target& target, const std::function<void()>& 
     } catch (const std::exception& error) {
         problems_[target.property] = error.what();
     }
+}
+
+void PropertyEditor::begin_frame() {
+    widgets_.clear();
+    if (!dragging_ || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    dragging_ = false;
+    tree_.end_edit();
 }
 
 void PropertyEditor::write(const Target& target, const Value& value) {

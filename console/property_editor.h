@@ -27,7 +27,7 @@ class PropertyEditor {
     /// True when something was edited: other properties may be gone then.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Call once a frame, before and after all rows.
-    void begin_frame() { widgets_.clear(); }
+    void begin_frame();
     void end_frame() { fields_.end_frame(); }
     /// Where the widget of a property was drawn in the last frame; empty when it was out of sight.
     Rect widget_rect(const property::Property& property) const;
@@ -77,6 +77,7 @@ class PropertyEditor {
     Fields fields_;
     ReferencePicker references_;
     bool edited_ = false;
+    bool dragging_ = false;
     std::unordered_map<const property::Property*, std::string> problems_;
     property::Handle problems_of_;
     std::unordered_map<const property::Property*, Rect> widgets_;

@@ -34,14 +34,21 @@ std::string short_text(std::string text) {
 
 bool History::recording() const {
     if (applying_) return false;
-    const Writer writer = tree_.state().writer;
-    return depth_ > 0
-               ? writer != Writer::simulation && writer != Writer::formula && writer != Writer::load
-               : writer == Writer::console || writer == Writer::inspector ||
-                     writer == Writer::remote;
+    switch (tree_.state().writer) {
+        case Writer::console:
+        case Writer::inspector:
+        case Writer::remote:
+            return true;
+        case Writer::script:
+        case Writer::module:
+            return std::find(scripts_.begin(), scripts_.end(), true) != scripts_.end();
+        default:
+            return false;
+    }
 }
 
-void History::begin(std::string name) {
+void History::begin(std::string name, bool scripts) {
+    scripts_.push_back(scripts);
     if (depth_++ > 0) return;
     open_ = {};
     open_.name = std::move(name);
@@ -49,7 +56,9 @@ void History::begin(std::string name) {
 }
 
 void History::end() {
-    if (depth_ == 0 || --depth_ > 0) return;
+    if (depth_ == 0) return;
+    scripts_.pop_back();
+    if (--depth_ > 0) return;
     close();
 }
 
@@ -65,7 +74,7 @@ void History::close() {
 
 void History::add(Step step, const std::string& name) {
     const bool single = depth_ == 0;
-    if (single) begin(name);
+    if (single) begin(name, false);
     std::size_t bytes = sizeof(Step);
     if (const auto* edit = std::get_if<CellEdit>(&step))
         bytes += size_of(edit->before) + size_of(edit->after);

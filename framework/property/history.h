@@ -39,7 +39,7 @@ class History {
 
     /// Whether what is written now is a person's edit.
     bool recording() const;
-    void begin(std::string name);
+    void begin(std::string name, bool scripts);
     void end();
 
     CellState capture(Handle instance, const Property& property) const;
@@ -110,6 +110,7 @@ class History {
     std::vector<Transaction> undone_;
     Transaction open_;
     int depth_ = 0;
+    std::vector<bool> scripts_;  // of each open edit, whether what scripts write belongs to it
     bool applying_ = false;
     bool keep_slots_ = false;
     std::size_t lost_watchers_ = 0;

@@ -65,8 +65,8 @@ Explanation Tree::why(Handle instance, const Property& property) const {
 
 // --- History ---
 
-void Tree::begin_edit(std::string name) {
-    state_->history.begin(std::move(name));
+void Tree::begin_edit(std::string name, bool scripts) {
+    state_->history.begin(std::move(name), scripts);
 }
 void Tree::end_edit() {
     state_->history.end();

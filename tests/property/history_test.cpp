@@ -78,6 +78,18 @@ TEST_CASE_METHOD(Fixture, "a drag is one step of undo whatever it passes") {
     CHECK(mass() == 99);
 }
 
+TEST_CASE_METHOD(Fixture, "what the game writes during a drag is no part of it") {
+    tree.begin_edit("drag", false);
+    as(Writer::inspector, [&] { tree.set(ball, "mass", 2); });
+    as(Writer::script, [&] { tree.set(ball, "radius", 3.0); });
+    as(Writer::inspector, [&] { tree.set(ball, "mass", 4); });
+    tree.end_edit();
+    REQUIRE(tree.history().size() == 1);
+    tree.undo();
+    CHECK(mass() == 1);
+    CHECK(tree.get(ball, "radius") == Value(3.0));
+}
+
 TEST_CASE_METHOD(Fixture, "a new edit ends what could be done again") {
     console([&] { tree.set(ball, "mass", 5); });
     tree.undo();

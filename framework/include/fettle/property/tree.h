@@ -155,9 +155,10 @@ class Tree {
     // ----------------------------------------------------------------------------------------------------
 
     /// What people write (console, inspector, remote) is undoable, each write by itself; between
-    /// `begin_edit` and `end_edit` all of it is one step of undo, and what a script writes is an
-    /// edit too. May be nested.
-    void begin_edit(std::string name);
+    /// `begin_edit` and `end_edit` all of it is one step of undo. With `scripts` what scripts and
+    /// modules write meanwhile is an edit too; a drag, during which the game goes on, leaves that
+    /// out. May be nested.
+    void begin_edit(std::string name, bool scripts = true);
     void end_edit();
     /// Acts at once, as a new edit at the current time. Throws Error(bad_structure) in the middle
     /// of an edit.
