@@ -64,6 +64,7 @@ void Console::State::follow_settings() {
         ui.release_all();
         fed_button = fed_key = fed_text = false;
         panel_rect = inspector_rect = {};
+        inspector.editor().end_drag();
         popup_open = false;
     }
     was_open = opened;

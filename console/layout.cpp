@@ -37,6 +37,7 @@ void Console::State::frame(double seconds) {
         right += margin;
     } else {
         inspector_rect = {};
+        inspector.editor().end_drag();
     }
     draw_panel(width - 2 * margin - right, panel_height(), cell);
     prompt_view.draw_menu(cell, ui.bold());

@@ -96,7 +96,11 @@ void PropertyEditor::attempt(const Target& target, const std::function<void()>& 
 
 void PropertyEditor::begin_frame() {
     widgets_.clear();
-    if (!dragging_ || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) end_drag();
+}
+
+void PropertyEditor::end_drag() {
+    if (!dragging_) return;
     dragging_ = false;
     tree_.end_edit();
 }

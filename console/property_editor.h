@@ -20,6 +20,8 @@ namespace fettle::console {
 class PropertyEditor {
   public:
     explicit PropertyEditor(property::Tree& tree) : tree_(tree), references_(tree) {}
+    ~PropertyEditor() { end_drag(); }
+    PropertyEditor(const PropertyEditor&) = delete;
 
     /// A reference was clicked.
     std::function<void(property::Handle)> follow;
@@ -28,6 +30,8 @@ class PropertyEditor {
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Call once a frame, before and after all rows.
     void begin_frame();
+    /// The drag that is under way, if any, becomes a step of undo: the editor is going out of sight.
+    void end_drag();
     void end_frame() { fields_.end_frame(); }
     /// Where the widget of a property was drawn in the last frame; empty when it was out of sight.
     Rect widget_rect(const property::Property& property) const;

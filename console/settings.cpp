@@ -95,7 +95,8 @@ std::string Settings::text(std::string_view name) {
 }
 
 void Settings::set(std::string_view name, const Value& value) {
-    property::Tree::CauseScope cause(tree_, property::Writer::console);
+    property::Tree::CauseScope cause(tree_,
+                                     property::Writer::module);  // looks are no edit to be undone
     tree_.set(instance(), name, value);
 }
 

@@ -64,6 +64,20 @@ TEST_CASE("a drag is written as an edit of the inspector") {
     connection.stop();
 }
 
+TEST_CASE("a drag is one step of undo") {
+    BallRig rig;
+    rig.drag_by("angle", 50);
+    rig.drag_by("mass", 40);
+    const double angle = rig.value("world.ball.angle").number();
+    REQUIRE(rig.tree.history().size() == 2);
+    CHECK(rig.tree.history()[0].edits == 1);
+    CHECK(rig.tree.undo().name == "edit world.ball.mass");
+    CHECK(rig.value("world.ball.angle").number() == angle);
+    rig.tree.undo();
+    CHECK(rig.value("world.ball.angle").number() == 0);
+    CHECK_FALSE(rig.tree.undo().done);
+}
+
 TEST_CASE("dragging stays within the range of the property") {
     BallRig rig;
     rig.drag_by("friction", 600);
