@@ -30,7 +30,8 @@ class PropertyEditor {
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Call once a frame, before and after all rows.
     void begin_frame();
-    /// The drag that is under way, if any, becomes a step of undo: the editor is going out of sight.
+    /// The drag that is under way, if any, becomes a step of undo: the editor is going out of
+    /// sight.
     void end_drag();
     void end_frame() { fields_.end_frame(); }
     /// Where the widget of a property was drawn in the last frame; empty when it was out of sight.
