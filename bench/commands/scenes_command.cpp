@@ -58,13 +58,12 @@ class SceneRunner {
         explain_gaps();
         {
             Progress progress(static_cast<double>(scenes_.size()) * options_.runs);
-            for (const CatalogueEntry* entry : scenes_)
+            for (const CatalogueEntry* entry : scenes_) {
                 rows_.push_back(run_scene(*entry, progress));
+                if (options_.output.json) print_json(rows_.back());  // a long run may be cut short
+            }
         }
-        if (options_.output.json)
-            print_json();
-        else
-            print_table();
+        if (!options_.output.json) print_table();
         if (!options_.output.svg.empty()) write_svg(chart(), options_.output.svg);
         warn_when_busy();
         return hashes_agree() ? 0 : 1;
@@ -95,7 +94,7 @@ class SceneRunner {
             for (const CatalogueEntry& entry : catalogue()) {
                 if (entry.make) continue;
                 std::cerr << "not available: " << entry.name << " needs " << entry.missing
-                          << ", which Fettle does not have yet\n";
+                          << ", which are not supported yet\n";
             }
         }
         for (const EngineKind* kind : engines_) {
@@ -166,21 +165,19 @@ class SceneRunner {
         return nullptr;
     }
 
-    void print_json() const {
-        for (const Row& row : rows_) {
-            for (std::size_t i = 0; i < engines_.size(); ++i) {
-                if (!row.cells[i]) continue;
-                const Cell& cell = *row.cells[i];
-                std::cout << json_line({{"scene", row.scene},
-                                        {"engine", std::string(engines_[i]->name)},
-                                        {"threads", static_cast<long long>(options_.threads)},
-                                        {"steps", static_cast<long long>(row.steps)},
-                                        {"bodies", static_cast<long long>(cell.bodies)},
-                                        {"contacts", static_cast<long long>(cell.contacts)},
-                                        {"ms", cell.step_ms()},
-                                        {"hash", hash_text(cell.hash)}})
-                          << "\n";
-            }
+    void print_json(const Row& row) const {
+        for (std::size_t i = 0; i < engines_.size(); ++i) {
+            if (!row.cells[i]) continue;
+            const Cell& cell = *row.cells[i];
+            std::cout << json_line({{"scene", row.scene},
+                                    {"engine", std::string(engines_[i]->name)},
+                                    {"threads", static_cast<long long>(options_.threads)},
+                                    {"steps", static_cast<long long>(row.steps)},
+                                    {"bodies", static_cast<long long>(cell.bodies)},
+                                    {"contacts", static_cast<long long>(cell.contacts)},
+                                    {"ms", cell.step_ms()},
+                                    {"hash", hash_text(cell.hash)}})
+                      << std::endl;
         }
     }
 

@@ -24,6 +24,8 @@ struct FixtureMaker {
         def.density = shape.density;
         def.friction = shape.friction;
         def.restitution = shape.restitution;
+        def.filter.categoryBits = shape.category;
+        def.filter.maskBits = shape.mask;
         body.CreateFixture(&def);
     }
     void operator()(const CircleShape& circle) const {
@@ -58,6 +60,7 @@ class Box2dEngine : public Engine {
         world_.SetContinuousPhysics(scene.continuous);
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
+        for (const SceneJoint& joint : scene.joints) tie(joint);
     }
 
     void step() override { world_.Step(time_step, 8, 3); }
@@ -86,6 +89,15 @@ class Box2dEngine : public Engine {
     std::size_t bodies() const override { return static_cast<std::size_t>(world_.GetBodyCount()); }
 
   private:
+    void tie(const SceneJoint& joint) {
+        b2RevoluteJointDef def;
+        def.Initialize(bodies_[joint.body_a], bodies_[joint.body_b], vec(joint.anchor));
+        def.enableMotor = joint.motor_torque > 0;
+        def.motorSpeed = joint.motor_speed;
+        def.maxMotorTorque = joint.motor_torque;
+        world_.CreateJoint(&def);
+    }
+
     b2Body* make(const SceneBody& description) {
         b2BodyDef def;
         def.type = description.motion == Motion::fixed       ? b2_staticBody

@@ -73,12 +73,17 @@ class ChipmunkEngine : public Engine {
         if (scene.sleeping) cpSpaceSetSleepTimeThreshold(space_, 0.5);
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
+        for (const SceneJoint& joint : scene.joints) tie(joint);
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             if (scene.sleeping && !scene.bodies[i].awake) cpBodySleep(bodies_[i]);
         }
     }
 
     ~ChipmunkEngine() override {
+        for (cpConstraint* joint : joints_) {
+            cpSpaceRemoveConstraint(space_, joint);
+            cpConstraintFree(joint);
+        }
         for (cpShape* shape : shapes_) {
             cpSpaceRemoveShape(space_, shape);
             cpShapeFree(shape);
@@ -111,6 +116,22 @@ class ChipmunkEngine : public Engine {
     std::size_t bodies() const override { return bodies_.size(); }
 
   private:
+    void tie(const SceneJoint& joint) {
+        cpBody* a = bodies_[joint.body_a];
+        cpBody* b = bodies_[joint.body_b];
+        keep(cpPivotJointNew(a, b, vec(joint.anchor)));
+        if (joint.motor_torque <= 0) return;
+        cpConstraint* motor = cpSimpleMotorNew(a, b, -joint.motor_speed);
+        cpConstraintSetMaxForce(motor, joint.motor_torque);
+        keep(motor);
+    }
+
+    void keep(cpConstraint* joint) {
+        cpConstraintSetCollideBodies(joint, cpFalse);
+        cpSpaceAddConstraint(space_, joint);
+        joints_.push_back(joint);
+    }
+
     cpBody* make(const SceneBody& description) {
         cpBody* body = description.motion == Motion::fixed       ? cpBodyNewStatic()
                        : description.motion == Motion::kinematic ? cpBodyNewKinematic()
@@ -133,6 +154,8 @@ class ChipmunkEngine : public Engine {
         if (motion == Motion::dynamic) cpShapeSetDensity(shape, description.density);
         cpShapeSetFriction(shape, std::sqrt(description.friction));
         cpShapeSetElasticity(shape, std::sqrt(description.restitution));
+        cpShapeSetFilter(shape,
+                         cpShapeFilterNew(CP_NO_GROUP, description.category, description.mask));
         cpSpaceAddShape(space_, shape);
         shapes_.push_back(shape);
     }
@@ -140,6 +163,7 @@ class ChipmunkEngine : public Engine {
     cpSpace* space_;
     std::vector<cpBody*> bodies_;
     std::vector<cpShape*> shapes_;
+    std::vector<cpConstraint*> joints_;
 };
 
 }  // namespace

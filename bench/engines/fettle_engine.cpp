@@ -56,6 +56,7 @@ class FettleEngine : public Engine {
                   .continuous = scene.continuous}) {
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
+        for (const SceneJoint& joint : scene.joints) tie(scene, joint);
         // Last, since whoever comes to touch a sleeping body wakes it.
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             if (!scene.bodies[i].awake) bodies_[i].set_awake(false);
@@ -82,6 +83,17 @@ class FettleEngine : public Engine {
     std::size_t bodies() const override { return world_.body_count(); }
 
   private:
+    void tie(const Scene& scene, const SceneJoint& joint) {
+        physics::RevoluteJoint made =
+            world_.create_revolute_joint({.body_a = bodies_[joint.body_a].id(),
+                                          .body_b = bodies_[joint.body_b].id(),
+                                          .anchor_a = vec(scene.anchor_a(joint)),
+                                          .anchor_b = vec(scene.anchor_b(joint))});
+        if (joint.motor_torque <= 0) return;
+        made.set_motor_speed(joint.motor_speed);
+        made.set_max_motor_torque(joint.motor_torque);
+    }
+
     physics::Body make(const SceneBody& description) {
         physics::Body body = world_.create_body({.type = type_of(description.motion),
                                                  .position = vec(description.position),
@@ -94,7 +106,9 @@ class FettleEngine : public Engine {
             const physics::ShapeDef def{.density = shape.density,
                                         .friction = shape.friction,
                                         .restitution = shape.restitution,
-                                        .hit_events = shape.hit_events};
+                                        .hit_events = shape.hit_events,
+                                        .category = shape.category,
+                                        .mask = shape.mask};
             std::visit(GeometryMaker{body, def}, shape.geometry);
         }
         return body;

@@ -96,6 +96,7 @@ HostedEngine::HostedEngine(const Scene& scene)
     angular_velocity_ = body.property("angular_velocity");
     bodies_.reserve(scene.bodies.size());
     for (const SceneBody& description : scene.bodies) bodies_.push_back(make(description));
+    for (const SceneJoint& joint : scene.joints) tie(scene, joint);
     tree.barrier();
     // Last, since whoever comes to touch a sleeping body wakes it.
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -117,10 +118,24 @@ Handle HostedEngine::make(const SceneBody& description) {
         tree.set(made, "density", shape.density);
         tree.set(made, "friction", shape.friction);
         tree.set(made, "restitution", shape.restitution);
+        tree.set(made, "category", std::int64_t{shape.category});
+        tree.set(made, "mask", std::int64_t{shape.mask});
         // In the tree, impacts are reported once somebody listens. Here nobody does.
         if (shape.hit_events) game_.physics.shape(made).set_hit_events(true);
     }
     return body;
+}
+
+void HostedEngine::tie(const Scene& scene, const SceneJoint& joint) {
+    Tree& tree = game_.tree;
+    const Handle made = tree.create(tree.class_named("RevoluteJoint"), world_);
+    tree.set(made, "body_a", bodies_[joint.body_a]);
+    tree.set(made, "body_b", bodies_[joint.body_b]);
+    tree.set(made, "anchor_a", value(scene.anchor_a(joint)));
+    tree.set(made, "anchor_b", value(scene.anchor_b(joint)));
+    if (joint.motor_torque <= 0) return;
+    tree.set(made, "motor_speed", joint.motor_speed);
+    tree.set(made, "max_motor_torque", joint.motor_torque);
 }
 
 void HostedEngine::step() {

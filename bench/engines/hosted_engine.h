@@ -51,6 +51,7 @@ class HostedEngine : public Engine {
 
   private:
     property::Handle make(const SceneBody& description);
+    void tie(const Scene& scene, const SceneJoint& joint);
 
     mutable HeadlessGame game_;
     property::Handle world_;

@@ -20,6 +20,8 @@ Simulation::Simulation(const Scene& scene, std::string name, std::unique_ptr<Eng
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (scene.bodies[i].path) driven_.push_back(i);
     }
+    tied_.resize(scene.bodies.size(), false);
+    for (const SceneJoint& joint : scene.joints) tied_[joint.body_a] = tied_[joint.body_b] = true;
 }
 
 StepTime Simulation::advance(int steps) {
@@ -63,11 +65,11 @@ void Simulation::make_steps(int steps) {
     }
 }
 
-std::size_t Simulation::topmost() const {
+std::size_t Simulation::topmost(bool free) const {
     std::size_t top = scene_.bodies.size();
     float height = 0;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-        if (scene_.bodies[i].motion != Motion::dynamic) continue;
+        if (scene_.bodies[i].motion != Motion::dynamic || (free && tied_[i])) continue;
         const float y = engine_->motion(i).position.y;
         if (top == scene_.bodies.size() || y > height) {
             top = i;
@@ -78,14 +80,16 @@ std::size_t Simulation::topmost() const {
 }
 
 StepTime Simulation::edited_step() {
-    const std::size_t body = topmost();
+    std::size_t body = topmost(true);
+    const bool held = body == scene_.bodies.size();
+    if (held) body = topmost(false);
     const BodyMotion before = engine_->motion(body);
     constexpr float push = 1;  // m/s
     engine_->edit_velocity(body, {before.velocity.x, before.velocity.y + push});
     const StepTime time = timed_steps(1);
     const float rise = engine_->motion(body).position.y - before.position.y;
     const float alone = (before.velocity.y + scene_.gravity.y * time_step) * time_step;
-    if (!(rise > alone + 0.5f * push * time_step)) {
+    if (!held && !(rise > alone + 0.5f * push * time_step)) {
         throw std::runtime_error(
             scene_.name + " in " + name_ +
             ": an edit of a body's velocity in mid-run had no effect: it moved " +

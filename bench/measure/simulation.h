@@ -38,12 +38,13 @@ class Simulation {
     StepTime timed_steps(int steps);
     void make_steps(int steps);
     StepTime edited_step();
-    std::size_t topmost() const;
+    std::size_t topmost(bool free) const;
 
     const Scene& scene_;
     std::string name_;
     std::unique_ptr<Engine> engine_;
     std::vector<std::size_t> driven_;
+    std::vector<bool> tied_;  // by a joint
     int made_ = 0;
 };
 

@@ -11,14 +11,14 @@ std::span<const CatalogueEntry> catalogue() {
     static const std::array<CatalogueEntry, 11> entries = {{
         {"large_pyramid", large_pyramid, ""},
         {"many_pyramids", many_pyramids, ""},
-        {"joint_grid", nullptr, "revolute joints"},
+        {"joint_grid", joint_grid, ""},
         {"smash", smash, ""},
-        {"tumbler", nullptr, "revolute joints with motors"},
+        {"tumbler", tumbler, ""},
         {"compounds", compounds, ""},
-        {"washer", washer, ""},
-        {"junkyard", junkyard, ""},
-        {"spinner", nullptr, "chains and revolute joints with motors"},
-        {"rain", nullptr, "revolute joints with springs and limits"},
+        {"washer", washer, "", false},
+        {"junkyard", junkyard, "", false},
+        {"spinner", nullptr, "closed chains"},
+        {"rain", nullptr, "bodies that come and go in a scene"},
         {"crowd", crowd, "", false},
     }};
     return entries;

@@ -10,7 +10,7 @@ namespace fettle::bench {
 
 struct CatalogueEntry {
     std::string_view name;
-    /// Null where Fettle cannot build the scene yet; `missing` says what it lacks.
+    /// Null where the scene cannot be built yet; `missing` says what it lacks.
     Scene (*make)();
     std::string_view missing;
     /// Run when nobody asks for scenes by name.
@@ -24,6 +24,8 @@ const CatalogueEntry& scene_named(std::string_view name);
 
 Scene large_pyramid();
 Scene many_pyramids();
+Scene joint_grid();
+Scene tumbler();
 Scene smash();
 Scene washer();
 Scene compounds();

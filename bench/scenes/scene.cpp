@@ -2,6 +2,16 @@
 
 namespace fettle::bench {
 
+Point Scene::anchor_a(const SceneJoint& joint) const {
+    const Point origin = bodies[joint.body_a].position;
+    return {joint.anchor.x - origin.x, joint.anchor.y - origin.y};
+}
+
+Point Scene::anchor_b(const SceneJoint& joint) const {
+    const Point origin = bodies[joint.body_b].position;
+    return {joint.anchor.x - origin.x, joint.anchor.y - origin.y};
+}
+
 SceneBody body_of(Motion motion, Point position, Geometry geometry) {
     SceneBody body{.motion = motion, .position = position};
     body.shapes.resize(1);

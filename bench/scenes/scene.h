@@ -43,10 +43,21 @@ using Geometry = std::variant<CircleShape, BoxShape, SegmentShape, PolygonShape>
 
 struct SceneShape {
     Geometry geometry;
-    float density = 1;        // kg/m²
-    float friction = 0.6f;    // a contact has the geometric mean of both
-    float restitution = 0;    // a contact has the greater of both
-    bool hit_events = false;  // reports impacts, in engines that have such events
+    float density = 1;      // kg/m²
+    float friction = 0.6f;  // a contact has the geometric mean of both
+    float restitution = 0;  // a contact has the greater of both
+    std::uint16_t category = 1;
+    std::uint16_t mask = 0xffff;  // what it collides with: both must agree
+    bool hit_events = false;      // reports impacts, in engines that have such events
+};
+
+/// A pin that holds two bodies together at a point, and turns b against a where it has a motor.
+struct SceneJoint {
+    std::size_t body_a = 0;  // indices into the scene's bodies
+    std::size_t body_b = 0;
+    Point anchor{};          // world, when the scene begins; the bodies have no angle then
+    float motor_speed = 0;   // rad/s, of b relative to a
+    float motor_torque = 0;  // N m, at most; 0: no motor
 };
 
 enum class Motion : std::uint8_t { fixed, kinematic, dynamic };
@@ -71,6 +82,11 @@ struct Scene {
     bool sleeping = true;
     bool continuous = true;
     std::vector<SceneBody> bodies{};
+    std::vector<SceneJoint> joints{};
+
+    /// Where the joint holds its bodies, in their coordinates.
+    Point anchor_a(const SceneJoint& joint) const;
+    Point anchor_b(const SceneJoint& joint) const;
 };
 
 /// Length of a step of every scene, s.

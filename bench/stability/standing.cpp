@@ -173,4 +173,33 @@ std::vector<Figure> overload_trial(const EngineKind& kind) {
     return {{"deepest overlap", 100 * deepest, "%", "< 5"}};
 }
 
+/// Thirty links of half a metre hang straight down, with a ball of a hundred times a link's mass at
+/// the end.
+std::vector<Figure> chain_trial(const EngineKind& kind) {
+    Scene scene{.name = "chain", .sleeping = false};
+    scene.bodies.push_back({.motion = Motion::fixed});
+    constexpr int links = 30;
+    constexpr float length = 0.5f, half_width = 0.05f, radius = 0.5f;
+    for (int i = 0; i < links; ++i) {
+        const float top = -length * static_cast<float>(i);
+        scene.bodies.push_back(body_of(Motion::dynamic, {0, top - 0.5f * length},
+                                       BoxShape{{half_width, 0.5f * length}}));
+        scene.joints.push_back({.body_a = scene.bodies.size() - 2,
+                                .body_b = scene.bodies.size() - 1,
+                                .anchor = {0, top}});
+    }
+    const float end = -length * links;
+    SceneBody ball = body_of(Motion::dynamic, {0, end - radius}, CircleShape{radius});
+    const double link_mass = static_cast<double>(length) * 2 * static_cast<double>(half_width);
+    ball.shapes[0].density = static_cast<float>(100 * link_mass / (pi * radius * radius));
+    scene.bodies.push_back(ball);
+    scene.joints.push_back(
+        {.body_a = scene.bodies.size() - 2, .body_b = scene.bodies.size() - 1, .anchor = {0, end}});
+    const auto engine = kind.make(scene);
+    run_for(*engine, 5);
+    const double low = static_cast<double>(engine->motion(scene.bodies.size() - 1).position.y);
+    const double stretch = static_cast<double>(end - radius) - low;
+    return {{"stretch", 100 * stretch / static_cast<double>(-end), "%", "< 2"}};
+}
+
 }  // namespace fettle::bench

@@ -8,12 +8,13 @@
 namespace fettle::bench {
 
 std::span<const Trial> trials() {
-    static const std::array<Trial, 12> all = {{
+    static const std::array<Trial, 13> all = {{
         {"stack", stack_trial},
         {"card_house", card_house_trial},
         {"arch", arch_trial},
         {"domino", domino_trial},
         {"overload", overload_trial},
+        {"chain", chain_trial},
         {"confined", confined_trial},
         {"overlap", overlap_trial},
         {"bullets", bullets_trial},

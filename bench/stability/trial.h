@@ -32,6 +32,7 @@ std::vector<Figure> card_house_trial(const EngineKind& kind);
 std::vector<Figure> arch_trial(const EngineKind& kind);
 std::vector<Figure> domino_trial(const EngineKind& kind);
 std::vector<Figure> overload_trial(const EngineKind& kind);
+std::vector<Figure> chain_trial(const EngineKind& kind);
 
 // Pushing apart and hitting.
 std::vector<Figure> confined_trial(const EngineKind& kind);

@@ -55,6 +55,29 @@ TEST_CASE("there are four hundred small pyramids on twenty grounds") {
     CHECK(last(scene).position == Point{-110 + 11 * 19 + 1 + 4.5f, 11 * 19 + 9.5f});
 }
 
+TEST_CASE("the grid hangs by seven circles and every neighbor is tied to the next") {
+    const Scene scene = joint_grid();
+    CHECK(scene.bodies.size() == 10000);
+    CHECK(count(scene, Motion::fixed) == 7);
+    // Two a body, but for the first row and the first column, and the six between those held.
+    CHECK(scene.joints.size() == 2 * 100 * 99 - 6);
+    for (const SceneJoint& joint : scene.joints) {
+        const Point a = scene.anchor_a(joint), b = scene.anchor_b(joint);
+        REQUIRE(std::hypot(a.x, a.y) == 0.5f);
+        REQUIRE(b == Point{-a.x, -a.y});
+    }
+}
+
+TEST_CASE("the tumbler is a dynamic drum that a motor turns") {
+    const Scene scene = tumbler();
+    CHECK(scene.steps == 750);
+    CHECK(count(scene, Motion::dynamic) == 1 + 45 * 45);
+    CHECK(scene.bodies[1].shapes.size() == 4);
+    REQUIRE(scene.joints.size() == 1);
+    CHECK(scene.joints[0].motor_speed == Approx(0.436332));
+    CHECK(scene.anchor_b(scene.joints[0]) == Point{0, 0});
+}
+
 TEST_CASE("only the ram of the smash is awake") {
     const Scene scene = smash();
     CHECK(scene.steps == 300);
@@ -136,5 +159,5 @@ TEST_CASE("a scene is found by its name and says why it is not there") {
     }
     CHECK(scene_named("smash").make == &smash);
     CHECK_THROWS_WITH(scene_named("smsh"), contains("there are large_pyramid, many"));
-    CHECK_THROWS_WITH(scene_named("rain"), contains("revolute joints with springs"));
+    CHECK_THROWS_WITH(scene_named("rain"), contains("bodies that come and go"));
 }

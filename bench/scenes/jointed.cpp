@@ -1,0 +1,55 @@
+// Joints: many of them, and one that turns a drum.
+
+#include <numbers>
+
+#include "scenes/catalogue.h"
+
+namespace fettle::bench {
+
+Scene joint_grid() {
+    constexpr int side = 100;
+    Scene scene{.name = "joint_grid", .steps = 500, .sleeping = false};
+    for (int k = 0; k < side; ++k) {
+        for (int i = 0; i < side; ++i) {
+            const bool held = i == 0 && 47 <= k && k <= 53;
+            const auto x = static_cast<float>(k);
+            const auto y = static_cast<float>(-i);
+            SceneBody body =
+                body_of(held ? Motion::fixed : Motion::dynamic, {x, y}, CircleShape{0.4f});
+            body.shapes[0].category = 2;
+            body.shapes[0].mask = static_cast<std::uint16_t>(~2u);
+            const std::size_t self = scene.bodies.size();
+            scene.bodies.push_back(body);
+            if (i > 0) scene.joints.push_back({self - 1, self, {x, y + 0.5f}});
+            // Nothing is to be held between two that cannot move.
+            if (k > 0 && !(held && scene.bodies[self - side].motion == Motion::fixed))
+                scene.joints.push_back({self - side, self, {x - 0.5f, y}});
+        }
+    }
+    return scene;
+}
+
+Scene tumbler() {
+    Scene scene{.name = "tumbler", .steps = 750};
+    scene.bodies.push_back({.motion = Motion::fixed});
+    SceneBody drum{.position = {0, 10}};
+    for (const float side : {-10.0f, 10.0f}) {
+        drum.shapes.push_back({.geometry = BoxShape{{0.5f, 10}, {side, 0}}, .density = 50});
+        drum.shapes.push_back({.geometry = BoxShape{{10, 0.5f}, {0, side}}, .density = 50});
+    }
+    scene.bodies.push_back(drum);
+    scene.joints.push_back({.body_a = 0,
+                            .body_b = 1,
+                            .anchor = {0, 10},
+                            .motor_speed = static_cast<float>(25 * std::numbers::pi / 180),
+                            .motor_torque = 1e8f});
+    for (int i = 0; i < 45; ++i) {
+        for (int j = 0; j < 45; ++j) {
+            scene.bodies.push_back(dynamic_box(
+                {-9 + 0.4f * static_cast<float>(i), 1 + 0.4f * static_cast<float>(j)}, 0.125f));
+        }
+    }
+    return scene;
+}
+
+}  // namespace fettle::bench
