@@ -184,7 +184,8 @@ std::vector<property::Method> conversions(View& view) {
          .call = [](void* context, property::Tree&, property::Handle, property::Row,
                     std::span<const Value> arguments) -> property::Result {
              return Value(view_of(context).to_screen(arguments[0].vec2()));
-         }},
+         },
+         .effect = property::Effect::nothing},
         {.name = "to_world",
          .parameters = {{.name = "pixels", .type = Type::vec2, .unit = "px"}},
          .required = 1,
@@ -194,7 +195,8 @@ std::vector<property::Method> conversions(View& view) {
          .call = [](void* context, property::Tree&, property::Handle, property::Row,
                     std::span<const Value> arguments) -> property::Result {
              return Value(view_of(context).to_world(arguments[0].vec2()));
-         }},
+         },
+         .effect = property::Effect::nothing},
     };
 }
 

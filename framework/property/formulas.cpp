@@ -336,6 +336,7 @@ void Formulas::finish(Entry& e, const Value& result) {
             s.write(e.instance.index, s.require(e.instance), *e.property, next);
             const Tree::CauseScope scope(tree_, Writer::formula);
             s.written(e.instance, s.require(e.instance), *e.property, old);
+            s.tell([&](Observer& o) { o.wrote(e.instance, *e.property, next); });
         }
     } catch (const std::exception& refusal) {
         return fail(e, refusal.what());

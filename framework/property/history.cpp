@@ -358,6 +358,7 @@ void History::place(Handle instance, const Position& at, UndoResult& result) {
         s.nodes[instance.index].named = at.named;
         if (at.parent)
             s.nodes.reorder(instance.index, tree_.alive(at.before) ? at.before.index : 0);
+        s.tell([&](Observer& o) { o.moved(instance); });
     } catch (const Error& error) {
         result.notes.emplace_back(error.what());
     }

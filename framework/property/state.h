@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include <fettle/property/observer.h>
 #include <fettle/property/tree.h>
 
 #include "class_registry.h"
@@ -75,6 +76,7 @@ struct Tree::State {
     std::uint64_t step = 0;
     Writer writer = Writer::module;
     std::function<std::string()>* locate = nullptr;
+    std::vector<Observer*> observers;
     Handle root;
     const Event* ready_event = nullptr;
     const Event* deleted_event = nullptr;
@@ -89,6 +91,12 @@ struct Tree::State {
     /// Formulas compute; they do not write.
     void forbid_in_formula(const char* what) const;
     void structure_changed(std::uint32_t parent, const NodeName& name);
+
+    /// Calls `what(observer)` for each observer.
+    template <class What>
+    void tell(What what) const {
+        for (Observer* observer : observers) what(*observer);
+    }
 
     // tree.cpp
     void define_object();

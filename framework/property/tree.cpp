@@ -178,6 +178,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
                                       .cause = tree.cause(),
                                       .last_values = {}},
                     .recipients = {}});
+    tell([&](Observer& o) { o.created(self); });
     return index;
 }
 
@@ -258,6 +259,7 @@ void Tree::destroy(Handle instance) {
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     if (s.history.recording()) s.history.dying(instance);
+    s.tell([&](Observer& o) { o.destroying(instance); });
     std::vector<std::uint32_t> order;
     s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
     for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);
@@ -383,6 +385,7 @@ void Tree::rename(Handle instance, std::string_view name) {
     s.structure_changed(parent, was);
     s.structure_changed(parent, made);
     if (before) s.history.moved(instance, *before);
+    s.tell([&](Observer& o) { o.moved(instance); });
     if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 
@@ -438,6 +441,7 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
     s.structure_changed(new_parent.index, chosen);
     s.place_subtree(instance);
     if (before) s.history.moved(instance, *before);
+    s.tell([&](Observer& o) { o.moved(instance); });
     if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 

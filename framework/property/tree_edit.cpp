@@ -329,6 +329,11 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
             s.edited = true;
             ++s.epoch;
             s.writes.note(instance, property.symbol, s.writer, s.step);
+            if (!s.observers.empty()) {
+                // As it arrived in the property's memory.
+                const Value now = s.read(instance.index, s.nodes[instance.index], property);
+                s.tell([&](Observer& o) { o.wrote(instance, property, now); });
+            }
             return;
         }
     }
@@ -359,7 +364,10 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     // A value that was taken replaces the formula; one that was refused leaves it.
     if (had_formula) s.drop_formula(instance, property);
     // The setter may have moved nodes (a rename, another parent), so the node is looked up again.
-    if (const Node* after = s.nodes.find(instance)) s.written(instance, *after, property, old);
+    if (const Node* after = s.nodes.find(instance)) {
+        s.written(instance, *after, property, old);
+        s.tell([&](Observer& o) { o.wrote(instance, property, next); });
+    }
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
@@ -389,6 +397,7 @@ void Tree::reset(Handle instance, const Property& property) {
     if (property.binding.invalidate != nullptr)
         property.binding.invalidate(property.binding.context, node.row);
     s.written(instance, node, property, old);
+    s.tell([&](Observer& o) { o.was_reset(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
@@ -442,6 +451,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     Node& node = require(instance);
     node.has_ad_hoc = true;
     written(instance, node, added, Value());
+    tell([&](Observer& o) { o.wrote(instance, added, next); });
     if (history.recording()) history.edited(instance, added, {});
     return added;
 }
@@ -472,6 +482,7 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
         node.has_ad_hoc = false;
     }
     s.written(instance, node, *property, old);
+    s.tell([&](Observer& o) { o.removed(instance, *property); });
     if (before) s.history.edited(instance, *property, std::move(*before));
 }
 

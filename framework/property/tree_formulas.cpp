@@ -27,6 +27,7 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
     s.formulas.set(instance, property, std::move(formula));
+    s.tell([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
@@ -49,6 +50,7 @@ void Tree::remove_formula(Handle instance, const Property& property) {
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
     s.drop_formula(instance, property);
+    s.tell([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 

@@ -10,6 +10,29 @@
 
 namespace fettle::property {
 
+namespace {
+
+/// Tells observers of a call that changes a module's memory, an end by exception included.
+class CallScope {
+  public:
+    CallScope(Tree::State& state, Handle self, const Method& method, std::span<const Value> given)
+        : state_(state), self_(self), method_(method) {
+        if (tells()) state_.tell([&](Observer& o) { o.call_begins(self_, method_, given); });
+    }
+    ~CallScope() {
+        if (tells()) state_.tell([&](Observer& o) { o.call_ends(self_, method_); });
+    }
+    CallScope(const CallScope&) = delete;
+
+  private:
+    bool tells() const { return method_.effect == Effect::memory && !state_.observers.empty(); }
+    Tree::State& state_;
+    Handle self_;
+    const Method& method_;
+};
+
+}  // namespace
+
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
     const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
     if (arguments.size() < method.required || arguments.size() > method.parameters.size())
@@ -38,6 +61,7 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         coerced[i] =
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
+    const CallScope scope(*state_, instance, method, coerced);
     try {
         return method.call(method.context, *this, instance, row(instance), coerced);
     } catch (const std::invalid_argument& refusal) {

@@ -214,6 +214,14 @@ Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
     return state_->watchers.add(std::move(watcher));
 }
 
+void Tree::observe(Observer& observer) {
+    state_->observers.push_back(&observer);
+}
+
+void Tree::unobserve(Observer& observer) {
+    std::erase(state_->observers, &observer);
+}
+
 std::size_t Tree::watcher_count() const {
     return state_->watchers.size();
 }

@@ -6,6 +6,7 @@
 namespace fettle::physics_module {
 namespace {
 
+using property::Effect;
 using property::Field;
 using property::Method;
 using property::Result;
@@ -43,7 +44,8 @@ std::vector<Method> body_methods(Hosting& hosting) {
                 .parameters = {vec2("point", "m", "In the body's coordinates.")},
                 .required = 1,
                 .returns = {vec2("point", "m", "In the world.")},
-                .doc = "Where a point of the body is in the world."},
+                .doc = "Where a point of the body is in the world.",
+                .effect = Effect::nothing},
                [](const physics::Body& body, Arguments a) -> Result {
                    return to_value(body.world_point(vec2_argument(a[0])));
                }),
@@ -52,7 +54,8 @@ std::vector<Method> body_methods(Hosting& hosting) {
                 .parameters = {vec2("point", "m", "In the world.")},
                 .required = 1,
                 .returns = {vec2("point", "m", "In the body's coordinates.")},
-                .doc = "Where a point of the world is as seen from the body."},
+                .doc = "Where a point of the world is as seen from the body.",
+                .effect = Effect::nothing},
                [](const physics::Body& body, Arguments a) -> Result {
                    return to_value(body.local_point(vec2_argument(a[0])));
                }),
@@ -61,7 +64,8 @@ std::vector<Method> body_methods(Hosting& hosting) {
                 .parameters = {vec2("point", "m", "In the world.")},
                 .required = 1,
                 .returns = {vec2("velocity", "m/s", "")},
-                .doc = "How fast that point of the body moves."},
+                .doc = "How fast that point of the body moves.",
+                .effect = Effect::nothing},
                [](const physics::Body& body, Arguments a) -> Result {
                    return to_value(body.velocity_at(vec2_argument(a[0])));
                }),

@@ -132,6 +132,7 @@ Result contacts(HostedWorld& hosted, Arguments) {
 template <Result (*Run)(HostedWorld&, Arguments)>
 Method method(Hosting& hosting, Method described) {
     described.context = &hosting;
+    described.effect = property::Effect::nothing;
     described.call = [](void* context, property::Tree&, Handle, Row row, Arguments arguments) {
         return Run(static_cast<Hosting*>(context)->hosted(row), arguments);
     };

@@ -75,6 +75,7 @@ property::Method add_vertex(Hosting& hosting) {
         .required = 1,
         .doc = "Makes the polygon reach as far as that point; one inside changes nothing."};
     method.context = &hosting;
+    method.effect = property::Effect::tree;
     method.call = [](void*, property::Tree& tree, Handle self, Row,
                      std::span<const Value> arguments) -> property::Result {
         const Property& corners = tree.property(self, "vertices");

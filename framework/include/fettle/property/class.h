@@ -150,6 +150,10 @@ struct Record {
 /// What a method returns: nothing (nil), a value, a record or a list of records.
 using Result = std::variant<Value, Record, std::vector<Record>>;
 
+/// What a method changes. `nothing`: it asks. `tree`: properties and instances, by the tree's own
+/// members. `memory`: its module's memory, which nobody else hears of.
+enum class Effect : std::uint8_t { nothing, tree, memory };
+
 struct Method {
     std::string name;
     std::vector<Field> parameters{};
@@ -161,6 +165,7 @@ struct Method {
     /// nil. May throw property::Error or std::invalid_argument.
     Result (*call)(void* context, Tree& tree, Handle self, Row row,
                    std::span<const Value> arguments) = nullptr;
+    Effect effect = Effect::memory;
     Symbol symbol{};
 };
 

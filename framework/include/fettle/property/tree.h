@@ -29,6 +29,8 @@
 
 namespace fettle::property {
 
+class Observer;
+
 class Tree {
   public:
     Tree();
@@ -211,6 +213,10 @@ class Tree {
     void on_handler_error(std::function<void(const HandlerError&)> sink);
     /// How many watchers are registered.
     std::size_t watcher_count() const;
+
+    /// Not owned; told of everything done from outside the simulation, until `unobserve`.
+    void observe(Observer& observer);
+    void unobserve(Observer& observer);
 
     // --- Time and cause
     // ---------------------------------------------------------------------------------------------

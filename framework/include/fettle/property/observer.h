@@ -1,0 +1,41 @@
+#pragma once
+// Observers: told of everything that is done to a tree from outside the simulation, at the moment
+// it has been done. Logs that play it again and journals that keep it are fed by them; game logic
+// watches instead.
+
+#include <span>
+
+#include <fettle/property/class.h>
+#include <fettle/property/value.h>
+
+namespace fettle::property {
+
+/// Members are called in the middle of a write, scripts' writes included: an implementation costs
+/// the game what it costs, must not throw, and must not change the tree. Who writes is
+/// `Tree::cause()`; what a formula computes is written by Writer::formula.
+class Observer {
+  public:
+    virtual ~Observer() = default;
+    /// A plain value was written; it replaced a formula, if there was one. The property may be an
+    /// ad-hoc one that came with it.
+    virtual void wrote(Handle, const Property&, const Value& /*now*/) {}
+    /// The property was given back to its owner, or its default.
+    virtual void was_reset(Handle, const Property&) {}
+    /// An ad-hoc property ended.
+    virtual void removed(Handle, const Property&) {}
+    /// A formula became the value of the property, or ended and left its last value:
+    /// `Tree::formula` tells which.
+    virtual void formula_changed(Handle, const Property&) {}
+    /// Its row and its defaults exist. Instances that its class makes below it come first.
+    virtual void created(Handle) {}
+    /// Before the instance, and everything below it, goes.
+    virtual void destroying(Handle) {}
+    /// It has another name, parent or place among its siblings.
+    virtual void moved(Handle) {}
+    /// Around a call of a method that changes its module's own memory (`Method::effect`). What it
+    /// does to the tree meanwhile is told as well.
+    virtual void call_begins(Handle, const Method&, std::span<const Value> /*arguments*/) {}
+    virtual void call_ends(Handle, const Method&) {}
+};
+
+}  // namespace fettle::property
