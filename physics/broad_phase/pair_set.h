@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -49,6 +50,24 @@ class PairSet {
     }
 
     std::size_t size() const { return count_; }
+    /// Every contact is below `contacts` and a search ends, whatever the set came from.
+    bool is_walkable(uint32_t contacts) const {
+        if (slots_.empty()) return count_ == 0;
+        if (!std::has_single_bit(slots_.size()) || mask_ != slots_.size() - 1) return false;
+        std::size_t used = 0;
+        for (const Slot& slot : slots_) {
+            if (slot.key == 0) continue;
+            if (slot.contact >= contacts) return false;
+            ++used;
+        }
+        return used == count_ && used * 2 <= slots_.size();
+    }
+
+    /// For saving and restoring.
+    template <class Io, class Self>
+    static void members(Io& io, Self& self) {
+        io(self.slots_), io(self.mask_), io(self.count_);
+    }
     void clear() { *this = {}; }
 
   private:

@@ -214,4 +214,33 @@ bool Tree::is_consistent() const {
     return found == leaves_;
 }
 
+bool Tree::is_walkable(uint32_t items) const {
+    const auto inside = [this](int32_t node) {
+        return node == none || (node >= 0 && size_t(node) < nodes_.size());
+    };
+    if (!inside(root_) || !inside(free_)) return false;
+    std::vector<char> seen(nodes_.size(), 0);
+    std::vector<int32_t> open;
+    if (root_ != none) open.push_back(root_);
+    uint32_t found = 0;
+    while (!open.empty()) {
+        const int32_t index = open.back();
+        open.pop_back();
+        if (seen[size_t(index)]++ != 0) return false;
+        const Node& node = nodes_[size_t(index)];
+        if (!inside(node.parent) || (node.is_leaf() && node.item >= items)) return false;
+        found += node.is_leaf();
+        if (node.is_leaf()) continue;
+        for (const int32_t child : {node.left, node.right}) {
+            if (child == none || !inside(child) || nodes_[size_t(child)].parent != index)
+                return false;
+            open.push_back(child);
+        }
+    }
+    for (int32_t free = free_; free != none; free = int32_t(nodes_[size_t(free)].item) - 1) {
+        if (!inside(free) || seen[size_t(free)]++ != 0) return false;
+    }
+    return found == leaves_ && (root_ == none || nodes_[size_t(root_)].parent == none);
+}
+
 }  // namespace fettle::physics::detail

@@ -35,6 +35,17 @@ class Tree {
 
     /// Every parent contains its children and every link is mutual.
     bool is_consistent() const;
+    /// Every index is in range and each node is reached once: safe to walk, whatever it came from.
+    bool is_walkable(uint32_t items) const;
+    bool is_leaf(int32_t node) const {
+        return node >= 0 && size_t(node) < nodes_.size() && nodes_[size_t(node)].is_leaf();
+    }
+
+    /// For saving and restoring.
+    template <class Io, class Self>
+    static void members(Io& io, Self& self) {
+        io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_);
+    }
     int height() const { return root_ == none ? 0 : height_of(root_); }
 
   private:

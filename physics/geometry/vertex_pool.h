@@ -41,6 +41,26 @@ struct VertexPool {
         if (capacity > 0) free_[size_t(std::countr_zero(capacity))].push_back(begin);
     }
 
+    /// All of a size, and what is free is there, whatever the pool came from.
+    bool is_walkable() const {
+        const size_t size = local.size();
+        for (const size_t other :
+             {normals.size(), vertices.size(), directions.size(), offsets.size()})
+            if (other != size) return false;
+        for (size_t power = 0; power < free_.size(); ++power)
+            for (const uint32_t begin : free_[power])
+                if (size < (size_t{1} << power) || begin > size - (size_t{1} << power))
+                    return false;
+        return true;
+    }
+
+    /// For saving and restoring.
+    template <class Io, class Self>
+    static void members(Io& io, Self& self) {
+        io(self.local), io(self.normals), io(self.vertices), io(self.directions);
+        io(self.offsets), io(self.free_);
+    }
+
   private:
     std::array<std::vector<uint32_t>, 32> free_;  // by power of two
 };

@@ -136,6 +136,11 @@ struct JointRecord {
 struct Island {
     std::vector<uint32_t> bodies;
     uint32_t next_free = none;
+
+    template <class Io, class Self>
+    static void members(Io& io, Self& self) {
+        io(self.bodies), io(self.next_free);
+    }
 };
 
 }  // namespace fettle::physics::detail

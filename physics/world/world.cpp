@@ -22,7 +22,7 @@ World::World(const World& other)
     : data_(std::make_unique<WorldData>(*other.data_)), columns_(data_.get()) {}
 
 World& World::operator=(const World& other) {
-    if (this != &other) *data_ = *other.data_;
+    if (this != &other) data_->take(WorldData(*other.data_));
     return *this;
 }
 

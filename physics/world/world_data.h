@@ -257,6 +257,10 @@ struct WorldData : Columns {
     void report_hit(uint32_t contact, const ContactExtra* extra);
     void zero_locked();
 
+    // archive.cpp, links.cpp: saved worlds
+    void take(WorldData&& other);
+    std::optional<std::string> links_problem() const;
+
     // queries.cpp
     bool shape_contains(uint32_t shape, V2 point) const;
     std::optional<std::string> validate() const;

@@ -7,6 +7,7 @@
 #include <fettle/physics/shape.h>
 #include <fettle/physics/statistics.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,9 +45,16 @@ class World {
     explicit World(const WorldDef& def = {});
     ~World();
     /// A copy is a snapshot: same ids, same future, bit for bit. Handles keep pointing into the
-    /// world they came from.
+    /// world they came from. Assigning one restores: handles that were valid then are valid again,
+    /// and what was made since stays invalid for ever.
     World(const World& other);
     World& operator=(const World& other);
+
+    /// Appends everything the world is to `out`, in the byte order and layout of this build.
+    void save(std::vector<std::byte>& out) const;
+    /// The state `save` wrote, in place: as an assignment. Throws std::invalid_argument when the
+    /// bytes are damaged or another version's, and then changes nothing.
+    void restore(std::span<const std::byte> bytes);
 
     /// Advances by `dt` seconds (0 < dt, else nothing happens). Never throws on any state.
     void step(float dt);

@@ -1,0 +1,200 @@
+#include <world/world_data.h>
+
+// Whether a world that came as bytes may be walked: every index is in range and every list ends.
+// What it simulates may still be nonsense, as with any edit; it cannot reach foreign memory.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Names the first thing that is wrong.
+class Findings {
+  public:
+    void require(bool holds, const char* what) {
+        if (!holds && !problem_) problem_ = what;
+    }
+    std::optional<std::string> result() const { return problem_; }
+
+  private:
+    std::optional<std::string> problem_;
+};
+
+bool optional_index(uint32_t index, size_t size) {
+    return index == none || index < size;
+}
+
+/// Follows `next` from `first`; false when it leaves the range or does not end.
+template <class Next>
+bool list_ends(uint32_t first, size_t size, Next next) {
+    size_t seen = 0;
+    for (uint32_t i = first; i != none; i = next(i)) {
+        if (i >= size || ++seen > size) return false;
+    }
+    return true;
+}
+
+bool all_below(const std::vector<uint32_t>& list, size_t size) {
+    for (const uint32_t i : list)
+        if (i >= size) return false;
+    return true;
+}
+
+template <class Records>
+bool edges_end(uint32_t first, const Records& records) {
+    size_t seen = 0;
+    for (uint32_t edge = first; edge != none;) {
+        if (edge >> 1 >= records.size() || ++seen > 2 * records.size()) return false;
+        edge = records[edge >> 1].edges[edge & 1].next;
+    }
+    return true;
+}
+
+bool edge_in_range(const ListEdge& edge, size_t records) {
+    return (edge.previous == none || edge.previous >> 1 < records) &&
+           (edge.next == none || edge.next >> 1 < records);
+}
+
+void check_bodies(const WorldData& w, Findings& findings) {
+    const size_t n = w.bodies.size(), shapes = w.shapes.size();
+    findings.require(
+        n > 0 && w.states.size() == n && w.previous.size() == n && w.body_generations.size() == n,
+        "bodies");
+    for (const BodyRecord& body : w.bodies) {
+        findings.require(body.mobility <= Mobility::dynamic &&
+                             body.type <= BodyType::dynamic_body &&
+                             body.solver_index <= w.awake_bodies.size() &&
+                             optional_index(body.island, w.islands.size()),
+                         "a body");
+        findings.require(
+            optional_index(body.last_shape, shapes) &&
+                list_ends(body.first_shape, shapes, [&](uint32_t s) { return w.shapes[s].next; }),
+            "the shapes of a body");
+        findings.require(edges_end(body.first_contact, w.contacts), "the contacts of a body");
+        findings.require(edges_end(body.first_joint, w.joints), "the joints of a body");
+    }
+    findings.require(list_ends(w.free_body, n, [&](uint32_t i) { return w.bodies[i].next_free; }),
+                     "free bodies");
+}
+
+void check_shapes(const WorldData& w, Findings& findings) {
+    const size_t n = w.shapes.size(), vertices = w.pool.local.size();
+    findings.require(n >= 4 && w.forms.size() == n && w.boxes.size() == n &&
+                         w.fat_boxes.size() == n && w.shape_generations.size() == n &&
+                         w.pool.is_walkable(),
+                     "shapes");
+    for (size_t i = 0; i < n; ++i) {
+        const ShapeRecord& shape = w.shapes[i];
+        const ShapeForm& form = w.forms[i];
+        findings.require(optional_index(form.body, w.bodies.size()) &&
+                             optional_index(shape.previous, n) && optional_index(shape.next, n) &&
+                             shape.type <= ShapeType::border && shape.tree <= Mobility::dynamic,
+                         "a shape");
+        const bool inside =
+            form.count == 0 || (form.count <= shape.capacity && shape.capacity <= vertices &&
+                                form.begin <= vertices - shape.capacity);
+        const bool border = shape.type == ShapeType::border;
+        findings.require(inside && border == (i < 4) && (!border || form.begin == i),
+                         "the vertices of a shape");
+    }
+    findings.require(list_ends(w.free_shape, n, [&](uint32_t i) { return w.shapes[i].next_free; }),
+                     "free shapes");
+}
+
+void check_proxies(const WorldData& w, Findings& findings) {
+    const auto n = uint32_t(w.shapes.size());
+    findings.require(w.fixed_tree.is_walkable(n) && w.moving_tree.is_walkable(n),
+                     "the broad phase");
+    for (const ShapeRecord& shape : w.shapes) {
+        const Tree& in = shape.tree == Mobility::fixed ? w.fixed_tree : w.moving_tree;
+        findings.require(shape.proxy == Tree::none || in.is_leaf(shape.proxy), "a proxy");
+    }
+}
+
+void check_contacts(const WorldData& w, Findings& findings) {
+    const size_t n = w.contacts.size();
+    for (const ContactRecord& c : w.contacts) {
+        const bool used = c.shape_a != none;
+        findings.require(!used || (c.shape_a < w.shapes.size() && c.shape_b < w.shapes.size() &&
+                                   c.body_a < w.bodies.size() && c.body_b < w.bodies.size()),
+                         "a contact");
+        findings.require(optional_index(c.awake_index, w.awake_contacts.size()) &&
+                             c.manifold.count >= 0 && c.manifold.count <= 2 &&
+                             edge_in_range(c.edges[0], n) && edge_in_range(c.edges[1], n),
+                         "a contact");
+    }
+    findings.require(
+        list_ends(w.free_contact, n, [&](uint32_t i) { return w.contacts[i].next_free; }),
+        "free contacts");
+    findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
+    // A contact in a list of bodies or of what is awake is one that is used.
+    for (const BodyRecord& body : w.bodies)
+        for (uint32_t e = body.first_contact; e != none; e = w.contacts[e >> 1].edges[e & 1].next)
+            findings.require(w.contacts[e >> 1].shape_a != none, "the contacts of a body");
+    for (const uint32_t c : w.awake_contacts)
+        findings.require(w.contacts[c].shape_a != none, "the awake contacts");
+}
+
+void check_joints(const WorldData& w, Findings& findings) {
+    const size_t n = w.joints.size();
+    findings.require(w.joint_generations.size() == n, "joints");
+    std::vector<size_t> sizes;
+    std::apply(
+        [&](const auto&... lists) {
+            (sizes.push_back(lists.size()), ...);
+            const auto places = [&](const auto& list) {
+                for (const auto& data : list)
+                    findings.require(data.joint < n, "the joints of a type");
+            };
+            (places(lists), ...);
+        },
+        w.joint_lists);
+    for (size_t i = 0; i < n; ++i) {
+        const JointRecord& joint = w.joints[i];
+        const auto type = size_t(joint.type);
+        const bool used = w.joint_generations[i] != 0;
+        findings.require(type < sizes.size() && (!used || joint.place < sizes[type]) &&
+                             joint.bodies[0] < w.bodies.size() &&
+                             joint.bodies[1] < w.bodies.size() &&
+                             edge_in_range(joint.edges[0], n) && edge_in_range(joint.edges[1], n),
+                         "a joint");
+    }
+    findings.require(list_ends(w.free_joint, n, [&](uint32_t i) { return w.joints[i].next_free; }),
+                     "free joints");
+}
+
+void check_lists(const WorldData& w, Findings& findings) {
+    const size_t bodies = w.bodies.size(), shapes = w.shapes.size();
+    findings.require(all_below(w.awake_bodies, bodies) && all_below(w.edited_bodies, bodies) &&
+                         all_below(w.edited_shapes, shapes) && all_below(w.moved_shapes, shapes) &&
+                         all_below(w.awake_contacts, w.contacts.size()),
+                     "the lists of what is awake or edited");
+    for (const Island& island : w.islands)
+        findings.require(all_below(island.bodies, bodies), "an island");
+    findings.require(list_ends(w.free_island, w.islands.size(),
+                               [&](uint32_t i) { return w.islands[i].next_free; }),
+                     "free islands");
+    const WorldDef& s = w.settings;
+    findings.require(s.substeps >= 1 && s.substeps <= 64, "the settings");
+    // Each awake body knows its place among them.
+    if (findings.result()) return;
+    size_t awake = 0;
+    for (const BodyRecord& body : w.bodies) awake += body.solver_index != 0;
+    findings.require(awake == w.awake_bodies.size(), "the awake bodies");
+    for (size_t i = 0; i < w.awake_bodies.size(); ++i)
+        findings.require(w.bodies[w.awake_bodies[i]].solver_index == i + 1, "the awake bodies");
+}
+
+}  // namespace
+
+std::optional<std::string> WorldData::links_problem() const {
+    Findings findings;
+    // What a later check walks, an earlier one has found in range.
+    check_bodies(*this, findings);
+    if (!findings.result()) check_shapes(*this, findings);
+    if (!findings.result()) check_proxies(*this, findings);
+    if (!findings.result()) check_lists(*this, findings);
+    if (!findings.result()) check_contacts(*this, findings);
+    if (!findings.result()) check_joints(*this, findings);
+    return findings.result();
+}
+
+}  // namespace fettle::physics::detail
