@@ -110,6 +110,7 @@ History::Position History::position(Handle instance) const {
 }
 
 void History::edited(Handle instance, const Property& property, CellState before) {
+    if (observer_ != nullptr) observer_->edited(instance, property, before);
     CellState after;
     if (tree_.find(instance, property.symbol) != nullptr) after = capture(instance, property);
     // A drag is many edits of one cell: only its ends are kept.
@@ -126,10 +127,12 @@ void History::edited(Handle instance, const Property& property, CellState before
 }
 
 void History::moved(Handle instance, const Position& before) {
+    if (observer_ != nullptr) observer_->moved(instance, before.parent, before.name.text());
     add(Move{instance, before, position(instance)}, "move " + tree_.path(instance));
 }
 
 void History::born(Handle instance) {
+    if (observer_ != nullptr) observer_->born(instance);
     Existence existence;
     existence.top = instance;
     existence.birth = true;
@@ -137,6 +140,7 @@ void History::born(Handle instance) {
 }
 
 void History::dying(Handle instance) {
+    if (observer_ != nullptr) observer_->dying(instance);
     Existence existence;
     existence.top = instance;
     existence.images = images_of(instance);
@@ -275,7 +279,13 @@ void History::apply(CellEdit& edit, bool back, UndoResult& result) {
                                "\" is void: its instance was deleted since");
         return;
     }
+    const Property* property = tree_.find(edit.instance, edit.property);
+    CellState found;
+    if (property != nullptr) found = capture(edit.instance, *property);
     set_cell(edit.instance, edit.property, back ? edit.before : edit.after, result);
+    if (property == nullptr) property = tree_.find(edit.instance, edit.property);
+    if (observer_ != nullptr && property != nullptr)
+        observer_->edited(edit.instance, *property, found);
 }
 
 void History::apply(Move& move, bool back, UndoResult& result) {
@@ -283,7 +293,9 @@ void History::apply(Move& move, bool back, UndoResult& result) {
         result.notes.emplace_back("a move is void: its instance was deleted since");
         return;
     }
+    const Position found = position(move.instance);
     place(move.instance, back ? move.before : move.after, result);
+    if (observer_ != nullptr) observer_->moved(move.instance, found.parent, found.name.text());
 }
 
 void History::apply(Existence& existence, bool back, UndoResult& result) {
@@ -298,6 +310,7 @@ void History::bury(Existence& existence, UndoResult& result) {
         result.notes.emplace_back("an instance to be deleted is gone already");
         return;
     }
+    if (observer_ != nullptr) observer_->dying(existence.top);
     existence.images = images_of(existence.top);
     existence.lost_watchers = 0;
     for (const Image& image : existence.images)
@@ -337,6 +350,7 @@ void History::revive(Existence& existence, UndoResult& result) {
         for (const auto& [symbol, state] : image.cells)
             set_cell(image.handle, symbol, state, result);
     place(existence.top, existence.images.front().position, result);
+    if (observer_ != nullptr) observer_->born(existence.top);
     if (existence.lost_watchers > 0)
         result.notes.push_back("watchers of " + tree_.path(existence.top) +
                                " ended when it was deleted; they are not brought back");

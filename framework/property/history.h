@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include <fettle/property/edits.h>
 #include <fettle/property/history.h>
 #include <fettle/property/tree.h>
 
@@ -22,13 +23,7 @@ class History {
   public:
     explicit History(Tree& tree) : tree_(tree) {}
 
-    /// Everything a cell can be: absent, default, a value, a formula.
-    struct CellState {
-        bool present = false;
-        bool overridden = false;
-        Value value;
-        std::optional<Formula> formula;
-    };
+    using CellState = property::CellState;
     /// Where an instance hangs. `before`: the sibling in front of it.
     struct Position {
         Handle parent;
@@ -37,6 +32,7 @@ class History {
         bool named = false;
     };
 
+    void observe(EditObserver* observer) { observer_ = observer; }
     /// Whether what is written now is a person's edit.
     bool recording() const;
     void begin(std::string name, bool scripts);
@@ -106,6 +102,7 @@ class History {
     void place(Handle instance, const Position& at, UndoResult& result);
 
     Tree& tree_;
+    EditObserver* observer_ = nullptr;
     std::deque<Transaction> done_;
     std::vector<Transaction> undone_;
     Transaction open_;

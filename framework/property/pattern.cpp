@@ -76,7 +76,7 @@ std::vector<std::string> names_of(const Tree& tree, Handle instance) {
 
 Pattern::Pattern(std::string_view text) : text_(text), segments_(split(text)) {}
 
-bool Pattern::match(const std::vector<std::string>& names) const {
+bool Pattern::matches(const std::vector<std::string>& names) const {
     // The same walk as `fits`, a level up: on a mismatch only the last `**` takes one more name.
     std::size_t p = 0, n = 0, star = std::string::npos, mark = 0;
     while (n < names.size()) {
@@ -102,12 +102,12 @@ bool Pattern::matches(const Tree& tree, Handle instance, const Property& propert
     std::vector<std::string> names = names_of(tree, instance);
     if (names.empty() && instance != tree.root()) return false;
     names.push_back(property.name);
-    return match(names);
+    return matches(names);
 }
 
 bool Pattern::matches(const Tree& tree, Handle instance) const {
     const std::vector<std::string> names = names_of(tree, instance);
-    return !(names.empty() && instance != tree.root()) && match(names);
+    return !(names.empty() && instance != tree.root()) && matches(names);
 }
 
 bool Pattern::may_match(Symbol property) const {

@@ -77,6 +77,7 @@ struct Tree::State {
     Writer writer = Writer::module;
     std::function<std::string()>* locate = nullptr;
     std::vector<Observer*> observers;
+    FormulaCompiler formula_compiler;
     Handle root;
     const Event* ready_event = nullptr;
     const Event* deleted_event = nullptr;

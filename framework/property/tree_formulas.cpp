@@ -65,7 +65,18 @@ Explanation Tree::why(Handle instance, const Property& property) const {
     return state_->formulas.why(instance, property, seen);
 }
 
+void Tree::compile_formulas_with(FormulaCompiler compiler) {
+    state_->formula_compiler = std::move(compiler);
+}
+const FormulaCompiler& Tree::formula_compiler() const {
+    return state_->formula_compiler;
+}
+
 // --- History ---
+
+void Tree::observe_edits(EditObserver* observer) {
+    state_->history.observe(observer);
+}
 
 void Tree::begin_edit(std::string name, bool scripts) {
     state_->history.begin(std::move(name), scripts);

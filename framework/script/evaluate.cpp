@@ -173,7 +173,8 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     if (luaL_loadbufferx(L, ("return " + source).data(), source.size() + 7, chunk_name, "t") !=
         LUA_OK)
         lua_error(L);
-    push_formula(L, source);
+    if (is_function_text(source)) lua_call(L, 0, 1);
+    push_formula(L, {source, ""});
     define_formula(L, machine, lua_gettop(L), instance, name);
     lua_settop(L, 0);
     return true;

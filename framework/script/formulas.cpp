@@ -22,7 +22,7 @@ using property::Value;
 
 namespace {
 
-// User values: 1 the function, 2 its text.
+// User values: 1 the function, 2 its text, 3 why the text is not all of it.
 struct FormulaBox {
     Tag tag;
 };
@@ -74,7 +74,7 @@ int formula(lua_State* L) {
         throw Error(ErrorKind::wrong_type,
                     "formula: needs a function that returns the value, not " + describe_type(L, 1));
     lua_settop(L, 1);
-    push_formula(L, "");
+    push_formula(L, function_source(L, machine_of(L), 1));
     return 1;
 }
 
@@ -84,13 +84,15 @@ bool is_formula(lua_State* L, int index) {
     return box_at<FormulaBox>(L, index, Tag::formula) != nullptr;
 }
 
-void push_formula(lua_State* L, const std::string& source) {
-    auto* box = static_cast<FormulaBox*>(lua_newuserdatauv(L, sizeof(FormulaBox), 2));
+void push_formula(lua_State* L, const FunctionSource& source) {
+    auto* box = static_cast<FormulaBox*>(lua_newuserdatauv(L, sizeof(FormulaBox), 3));
     box->tag = Tag::formula;
     lua_insert(L, -2);
     lua_setiuservalue(L, -2, 1);
-    lua_pushlstring(L, source.data(), source.size());
+    lua_pushlstring(L, source.text.data(), source.text.size());
     lua_setiuservalue(L, -2, 2);
+    lua_pushlstring(L, source.not_saved.data(), source.not_saved.size());
+    lua_setiuservalue(L, -2, 3);
     lua_newtable(L);
     lua_pushliteral(L, "formula");
     lua_setfield(L, -2, "__name");
@@ -99,14 +101,61 @@ void push_formula(lua_State* L, const std::string& source) {
     lua_setmetatable(L, -2);
 }
 
+namespace {
+
+std::string text_at(lua_State* L, int index, int user_value) {
+    lua_getiuservalue(L, index, user_value);
+    std::size_t size = 0;
+    const char* chars = lua_tolstring(L, -1, &size);
+    std::string text(chars, size);
+    lua_pop(L, 1);
+    return text;
+}
+
+// A text of several lines tells which of them is meant; "formula" is the name of the chunk.
+std::string what_is_wrong(std::string message) {
+    if (message.starts_with("formula:1: "))
+        message.erase(0, 11);
+    else if (message.starts_with("formula:"))
+        message.replace(0, 8, "line ");
+    return "the formula does not compile: " + message;
+}
+
+}  // namespace
+
 void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
                     std::string_view name) {
-    lua_getiuservalue(L, index, 2);
-    const std::string source = lua_tostring(L, -1);
-    lua_pop(L, 1);
+    const std::string source = text_at(L, index, 2), not_saved = text_at(L, index, 3);
     lua_getiuservalue(L, index, 1);
     const auto function = std::make_shared<FunctionRef>(L, machine);
-    write_formula(machine, instance, name, {ScriptFormula(machine, function), source});
+    write_formula(machine, instance, name, {ScriptFormula(machine, function), source, not_saved});
+}
+
+property::Formula compile_formula(Machine& machine, const std::string& source) {
+    if (one_line(source).empty()) throw Error(ErrorKind::formula, "the formula has no text");
+    const std::string chunk = "return " + source;
+    std::shared_ptr<FunctionRef> function;
+    std::string wrong;
+    const bool ok = protected_run(
+        machine, "formula",
+        [&](lua_State* L) {
+            if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "=formula", "t") != LUA_OK) {
+                wrong = lua_tostring(L, -1);
+                return;
+            }
+            // The text of a function makes the function, and nothing of it runs by that.
+            if (is_function_text(source)) {
+                lua_pushvalue(L, -1);
+                lua_call(L, 0, 1);
+                if (lua_type(L, -1) != LUA_TFUNCTION) lua_pop(L, 1);
+            }
+            function = std::make_shared<FunctionRef>(L, machine);
+        },
+        false);
+    if (!ok) wrong = machine.caught ? machine.caught->message : "failed";
+    machine.caught.reset();
+    if (!wrong.empty()) throw Error(ErrorKind::formula, what_is_wrong(std::move(wrong)));
+    return {ScriptFormula(machine, function), source};
 }
 
 void push_formula_function(lua_State* L, Machine& machine, Handle instance,
@@ -120,6 +169,9 @@ void push_formula_function(lua_State* L, Machine& machine, Handle instance,
 }
 
 void open_formulas(lua_State* L) {
+    Machine& machine = machine_of(L);
+    machine.tree.compile_formulas_with(
+        [&machine](const std::string& source) { return compile_formula(machine, source); });
     add_function<formula>(L, "formula");
 }
 

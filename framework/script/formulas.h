@@ -7,6 +7,7 @@
 
 #include <fettle/property/tree.h>
 
+#include "function_source.h"
 #include "lua_api.h"
 
 namespace fettle::script {
@@ -19,8 +20,11 @@ bool is_formula(lua_State* L, int index);
 /// there is none.
 void define_formula(lua_State* L, Machine& machine, int index, property::Handle instance,
                     std::string_view name);
-/// Wraps the function on top of the stack, whose text is `source`; replaces it on the stack.
-void push_formula(lua_State* L, const std::string& source);
+/// Wraps the function on top of the stack; replaces it on the stack.
+void push_formula(lua_State* L, const FunctionSource& source);
+/// The formula a text stands for: an expression, or a function that returns the value. Throws
+/// Error(formula) with what is wrong with it.
+property::Formula compile_formula(Machine& machine, const std::string& source);
 /// Pushes the function of a property's formula, or nil.
 void push_formula_function(lua_State* L, Machine& machine, property::Handle instance,
                            const property::Property& property);

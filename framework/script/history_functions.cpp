@@ -4,6 +4,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 
+#include "function_source.h"
 #include "guard.h"
 #include "machine.h"
 #include "sandbox.h"
@@ -85,7 +86,7 @@ int who(lua_State* L) {
 
 void explain(Machine& machine, const Explanation& why, const std::string& indent) {
     std::string line = indent + why.path + " = " + why.value;
-    if (!why.source.empty()) line += "   is " + why.source;
+    if (!why.source.empty()) line += "   is " + one_line(why.source);
     if (!why.problem.empty()) line += "   in error: " + why.problem;
     if (why.repeated) line += "   (see above)";
     print_line(machine, line);

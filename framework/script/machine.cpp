@@ -87,6 +87,7 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
 }
 
 Machine::~Machine() {
+    tree.compile_formulas_with({});
     subscriptions.reset();
     classes.reset();
     arena.set_limit(static_cast<std::size_t>(-1));

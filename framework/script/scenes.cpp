@@ -102,7 +102,9 @@ int save(lua_State* L) {
     const Handle node = check_instance(L, 2, "scene.save");
     const fs::path path = below(machine.folder, file, "scene.save");
     if (path.empty()) throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
-    property::save_scene(machine.tree, node, path);
+    std::vector<std::string> warnings;
+    property::save_scene(machine.tree, node, path, &warnings);
+    for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
     return 0;
 }
 

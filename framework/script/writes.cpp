@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "function_source.h"
 #include "machine.h"
 
 namespace fettle::script {
@@ -82,7 +83,7 @@ void write_property(Machine& machine, Handle instance, const Property& property,
 
 void write_formula(Machine& machine, Handle instance, std::string_view name,
                    property::Formula formula) {
-    const std::string source = formula.source.empty() ? "a function" : formula.source;
+    const std::string source = formula.source.empty() ? "a function" : one_line(formula.source);
     machine.tree.set_formula(instance, name, std::move(formula));
     if (!machine.recording.active) return;
     const Property& property = machine.tree.property(instance, name);

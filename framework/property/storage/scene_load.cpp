@@ -13,6 +13,7 @@
 
 #include "document.h"
 #include "durable_file.h"
+#include "scene_reference.h"
 #include "scene_value.h"
 #include "unknown_keys.h"
 
@@ -45,15 +46,18 @@ std::string in_quotes(std::string_view text) {
 class SceneLoader {
   public:
     SceneLoader(Tree& tree, const Document& document, Handle parent, std::string_view name,
-                std::vector<std::string>* warnings)
+                std::vector<std::string>* warnings, std::vector<SceneInstance>* described)
         : tree_(tree),
           document_(document),
           parent_(parent),
           name_(name),
           warnings_(warnings),
+          described_(described),
           locate_([this] { return place(); }),
-          resolve_(
-              [this](const std::string& path, const Node& node) { return resolve(path, node); }) {}
+          resolve_([this](const std::string& path, const Node& node) {
+              return find_reference(
+                  {tree_, document_, instances_.front().handle, parent_, top_name()}, path, node);
+          }) {}
 
     Handle run() {
         if (parent_) tree_.require(parent_);
@@ -62,8 +66,9 @@ class SceneLoader {
         Tree::CauseScope cause(tree_, Writer::load, &locate_);
         Detached detached(tree_);
         allocate(detached);
-        for (Instance& instance : instances_) assign(instance, false);
-        for (Instance& instance : instances_) assign(instance, true);
+        // Formulas last: a plain value would replace them.
+        for (const Pass pass : {Pass::values, Pass::references, Pass::formulas})
+            for (Instance& instance : instances_) assign(instance, pass);
         for (Instance& instance : instances_) keep(instance);
         now_ = &document_.root();
         if (parent_) tree_.move(detached.top, parent_, name_);
@@ -72,11 +77,14 @@ class SceneLoader {
         if (warnings_ != nullptr) {
             warnings_->insert(warnings_->end(), new_warnings_.begin(), new_warnings_.end());
         }
+        describe();
         return top;
     }
 
   private:
     static constexpr std::size_t none = SIZE_MAX;
+
+    enum class Pass { values, references, formulas };
 
     struct Instance {
         const Node* node;
@@ -85,8 +93,10 @@ class SceneLoader {
         const Node* name = nullptr;
         const Node* properties = nullptr;
         const Node* ad_hoc = nullptr;
+        std::size_t place = 0;  // among its parent's children
         Handle handle{};
         UnknownKeys unknown{};
+        std::unordered_set<const Node*> set_aside{};  // of its ad-hoc ones
     };
 
     // --- Messages
@@ -205,9 +215,12 @@ class SceneLoader {
         }
         if (children == nullptr) return;
         std::unordered_set<std::string_view> names;
+        std::size_t place_of_child = 0;
         for (const Node* child = document_.first(*children); child;
              child = document_.next(*child)) {
+            const std::size_t made = instances_.size();
             plan(*child, self);
+            instances_[made].place = place_of_child++;
             const Node* name = document_.member(*child, "name");
             if (name != nullptr && !names.insert(document_.text(*name)).second) {
                 fail(ErrorKind::bad_name, name->begin,
@@ -303,24 +316,31 @@ class SceneLoader {
         return tree_.create(wanted, parent, name);
     }
 
-    void assign(Instance& instance, bool references) {
+    void assign(Instance& instance, Pass pass) {
         if (instance.properties != nullptr) {
             for (const Property* property : instance.instance_class->properties()) {
                 const Node* node = document_.member(*instance.properties, property->name);
-                if (node != nullptr) assign(instance, *property, *node, references);
+                if (node != nullptr) assign(instance, *property, *node, pass);
             }
         }
         if (instance.ad_hoc == nullptr) return;
         for (const Node* node = document_.first(*instance.ad_hoc); node;
              node = document_.next(*node)) {
-            assign_ad_hoc(instance, *node, references);
+            assign_ad_hoc(instance, *node, pass);
         }
     }
 
-    void assign(const Instance& instance, const Property& property, const Node& node,
-                bool references) {
+    /// The plain value that is to be assigned in this pass; null: none.
+    const Node* value_in(const Node& node, Type type, Type element, Pass pass) const {
+        if (pass == Pass::formulas) return nullptr;
+        const bool references = names_instance(document_, node, type, element);
+        if (references != (pass == Pass::references)) return nullptr;
+        const FormulaText formula = formula_text(document_, node);
+        return formula ? formula.value : &node;
+    }
+
+    void assign(const Instance& instance, const Property& property, const Node& node, Pass pass) {
         const Type type = declared_type(property);
-        if (names_instance(document_, node, type, property.element) != references) return;
         now_ = &node;
         try {
             if (property.binding.kind == BindingKind::node && property.transient) {
@@ -328,8 +348,10 @@ class SceneLoader {
                             "is told by the keys of the instance and by where it stands, not as a "
                             "property");
             }
-            tree_.set(instance.handle, property,
-                      read_value(document_, node, type, property.element, resolve_));
+            if (const Node* value = value_in(node, type, property.element, pass))
+                tree_.set(instance.handle, property,
+                          read_value(document_, *value, type, property.element, resolve_));
+            if (pass == Pass::formulas) assign_formula(instance, property.name, node);
         } catch (const SceneError& e) {
             throw with_path(e, instance, property.name);
         } catch (const Error& e) {
@@ -338,19 +360,35 @@ class SceneLoader {
         }
     }
 
-    void assign_ad_hoc(Instance& instance, const Node& node, bool references) {
+    void assign_formula(const Instance& instance, const std::string& property, const Node& node) {
+        const FormulaText formula = formula_text(document_, node);
+        if (!formula) return;
+        const Property* found = tree_.find(instance.handle, property);
+        const Value value = found != nullptr ? tree_.peek(instance.handle, *found) : Value();
+        Formula made;
+        try {
+            made = make_formula(tree_, document_.text(*formula.is), value);
+        } catch (const Error& e) {
+            fail(e.kind(), formula.is->begin, e.what());
+        }
+        tree_.set_formula(instance.handle, property, std::move(made));
+    }
+
+    void assign_ad_hoc(Instance& instance, const Node& node, Pass pass) {
         const std::string& key = document_.key(node);
         // A class may have learned to declare what was ad-hoc when the file was written.
         if (const Property* declared = instance.instance_class->property(key)) {
-            assign(instance, *declared, node, references);
+            assign(instance, *declared, node, pass);
             return;
         }
-        if (names_instance(document_, node, Type::nil, Type::nil) != references) return;
+        if (instance.set_aside.contains(&node)) return;
         now_ = &node;
         const std::string where = path(index(instance)) + path_suffix(key);
         try {
-            tree_.set_or_add(instance.handle, key,
-                             read_value(document_, node, Type::nil, Type::nil, resolve_));
+            if (const Node* value = value_in(node, Type::nil, Type::nil, pass))
+                tree_.set_or_add(instance.handle, key,
+                                 read_value(document_, *value, Type::nil, Type::nil, resolve_));
+            if (pass == Pass::formulas) assign_formula(instance, key, node);
         } catch (const SceneError& e) {
             throw with_path(e, instance, key);
         } catch (const Error& e) {
@@ -361,6 +399,7 @@ class SceneLoader {
             warn(node.key_begin, where + ": " + instance.instance_class->name() +
                                      " now has something of nearly this name; kept as it is");
             instance.unknown.add(UnknownKeys::Place::ad_hoc, document_, node);
+            instance.set_aside.insert(&node);
         }
     }
 
@@ -395,47 +434,13 @@ class SceneLoader {
         tree_.set_or_add(instance.handle, unknown_keys_property, instance.unknown.text());
     }
 
-    // --- References
-
-    Handle resolve(const std::string& text, const Node& node) const {
-        const Handle top = instances_.front().handle;
-        if (text == ".") return top;
-        const bool relative = text.starts_with('.') || text.starts_with('[');
-        std::vector<Segment> segments;
-        try {
-            segments = parse_path(relative ? "scene" + text : text);
-        } catch (const Error& e) {
-            fail(e.kind(), node.begin, "expected the path of an instance, got " + in_quotes(text));
-        }
-        if (relative) segments.erase(segments.begin());
-        return walk(relative ? top : tree_.root(), segments, text, node);
-    }
-
-    /// An absolute path may lead to where this very scene is about to be.
-    Handle walk(Handle at, const std::vector<Segment>& segments, const std::string& text,
-                const Node& node) const {
-        for (const Segment& segment : segments) {
-            Handle next;
-            if (!segment.is_index()) {
-                const std::string& name = std::get<std::string>(segment.key);
-                next = tree_.child(at, name);
-                if (!next && at == parent_ && name == top_name()) next = instances_.front().handle;
-            }
-            if (!next) no_such_instance(at, segment, text, node);
-            at = next;
-        }
-        return at;
-    }
-
-    [[noreturn]] void no_such_instance(Handle at, const Segment& segment, const std::string& text,
-                                       const Node& node) const {
-        std::string reason = "refers to " + in_quotes(text) + ", which does not exist";
-        if (!segment.is_index()) {
-            std::vector<std::string> names;
-            for (const Handle child : tree_.children(at)) names.push_back(tree_.name(child));
-            reason += suggestion(std::get<std::string>(segment.key), names);
-        }
-        fail(ErrorKind::unknown_name, node.begin, reason);
+    void describe() const {
+        if (described_ == nullptr) return;
+        described_->clear();
+        for (const Instance& instance : instances_)
+            described_->push_back({.instance = instance.handle,
+                                   .parent = instance.parent == none ? 0 : instance.parent,
+                                   .place = instance.place});
     }
 
     void tell_ready(Handle handle) {
@@ -450,6 +455,7 @@ class SceneLoader {
     Handle parent_;
     std::string name_;
     std::vector<std::string>* warnings_;
+    std::vector<SceneInstance>* described_;
     std::vector<std::string> new_warnings_;
     std::vector<Instance> instances_;
     const Node* now_ = nullptr;  // what is being assigned
@@ -460,15 +466,17 @@ class SceneLoader {
 }  // namespace
 
 Handle load_scene_text(Tree& tree, std::string_view text, std::string_view file_name, Handle parent,
-                       std::string_view name, std::vector<std::string>* warnings) {
+                       std::string_view name, std::vector<std::string>* warnings,
+                       std::vector<SceneInstance>* instances) {
     const Document document{std::string(text), std::string(file_name)};
-    return SceneLoader(tree, document, parent, name, warnings).run();
+    return SceneLoader(tree, document, parent, name, warnings, instances).run();
 }
 
 Handle load_scene(Tree& tree, const std::filesystem::path& file, Handle parent,
-                  std::string_view name, std::vector<std::string>* warnings) {
+                  std::string_view name, std::vector<std::string>* warnings,
+                  std::vector<SceneInstance>* instances) {
     return load_scene_text(tree, read_file(file, Document::size_limit), file.string(), parent, name,
-                           warnings);
+                           warnings, instances);
 }
 
 }  // namespace fettle::property

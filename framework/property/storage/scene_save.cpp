@@ -54,7 +54,8 @@ class Members {
 
 class SceneWriter {
   public:
-    SceneWriter(const Tree& tree, Handle top) : tree_(tree), top_(top), values_(tree, top) {}
+    SceneWriter(const Tree& tree, Handle top, std::vector<std::string>* warnings)
+        : tree_(tree), top_(top), warnings_(warnings), values_(tree, top) {}
 
     std::string run() {
         tree_.require(top_);
@@ -101,7 +102,8 @@ class SceneWriter {
         std::vector<const Property*> written;
         for (const Property* property : tree_.class_of(handle).properties()) {
             if (property->read_only || property->transient) continue;
-            if (tree_.overridden(handle, *property)) written.push_back(property);
+            if (tree_.overridden(handle, *property) || tree_.formula(handle, *property) != nullptr)
+                written.push_back(property);
         }
         const auto unknown = kept_in(kept, "properties", [&](const std::string& name) {
             return tree_.class_of(handle).property(name) == nullptr;
@@ -139,12 +141,33 @@ class SceneWriter {
             if (column == std::string::npos) {
                 throw Error(ErrorKind::bad_name, "a file cannot hold a name that is not UTF-8");
             }
-            values_.append(out_, property, tree_.get(handle, property), column, indent);
+            if (const Formula* formula = tree_.formula(handle, property))
+                this->formula(handle, property, *formula, column, indent);
+            else
+                values_.append(out_, property, tree_.get(handle, property), column, indent);
         } catch (const Error& e) {
             const std::string path = tree_.path(handle, property);
             const std::string reason = e.what();
             throw Error(e.kind(), reason.starts_with(path) ? reason : path + ": " + reason);
         }
+    }
+
+    /// As its text, or, where that would not be the same formula, as the value it has.
+    void formula(Handle handle, const Property& property, const Formula& formula,
+                 std::size_t column, std::size_t indent) {
+        (void)tree_.problem(handle, property);  // settles it; in error, the last good value stays
+        const Value value = tree_.peek(handle, property);
+        std::string why = formula.not_saved;
+        if (formula.source.empty() && why.empty()) why = "has no text";
+        if (why.empty()) {
+            if (values_.append(out_, property, formula, value)) return;
+            why = "is not UTF-8";
+        }
+        values_.append(out_, property, value, column, indent);
+        if (warnings_ != nullptr)
+            warnings_->push_back(tree_.path(handle, property) + ": its formula " + why +
+                                 ", so it cannot be saved; its value " +
+                                 tree_.text(value, property.precision()) + " is saved instead");
     }
 
     template <class Unknown>
@@ -186,21 +209,23 @@ class SceneWriter {
 
     const Tree& tree_;
     Handle top_;
+    std::vector<std::string>* warnings_;
     ValueWriter values_;
     std::string out_;
 };
 
 }  // namespace
 
-std::string scene_text(const Tree& tree, Handle node) {
-    std::string text = SceneWriter(tree, node).run();
+std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* warnings) {
+    std::string text = SceneWriter(tree, node, warnings).run();
     // What cannot be read must not become a file.
     const Document check(text, tree.path(node));
     return text;
 }
 
-void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file) {
-    replace_file(file, scene_text(tree, node));
+void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file,
+                std::vector<std::string>* warnings) {
+    replace_file(file, scene_text(tree, node, warnings));
 }
 
 }  // namespace fettle::property

@@ -79,6 +79,22 @@ void ValueWriter::append(std::string& out, const Property& property, const Value
     out += ']';
 }
 
+bool ValueWriter::append(std::string& out, const Property& property, const Formula& formula,
+                         const Value& value) const {
+    const std::size_t start = out.size();
+    out += "{\"is\": ";
+    if (!append_quoted(out, formula.source)) {
+        out.resize(start);
+        return false;
+    }
+    if (!value.is_nil()) {
+        out += ", \"value\": ";
+        append(out, declared_type(property), property.element, property.precision(), value);
+    }
+    out += '}';
+    return true;
+}
+
 void ValueWriter::append(std::string& out, Type type, Type element, Precision precision,
                          const Value& value) const {
     const bool declared = type == value.type();
@@ -330,8 +346,8 @@ class ValueReader {
 
     static std::string no_value() {
         return "expected a value; an object is one only as {\"vec2\": [x, y]}, {\"color\": "
-               "\"#rrggbb\"}, {\"reference\": \"path\"}, {\"number\": \"inf\"} or {\"bytes\": "
-               "\"%00\"}";
+               "\"#rrggbb\"}, {\"reference\": \"path\"}, {\"number\": \"inf\"}, {\"bytes\": "
+               "\"%00\"} or {\"is\": \"formula\"}";
     }
 
     const Document& document_;
@@ -340,6 +356,29 @@ class ValueReader {
 
 }  // namespace
 
+FormulaText formula_text(const Document& document, const Node& node) {
+    FormulaText found;
+    if (node.kind != Kind::object || document.member(node, "is") == nullptr) return found;
+    for (const Node* member = document.first(node); member; member = document.next(*member)) {
+        const std::string& key = document.key(*member);
+        if (key == "is" && member->kind == Kind::text) {
+            found.is = member;
+        } else if (key == "value" && !document.member(*member, "is")) {
+            found.value = member;
+        } else {
+            document.fail(
+                ErrorKind::wrong_type, member->key_begin,
+                "expected a formula as {\"is\": \"its text\", \"value\": its last value}");
+        }
+    }
+    return found;
+}
+
+Formula make_formula(const Tree& tree, const std::string& source, const Value& value) {
+    if (tree.formula_compiler()) return tree.formula_compiler()(source);
+    return {.function = [value](const Tree&) { return value; }, .source = source};
+}
+
 Value read_value(const Document& document, const Node& node, Type type, Type element,
                  const ReferenceResolver& resolve) {
     return ValueReader(document, resolve).read(node, type, element);
@@ -347,7 +386,12 @@ Value read_value(const Document& document, const Node& node, Type type, Type ele
 
 bool names_instance(const Document& document, const Node& node, Type type, Type element) {
     if (node.kind == Kind::text) return type == Type::reference;
-    if (node.kind == Kind::object) return document.member(node, "reference") != nullptr;
+    if (node.kind == Kind::object) {
+        if (document.member(node, "is") == nullptr)
+            return document.member(node, "reference") != nullptr;
+        const Node* value = document.member(node, "value");
+        return value != nullptr && names_instance(document, *value, type, element);
+    }
     if (node.kind != Kind::array) return false;
     for (const Node* item = document.first(node); item; item = document.next(*item)) {
         const Type of_item = type == Type::list ? element : Type::nil;

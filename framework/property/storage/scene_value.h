@@ -28,6 +28,10 @@ class ValueWriter {
     /// it starts; `indent`: of the line it starts on. Throws Error.
     void append(std::string& out, const Property& property, const Value& value, std::size_t column,
                 std::size_t indent) const;
+    /// The same for a formula with its last value. False, with `out` as it was, when its text is
+    /// not UTF-8.
+    bool append(std::string& out, const Property& property, const Formula& formula,
+                const Value& value) const;
 
     /// ".ball.circle" for what is inside the scene ("." its top), "world.floor" for what is not.
     /// Throws Error for what no path leads to.
@@ -48,6 +52,21 @@ class ValueWriter {
 /// Finds the instance a reference in a file names; throws SceneError at `node`.
 using ReferenceResolver =
     std::function<Handle(const std::string& path, const Document::Node& node)>;
+
+/// A formula in a file: `{"is": "world.ball.mass * 2", "value": 4}`, its text and the last value it
+/// had, for whoever cannot compute it.
+struct FormulaText {
+    const Document::Node* is = nullptr;
+    const Document::Node* value = nullptr;  // null: not told
+    explicit operator bool() const { return is != nullptr; }
+};
+
+/// Empty when the node is a plain value. Throws SceneError for an object that is neither.
+FormulaText formula_text(const Document& document, const Document::Node& node);
+
+/// The formula of that text. Where nobody can compute it, one that keeps `value` and the text.
+/// Throws Error for a text that does not compile.
+Formula make_formula(const Tree& tree, const std::string& source, const Value& value);
 
 /// What a value in a file says, read as one of `type` whose elements, if it is a list, are of type
 /// `element`. A value that says something else is returned as what it is, for the property to

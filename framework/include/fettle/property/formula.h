@@ -16,7 +16,13 @@ struct Formula {
     std::function<Value(const Tree&)> function;
     /// Its text, as it is shown, edited and saved; "" for a formula that has none.
     std::string source{};
+    /// Why the text alone does not make the same formula again ("uses the local variable \"speed\"
+    /// of main.lua:12"), so that files hold its value instead; "" when it does.
+    std::string not_saved{};
 };
+
+/// Makes a formula of its text. Throws Error(formula) with what is wrong with the text.
+using FormulaCompiler = std::function<Formula(const std::string& source)>;
 
 /// Where a value comes from, as a tree.
 struct Explanation {

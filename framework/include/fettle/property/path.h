@@ -60,11 +60,12 @@ class Pattern {
     const std::string& text() const { return text_; }
     bool matches(const Tree& tree, Handle instance, const Property& property) const;
     bool matches(const Tree& tree, Handle instance) const;
+    /// The names of a path, the root's left out; nothing of it need exist.
+    bool matches(const std::vector<std::string>& names) const;
     /// False when no property of this name can match: cheap, for turning changes away early.
     bool may_match(Symbol property) const;
 
   private:
-    bool match(const std::vector<std::string>& names) const;
     std::string text_;
     std::vector<std::string> segments_;
 };

@@ -29,6 +29,7 @@
 
 namespace fettle::property {
 
+class EditObserver;
 class Observer;
 
 class Tree {
@@ -152,6 +153,10 @@ class Tree {
     std::size_t formula_count() const;
     /// True while a formula runs: nothing may be written then.
     bool in_formula() const;
+    /// Whoever knows the language formulas are written in says how they are made of their text, so
+    /// that files can hold them. Empty: nobody does.
+    void compile_formulas_with(FormulaCompiler compiler);
+    const FormulaCompiler& formula_compiler() const;
 
     // --- History
     // ----------------------------------------------------------------------------------------------------
@@ -217,6 +222,8 @@ class Tree {
     /// Not owned; told of everything done from outside the simulation, until `unobserve`.
     void observe(Observer& observer);
     void unobserve(Observer& observer);
+    /// Not owned; told of what people edit, instead of the one before. Null: nobody.
+    void observe_edits(EditObserver* observer);
 
     // --- Time and cause
     // ---------------------------------------------------------------------------------------------

@@ -55,26 +55,42 @@ inline constexpr std::string_view unknown_keys_property = "unknown_keys";
 
 /// `node` and everything below it as the text of a scene file. Throws Error for what no file can
 /// hold: the root of the tree, NaN, a reference to a detached instance outside `node`, a name that
-/// is not UTF-8, more than 400 instances inside each other.
-std::string scene_text(const Tree& tree, Handle node);
+/// is not UTF-8, more than 400 instances inside each other. A formula is held by its text and its
+/// value; `warnings`, when given, receives a line for each whose text alone would not be the same
+/// formula and of which only the value is held.
+std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* warnings = nullptr);
 
 /// Writes `scene_text` to a file: into a temporary file beside it, read back, synchronized with the
 /// disk, then renamed over `file`. Throws FileError; the old file is then as it was.
-void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file);
+void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file,
+                std::vector<std::string>* warnings = nullptr);
+
+/// Where in its scene file an instance was described.
+struct SceneInstance {
+    Handle instance{};
+    std::size_t parent = 0;  // which of the list describes its parent; of the topmost, itself
+    std::size_t place = 0;   // among its parent's children in the file, from 0
+};
 
 /// Builds the instances a scene file describes below `parent` (null: detached) and returns the
 /// topmost one. It is called `name`, or as the file says (numbered when `parent` has a child of
 /// that name). Names of properties that its class does not have, and other keys that nothing here
 /// understands, are kept and written back by saving; `warnings`, when given, receives a line for
-/// each such property. Every instance emits `ready`, children before parents.
+/// each such property; `instances` receives every instance, parents before children. Every instance
+/// emits `ready`, children before parents.
+///
+/// Formulas are made by the tree's compiler (`Tree::compile_formulas_with`); without one a formula
+/// keeps its text and the value the file tells.
 ///
 /// Throws SceneError, FileError, or Error for a `parent` or `name` that cannot be; nothing has
 /// changed then.
 Handle load_scene(Tree& tree, const std::filesystem::path& file, Handle parent,
-                  std::string_view name = {}, std::vector<std::string>* warnings = nullptr);
+                  std::string_view name = {}, std::vector<std::string>* warnings = nullptr,
+                  std::vector<SceneInstance>* instances = nullptr);
 
 /// The same from a text; `file_name` stands in messages and causes.
 Handle load_scene_text(Tree& tree, std::string_view text, std::string_view file_name, Handle parent,
-                       std::string_view name = {}, std::vector<std::string>* warnings = nullptr);
+                       std::string_view name = {}, std::vector<std::string>* warnings = nullptr,
+                       std::vector<SceneInstance>* instances = nullptr);
 
 }  // namespace fettle::property

@@ -1,0 +1,133 @@
+// Formulas in scene files: their text, and the value for whoever cannot compute it.
+
+#include <fettle/property/path.h>
+
+#include "catch.h"
+#include "scene_world.h"
+
+using namespace scene_test;
+
+namespace {
+
+/// Knows one kind of formula, "twice PATH", to stand for a language.
+Formula twice(const std::string& source) {
+    if (!source.starts_with("twice "))
+        throw Error(ErrorKind::formula, "the formula does not compile: expected twice PATH");
+    const std::string path = source.substr(6);
+    return {.function = [path](const Tree& tree) { return Value(2 * get(tree, path).as_double()); },
+            .source = source};
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string scene(const std::string& members) {
+    return R"({"fettle_scene": 1, "class": "Thing", "name": "b", )" + members + "}";
+}
+
+}  // namespace
+
+TEST_CASE("a formula is saved as its text and the value it has") {
+    SceneWorld w;
+    const Handle a = w.add("Thing", "a"), b = w.add("Thing", "b");
+    w.tree.set(a, "number", 3.0);
+    w.tree.set_formula(b, "number", twice("twice world.a.number"));
+    w.tree.set_formula(b, "score", twice("twice world.b.number"));
+    const std::string text = w.text(b);
+    CHECK(has(text, R"("number": {"is": "twice world.a.number", "value": 6})"));
+    CHECK(has(text, R"("score": {"is": "twice world.b.number", "value": 12.0})"));
+}
+
+TEST_CASE("a formula that was loaded goes on computing") {
+    SceneWorld w;
+    w.tree.compile_formulas_with(twice);
+    const Handle a = w.add("Thing", "a"), b = w.add("Thing", "b");
+    w.tree.set(a, "number", 3.0);
+    w.tree.set_formula(b, "number", twice("twice world.a.number"));
+    w.tree.set_formula(b, "score", twice("twice world.a.number"));
+    const std::string text = w.text(b);
+    const Handle c = w.load(text, "c");
+    CHECK(w.warnings.empty());
+    w.tree.set(a, "number", 5.0);
+    CHECK(w.tree.get(c, "number") == Value(10.0));
+    CHECK(w.tree.get(c, "score") == Value(10.0));
+    w.tree.set(a, "number", 3.0);
+    w.tree.rename(b, "d");
+    w.tree.rename(c, "b");
+    CHECK(w.text(c) == text);
+}
+
+TEST_CASE("where nobody can compute a formula its text and its value stay") {
+    SceneWorld w;
+    const std::string text =
+        w.text(w.load(scene(R"("properties": {"number": {"is": "magic", "value": 6}, "position": )"
+                            R"({"is": "more magic", "value": [1, 2]}})")));
+    const Handle b = w.tree.child(w.world, "b");
+    CHECK(w.tree.get(b, "number") == Value(6.0));
+    CHECK(w.tree.get(b, "position") == Value(Vec2(1, 2)));
+    REQUIRE(w.tree.formula(b, w.tree.property(b, "number")) != nullptr);
+    CHECK(w.tree.formula(b, w.tree.property(b, "number"))->source == "magic");
+    CHECK(has(text, R"("number": {"is": "magic", "value": 6})"));
+    w.tree.set(b, "number", 7.0);
+    CHECK(has(w.text(b), R"("number": 7)"));
+}
+
+TEST_CASE("a formula written by hand needs no value") {
+    SceneWorld w;
+    w.tree.compile_formulas_with(twice);
+    w.tree.set(w.add("Thing", "a"), "number", 3.0);
+    const Handle b = w.load(scene(R"("properties": {"number": {"is": "twice world.a.number"}}, )"
+                                  R"("ad_hoc": {"score": {"is": "twice world.a.number"}})"));
+    CHECK(w.tree.get(b, "number") == Value(6.0));
+    CHECK(w.tree.get(b, "score") == Value(6.0));
+}
+
+TEST_CASE("a formula whose text does not compile is refused with its place") {
+    SceneWorld w;
+    w.tree.compile_formulas_with(twice);
+    const std::string before = w.everything();
+    CHECK(w.refusal(scene("\"properties\": {\n  \"number\": {\"is\": \"half world.a\"}}")) ==
+          "level.json:2:20: world.b.number: the formula does not compile: expected twice PATH");
+    CHECK(w.refusal(scene("\"ad_hoc\": {\n  \"x\": {\"value\": 1, \"is\": \"3\"}}")) ==
+          "level.json:2:27: world.b.x: the formula does not compile: expected twice PATH");
+    CHECK(has(w.refusal(scene("\"ad_hoc\": {\n  \"x\": {\"is\": 3}}")), "expected a formula as"));
+    CHECK(has(w.refusal(scene("\"ad_hoc\": {\n  \"x\": {\"is\": \"twice a\", \"vale\": 3}}")),
+              "level.json:2:26: world.b.x: expected a formula as"));
+    CHECK(w.everything() == before);
+}
+
+TEST_CASE("a formula that is more than its text is saved as its value with a warning") {
+    SceneWorld w;
+    const Handle b = w.add("Thing", "b");
+    Formula bound = twice("twice world.a.number");
+    w.tree.set(w.add("Thing", "a"), "number", 3.0);
+    bound.not_saved = "uses the local variable \"speed\" of main.lua:12";
+    w.tree.set_formula(b, "number", bound);
+    w.tree.set_formula(b, "small", Formula{[](const Tree&) { return Value(0.25); }});
+    std::vector<std::string> warnings;
+    const std::string text = scene_text(w.tree, b, &warnings);
+    CHECK(has(text, R"("number": 6)"));
+    CHECK(has(text, R"("small": 0.25)"));
+    REQUIRE(warnings.size() == 2);
+    CHECK(warnings[0] ==
+          "world.b.number: its formula uses the local variable \"speed\" of main.lua:12, so it "
+          "cannot be saved; its value 6 is saved instead");
+    CHECK(has(warnings[1], "world.b.small: its formula has no text"));
+}
+
+TEST_CASE("a formula in error is saved with its last good value") {
+    SceneWorld w;
+    w.tree.compile_formulas_with(twice);
+    const Handle a = w.add("Thing", "a"), b = w.add("Thing", "b");
+    w.tree.set(a, "number", 3.0);
+    w.tree.set_formula(b, "number", twice("twice world.a.number"));
+    CHECK(w.tree.get(b, "number") == Value(6.0));
+    w.tree.destroy(a);
+    const std::string text = w.text(b);
+    CHECK(has(text, R"({"is": "twice world.a.number", "value": 6})"));
+    const Handle c = w.load(text, "c");
+    CHECK_FALSE(w.tree.problem(c, w.tree.property(c, "number")).empty());
+    w.tree.set(w.add("Thing", "a"), "number", 4.0);
+    CHECK(w.tree.get(c, "number") == Value(8.0));
+}
