@@ -42,6 +42,8 @@ void add_tree(CLI::App& app, TreeOptions& options) {
     command->add_option("--repetitions", options.repetitions, "Repetitions; the median counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    command->add_option("--only", options.only, "Only rows with this in their name")
+        ->type_name("TEXT");
     add_output(*command, options.output);
 }
 

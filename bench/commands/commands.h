@@ -43,6 +43,7 @@ int run_hosted_steps(const HostedStepsOptions& options);
 
 struct TreeOptions {
     int repetitions = 7;
+    std::string only;  // rows whose name has this in it, and what they are compared with
     OutputOptions output;
 };
 int run_tree(const TreeOptions& options);

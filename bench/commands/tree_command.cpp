@@ -14,6 +14,7 @@ int run_tree(const TreeOptions& options) {
     CostTable costs;
     add_tree_costs(costs);
     add_lua_costs(costs);
+    if (!options.only.empty()) costs.keep(options.only);
     const std::vector<Cost> rows = costs.run(options.repetitions);
     Table table({"cost", "ns", "ratio", "against"});
     Chart chart{.title = "What the property tree costs", .unit = "ns", .series = {"fettle"}};

@@ -27,6 +27,21 @@ void CostTable::add(std::string name, std::string against, double operations, Co
     entries_.push_back({std::move(name), std::move(against), operations, std::move(loop)});
 }
 
+void CostTable::keep(const std::string& text) {
+    const auto meant = [&](const Entry& entry) {
+        return entry.name.find(text) != std::string::npos;
+    };
+    std::vector<Entry> kept;
+    for (const Entry& entry : entries_) {
+        const bool is_base = std::ranges::any_of(entries_, [&](const Entry& other) {
+            return meant(other) && other.against == entry.name;
+        });
+        if (meant(entry) || is_base) kept.push_back(entry);
+    }
+    if (kept.empty()) throw std::invalid_argument("no row has \"" + text + "\" in its name");
+    entries_ = std::move(kept);
+}
+
 std::vector<Cost> CostTable::run(int repetitions) const {
     std::string program = "fettle-bench";
     std::string interleaved = "--benchmark_enable_random_interleaving=true";

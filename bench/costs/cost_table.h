@@ -23,6 +23,9 @@ class CostTable {
   public:
     /// `loop` does `operations` of what is measured in each of its iterations.
     void add(std::string name, std::string against, double operations, CostLoop loop);
+    /// Leaves out every row that neither has `text` in its name nor is what such a row is compared
+    /// with. Throws std::invalid_argument when no row is left.
+    void keep(const std::string& text);
     /// Medians of processor time over the repetitions, in the order of `add`.
     std::vector<Cost> run(int repetitions) const;
 
