@@ -11,9 +11,12 @@
 #include <string_view>
 
 #include <fettle/app/layer.h>
+#include <fettle/console/export.h>
 #include <fettle/console/interpreter.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
+
+FETTLE_CONSOLE_BEGIN
 
 namespace fettle::console {
 
@@ -62,3 +65,5 @@ class Console : public app::Layer {
 };
 
 }  // namespace fettle::console
+
+FETTLE_CONSOLE_END

@@ -6,8 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/console/export.h>
 #include <fettle/property/value.h>
 #include <fettle/script/runtime.h>
+
+FETTLE_CONSOLE_BEGIN
 
 namespace fettle::console {
 
@@ -23,3 +26,5 @@ struct Interpreter {
 Interpreter interpreter_of(script::Runtime& runtime);
 
 }  // namespace fettle::console
+
+FETTLE_CONSOLE_END

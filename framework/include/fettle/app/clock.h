@@ -3,7 +3,10 @@
 
 #include <cstdint>
 
+#include <fettle/app/export.h>
 #include <fettle/property/tree.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
@@ -50,3 +53,5 @@ struct Clock {
 property::Handle define_clock(property::Tree& tree, Clock& clock);
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

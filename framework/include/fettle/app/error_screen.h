@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <fettle/app/export.h>
 #include <fettle/app/layer.h>
 #include <fettle/script/runtime.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
@@ -43,3 +46,5 @@ class ErrorScreen : public Layer {
 std::string error_text(const script::ScriptError& error);
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

@@ -6,6 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include <fettle/app/export.h>
+
+FETTLE_APP_BEGIN
+
 namespace fettle::app {
 
 enum class EventKind : std::uint8_t {
@@ -48,3 +52,5 @@ struct InputEvent {
 };
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

@@ -14,8 +14,11 @@
 #include <vector>
 
 #include <fettle/app/event.h>
+#include <fettle/app/export.h>
 #include <fettle/app/view.h>
 #include <fettle/property/tree.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::script {
 class Runtime;
@@ -70,3 +73,5 @@ class Input {
 };
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

@@ -6,7 +6,10 @@
 #include <string_view>
 
 #include <fettle/app/event.h>
+#include <fettle/app/export.h>
 #include <fettle/app/surface.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
@@ -28,3 +31,5 @@ class Layer {
 };
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

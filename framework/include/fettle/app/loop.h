@@ -11,10 +11,13 @@
 #include <vector>
 
 #include <fettle/app/event.h>
+#include <fettle/app/export.h>
 #include <fettle/app/layer.h>
 #include <fettle/app/services.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
@@ -92,3 +95,5 @@ class Loop {
 };
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

@@ -7,11 +7,14 @@
 #include <string>
 
 #include <fettle/app/event.h>
+#include <fettle/app/export.h>
 #include <fettle/app/layer.h>
 #include <fettle/app/surface.h>
 #include <fettle/app/view.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/value.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
@@ -61,3 +64,5 @@ std::unique_ptr<Window> open_window(const WindowOptions& options);
 std::unique_ptr<Screen> make_picture(unsigned width, unsigned height);
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

@@ -2,9 +2,12 @@
 // What every game finds in its tree beside the world: `time`, `view`, `input`, `audio`.
 
 #include <fettle/app/clock.h>
+#include <fettle/app/export.h>
 #include <fettle/app/input.h>
 #include <fettle/app/view.h>
 #include <fettle/property/tree.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
@@ -31,3 +34,5 @@ class Services {
 };
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

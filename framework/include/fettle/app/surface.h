@@ -6,6 +6,10 @@
 #include <span>
 #include <string_view>
 
+#include <fettle/app/export.h>
+
+FETTLE_APP_BEGIN
+
 namespace fettle::app {
 
 struct SurfaceVertex {
@@ -51,3 +55,5 @@ class Surface {
 };
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

@@ -4,8 +4,11 @@
 #include <array>
 #include <string>
 
+#include <fettle/app/export.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
@@ -46,3 +49,5 @@ struct View {
 property::Handle define_view(property::Tree& tree, View& view);
 
 }  // namespace fettle::app
+
+FETTLE_APP_END

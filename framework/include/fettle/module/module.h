@@ -5,13 +5,16 @@
 #include <cstdint>
 #include <string_view>
 
+#include <fettle/module/export.h>
 #include <fettle/property/tree.h>
+
+FETTLE_MODULE_BEGIN
 
 namespace fettle::module {
 
 class Module {
   public:
-    virtual ~Module() = default;
+    virtual ~Module();
     virtual std::string_view name() const = 0;
     /// Registers its classes and creates the services it offers (`game.world`). Called once; the
     /// module outlives the tree's use of it.
@@ -25,3 +28,5 @@ class Module {
 };
 
 }  // namespace fettle::module
+
+FETTLE_MODULE_END

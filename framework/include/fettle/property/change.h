@@ -8,7 +8,10 @@
 #include <vector>
 
 #include <fettle/property/class.h>
+#include <fettle/property/export.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -123,3 +126,5 @@ struct HandlerError {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -22,9 +22,12 @@
 #include <variant>
 #include <vector>
 
+#include <fettle/property/export.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -309,3 +312,5 @@ Binding accessor(Context& context, Get get, Set) {
 }
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -5,6 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
 namespace fettle::property {
 
 enum class ErrorKind {
@@ -33,3 +37,5 @@ class Error : public std::runtime_error {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

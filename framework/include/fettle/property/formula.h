@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <fettle/property/export.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -35,3 +38,5 @@ struct Explanation {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -5,6 +5,9 @@
 #include <vector>
 
 #include <fettle/property/change.h>
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -33,3 +36,5 @@ struct Provenance {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -5,7 +5,10 @@
 #include <span>
 #include <string_view>
 
+#include <fettle/property/export.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -45,3 +48,5 @@ class Painter {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -9,7 +9,10 @@
 #include <vector>
 
 #include <fettle/property/class.h>
+#include <fettle/property/export.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -71,3 +74,5 @@ class Pattern {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

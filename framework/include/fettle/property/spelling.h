@@ -7,6 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
 namespace fettle::property {
 
 /// Edits (insert, delete, replace, swap of neighbours) that turn `a` into `b`, letter case ignored;
@@ -26,3 +30,5 @@ std::string nearest(std::string_view name, std::span<const std::string> candidat
 std::string suggestion(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -7,6 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
 namespace fettle::property {
 
 /// An interned name. Interning is thread-safe; symbols live as long as the process.
@@ -34,3 +38,5 @@ struct std::hash<fettle::property::Symbol> {
         return s.id() * 0x9e3779b1u;
     }
 };
+
+FETTLE_PROPERTY_END

@@ -22,10 +22,13 @@
 #include <fettle/property/change.h>
 #include <fettle/property/class.h>
 #include <fettle/property/error.h>
+#include <fettle/property/export.h>
 #include <fettle/property/formula.h>
 #include <fettle/property/history.h>
 #include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -254,3 +257,5 @@ class Tree {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

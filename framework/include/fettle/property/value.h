@@ -11,6 +11,10 @@
 
 #include <Eigen/Core>
 
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
 namespace fettle::property {
 
 /// A vector in the plane; also a point. Metres unless a property says otherwise. Eigen's arithmetic
@@ -159,3 +163,5 @@ std::string color_text(Color color);
 const std::vector<std::string>& color_names();
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

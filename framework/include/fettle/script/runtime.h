@@ -14,6 +14,9 @@
 #include <vector>
 
 #include <fettle/property/tree.h>
+#include <fettle/script/export.h>
+
+FETTLE_SCRIPT_BEGIN
 
 namespace fettle::script {
 
@@ -114,3 +117,5 @@ class Runtime {
 };
 
 }  // namespace fettle::script
+
+FETTLE_SCRIPT_END

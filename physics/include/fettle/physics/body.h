@@ -2,8 +2,11 @@
 
 #include <fettle/physics/contact.h>
 #include <fettle/physics/definitions.h>
+#include <fettle/physics/export.h>
 
 #include <vector>
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -122,3 +125,5 @@ class Body {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

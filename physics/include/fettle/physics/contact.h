@@ -1,8 +1,11 @@
 #pragma once
 
+#include <fettle/physics/export.h>
 #include <fettle/physics/types.h>
 
 #include <array>
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -31,3 +34,5 @@ struct Contact {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

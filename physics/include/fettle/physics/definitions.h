@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fettle/physics/export.h>
 #include <fettle/physics/types.h>
 
 #include <optional>
@@ -7,6 +8,8 @@
 
 // What is needed to create things: plain aggregates for designated initializers, with the defaults
 // of the library. Every value in here can be changed later on the live object.
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -122,3 +125,5 @@ struct MouseJointDef {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <fettle/physics/export.h>
 #include <fettle/physics/types.h>
 
 #include <vector>
 
 // What happened in the last step and in the edits before it. Ids of what was destroyed are dangling
 // on purpose: they still compare, so a listener can tell who ended.
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -57,3 +60,5 @@ struct Events {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <fettle/physics/export.h>
 #include <fettle/physics/types.h>
 
 #include <span>
 #include <vector>
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -23,3 +26,5 @@ const char* describe(HullStatus status);
 HullStatus convex_hull(std::span<const Vec2> points, std::vector<Vec2>& hull);
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

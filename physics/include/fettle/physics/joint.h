@@ -1,6 +1,9 @@
 #pragma once
 
 #include <fettle/physics/body.h>
+#include <fettle/physics/export.h>
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -122,3 +125,5 @@ class RevoluteJoint : public Joint {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <fettle/physics/export.h>
 #include <fettle/physics/shape.h>
 
 #include <functional>
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -24,3 +27,5 @@ struct RayHit {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

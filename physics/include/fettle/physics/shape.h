@@ -1,10 +1,13 @@
 #pragma once
 
 #include <fettle/physics/body.h>
+#include <fettle/physics/export.h>
 #include <fettle/physics/hull.h>
 
 #include <span>
 #include <variant>
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -101,3 +104,5 @@ class Shape {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

@@ -2,6 +2,10 @@
 
 #include <cstdint>
 
+#include <fettle/physics/export.h>
+
+FETTLE_PHYSICS_BEGIN
+
 namespace fettle::physics {
 
 /// Of the last step.
@@ -27,3 +31,5 @@ struct StepStatistics {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <limits>
 
+#include <fettle/physics/export.h>
+
+FETTLE_PHYSICS_BEGIN
+
 namespace fettle::physics {
 
 /// Metres, metres a second, newtons... Everything in the library is single precision and SI, angles
@@ -82,3 +86,5 @@ static_assert(sizeof(BodyState) == 32);
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

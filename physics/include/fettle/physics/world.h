@@ -2,6 +2,7 @@
 
 #include <fettle/physics/body.h>
 #include <fettle/physics/events.h>
+#include <fettle/physics/export.h>
 #include <fettle/physics/joint.h>
 #include <fettle/physics/query.h>
 #include <fettle/physics/shape.h>
@@ -13,6 +14,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -169,3 +172,5 @@ class World {
 };
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

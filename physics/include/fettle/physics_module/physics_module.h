@@ -7,6 +7,9 @@
 
 #include <fettle/module/module.h>
 #include <fettle/physics/world.h>
+#include <fettle/physics_module/export.h>
+
+FETTLE_PHYSICS_MODULE_BEGIN
 
 namespace fettle::physics_module {
 
@@ -48,3 +51,5 @@ class PhysicsModule : public module::Module {
 };
 
 }  // namespace fettle::physics_module
+
+FETTLE_PHYSICS_MODULE_END

@@ -10,7 +10,10 @@
 #include <vector>
 
 #include <fettle/property/error.h>
+#include <fettle/property/storage/export.h>
 #include <fettle/property/tree.h>
+
+FETTLE_STORAGE_BEGIN
 
 namespace fettle::property {
 
@@ -94,3 +97,5 @@ Handle load_scene_text(Tree& tree, std::string_view text, std::string_view file_
                        std::vector<SceneInstance>* instances = nullptr);
 
 }  // namespace fettle::property
+
+FETTLE_STORAGE_END

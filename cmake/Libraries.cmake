@@ -1,0 +1,108 @@
+# What all libraries of Fettle have alike: their names, what they show of themselves, and how they are installed.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# Programs built against one of these need this one or a later one of the same. Before 1.0 the binary interface may
+# change with every minor version; docs/design/modules.md tells how versions move.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(fettle_soversion "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+else()
+  set(fettle_soversion "${PROJECT_VERSION_MAJOR}")
+endif()
+set(fettle_cmake_folder "${CMAKE_INSTALL_LIBDIR}/cmake/Fettle")
+
+# fettle_library(NAME TEXT
+#   INCLUDE FOLDER      of the public headers, below which lies HEADERS
+#   HEADERS FOLDER      what of it is this library's, as in fettle/physics; FILES there are not: every .h is public
+#   NEEDS PART...       parts of Fettle that its users need too
+#   PACKAGES NAME...    files of cmake/packages/ that its users need; those in BEHIND only where it is static
+#   PKGCONFIG NAME...   the same as pkg-config calls them; PKGCONFIG_BEHIND likewise
+#   )
+# gives the target fettle_NAME its alias Fettle::NAME, flags, visibility and versions, and installs it.
+function(fettle_library name text)
+  cmake_parse_arguments(of "" "INCLUDE;HEADERS" "NEEDS;PACKAGES;BEHIND;PKGCONFIG;PKGCONFIG_BEHIND;LIBS_BEHIND" ${ARGN})
+  set(target fettle_${name})
+  add_library(Fettle::${name} ALIAS ${target})
+  fettle_compile_options(${target})
+  string(TOUPPER ${name} upper)
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${fettle_soversion}
+    INSTALL_RPATH "$ORIGIN"
+    CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(${target} PUBLIC
+    "$<BUILD_INTERFACE:${of_INCLUDE}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  get_target_property(type ${target} TYPE)
+  set(defines)
+  if(type STREQUAL STATIC_LIBRARY)
+    set(defines FETTLE_${upper}_STATIC)
+    target_compile_definitions(${target} PUBLIC ${defines})
+    list(APPEND of_PACKAGES ${of_BEHIND})
+    list(APPEND of_PKGCONFIG ${of_PKGCONFIG_BEHIND})
+  endif()
+  if(NOT FETTLE_INSTALL)
+    return()
+  endif()
+
+  install(TARGETS ${target} EXPORT fettle_${name}
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT runtime
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime NAMELINK_COMPONENT development
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+  install(EXPORT fettle_${name} NAMESPACE Fettle:: FILE ${name}.cmake
+    DESTINATION "${fettle_cmake_folder}" COMPONENT development)
+  # Not below another library's folder: storage has its own within that of property.
+  install(DIRECTORY "${of_INCLUDE}/${of_HEADERS}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${of_HEADERS}"
+    COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "storage" EXCLUDE)
+  set_property(GLOBAL APPEND PROPERTY fettle_components ${name})
+  set_property(GLOBAL APPEND_STRING PROPERTY fettle_component_table
+    "set(_fettle_needs_${name} ${of_NEEDS})\nset(_fettle_packages_${name} ${of_PACKAGES})\n")
+  if(of_PACKAGES)
+    set_property(GLOBAL APPEND PROPERTY fettle_packages ${of_PACKAGES})
+  endif()
+  fettle_pkgconfig(${name} "${text}" "${of_NEEDS}" "${of_PKGCONFIG}" "${defines}" "${of_LIBS_BEHIND}")
+endfunction()
+
+function(fettle_pkgconfig name text needs packages defines libs)
+  set(requires)
+  foreach(need IN LISTS needs)
+    list(APPEND requires "fettle-${need} = ${PROJECT_VERSION}")
+  endforeach()
+  list(APPEND requires ${packages})
+  list(JOIN requires ", " requires)
+  list(TRANSFORM defines PREPEND "-D")
+  list(JOIN libs " " libs)
+  # Relative to the file, so that a prefix may be moved.
+  string(REGEX REPLACE "[^/]+" ".." up "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+  set(file "${PROJECT_BINARY_DIR}/pkgconfig/fettle-${name}.pc")
+  file(WRITE "${file}" "prefix=\${pcfiledir}/${up}
+libdir=\${prefix}/${CMAKE_INSTALL_LIBDIR}
+includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
+
+Name: fettle-${name}
+Description: ${text}
+Version: ${PROJECT_VERSION}
+Requires: ${requires}
+Cflags: -I\${includedir} ${defines}
+Libs: -L\${libdir} -lfettle_${name} ${libs}
+")
+  install(FILES "${file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+endfunction()
+
+# To be called when all libraries are known.
+function(fettle_install_package)
+  get_property(components GLOBAL PROPERTY fettle_components)
+  get_property(fettle_table GLOBAL PROPERTY fettle_component_table)
+  get_property(packages GLOBAL PROPERTY fettle_packages)
+  list(REMOVE_DUPLICATES packages)
+  list(JOIN components " " fettle_component_names)
+  set(made "${PROJECT_BINARY_DIR}/cmake")
+  configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/FettleConfig.cmake.in" "${made}/FettleConfig.cmake"
+    INSTALL_DESTINATION "${fettle_cmake_folder}")
+  write_basic_package_version_file("${made}/FettleConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
+  install(FILES "${made}/FettleConfig.cmake" "${made}/FettleConfigVersion.cmake"
+    DESTINATION "${fettle_cmake_folder}" COMPONENT development)
+  foreach(package IN LISTS packages)
+    install(FILES "${PROJECT_SOURCE_DIR}/cmake/packages/${package}.cmake"
+      DESTINATION "${fettle_cmake_folder}/packages" COMPONENT development)
+  endforeach()
+endfunction()

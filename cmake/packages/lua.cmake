@@ -1,0 +1,11 @@
+# Lua's C++ build throws where the C build would longjmp, so that destructors run on an error.
+if(NOT TARGET fettle_lua)
+  find_package(PkgConfig REQUIRED)
+  pkg_search_module(FETTLE_LUA IMPORTED_TARGET GLOBAL lua5.4-c++ lua-5.4-c++ lua54-c++)
+  if(FETTLE_LUA_FOUND)
+    add_library(fettle_lua INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(fettle_lua INTERFACE PkgConfig::FETTLE_LUA)
+  else()
+    set(FETTLE_MISSING "Lua 5.4 in its C++ build (Debian: liblua5.4-dev) is needed")
+  endif()
+endif()

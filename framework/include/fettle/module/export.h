@@ -1,0 +1,12 @@
+#pragma once
+// What a shared libfettle_module shows of itself: what its public headers declare between these two
+// marks, and nothing else. Everything is compiled with hidden visibility; a static library needs no
+// marks and has FETTLE_MODULE_STATIC defined.
+
+#ifdef FETTLE_MODULE_STATIC
+#define FETTLE_MODULE_BEGIN
+#define FETTLE_MODULE_END
+#else
+#define FETTLE_MODULE_BEGIN _Pragma("GCC visibility push(default)")
+#define FETTLE_MODULE_END _Pragma("GCC visibility pop")
+#endif
