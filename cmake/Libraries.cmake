@@ -14,14 +14,15 @@ set(fettle_cmake_folder "${CMAKE_INSTALL_LIBDIR}/cmake/Fettle")
 
 # fettle_library(NAME TEXT
 #   INCLUDE FOLDER      of the public headers, below which lies HEADERS
-#   HEADERS FOLDER      what of it is this library's, as in fettle/physics; FILES there are not: every .h is public
+#   HEADERS FOLDER      what of it is this library's, as in fettle/physics
+#   WITHOUT PATTERN     more for install(DIRECTORY)
 #   NEEDS PART...       parts of Fettle that its users need too
 #   PACKAGES NAME...    files of cmake/packages/ that its users need; those in BEHIND only where it is static
 #   PKGCONFIG NAME...   the same as pkg-config calls them; PKGCONFIG_BEHIND likewise
 #   )
 # gives the target fettle_NAME its alias Fettle::NAME, flags, visibility and versions, and installs it.
 function(fettle_library name text)
-  cmake_parse_arguments(of "" "INCLUDE;HEADERS" "NEEDS;PACKAGES;BEHIND;PKGCONFIG;PKGCONFIG_BEHIND;LIBS_BEHIND" ${ARGN})
+  cmake_parse_arguments(of "" "INCLUDE;HEADERS" "WITHOUT;NEEDS;PACKAGES;BEHIND;PKGCONFIG;PKGCONFIG_BEHIND;LIBS_BEHIND" ${ARGN})
   set(target fettle_${name})
   add_library(Fettle::${name} ALIAS ${target})
   fettle_compile_options(${target})
@@ -50,9 +51,8 @@ function(fettle_library name text)
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
   install(EXPORT fettle_${name} NAMESPACE Fettle:: FILE ${name}.cmake
     DESTINATION "${fettle_cmake_folder}" COMPONENT development)
-  # Not below another library's folder: storage has its own within that of property.
   install(DIRECTORY "${of_INCLUDE}/${of_HEADERS}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${of_HEADERS}"
-    COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "storage" EXCLUDE)
+    COMPONENT development FILES_MATCHING PATTERN "*.h" ${of_WITHOUT})
   set_property(GLOBAL APPEND PROPERTY fettle_components ${name})
   set_property(GLOBAL APPEND_STRING PROPERTY fettle_component_table
     "set(_fettle_needs_${name} ${of_NEEDS})\nset(_fettle_packages_${name} ${of_PACKAGES})\n")

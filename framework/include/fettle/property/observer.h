@@ -6,7 +6,10 @@
 #include <span>
 
 #include <fettle/property/class.h>
+#include <fettle/property/export.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -39,3 +42,5 @@ class Observer {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END
