@@ -58,6 +58,12 @@ HeadlessGame& game() {
             scalar_set("world.ball", "linear_damping") + vec2_set("world.ball", "velocity"),
         "bench");
     if (!loaded) throw std::runtime_error("the script to be measured did not run");
+    // What a step leaves to do after an edit has been done, as in any game that runs.
+    static const bool running = [] {
+        for (int i = 0; i < 10; ++i) game.loop.turn();
+        return true;
+    }();
+    if (!running) throw std::logic_error("the game did not start");
     return game;
 }
 

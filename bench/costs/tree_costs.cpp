@@ -212,6 +212,7 @@ void add_watching(CostTable& table) {
                   WatchedProbes t(&ProbeTree::drift);
                   for (auto _ : state) {
                       t.tree.set_step(t.tree.step() + 1);  // else nothing is compared
+                      t.tree.stepped();
                       t.tree.barrier();
                   }
               });
@@ -220,6 +221,7 @@ void add_watching(CostTable& table) {
         for (auto _ : state) {
             for (Probe& probe : t.array) probe.position[0] += 1;
             t.tree.set_step(t.tree.step() + 1);
+            t.tree.stepped();
             t.tree.barrier();
         }
         if (t.changes == 0) throw std::logic_error("nothing was delivered");

@@ -118,6 +118,7 @@ bool Loop::make_step(Stopwatch& watch) {
         for (const SteppedModule& module : modules_) module.step(dt);
         for (const SteppedModule& module : modules_)
             if (module.report) module.report();
+        tree_.stepped();
     }
     watch.lap(watch.phases.modules);
     barrier();

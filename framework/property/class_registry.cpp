@@ -50,6 +50,32 @@ Value zero_of(const Property& property) {
     return {};
 }
 
+// Numbers and vectors may be read and written without a Value in between where that leaves out
+// nothing of what a write is.
+Property::Shortcut shortcut_to(const Property& property) {
+    Property::Shortcut shortcut;
+    const bool number = property.type == Type::number;
+    if ((!number && property.type != Type::vec2) || property.any_type || property.nullable)
+        return shortcut;
+    const Binding& binding = property.binding;
+    if (binding.kind == BindingKind::stored) {
+        shortcut.readable = shortcut.writable = true;
+    } else {
+        shortcut.readable = number ? binding.number.get != nullptr : binding.vec2.get != nullptr;
+        shortcut.writable = number ? binding.number.put != nullptr : binding.vec2.put != nullptr;
+        // A column's own setter may refuse.
+        if (binding.kind == BindingKind::column && binding.set != nullptr)
+            shortcut.writable = false;
+    }
+    if (property.read_only || binding.overridden != nullptr) shortcut.writable = false;
+    shortcut.narrow = property.precision() == Precision::single_precision;
+    const double largest = shortcut.narrow ? static_cast<double>(std::numeric_limits<float>::max())
+                                           : std::numeric_limits<double>::max();
+    shortcut.min = std::max(property.range.min, -largest);
+    shortcut.max = std::min(property.range.max, largest);
+    return shortcut;
+}
+
 }  // namespace
 
 Class* ClassRegistry::find(std::string_view name) const {
@@ -141,6 +167,7 @@ void ClassRegistry::add_property(Class& made, Property property) {
         property.range.max = std::min(property.range.max, 0x1p31 - 1);
     }
     property.interest = 0;
+    property.shortcut = shortcut_to(property);
     property.enumerator_values.assign(property.enumerators.begin(), property.enumerators.end());
     check_default(made, property);
     Property& kept = made.own_properties_.emplace_back(std::move(property));

@@ -14,7 +14,8 @@
 namespace fettle::property {
 namespace {
 constexpr std::size_t most_generations = 16;
-}
+constexpr std::size_t most_fresh_kept = 1024;  // room for instances made between barriers
+}  // namespace
 
 std::string_view writer_name(Writer writer) {
     switch (writer) {
@@ -50,18 +51,25 @@ std::uint64_t Tree::step() const {
 }
 
 void Tree::set_step(std::uint64_t step) {
+    state_->tell_plain_writes();
     state_->step = step;
+    ++state_->epoch;  // the clock, too, is written without telling
+}
+
+void Tree::stepped() {
     state_->stepped = true;
     ++state_->epoch;
 }
 
 Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate)
     : tree_(tree), writer_(tree.state_->writer), locate_(tree.state_->locate) {
+    tree.state_->tell_plain_writes();
     tree.state_->writer = writer;
     tree.state_->locate = locate;
 }
 
 Tree::CauseScope::~CauseScope() {
+    tree_.state_->tell_plain_writes();
     tree_.state_->writer = writer_;
     tree_.state_->locate = locate_;
 }
@@ -71,6 +79,20 @@ Cause Tree::cause() const {
     return {.writer = s.writer,
             .where = s.locate != nullptr ? (*s.locate)() : std::string(),
             .step = s.step};
+}
+
+/// Whose edit it is, should the barrier find that it changed something else. Its place costs more
+/// than a callback of a game may pay, so it is looked up only while something is watched that an
+/// edit elsewhere changes.
+void Tree::State::note_edit() {
+    edited = true;
+    ++epoch;
+    if (shadows.empty()) return;
+    last_edit.writer = writer;
+    last_edit.step = step;
+    last_edit.where.clear();
+    if (locate != nullptr && (shadows.any_derived() || history.recording(writer)))
+        last_edit.where = (*locate)();
 }
 
 // --- Queueing
@@ -277,8 +299,10 @@ void Tree::barrier() {
     State& s = *state_;
     if (s.in_barrier)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
+    s.tell_plain_writes();
     for (const std::uint32_t index : s.fresh) s.nodes[index].fresh = false;
     s.fresh.clear();
+    if (s.fresh.capacity() > most_fresh_kept) s.fresh.shrink_to_fit();
     s.formulas.settle_all(s.stepped);
     s.compare_shadows();
     if (s.queue.empty()) return;

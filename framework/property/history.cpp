@@ -33,22 +33,12 @@ std::string short_text(std::string text) {
 // -------------------------------------------------------------------------------------------------------
 
 bool History::recording() const {
-    if (applying_) return false;
-    switch (tree_.state().writer) {
-        case Writer::console:
-        case Writer::inspector:
-        case Writer::remote:
-            return true;
-        case Writer::script:
-        case Writer::module:
-            return std::find(scripts_.begin(), scripts_.end(), true) != scripts_.end();
-        default:
-            return false;
-    }
+    return recording(tree_.state().writer);
 }
 
 void History::begin(std::string name, bool scripts) {
     scripts_.push_back(scripts);
+    script_edits_ += scripts;
     if (depth_++ > 0) return;
     open_ = {};
     open_.name = std::move(name);
@@ -57,6 +47,7 @@ void History::begin(std::string name, bool scripts) {
 
 void History::end() {
     if (depth_ == 0) return;
+    script_edits_ -= scripts_.back();
     scripts_.pop_back();
     if (--depth_ > 0) return;
     close();

@@ -34,6 +34,20 @@ class History {
 
     void observe(EditObserver* observer) { observer_ = observer; }
     /// Whether what is written now is a person's edit.
+    bool recording(Writer writer) const {
+        if (applying_) return false;
+        switch (writer) {
+            case Writer::console:
+            case Writer::inspector:
+            case Writer::remote:
+                return true;
+            case Writer::script:
+            case Writer::module:
+                return script_edits_ != 0;
+            default:
+                return false;
+        }
+    }
     bool recording() const;
     void begin(std::string name, bool scripts);
     void end();
@@ -107,7 +121,8 @@ class History {
     std::vector<Transaction> undone_;
     Transaction open_;
     int depth_ = 0;
-    std::vector<bool> scripts_;  // of each open edit, whether what scripts write belongs to it
+    std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
+    std::size_t script_edits_ = 0;  // how many of them that is true of
     bool applying_ = false;
     bool keep_slots_ = false;
     std::size_t lost_watchers_ = 0;

@@ -49,7 +49,10 @@ std::uint32_t Nodes::allocate() {
     std::uint32_t index;
     if (free_.empty()) {
         index = end();
+        // Grown by an eighth: twice the room would be the greater part of what an instance costs.
+        if (nodes_.size() == nodes_.capacity()) nodes_.reserve(index + index / 8 + 64);
         nodes_.emplace_back();
+        ++count_;
     } else {
         index = free_.back();
         free_.pop_back();

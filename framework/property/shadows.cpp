@@ -3,6 +3,13 @@
 #include <fettle/property/tree.h>
 
 namespace fettle::property {
+namespace {
+
+bool is_derived(const Property& property) {
+    return !property.simulated || !property.derives_from.empty();
+}
+
+}  // namespace
 
 void Shadows::refresh(const Tree& tree, const Watchers& watchers, Handle instance) {
     for (const Property* property : tree.class_of(instance).observed_) {
@@ -33,7 +40,10 @@ void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
     while (group < groups_.size() && groups_[group].property != property.symbol) ++group;
     if (group == groups_.size()) groups_.push_back({property.symbol, true, {}});
     // A derived value may change by an edit too, so its group is always compared.
-    if (!property.simulated || !property.derives_from.empty()) groups_[group].only_stepped = false;
+    if (is_derived(property)) {
+        groups_[group].only_stepped = false;
+        ++derived_;
+    }
     std::vector<Row>& rows = groups_[group].rows;
     places_[{instance.index, property.symbol}] = {group, static_cast<std::uint32_t>(rows.size())};
     rows.push_back({instance, &property, tree.peek(instance, property)});
@@ -45,6 +55,7 @@ void Shadows::remove(Cell cell) {
     const Position place = found->second;
     places_.erase(found);
     std::vector<Row>& rows = groups_[place.group].rows;
+    if (is_derived(*rows[place.row].property)) --derived_;
     if (place.row + 1 != rows.size()) {
         rows[place.row] = std::move(rows.back());
         places_[{rows[place.row].instance.index, cell.property}] = place;

@@ -22,6 +22,8 @@ class Shadows {
     bool holds(Cell cell) const { return places_.contains(cell); }
     std::size_t size() const { return places_.size(); }
     bool empty() const { return places_.empty(); }
+    /// Whether an edit elsewhere may change any of them.
+    bool any_derived() const { return derived_ != 0; }
 
     /// Compares, remembers, and hands over each cell that differs: (instance, property, old, new).
     /// Cells that only a step can change are looked at when `stepped`.
@@ -47,6 +49,7 @@ class Shadows {
 
     std::vector<Group> groups_;
     std::unordered_map<Cell, Position, CellHash> places_;
+    std::size_t derived_ = 0;  // cells
 };
 
 }  // namespace fettle::property

@@ -70,7 +70,7 @@ struct Tree::State {
     bool edited = false;
     std::uint64_t epoch = 1;  // counts whatever may have changed a value that nobody announces
     bool ending = false;      // the tree itself is being destroyed
-    Cause last_edit;          // kept while anything is shadowed
+    Cause last_edit;          // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
 
     std::uint64_t step = 0;
@@ -78,6 +78,7 @@ struct Tree::State {
     std::function<std::string()>* locate = nullptr;
     std::vector<Observer*> observers;
     FormulaCompiler formula_compiler;
+    std::vector<PlainWrite> untold;  // written by the typed ways, observers still to be told
     Handle root;
     const Event* ready_event = nullptr;
     const Event* deleted_event = nullptr;
@@ -95,8 +96,12 @@ struct Tree::State {
 
     /// Calls `what(observer)` for each observer.
     template <class What>
-    void tell(What what) const {
+    void tell(What what) {
+        tell_plain_writes();
         for (Observer* observer : observers) what(*observer);
+    }
+    void tell_plain_writes() {
+        if (!untold.empty()) tell_untold();
     }
 
     // tree.cpp
@@ -118,7 +123,15 @@ struct Tree::State {
     void drop_formula(Handle instance, const Property& property);
     std::string cell_path(Handle handle, const Property& property) const;
 
+    // typed_ways.cpp
+    bool may_write(const Node& node, const Property& property) const;
+    template <class T>
+    bool write_typed(Handle instance, const Property& property, T value);
+    void note_typed(Handle instance, const Property& property, double x, double y);
+    void tell_untold();
+
     // delivery.cpp
+    void note_edit();
     void watcher_added(const Watcher& watcher);
     void watcher_removed(const Watcher& watcher);
     void count_interest(const Watcher& watcher, int sign);

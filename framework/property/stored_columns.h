@@ -19,6 +19,11 @@ class StoredColumns {
     void remove(std::uint32_t row);
     Value get(const Property& property, std::uint32_t row) const;
     void set(const Property& property, std::uint32_t row, const Value& value);
+    /// The cell of a property that is kept as a `T` (double, Vec2).
+    template <class T>
+    T& cell(const Property& property, std::uint32_t row) {
+        return (*std::get_if<std::vector<T>>(&columns_[property.stored_index]))[row];
+    }
 
   private:
     // A nullable or untyped property needs room for nil: it lives in a column of values.

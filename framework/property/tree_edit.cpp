@@ -6,9 +6,7 @@
 // Steps 1 and 2 are coerce.cpp. Step 4 is the place of the history: it will be told (cell, old,
 // new, cause) between `coerce` and `write` below, when the writer is a person.
 
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -235,107 +233,25 @@ void Tree::State::write(std::uint32_t index, const Node& node, const Property& p
 
 void Tree::State::written(Handle handle, const Node& node, const Property& property,
                           const Value& old_value) {
-    edited = true;
-    ++epoch;
+    note_edit();
     writes.note(handle, property.symbol, writer, step);
     if (history.recording()) writes.note_in_full(handle, property.symbol, tree.cause());
     if (node.has_dependents) formulas.changed({handle.index, property.symbol});
-    if (!shadows.empty()) last_edit = tree.cause();
     if (!node.watched && property.interest == 0) return;
     const Value now = read(handle.index, node, property);
     if (now == old_value) return;
     queue_change(handle, property, old_value, now, tree.cause());
 }
 
-namespace {
-
-// A component that is certainly in order, as the property's memory holds it; false for everything
-// that needs a second look (NaN, infinity, out of range, too large for a float).
-bool plain_component(const Property& property, double& x) {
-    if (property.precision() == Precision::single_precision)
-        x = static_cast<double>(static_cast<float>(x));
-    return std::abs(x) <= std::numeric_limits<double>::max() && x >= property.range.min &&
-           x <= property.range.max;
-}
-
-bool same_bits(double a, double b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
-
-enum class Quick : std::uint8_t { not_plain, unchanged, written };
-
-// The same steps as in `set` below for a plain number or vec2 of the property's own type: what
-// scripts write most. Nobody may have to be told of it.
-Quick write_plain(Tree::State& s, std::uint32_t index, const Property& property,
-                  const Value& value) {
-    const Binding& binding = property.binding;
-    const Node& node = s.nodes[index];
-    const bool direct = binding.kind == BindingKind::accessor;
-    const auto read = [&] {
-        return direct ? binding.get(binding.context, node.row) : s.read(index, node, property);
-    };
-    const auto write = [&](const Value& next) {
-        if (!direct) {
-            s.write(index, node, property, next);
-            return;
-        }
-        binding.set(binding.context, node.row, next);
-        // The setter may have moved nodes.
-        if (binding.invalidate != nullptr) binding.invalidate(binding.context, s.nodes[index].row);
-    };
-    if (property.type == Type::number) {
-        double x = value.number();
-        if (!plain_component(property, x)) return Quick::not_plain;
-        const Value old = read();
-        if (old.is(Type::number) && same_bits(old.number(), x)) return Quick::unchanged;
-        write(Value(x));
-    } else {
-        Vec2 v = value.vec2();
-        if (!plain_component(property, v.x()) || !plain_component(property, v.y()))
-            return Quick::not_plain;
-        const Value old = read();
-        if (old.is(Type::vec2) && same_bits(old.vec2().x(), v.x()) &&
-            same_bits(old.vec2().y(), v.y()))
-            return Quick::unchanged;
-        write(Value(v));
-    }
-    return Quick::written;
-}
-
-// Whether `write_plain` may try.
-bool is_plain(const Node& node, const Property& property, const Value& value) {
-    return value.type() == property.type &&
-           (property.type == Type::number || property.type == Type::vec2) && !property.read_only &&
-           property.interest == 0 && property.binding.overridden == nullptr &&
-           property.binding.kind != BindingKind::node &&
-           !(node.watched || node.has_formula || node.has_dependents);
-}
-
-}  // namespace
-
 void Tree::set(Handle instance, const Property& property, const Value& value) {
     State& s = *state_;
     const Node& node = s.require(instance);
     s.forbid_in_formula("write");
-    if (s.shadows.empty() && is_plain(node, property, value) && !s.history.recording()) {
-        Quick done;
-        try {
-            done = write_plain(s, instance.index, property, value);
-        } catch (const std::invalid_argument& refusal) {
-            throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
-        }
-        if (done == Quick::unchanged) return;
-        if (done == Quick::written) {
-            s.edited = true;
-            ++s.epoch;
-            s.writes.note(instance, property.symbol, s.writer, s.step);
-            if (!s.observers.empty()) {
-                // As it arrived in the property's memory.
-                const Value now = s.read(instance.index, s.nodes[instance.index], property);
-                s.tell([&](Observer& o) { o.wrote(instance, property, now); });
-            }
-            return;
-        }
+    if (value.is(property.type)) {
+        bool done = false;
+        if (value.is(Type::number)) done = write(instance, property, value.number());
+        if (value.is(Type::vec2)) done = write(instance, property, value.vec2());
+        if (done) return s.tell_plain_writes();
     }
     if (property.read_only)
         throw Error(ErrorKind::read_only,

@@ -215,10 +215,12 @@ Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
 }
 
 void Tree::observe(Observer& observer) {
+    state_->tell_plain_writes();
     state_->observers.push_back(&observer);
 }
 
 void Tree::unobserve(Observer& observer) {
+    state_->tell_plain_writes();
     std::erase(state_->observers, &observer);
 }
 

@@ -4,8 +4,9 @@ namespace fettle::property {
 
 Provenance WritesLog::find(Handle instance, Symbol property) const {
     Provenance out;
-    for (std::size_t back = 1; back <= ring_.size(); ++back) {
-        const Write& write = ring_[(next_ + ring_.size() - back) % ring_.size()];
+    for (std::size_t back = 1; back <= most; ++back) {
+        const Write& write = ring_.get()[(next_ + most - back) % most];
+        if (write.index == 0) break;  // no more yet
         if (write.index != instance.index || write.property != property.id()) continue;
         if ((write.packed >> 8 & 0xffffu) != (instance.generation & 0xffffu)) break;
         out.known = true;

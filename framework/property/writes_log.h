@@ -3,6 +3,9 @@
 // to nothing; edits by people and changes of watched cells also keep where they came from.
 
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -16,11 +19,7 @@ namespace fettle::property {
 class WritesLog {
   public:
     void note(Handle instance, Symbol property, Writer writer, std::uint64_t step) {
-        const Write write{instance.index, property.id(), pack(instance, writer, step)};
-        if (ring_.size() < most)
-            ring_.push_back(write);
-        else
-            ring_[next_] = write;
+        ring_.get()[next_] = {instance.index, property.id(), pack(instance, writer, step)};
         next_ = (next_ + 1) % most;
     }
     void note_in_full(Handle instance, Symbol property, const Cause& cause) {
@@ -42,7 +41,17 @@ class WritesLog {
                static_cast<std::uint64_t>(writer);
     }
 
-    std::vector<Write> ring_;
+    // Zeroed by the system as it is first touched, so that a game which writes little has little of
+    // it. Zero is nobody's index.
+    struct Free {
+        void operator()(Write* ring) const { std::free(ring); }
+    };
+    static Write* new_ring() {
+        void* const ring = std::calloc(most, sizeof(Write));
+        if (ring == nullptr) throw std::bad_alloc();
+        return static_cast<Write*>(ring);
+    }
+    std::unique_ptr<Write, Free> ring_{new_ring()};
     std::size_t next_ = 0;
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
 };

@@ -17,6 +17,8 @@ namespace fettle::script {
 enum class Member : std::uint8_t {
     none,
     property,  // declared by the class
+    number,    // such a one that may be a number read and written the short way
+    vec2,      // the same for a vector
     function,  // a method of the class or of every instance: `reference` is in the registry
     dynamic    // not declared: a child, an ad-hoc property, or nothing
 };
@@ -27,6 +29,7 @@ struct Dispatch {
     const property::Property* property = nullptr;
     int reference = LUA_NOREF;
     Member member = Member::none;
+    bool is_property() const { return property != nullptr; }
 };
 
 class DispatchCache {

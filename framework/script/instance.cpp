@@ -4,6 +4,8 @@
 
 #include "instance.h"
 
+#include <cmath>
+
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
@@ -81,6 +83,12 @@ void push_property(lua_State* L, Machine& machine, Handle instance, const Proper
         push_other(L, value, instance, property);
 }
 
+// Which way a declared property is read and written.
+Member member_for(const Property& property) {
+    if (!property.shortcut.readable) return Member::property;
+    return property.type == Type::number ? Member::number : Member::vec2;
+}
+
 // Names found once are remembered for the class; how they are remembered is what they are.
 const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of, const void* key,
                       std::string_view name) {
@@ -92,7 +100,7 @@ const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of,
     found.instance_class = &of;
     const Symbol symbol = Symbol::find(name);
     if (const Property* property = symbol ? of.property(symbol) : nullptr) {
-        found.member = Member::property;
+        found.member = member_for(*property);
         found.property = property;
     } else if (const property::Method* method = symbol ? of.method(symbol) : nullptr) {
         found.member = Member::function;
@@ -155,13 +163,10 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
     std::size_t length = 0;
     const char* key = lua_tolstring(L, 2, &length);
     const std::string_view name(key, length);
-    switch (found.member) {
-        case Member::property:
-            if (machine.recording.active) machine.recording.last_read = found.property;
-            push_property(L, machine, instance, *found.property);
-            return 1;
-        default:
-            break;
+    if (found.is_property()) {
+        if (machine.recording.active) machine.recording.last_read = found.property;
+        push_property(L, machine, instance, *found.property);
+        return 1;
     }
     if (machine.classes->push_function(L, *self.instance_class)) return 1;
     if (const Handle child = machine.tree.child(instance, name)) {
@@ -186,10 +191,27 @@ int instance_index(lua_State* L) {
     Machine& machine = machine_of(L);
     const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-    if (slot.key == key && slot.instance_class == self->instance_class &&
-        slot.member == Member::property && !machine.recording.active) [[likely]] {
-        push_property(L, machine, self->handle, *slot.property);
-        return 1;
+    if (slot.key != key || slot.instance_class != self->instance_class || machine.recording.active)
+        [[unlikely]]
+        return read_slowly(L, machine, *self);
+    switch (slot.member) {
+        case Member::number: {
+            double number;
+            if (!machine.tree.read(self->handle, *slot.property, number)) break;
+            lua_pushnumber(L, number);
+            return 1;
+        }
+        case Member::vec2: {
+            Vec2 vector;
+            if (!machine.tree.read(self->handle, *slot.property, vector)) break;
+            push_vec(L, vector, self->handle, *slot.property);
+            return 1;
+        }
+        case Member::property:
+            push_property(L, machine, self->handle, *slot.property);
+            return 1;
+        default:
+            break;
     }
     return read_slowly(L, machine, *self);
 }
@@ -262,7 +284,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     std::size_t length = 0;
     const char* key = lua_tolstring(L, 2, &length);
     const std::string_view name(key, length);
-    if (found.member == Member::property)
+    if (found.is_property())
         write_declared(L, machine, instance, *found.property);
     else
         write_member(L, machine, instance, *self.instance_class, name);
@@ -275,10 +297,27 @@ int instance_newindex(lua_State* L) {
     Machine& machine = machine_of(L);
     const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-    if (slot.key == key && slot.instance_class == self->instance_class &&
-        slot.member == Member::property && !machine.recording.active &&
-        write_simple(L, machine, self->handle, *slot.property)) [[likely]]
-        return 0;
+    if (slot.key != key || slot.instance_class != self->instance_class || machine.recording.active)
+        [[unlikely]]
+        return write_slowly(L, machine, *self);
+    switch (slot.member) {
+        case Member::number:
+            if (lua_type(L, 3) == LUA_TNUMBER) {
+                const auto number = static_cast<double>(lua_tonumber(L, 3));
+                // A greater integer may be none that a number can be.
+                if (std::abs(number) <= exact_in_float || !lua_isinteger(L, 3))
+                    if (machine.tree.write(self->handle, *slot.property, number)) return 0;
+            }
+            break;
+        case Member::vec2:
+            if (const auto* box = vec_at(L, 3))
+                if (machine.tree.write(self->handle, *slot.property, Vec2(box->x, box->y)))
+                    return 0;
+            break;
+        default:
+            break;
+    }
+    if (slot.is_property() && write_simple(L, machine, self->handle, *slot.property)) return 0;
     return write_slowly(L, machine, *self);
 }
 

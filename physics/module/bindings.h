@@ -43,12 +43,24 @@ struct Getter<Member> {
     using Object = Of;
 };
 
+/// What a getter of the library gives, in the types of the tree; numbers and vectors as they are,
+/// so that scripts read them without a Value in between.
+template <class T>
+auto widened(const T& got) {
+    if constexpr (std::is_same_v<T, float>)
+        return static_cast<double>(got);
+    else if constexpr (std::is_same_v<T, physics::Vec2>)
+        return widen(got);
+    else
+        return to_value(got);
+}
+
 template <auto Get, auto Set>
 Binding bound(Hosting& hosting) {
     using Object = typename Setter<Set>::Object;
     using Argument = typename Setter<Set>::Argument;
     return accessor(
-        hosting, [](Hosting& h, Row row) { return to_value((object_at<Object>(h, row).*Get)()); },
+        hosting, [](Hosting& h, Row row) { return widened((object_at<Object>(h, row).*Get)()); },
         [](Hosting& h, Row row, const Value& value) {
             (object_at<Object>(h, row).*Set)(from_value<Argument>(value));
         });
@@ -58,7 +70,7 @@ template <auto Get>
 Binding read_only(Hosting& hosting) {
     using Object = typename Getter<Get>::Object;
     return accessor(
-        hosting, [](Hosting& h, Row row) { return to_value((object_at<Object>(h, row).*Get)()); });
+        hosting, [](Hosting& h, Row row) { return widened((object_at<Object>(h, row).*Get)()); });
 }
 
 /// Computed by the library unless somebody overrides it.

@@ -52,8 +52,7 @@ void PhysicsModule::step(double dt) {
 }
 
 void PhysicsModule::report(property::Tree& tree) {
-    // The step wrote without telling: the barrier that follows is to compare what is watched.
-    tree.set_step(tree.step());
+    tree.stepped();
     for (std::uint32_t n = limbo + 1; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting_->world_at(n);
         if (hosted == nullptr || !hosted->unreported) continue;

@@ -60,6 +60,7 @@ class Game {
     void step(int count = 1) {
         for (int i = 0; i < count; ++i) {
             tree.set_step(tree.step() + 1);
+            tree.stepped();
             tree.barrier();
             physics.step(1.0 / 60);
             physics.report(tree);

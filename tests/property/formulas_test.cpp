@@ -120,6 +120,7 @@ TEST_CASE_METHOD(
     tree.barrier();
     module.ball(ball).velocity[0] = 3;
     tree.set_step(1);
+    tree.stepped();
     tree.barrier();
     CHECK(number("world.double") == 6);
     tree.set(ball, "velocity", Vec2(0, 4));
@@ -128,6 +129,7 @@ TEST_CASE_METHOD(
     CHECK(number("world.size") == 3);
     const int before = runs;
     tree.set_step(2);
+    tree.stepped();
     tree.barrier();
     CHECK(runs == before);
 }
@@ -138,6 +140,7 @@ TEST_CASE_METHOD(Fixture, "what the simulation moves stays what its formula says
     tree.barrier();
     module.ball(shadow).velocity[0] = 99;
     tree.set_step(1);
+    tree.stepped();
     tree.barrier();
     CHECK(module.ball(shadow).velocity[0] == 1);
 }

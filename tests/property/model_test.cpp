@@ -213,6 +213,7 @@ class Run {
             cell = next;
         }
         tree_.set_step(steps_);
+        tree_.stepped();
         log_.clear();
         tree_.barrier();
         // Order among simulated cells is the order in which they were first watched; the model has

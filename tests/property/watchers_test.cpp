@@ -51,6 +51,7 @@ TEST_CASE_METHOD(Fixture, "changes carry who caused them and when") {
     std::optional<Change> seen;
     tree.watch(ball, "mass", [&](const Change& c) { seen = c; });
     tree.set_step(30);
+    tree.stepped();
     std::function<std::string()> locate = [] { return std::string("main.lua:30"); };
     {
         Tree::CauseScope scope(tree, Writer::script, &locate);
@@ -68,9 +69,11 @@ TEST_CASE_METHOD(Fixture, "what the simulation writes is seen at the barrier aft
     tree.barrier();
     CHECK(log.empty());  // nobody stepped
     tree.set_step(1);
+    tree.stepped();
     tree.barrier();
     CHECK(log == Log{"a world.ball.velocity vec(0, 0)>vec(5, 0)"});
     tree.set_step(2);
+    tree.stepped();
     tree.barrier();
     CHECK(log.size() == 1);
 }
@@ -79,6 +82,7 @@ TEST_CASE_METHOD(Fixture, "an edit of a simulated property is told once") {
     tree.watch(ball, "velocity", note("a"));
     tree.set(ball, "velocity", Vec2(1, 0));
     tree.set_step(1);
+    tree.stepped();
     tree.barrier();
     CHECK(log == Log{"a world.ball.velocity vec(0, 0)>vec(1, 0)"});
 }
@@ -90,12 +94,14 @@ TEST_CASE_METHOD(Fixture, "pattern and class watchers follow instances that come
     module.ball(late).velocity[1] = 1;
     module.ball(away).velocity[1] = 1;
     tree.set_step(1);
+    tree.stepped();
     tree.barrier();
     CHECK(log == Log{"p world.late.velocity vec(0, 0)>vec(0, 1)"});
     tree.move(away, world);
     module.ball(away).velocity[1] = 2;
     tree.destroy(late);
     tree.set_step(2);
+    tree.stepped();
     tree.barrier();
     CHECK(log.size() == 2);
     CHECK(log.back() == "p world.away.velocity vec(0, 1)>vec(0, 2)");

@@ -204,6 +204,7 @@ std::string Stage::prints(const std::string& chunk) {
 void Stage::step(int count) {
     for (int i = 0; i < count; ++i) {
         tree->set_step(tree->step() + 1);
+        tree->stepped();
         now += 1.0 / 60.0;
         runtime->step(now, 1.0 / 60.0);
         tree->barrier();

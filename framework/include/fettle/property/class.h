@@ -10,8 +10,10 @@
 //   stored    nobody else wants it: the tree keeps it, in typed columns of the class
 //   ad_hoc    added to one instance by a user; the tree keeps it beside the instance
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <limits>
 #include <span>
@@ -57,6 +59,18 @@ enum class Native : std::uint8_t { f32, f64, i32, i64, boolean, vec2f, vec2d, co
 
 enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc };
 
+struct Binding;
+
+/// A number or a vector as it is read and written without a Value in between: what scripts do most.
+/// Made by the makers below; the binding is handed in so that a column knows its stride.
+template <class T>
+struct Typed {
+    void (*get)(const Binding&, Row, T& out) = nullptr;
+    /// Writes unless the cell holds these very bits; tells whether it did. May throw as
+    /// `Binding::set` does.
+    bool (*put)(const Binding&, Row, const T& value) = nullptr;
+};
+
 struct Binding {
     BindingKind kind = BindingKind::stored;
     Native native = Native::f64;
@@ -85,6 +99,10 @@ struct Binding {
     // Optional, after a write: may only set dirty flags and wake sleepers. Derived data is pulled,
     // not pushed.
     void (*invalidate)(void* context, Row row) = nullptr;
+
+    // Optional: the same again for a number and for a vec2.
+    Typed<double> number{};
+    Typed<Vec2> vec2{};
 };
 
 /// Describes one property. Aggregate: name the fields you need and leave the rest.
@@ -120,6 +138,14 @@ struct Property {
     std::uint32_t stored_index = 0;
     mutable std::uint32_t interest =
         0;  // broad watchers (class, pattern) that may match this property
+    /// Whether the typed ways of `Tree` may read and write it, and what they may write: finite, in
+    /// range.
+    struct Shortcut {
+        bool readable = false;
+        bool writable = false;
+        bool narrow = false;  // rounded to float
+        double min = 0, max = 0;
+    } shortcut{};
 
     Precision precision() const {
         return binding.kind == BindingKind::column &&
@@ -273,6 +299,50 @@ class Class {
 // --- Binding makers
 // -------------------------------------------------------------------------------------------------
 
+/// Bit for bit: a NaN is itself, -0.0 is not 0.0.
+inline bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+inline bool same_bits(const Vec2& a, const Vec2& b) {
+    return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
+}
+
+/// The typed ways to a cell of `T` at a fixed place in a row, kept there as `Kept`s.
+template <class T, class Kept, class Context, class Base>
+Typed<T> typed_column() {
+    constexpr std::size_t count = sizeof(T) / sizeof(double);
+    static constexpr auto at = [](const Binding& b, Row row) {
+        return reinterpret_cast<std::byte*>(Base{}(*static_cast<Context*>(b.context))) +
+               std::size_t{row} * b.stride;
+    };
+    static constexpr auto load = [](const std::byte* from, T& out) {
+        Kept kept[count];
+        std::memcpy(kept, from, sizeof kept);
+        if constexpr (count == 1)
+            out = static_cast<double>(kept[0]);
+        else
+            out = T(static_cast<double>(kept[0]), static_cast<double>(kept[1]));
+    };
+    Typed<T> typed;
+    typed.get = [](const Binding& b, Row row, T& out) { load(at(b, row), out); };
+    typed.put = [](const Binding& b, Row row, const T& value) {
+        std::byte* const cell = at(b, row);
+        T old;
+        load(cell, old);
+        if (same_bits(old, value)) return false;
+        Kept kept[count];
+        if constexpr (count == 1) {
+            kept[0] = static_cast<Kept>(value);
+        } else {
+            kept[0] = static_cast<Kept>(value.x());
+            kept[1] = static_cast<Kept>(value.y());
+        }
+        std::memcpy(cell, kept, sizeof kept);
+        return true;
+    };
+    return typed;
+}
+
 /// A column over `Element`s of `stride` bytes. `base` is a captureless lambda: (Context&) ->
 /// pointer to the first element.
 template <class Context, class Base>
@@ -286,7 +356,28 @@ Binding column(Context& context, Native native, std::size_t stride, Base) {
     b.base = [](void* c) -> std::byte* {
         return reinterpret_cast<std::byte*>(Base{}(*static_cast<Context*>(c)));
     };
+    if (native == Native::f32) b.number = typed_column<double, float, Context, Base>();
+    if (native == Native::f64) b.number = typed_column<double, double, Context, Base>();
+    if (native == Native::vec2f) b.vec2 = typed_column<Vec2, float, Context, Base>();
+    if (native == Native::vec2d) b.vec2 = typed_column<Vec2, double, Context, Base>();
     return b;
+}
+
+/// What a getter gives, if the typed ways know it: double or Vec2; else void.
+template <class Context, class Get>
+using typed_result = std::conditional_t<
+    std::is_floating_point_v<std::invoke_result_t<Get, Context&, Row>>, double,
+    std::conditional_t<
+        std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, Context&, Row>>, Vec2>, Vec2,
+        void>>;
+
+/// Where the typed ways of a binding to a T are kept.
+template <class T>
+Typed<T>& typed(Binding& binding) {
+    if constexpr (std::is_same_v<T, double>)
+        return binding.number;
+    else
+        return binding.vec2;
 }
 
 /// `get`: captureless lambda (Context&, Row) -> anything a Value can be made of.
@@ -297,6 +388,11 @@ Binding accessor(Context& context, Get) {
     b.kind = BindingKind::accessor;
     b.context = &context;
     b.get = [](void* c, Row row) -> Value { return Value(Get{}(*static_cast<Context*>(c), row)); };
+    using T = typed_result<Context, Get>;
+    if constexpr (!std::is_void_v<T>)
+        typed<T>(b).get = [](const Binding& binding, Row row, T& out) {
+            out = Get{}(*static_cast<Context*>(binding.context), row);
+        };
     return b;
 }
 
@@ -308,6 +404,15 @@ Binding accessor(Context& context, Get get, Set) {
     b.set = [](void* c, Row row, const Value& value) {
         Set{}(*static_cast<Context*>(c), row, value);
     };
+    using T = typed_result<Context, Get>;
+    if constexpr (!std::is_void_v<T>)
+        typed<T>(b).put = [](const Binding& binding, Row row, const T& value) {
+            Context& in = *static_cast<Context*>(binding.context);
+            const T old = Get{}(in, row);
+            if (same_bits(old, value)) return false;
+            Set{}(in, row, Value(value));
+            return true;
+        };
     return b;
 }
 

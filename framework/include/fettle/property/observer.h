@@ -13,6 +13,14 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
+/// A number (in `x`) or a vec2 that was written.
+struct PlainWrite {
+    Handle instance;
+    const Property* property = nullptr;
+    double x = 0, y = 0;
+    Value value() const { return property->type == Type::vec2 ? Value(Vec2(x, y)) : Value(x); }
+};
+
 /// Members are called in the middle of a write, scripts' writes included: an implementation costs
 /// the game what it costs, must not throw, and must not change the tree. Who writes is
 /// `Tree::cause()`; what a formula computes is written by Writer::formula.
@@ -22,6 +30,13 @@ class Observer {
     /// A plain value was written; it replaced a formula, if there was one. The property may be an
     /// ad-hoc one that came with it.
     virtual void wrote(Handle, const Property&, const Value& /*now*/) {}
+    /// Several writes of the typed ways (`Tree::write`), in their order: what scripts write most,
+    /// told together because a call for each would cost more than the write. Told before anything
+    /// else is, and before the writer or the step changes.
+    virtual void wrote_plain(std::span<const PlainWrite> writes) {
+        for (const PlainWrite& write : writes)
+            wrote(write.instance, *write.property, write.value());
+    }
     /// The property was given back to its owner, or its default.
     virtual void was_reset(Handle, const Property&) {}
     /// An ad-hoc property ended.

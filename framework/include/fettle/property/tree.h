@@ -116,6 +116,14 @@ class Tree {
     Value peek(Handle instance, const Property& property) const;
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
+    /// The typed ways, for numbers and vec2s in ordinary circumstances; false when `get` or `set`
+    /// has to do it (another type, a formula, a dead instance, somebody to be told, a value that is
+    /// not finite or out of range). Observers hear of what was written this way before they hear of
+    /// anything else, and before the writer or the step changes, but not at once.
+    bool read(Handle instance, const Property& property, double& number) const;
+    bool read(Handle instance, const Property& property, Vec2& vector) const;
+    bool write(Handle instance, const Property& property, double number);
+    bool write(Handle instance, const Property& property, const Vec2& vector);
     /// Back to the default (or to what its owner computes).
     void reset(Handle instance, const Property& property);
     bool overridden(Handle instance, const Property& property) const;
@@ -233,6 +241,8 @@ class Tree {
 
     std::uint64_t step() const;
     void set_step(std::uint64_t step);
+    /// The simulation has written without telling: the next barrier compares what is watched of it.
+    void stepped();
     /// Who is writing now. `locate`, when given, is asked for the place only when somebody needs
     /// it.
     class CauseScope {

@@ -1,0 +1,192 @@
+#include "catch.h"
+#include "fixture.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fettle/property/observer.h>
+
+using namespace fettle::property;
+using namespace fettle::property::testing;
+
+namespace {
+
+struct Told {
+    std::string what;
+    Writer writer;
+    std::uint64_t step;
+};
+
+class Listener : public Observer {
+  public:
+    explicit Listener(Tree& tree) : tree_(tree) { tree.observe(*this); }
+    ~Listener() override { tree_.unobserve(*this); }
+    void wrote(Handle, const Property& p, const Value& now) override {
+        told.push_back(
+            {p.name + " = " + tree_.text(now), tree_.cause().writer, tree_.cause().step});
+    }
+    void destroying(Handle h) override {
+        told.push_back({"destroying " + tree_.path(h), tree_.cause().writer, tree_.step()});
+    }
+    std::vector<Told> told;
+
+  private:
+    Tree& tree_;
+};
+
+struct Fixture {
+    Fixture() {
+        ClassDescriptor keeper{.name = "Keeper"};
+        keeper.properties = {{.name = "score", .range = {.max = 10}},
+                             {.name = "at", .type = Type::vec2},
+                             {.name = "lives", .type = Type::integer},
+                             {.name = "best", .nullable = true}};
+        kept = tree.create(tree.define(std::move(keeper)), tree.root(), "kept");
+    }
+    const Property& of(Handle instance, const char* name) { return tree.property(instance, name); }
+
+    Tree tree;
+    BallModule module{tree};
+    Handle ball = tree.create(*module.type, tree.root(), "ball");
+    Handle kept;
+};
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "numbers and vectors are written and read without a value in between") {
+    CHECK(tree.write(ball, of(ball, "mass"), 2.5));
+    CHECK(tree.write(ball, of(ball, "velocity"), Vec2(1, -2)));
+    CHECK(tree.write(ball, of(ball, "radius"), 0.75));
+    CHECK(tree.write(kept, of(kept, "score"), 7.0));
+    CHECK(tree.write(kept, of(kept, "at"), Vec2(3, 4)));
+    CHECK(module.ball(ball).mass == 2.5f);
+    CHECK(module.ball(ball).velocity[1] == -2.0f);
+    CHECK(module.ball(ball).radius == 0.75);
+    CHECK(tree.get(kept, "score") == Value(7.0));
+    CHECK(tree.get(kept, "at") == Value(Vec2(3, 4)));
+
+    double number = 0;
+    Vec2 vector(0, 0);
+    CHECK(tree.read(ball, of(ball, "mass"), number));
+    CHECK(number == 2.5);
+    CHECK(tree.read(kept, of(kept, "score"), number));
+    CHECK(number == 7.0);
+    CHECK(tree.read(ball, of(ball, "velocity"), vector));
+    CHECK(vector == Vec2(1, -2));
+    CHECK(tree.read(ball, of(ball, "area"), number));  // read-only, but a number
+    CHECK(number == 3 * 0.75 * 0.75);
+}
+
+TEST_CASE_METHOD(Fixture, "what the memory cannot hold exactly is rounded before it is compared") {
+    const Property& mass = of(ball, "mass");
+    module.ball(ball).awake = false;
+    CHECK(tree.write(ball, mass, 0.1));
+    CHECK(module.ball(ball).awake);  // the hook of the module ran
+    module.ball(ball).awake = false;
+    CHECK(tree.write(ball, mass, 0.1));
+    CHECK_FALSE(module.ball(ball).awake);
+}
+
+TEST_CASE_METHOD(Fixture, "the typed ways leave what is out of the ordinary to get and set") {
+    double number = 0;
+    Vec2 vector(0, 0);
+    CHECK_FALSE(tree.write(ball, of(ball, "mass"), -1.0));
+    CHECK_FALSE(tree.write(ball, of(ball, "mass"), infinite));
+    CHECK_FALSE(tree.write(ball, of(ball, "mass"), 1e300));
+    CHECK_FALSE(tree.write(ball, of(ball, "mass"), std::nan("")));
+    CHECK_FALSE(tree.write(ball, of(ball, "velocity"), Vec2(0, std::nan(""))));
+    CHECK_FALSE(tree.write(ball, of(ball, "charge"), 11.0));  // to be clamped
+    CHECK_FALSE(tree.write(ball, of(ball, "area"), 1.0));
+    CHECK_FALSE(tree.write(ball, of(ball, "velocity"), 1.0));
+    CHECK_FALSE(tree.write(kept, of(kept, "lives"), 1.0));
+    CHECK_FALSE(tree.write(kept, of(kept, "best"), 1.0));
+    CHECK_FALSE(tree.read(kept, of(kept, "best"), number));
+    CHECK_FALSE(tree.read(ball, of(ball, "mass"), vector));
+    CHECK(module.ball(ball).mass == 1.0f);
+    CHECK(module.ball(ball).charge == 0.0);
+
+    const Property& mass = of(ball, "mass");
+    const Connection watch = tree.watch(ball, mass, [](const Change&) {});
+    CHECK_FALSE(tree.write(ball, mass, 3.0));
+    Connection(watch).stop();
+    CHECK(tree.write(ball, mass, 3.0));
+    tree.set_formula(ball, mass, {.function = [](const Tree&) { return Value(4.0); }});
+    CHECK_FALSE(tree.write(ball, mass, 5.0));
+    CHECK_FALSE(tree.read(ball, mass, number));
+    tree.destroy(ball);
+    CHECK_FALSE(tree.write(ball, mass, 6.0));
+    CHECK_FALSE(tree.read(ball, mass, number));
+}
+
+TEST_CASE_METHOD(Fixture, "a person's edit never takes the typed way past the history") {
+    const Tree::CauseScope console(tree, Writer::console);
+    CHECK_FALSE(tree.write(ball, of(ball, "mass"), 2.0));
+    tree.set(ball, "mass", 2.0);
+    CHECK(tree.history().size() == 1);
+}
+
+TEST_CASE_METHOD(Fixture, "a setter that refuses is heard on the typed way too") {
+    CHECK(message_of([&] { tree.write(ball, of(ball, "radius"), 13.0); }) ==
+          "ball.radius: thirteen brings bad luck");
+    CHECK(module.ball(ball).radius == 0.5);
+}
+
+TEST_CASE_METHOD(Fixture, "observers hear of typed writes in order and before anything else") {
+    Listener listener(tree);
+    const Property& mass = of(ball, "mass");
+    tree.set_step(5);
+    {
+        const Tree::CauseScope script(tree, Writer::script);
+        tree.write(ball, mass, 2.0);
+        tree.write(ball, of(ball, "velocity"), Vec2(1, 2));
+        tree.write(ball, mass, 2.0);  // it is that already
+        tree.set(ball, mass, 3.0);
+        CHECK(listener.told.size() == 3);
+        tree.write(ball, mass, 4.0);
+    }
+    tree.write(ball, mass, 5.0);
+    tree.set_step(6);
+    tree.write(ball, mass, 6.0);
+    tree.destroy(ball);
+    tree.write(kept, of(kept, "score"), 1.0);
+    tree.barrier();
+    std::string all;
+    for (const Told& told : listener.told)
+        all += told.what + " by " + std::string(writer_name(told.writer)) + " at " +
+               std::to_string(told.step) + "; ";
+    CHECK(all ==
+          "mass = 2 by script at 5; velocity = vec(1, 2) by script at 5; mass = 3 by script at 5; "
+          "mass = 4 by script at 5; mass = 5 by module at 5; mass = 6 by module at 6; destroying "
+          "ball by module at 6; score = 1 by module at 6; ");
+}
+
+TEST_CASE_METHOD(Fixture, "a change that a callback's write brings about says who and when") {
+    std::string cause;
+    int calls = 0;
+    auto locate = std::function<std::string()>([&] { return ++calls, std::string("main.lua:7"); });
+    const Connection watch = tree.watch(ball, of(ball, "velocity"),
+                                        [&](const Change& change) { cause = change.cause.text(); });
+    tree.set_step(3);
+    {
+        const Tree::CauseScope script(tree, Writer::script, &locate);
+        tree.write(kept, of(kept, "score"), 2.0);
+        module.ball(ball).velocity[0] = 9;  // as a setter of the module may do
+    }
+    tree.barrier();
+    CHECK(cause == "script, step 3");
+    CHECK(calls == 0);  // finding the line costs more than a callback may pay
+
+    // Once something derived is watched, an edit that may change it says where it was made.
+    const Connection derived = tree.watch(
+        ball, of(ball, "area"), [&](const Change& change) { cause = change.cause.text(); });
+    {
+        const Tree::CauseScope script(tree, Writer::script, &locate);
+        tree.write(kept, of(kept, "score"), 3.0);
+        module.ball(ball).dirty = true;
+        module.ball(ball).radius = 2;
+    }
+    tree.barrier();
+    CHECK(cause == "main.lua:7, step 3");
+}
