@@ -153,6 +153,7 @@ void define_step_statistics(Hosting& hosting) {
         statistic<&S::awake_bodies>(h, "awake_bodies", "That took part in the step."),
         statistic<&S::shapes>(h, "shapes", "Of all bodies."),
         statistic<&S::joints>(h, "joints", "That act on a body."),
+        statistic<&S::awake_joints>(h, "awake_joints", "Of these, with a body that is awake."),
         statistic<&S::contacts>(h, "contacts", "Pairs of shapes near each other."),
         statistic<&S::awake_contacts>(h, "awake_contacts", "Of these, with a body that is awake."),
         statistic<&S::touching>(h, "touching", "Of these, near enough to be solved."),

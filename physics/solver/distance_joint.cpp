@@ -11,8 +11,8 @@
 
 namespace fettle::physics::detail {
 
-void DistanceConstraint::prepare(const Data& data, const JointStep& step, const SolverBody& a,
-                                 const SolverBody& b) {
+void DistanceConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
+                                 const SolverBody& a, const SolverBody& b) {
     upper = data.max_length;
     lower = min(data.min_length, upper);  // where they cross, the upper one counts
     rigid = data.hertz == infinity;
@@ -36,7 +36,7 @@ float DistanceConstraint::follow(const SolverBody& a, const SolverBody& b) {
     if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
     lever_a = cross(ends.lever_a, axis);
     lever_b = cross(ends.lever_b, axis);
-    mass = inverse_or_none(a.inverse_mass + b.inverse_mass + a.inverse_inertia * lever_a * lever_a +
+    mass = inverse_or_none(ends.inverse_along(axis) + a.inverse_inertia * lever_a * lever_a +
                            b.inverse_inertia * lever_b * lever_b);
     return distance;
 }
@@ -47,9 +47,9 @@ float DistanceConstraint::velocity(const SolverBody& a, const SolverBody& b) con
 }
 
 void DistanceConstraint::push_along(SolverBody& a, SolverBody& b, float p) const {
-    a.velocity = a.velocity - (a.inverse_mass * p) * axis;
+    a.velocity = a.velocity - p * scaled(ends.inverse_a, axis);
     a.angular_velocity -= a.inverse_inertia * lever_a * p;
-    b.velocity = b.velocity + (b.inverse_mass * p) * axis;
+    b.velocity = b.velocity + p * scaled(ends.inverse_b, axis);
     b.angular_velocity += b.inverse_inertia * lever_b * p;
 }
 

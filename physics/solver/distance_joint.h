@@ -28,7 +28,8 @@ struct DistanceConstraint {
     V2 axis;  ///< from a to b
     float lever_a = 0.0f, lever_b = 0.0f, mass = 0.0f;
 
-    void prepare(const Data& data, const JointStep& step, const SolverBody& a, const SolverBody& b);
+    void prepare(const Data& data, const JointFrame& frame, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b);
     void warm_start(SolverBody& a, SolverBody& b) const;
     void solve(SolverBody& a, SolverBody& b, const JointStep& step);
     void relax(SolverBody& a, SolverBody& b, const JointStep& step);

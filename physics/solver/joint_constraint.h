@@ -31,14 +31,19 @@ inline V2 turned(V2 v, float angle) {
     return {v.x - versine * v.x - s * v.y, v.y - versine * v.y + s * v.x};
 }
 
+inline V2 scaled(V2 by, V2 v) {
+    return {by.x * v.x, by.y * v.y};
+}
+
 /// The two bodies of a joint and where it holds them.
 struct JointEnds {
-    uint32_t a = 0, b = 0;  ///< solver bodies
-    uint32_t place = 0;     ///< among the joints of its type
-    V2 start_a, start_b;    ///< from the centers of mass to the anchors when the step began
-    V2 lever_a, lever_b;    ///< the same now
-    V2 apart;               ///< center of mass of b minus that of a when the step began
-    float angle = 0.0f;     ///< of b relative to a when the step began
+    uint32_t a = 0, b = 0;    ///< solver bodies
+    uint32_t place = 0;       ///< among the joints of its type
+    V2 start_a, start_b;      ///< from the centers of mass to the anchors when the step began
+    V2 lever_a, lever_b;      ///< the same now
+    V2 apart;                 ///< center of mass of b minus that of a when the step began
+    float angle = 0.0f;       ///< of b relative to a when the step began
+    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: none along a locked axis
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);
@@ -58,11 +63,24 @@ struct JointEnds {
     }
     /// An impulse at the anchors: `p` on b, its opposite on a.
     void push(SolverBody& body_a, SolverBody& body_b, V2 p) const {
-        body_a.velocity = body_a.velocity - body_a.inverse_mass * p;
+        body_a.velocity = body_a.velocity - scaled(inverse_a, p);
         body_a.angular_velocity -= body_a.inverse_inertia * cross(lever_a, p);
-        body_b.velocity = body_b.velocity + body_b.inverse_mass * p;
+        body_b.velocity = body_b.velocity + scaled(inverse_b, p);
         body_b.angular_velocity += body_b.inverse_inertia * cross(lever_b, p);
     }
+    /// n·(M_a⁻¹ + M_b⁻¹)·n of a direction.
+    float inverse_along(V2 n) const {
+        return n.x * n.x * (inverse_a.x + inverse_b.x) + n.y * n.y * (inverse_a.y + inverse_b.y);
+    }
+};
+
+/// What some joints need besides when the step begins: how body a is turned, where both centers of
+/// mass are.
+struct JointFrame {
+    Rotation a;
+    V2 center_a, center_b;
+    V2 anchor_a;  ///< in the coordinates of body a
+    double angle_a = 0.0, angle_b = 0.0;
 };
 
 /// An angular impulse: `p` on b, its opposite on a.
@@ -97,6 +115,20 @@ struct Spring {
     }
 };
 
+/// A row that keeps an error at 0. `velocity` is that of the error. Returns the change of
+/// `impulse`.
+template <bool biased>
+float push_rigid(float& impulse, float mass, float velocity, float error, const JointStep& step) {
+    float change = -mass * velocity;
+    if constexpr (biased) {
+        const Softness& soft = step.rigid;
+        change = -mass * soft.mass_scale * (velocity + soft.bias_rate * error) -
+                 soft.impulse_scale * impulse;
+    }
+    impulse += change;
+    return change;
+}
+
 /// A row that only pushes one way: it keeps `room` from becoming negative.
 /// `velocity` is that of the room. Returns the change of `impulse`.
 template <bool biased>
@@ -124,16 +156,17 @@ inline float push_motor(float& impulse, float mass, float velocity, float speed,
     return change;
 }
 
-/// Two rows that hold a point: the inverse of K = (m_a⁻¹ + m_b⁻¹)·1 + I_a⁻¹·r_a⊥ r_a⊥ᵀ +
+/// Two rows that hold a point: the inverse of K = M_a⁻¹ + M_b⁻¹ + I_a⁻¹·r_a⊥ r_a⊥ᵀ +
 /// I_b⁻¹·r_b⊥ r_b⊥ᵀ.
 struct PointMass {
     float xx = 0.0f, xy = 0.0f, yy = 0.0f;
 
     static PointMass make(const JointEnds& e, const SolverBody& a, const SolverBody& b) {
-        const float m = a.inverse_mass + b.inverse_mass;
         const float ia = a.inverse_inertia, ib = b.inverse_inertia;
-        const float xx = m + ia * e.lever_a.y * e.lever_a.y + ib * e.lever_b.y * e.lever_b.y;
-        const float yy = m + ia * e.lever_a.x * e.lever_a.x + ib * e.lever_b.x * e.lever_b.x;
+        const float xx = e.inverse_a.x + e.inverse_b.x + ia * e.lever_a.y * e.lever_a.y +
+                         ib * e.lever_b.y * e.lever_b.y;
+        const float yy = e.inverse_a.y + e.inverse_b.y + ia * e.lever_a.x * e.lever_a.x +
+                         ib * e.lever_b.x * e.lever_b.x;
         const float xy = -ia * e.lever_a.x * e.lever_a.y - ib * e.lever_b.x * e.lever_b.y;
         const float inverse = inverse_or_none(xx * yy - xy * xy);
         return {inverse * yy, -inverse * xy, inverse * xx};

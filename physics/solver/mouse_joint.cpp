@@ -6,8 +6,8 @@
 
 namespace fettle::physics::detail {
 
-void MouseConstraint::prepare(const Data& data, const JointStep& step, const SolverBody& a,
-                              const SolverBody& b) {
+void MouseConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
+                              const SolverBody& a, const SolverBody& b) {
     greatest = data.max_force * step.h;
     softness = make_softness(data.hertz, data.damping_ratio, step.h);
     // A slack joint pulls nothing.

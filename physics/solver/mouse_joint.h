@@ -24,7 +24,8 @@ struct MouseConstraint {
     Softness softness;
     PointMass mass;
 
-    void prepare(const Data& data, const JointStep& step, const SolverBody& a, const SolverBody& b);
+    void prepare(const Data& data, const JointFrame& frame, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b);
     void warm_start(SolverBody& a, SolverBody& b) const;
     void solve(SolverBody& a, SolverBody& b, const JointStep& step);
     void relax(SolverBody&, SolverBody&, const JointStep&) {}

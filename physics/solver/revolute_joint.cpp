@@ -12,8 +12,8 @@
 
 namespace fettle::physics::detail {
 
-void RevoluteConstraint::prepare(const Data& data, const JointStep& step, const SolverBody& a,
-                                 const SolverBody& b) {
+void RevoluteConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
+                                 const SolverBody& a, const SolverBody& b) {
     angular_mass = inverse_or_none(a.inverse_inertia + b.inverse_inertia);
     const bool turns = angular_mass > 0.0f;
     reference = data.reference_angle;

@@ -34,7 +34,8 @@ struct RevoluteConstraint {
     bool springy = false, driven = false, limited = false;
     Spring spring;
 
-    void prepare(const Data& data, const JointStep& step, const SolverBody& a, const SolverBody& b);
+    void prepare(const Data& data, const JointFrame& frame, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b);
     void warm_start(SolverBody& a, SolverBody& b) const;
     void solve(SolverBody& a, SolverBody& b, const JointStep& step);
     void relax(SolverBody& a, SolverBody& b, const JointStep& step);

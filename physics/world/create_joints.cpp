@@ -1,7 +1,4 @@
-#include <world/arguments.h>
-#include <world/world_data.h>
-
-#include <stdexcept>
+#include <world/live_joint.h>
 
 // Joints are made with what all have; what a type adds has defaults.
 
@@ -48,17 +45,73 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
     return {this, {slot, data_->joint_generations[slot]}};
 }
 
+namespace {
+
+template <class Any, class Data>
+Any make(World& world, WorldData& data, const JointDef& def, const Data& settings) {
+    const uint32_t slot = data.create_joint(checked(world, def), settings);
+    return {&world, {slot, data.joint_generations[slot]}};
+}
+
+}  // namespace
+
 DistanceJoint World::create_distance_joint(const JointDef& def) {
-    const uint32_t slot = data_->create_joint(checked(*this, def), DistanceData{});
-    DistanceJoint joint(this, {slot, data_->joint_generations[slot]});
+    auto joint = make<DistanceJoint>(*this, *data_, def, DistanceData{});
     joint.set_length(joint.distance());
     return joint;
 }
 
 RevoluteJoint World::create_revolute_joint(const JointDef& def) {
-    const uint32_t slot = data_->create_joint(checked(*this, def), RevoluteData{});
-    RevoluteJoint joint(this, {slot, data_->joint_generations[slot]});
-    joint.set_reference_angle(joint.angle());
+    auto joint = make<RevoluteJoint>(*this, *data_, def, RevoluteData{});
+    joint.set_reference_angle(angle_between(joint));
+    return joint;
+}
+
+PrismaticJoint World::create_prismatic_joint(const JointDef& def) {
+    auto joint = make<PrismaticJoint>(*this, *data_, def, PrismaticData{});
+    joint.set_reference_angle(angle_between(joint));
+    return joint;
+}
+
+WheelJoint World::create_wheel_joint(const JointDef& def) {
+    return make<WheelJoint>(*this, *data_, def, WheelData{});
+}
+
+WeldJoint World::create_weld_joint(const JointDef& def) {
+    auto joint = make<WeldJoint>(*this, *data_, def, WeldData{});
+    joint.set_reference_angle(angle_between(joint));
+    return joint;
+}
+
+MotorJoint World::create_motor_joint(const JointDef& def) {
+    auto joint = make<MotorJoint>(*this, *data_, def, MotorData{});
+    joint.set_angular_offset(angle_between(joint));
+    return joint;
+}
+
+PulleyJoint World::create_pulley_joint(const JointDef& def) {
+    auto joint = make<PulleyJoint>(*this, *data_, def, PulleyData{});
+    joint.set_length(joint.length_a() + joint.length_b());
+    return joint;
+}
+
+GearJoint World::create_gear_joint(const JointDef& def) {
+    auto joint = make<GearJoint>(*this, *data_, def, GearData{});
+    joint.set_phase(angle_between(joint));
+    return joint;
+}
+
+GrooveJoint World::create_groove_joint(const JointDef& def) {
+    return make<GrooveJoint>(*this, *data_, def, GrooveData{});
+}
+
+PinSlotJoint World::create_pin_slot_joint(const JointDef& def) {
+    return make<PinSlotJoint>(*this, *data_, def, PinSlotData{});
+}
+
+RatchetJoint World::create_ratchet_joint(const JointDef& def) {
+    auto joint = make<RatchetJoint>(*this, *data_, def, RatchetData{});
+    joint.set_reference_angle(angle_between(joint));
     return joint;
 }
 

@@ -266,6 +266,7 @@ void WorldData::update_mobility(uint32_t body) {
     } else if (record.solver_index == 0) {
         add_awake(body);
     }
+    for_each_joint(body, [&](uint32_t joint, uint32_t) { list_joint(joint); });
     record.sleep_time = 0.0f;
     mark_placement(body);
 }

@@ -114,6 +114,14 @@ void WorldData::wake_body(uint32_t body) {
     // best in.
     std::sort(woken.begin(), woken.end());
     for (uint32_t contact : woken) add_awake_contact(contact);
+    woken.clear();
+    for (uint32_t member : members) {
+        for_each_joint(member, [&](uint32_t joint, uint32_t) {
+            if (joints[joint].awake_index == none) woken.push_back(joint);
+        });
+    }
+    std::sort(woken.begin(), woken.end());
+    for (uint32_t joint : woken) list_joint(joint);
 }
 
 void WorldData::wake_touching(uint32_t body) {
@@ -177,6 +185,17 @@ void WorldData::compact_awake() {
         awake_contacts[kept++] = contact;
     }
     awake_contacts.resize(kept);
+    for (auto& list : awake_joints) {
+        kept = 0;
+        for (uint32_t joint : list) {
+            JointRecord& record = joints[joint];
+            const auto [a, b] = record.bodies;
+            const bool awake = bodies[a].solver_index != 0 || bodies[b].solver_index != 0;
+            record.awake_index = awake ? uint32_t(kept) : none;
+            if (awake) list[kept++] = joint;
+        }
+        list.resize(kept);
+    }
 }
 
 void WorldData::put_group_to_sleep(uint32_t body) {
@@ -193,7 +212,7 @@ void WorldData::put_group_to_sleep(uint32_t body) {
             group.push_back(other);
         };
         for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
-            if (joints[joint].enabled) follow(joints[joint].bodies[side ^ 1]);
+            if (joints[joint].acts()) follow(joints[joint].bodies[side ^ 1]);
         });
         for_each_contact(group[i], [&](uint32_t contact) {
             const ContactRecord& c = contacts[contact];
@@ -229,9 +248,8 @@ void WorldData::sleep_resting_islands() {
         const ContactRecord& c = contacts[slot];
         if (c.manifold.count > 0 && !c.sensor) link(c.body_a, c.body_b);
     }
-    for (uint32_t joint = 0; joint < joints.size(); ++joint) {
-        const JointRecord& j = joints[joint];
-        if (joint_generations[joint] != 0 && j.enabled) link(j.bodies[0], j.bodies[1]);
+    for (const auto& list : awake_joints) {
+        for (uint32_t joint : list) link(joints[joint].bodies[0], joints[joint].bodies[1]);
     }
     std::vector<uint8_t> island_restless(count, 0);
     for (uint32_t i = 0; i < count; ++i) island_restless[sets.find(i)] |= restless[i];

@@ -9,9 +9,8 @@ using namespace detail;
 namespace detail {
 
 void wrong_joint(JointType expected, JointType is) {
-    constexpr const char* names[] = {"mouse", "distance", "revolute"};
-    throw std::invalid_argument(std::string("expected a ") + names[size_t(expected)] +
-                                " joint, got a " + names[size_t(is)] + " joint");
+    throw std::invalid_argument(std::string("expected a ") + joint_type_names[size_t(expected)] +
+                                " joint, got a " + joint_type_names[size_t(is)] + " joint");
 }
 
 }  // namespace detail
@@ -102,6 +101,32 @@ bool Joint::collide() const {
 }
 void Joint::set_collide(bool collide) {
     live().set_joint_collide(id_.index, collide);
+}
+
+float Joint::break_force() const {
+    return live().joints[id_.index].break_force;
+}
+void Joint::set_break_force(float force) {
+    live().joints[id_.index].break_force = check_strength("break_force", force);
+    live().wake_joint(id_.index);
+}
+float Joint::break_torque() const {
+    return live().joints[id_.index].break_torque;
+}
+void Joint::set_break_torque(float torque) {
+    live().joints[id_.index].break_torque = check_strength("break_torque", torque);
+    live().wake_joint(id_.index);
+}
+bool Joint::broken() const {
+    return live().joints[id_.index].broken;
+}
+void Joint::set_broken(bool broken) {
+    live().set_joint_broken(id_.index, broken);
+}
+
+float Joint::per_substep(float impulse) const {
+    const float h = live().last_substep;
+    return h > 0.0f ? impulse / h : 0.0f;
 }
 
 Vec2 Joint::force() const {

@@ -1,19 +1,14 @@
 #include <world/world_data.h>
 
+#include <cmath>
 #include <utility>
 
 // Joints: what all of them have in slots, linked into lists of both bodies, and what a type adds in
-// a list of that type without gaps. A step writes those that act into constraints, in the order of
-// the lists, and reads their impulses back.
+// a list of that type without gaps. Those that act on something awake are listed by type; a step
+// writes them into constraints, in the order of the lists, and reads their impulses back.
 
 namespace fettle::physics::detail {
 namespace {
-
-/// Calls `visit` with the list of that type.
-template <class Visit, size_t... I>
-void with_list(JointLists& lists, JointType type, Visit&& visit, std::index_sequence<I...>) {
-    ((size_t(type) == I ? visit(std::get<I>(lists)) : void()), ...);
-}
 
 /// A joint gives by load / (m·ω²), and m is that of its light body: hung from light links, a heavy
 /// body would stretch them at the usual stiffness. Twice the stiffness is stable only if the sweeps
@@ -43,6 +38,7 @@ uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_
     link_joint(slot, 0);
     link_joint(slot, 1);
     wake_joint(slot);
+    list_joint(slot);
     refilter_joint(slot);
     return slot;
 }
@@ -50,6 +46,7 @@ uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_
 void WorldData::destroy_joint(uint32_t joint) {
     wake_joint(joint);
     joints[joint].enabled = false;
+    list_joint(joint);
     refilter_joint(joint);
     unlink_joint(joint, 0);
     unlink_joint(joint, 1);
@@ -59,8 +56,7 @@ void WorldData::destroy_joint(uint32_t joint) {
         joints[list[place].joint].place = place;
         list.pop_back();
     };
-    constexpr auto types = std::make_index_sequence<std::tuple_size_v<JointLists>>();
-    with_list(joint_lists, joints[joint].type, erase, types);
+    with_list(joint_lists, joints[joint].type, erase);
     joints[joint] = {};
     joints[joint].next_free = free_joint;
     free_joint = joint;
@@ -97,17 +93,52 @@ void WorldData::set_joint_body(uint32_t joint, uint32_t side, uint32_t body) {
     joints[joint].bodies[side] = body;
     link_joint(joint, side);
     joints[joint].enabled = enabled;
-    auto forget = [&](auto& list) { list[joints[joint].place].impulses = {}; };
-    constexpr auto types = std::make_index_sequence<std::tuple_size_v<JointLists>>();
-    with_list(joint_lists, joints[joint].type, forget, types);
+    forget_impulses(joint);
     wake_joint(joint);
+    list_joint(joint);
     refilter_joint(joint);
 }
 
 void WorldData::set_joint_enabled(uint32_t joint, bool enabled) {
     joints[joint].enabled = enabled;
     wake_joint(joint);
+    list_joint(joint);
     refilter_joint(joint);
+}
+
+void WorldData::set_joint_broken(uint32_t joint, bool broken) {
+    joints[joint].broken = broken;
+    wake_joint(joint);
+    list_joint(joint);
+    refilter_joint(joint);
+}
+
+void WorldData::forget_impulses(uint32_t joint) {
+    auto forget = [&](auto& list) { list[joints[joint].place].impulses = {}; };
+    with_list(joint_lists, joints[joint].type, forget);
+    joints[joint].force = {};
+    joints[joint].torque = 0.0f;
+}
+
+/// A joint is listed while it acts and one of its bodies is awake. Asleep, it keeps its impulses;
+/// doing nothing, it has none.
+void WorldData::list_joint(uint32_t joint) {
+    JointRecord& record = joints[joint];
+    auto& list = awake_joints[size_t(record.type)];
+    const auto [a, b] = record.bodies;
+    const bool wanted =
+        record.acts() && (bodies[a].solver_index != 0 || bodies[b].solver_index != 0);
+    if (!wanted && role_of(record) == Role::idle) forget_impulses(joint);
+    if (wanted == (record.awake_index != none)) return;
+    if (wanted) {
+        record.awake_index = uint32_t(list.size());
+        list.push_back(joint);
+        return;
+    }
+    list[record.awake_index] = list.back();
+    joints[list.back()].awake_index = record.awake_index;
+    list.pop_back();
+    record.awake_index = none;
 }
 
 void WorldData::set_joint_collide(uint32_t joint, bool collide) {
@@ -123,18 +154,20 @@ void WorldData::wake_joint(uint32_t joint) {
 /// Who sleeps at a joint to something that has begun to move.
 void WorldData::wake_jointed() {
     if (island_count == 0) return;
-    for (uint32_t joint = 0; joint < joints.size(); ++joint) {
-        const auto [a, b] = joints[joint].bodies;
-        if (joint_generations[joint] == 0 || !joints[joint].enabled) continue;
-        if (bodies[a].asleep() && in_motion(b)) wake_body(a);
-        if (bodies[b].asleep() && in_motion(a)) wake_body(b);
+    for (const auto& list : awake_joints) {
+        // Waking appends to the list while it is walked.
+        for (size_t i = 0; i < list.size(); ++i) {
+            const auto [a, b] = joints[list[i]].bodies;
+            if (bodies[a].asleep() && in_motion(b)) wake_body(a);
+            if (bodies[b].asleep() && in_motion(a)) wake_body(b);
+        }
     }
 }
 
 /// The border belongs to the world, and what hangs in the world still collides with it.
 bool WorldData::keeps_apart(uint32_t joint) const {
     const JointRecord& j = joints[joint];
-    return j.enabled && !j.collide && j.bodies[0] != 0 && j.bodies[1] != 0;
+    return j.acts() && !j.collide && j.bodies[0] != 0 && j.bodies[1] != 0;
 }
 
 bool WorldData::joint_forbids_contact(uint32_t body_a, uint32_t body_b) const {
@@ -166,7 +199,7 @@ void WorldData::refilter_joint(uint32_t joint) {
 WorldData::Role WorldData::role_of(const JointRecord& joint) const {
     Role role = Role::idle;
     for (uint32_t body : joint.bodies) {
-        if (!joint.enabled || bodies[body].mobility != Mobility::dynamic) continue;
+        if (!joint.acts() || bodies[body].mobility != Mobility::dynamic) continue;
         if (bodies[body].solver_index != 0) return Role::acting;
         role = Role::asleep;
     }
@@ -188,26 +221,40 @@ JointEnds WorldData::joint_ends(const JointRecord& joint) const {
     ends.lever_b = ends.start_b;
     ends.apart = body_b.center - body_a.center;
     ends.angle = (states[b].angle - states[a].angle) + (body_b.angle_rest - body_a.angle_rest);
+    const float mass_a = solver_bodies[ends.a].inverse_mass;
+    const float mass_b = solver_bodies[ends.b].inverse_mass;
+    ends.inverse_a = {body_a.locked_x ? 0.0f : mass_a, body_a.locked_y ? 0.0f : mass_a};
+    ends.inverse_b = {body_b.locked_x ? 0.0f : mass_b, body_b.locked_y ? 0.0f : mass_b};
     return ends;
+}
+
+JointFrame WorldData::joint_frame(const JointRecord& joint) const {
+    const auto [a, b] = joint.bodies;
+    return {.a = {states[a].cosine, states[a].sine},
+            .center_a = bodies[a].center,
+            .center_b = bodies[b].center,
+            .anchor_a = joint.anchors[0],
+            .angle_a = double(states[a].angle) + double(bodies[a].angle_rest),
+            .angle_b = double(states[b].angle) + double(bodies[b].angle_rest)};
 }
 
 template <class Constraint>
 void WorldData::prepare_list(const JointStep& step, std::vector<Constraint>& made) {
+    using Data = typename Constraint::Data;
+    constexpr JointType type = joint_type<Data>;
     made.clear();
-    for (auto& data : std::get<std::vector<typename Constraint::Data>>(joint_lists)) {
-        JointRecord& joint = joints[data.joint];
+    for (uint32_t slot : awake_joints[size_t(type)]) {
+        const JointRecord& joint = joints[slot];
         const Role role = role_of(joint);
-        if (role == Role::idle) {
-            data.impulses = {};
-            joint.force = {};
-            joint.torque = 0.0f;
-        }
+        if (role == Role::idle) forget_impulses(slot);
         if (role != Role::acting) continue;  // asleep, it goes on as it was when it wakes
+        if (joint.breakable()) strains.push_back({slot, uint32_t(made.size()), {}, 0.0f});
+        const Data& data = std::get<std::vector<Data>>(joint_lists)[joint.place];
         Constraint& c = made.emplace_back();
         c.ends = joint_ends(joint);
         c.impulses = data.impulses;
         c.impulses.scale(step.impulse_ratio);
-        c.prepare(data, step, solver_bodies[c.ends.a], solver_bodies[c.ends.b]);
+        c.prepare(data, joint_frame(joint), step, solver_bodies[c.ends.a], solver_bodies[c.ends.b]);
     }
 }
 
@@ -216,6 +263,7 @@ JointStep WorldData::prepare_joints(float h) {
     step.h = h;
     step.inverse_h = 1.0f / h;
     step.impulse_ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+    strains.clear();
     std::apply([&](auto&... list) { (prepare_list(step, list), ...); }, joint_constraints);
     bool heavy = false;
     auto look = [&](const auto& list) {
@@ -255,6 +303,34 @@ void WorldData::relax_joints(const JointStep& step) {
         std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
 }
 
+void WorldData::strain_joints() {
+    for (Strain& strain : strains) {
+        auto add = [&](const auto& list) {
+            strain.force = strain.force + list[strain.index].push();
+            strain.torque += list[strain.index].twist();
+        };
+        with_list(joint_constraints, joints[strain.joint].type, add);
+    }
+}
+
+/// Those that bore more than they can, in the mean over the step. They act no more.
+void WorldData::break_joints(const JointStep& step) {
+    const float rate = step.inverse_h / float(settings.substeps);
+    for (const Strain& strain : strains) {
+        const JointRecord& joint = joints[strain.joint];
+        const V2 force = rate * strain.force;
+        const float torque = rate * strain.torque;
+        if (length(force) <= joint.break_force && std::fabs(torque) <= joint.break_torque) continue;
+        const auto [a, b] = joint.bodies;
+        event_sink().joint_broke.push_back({{strain.joint, joint_generations[strain.joint]},
+                                            body_id(a),
+                                            body_id(b),
+                                            to_vec2(force),
+                                            torque});
+        set_joint_broken(strain.joint, true);
+    }
+}
+
 void WorldData::store_joints(const JointStep& step) {
     auto pass = [&](auto& list) {
         using Data = typename std::remove_cvref_t<decltype(list)>::value_type::Data;
@@ -266,6 +342,7 @@ void WorldData::store_joints(const JointStep& step) {
         }
     };
     std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
+    break_joints(step);
 }
 
 }  // namespace fettle::physics::detail

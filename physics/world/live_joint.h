@@ -13,6 +13,23 @@ namespace fettle::physics {
 namespace detail {
 [[noreturn]] void wrong_joint(JointType expected, JointType is);
 
+/// Of b relative to a, rad.
+inline float angle_between(const Joint& joint) {
+    const Body a = joint.body_a(), b = joint.body_b();
+    return (b ? b.angle() : 0.0f) - (a ? a.angle() : 0.0f);
+}
+
+/// From anchor a to anchor b, world axes, m.
+inline Vec2 gap_between(const Joint& joint) {
+    return joint.world_anchor_b() - joint.world_anchor_a();
+}
+
+inline float check_limit(const char* what, float value) {
+    return check_range(what, value, -infinity, infinity);
+}
+inline float check_strength(const char* what, float value) {
+    return check_range(what, value, 0.0f, infinity);
+}
 inline float check_stiffness(const char* what, float hertz) {
     return check_range(what, hertz, 0.0f, infinity);
 }
@@ -36,14 +53,26 @@ Data& Joint::edit() const {
 
 }  // namespace fettle::physics
 
-// A setting that is read as it is, and written after a check.
+// A setting that is kept in `field`, read as it is, and written after a check.
+#define FETTLE_JOINT_FIELD(Class, Data, name, field, check) \
+    float Class::name() const {                             \
+        return own<detail::Data>().field;                   \
+    }                                                       \
+    void Class::set_##name(float value) {                   \
+        using namespace detail;                             \
+        (void)own<detail::Data>();                          \
+        const float checked = check;                        \
+        edit<detail::Data>().field = checked;               \
+    }
 #define FETTLE_JOINT_SETTING(Class, Data, name, check) \
-    float Class::name() const {                        \
-        return own<detail::Data>().name;               \
-    }                                                  \
-    void Class::set_##name(float value) {              \
-        using namespace detail;                        \
-        (void)own<detail::Data>();                     \
-        const float checked = check;                   \
-        edit<detail::Data>().name = checked;           \
+    FETTLE_JOINT_FIELD(Class, Data, name, name, check)
+#define FETTLE_JOINT_VECTOR(Class, Data, name, field, check) \
+    Vec2 Class::name() const {                               \
+        return detail::to_vec2(own<detail::Data>().field);   \
+    }                                                        \
+    void Class::set_##name(const Vec2& value) {              \
+        using namespace detail;                              \
+        (void)own<detail::Data>();                           \
+        const Vec2 checked = check;                          \
+        edit<detail::Data>().field = to_v2(checked);         \
     }

@@ -122,14 +122,20 @@ struct JointRecord {
     JointType type = JointType::mouse;
     bool enabled = true;
     bool collide = false;         ///< the two bodies, with each other
+    bool broken = false;          ///< acts no more, until somebody mends it
+    uint32_t awake_index = none;  ///< in the list of the awake ones of its type
     uint32_t place = none;        ///< in the list of its type
     uint32_t bodies[2] = {0, 0};  ///< 0: the world
     V2 anchors[2];                ///< body coordinates
     ListEdge edges[2];            ///< in the joint lists of body a and b
     V2 force;                     ///< of the last step, on body b
     float torque = 0.0f;
+    float break_force = infinity, break_torque = infinity;  ///< N, N m: it breaks above
     uint64_t user_data = 0;
     uint32_t next_free = none;
+
+    bool acts() const { return enabled && !broken; }
+    bool breakable() const { return break_force < infinity || break_torque < infinity; }
 };
 
 /// Bodies that fell asleep together and wake together.

@@ -135,6 +135,7 @@ void WorldData::solve(float dt) {
         serial.relax();
         kernels.relax(wide);
         zero_locked();
+        strain_joints();
     }
     serial.restitute();
     zero_locked();
@@ -231,6 +232,8 @@ void WorldData::step(float dt) {
     statistics.bodies = body_count;
     statistics.shapes = shape_count;
     statistics.joints = joint_count;
+    statistics.awake_joints = 0;
+    for (const auto& list : awake_joints) statistics.awake_joints += uint32_t(list.size());
     statistics.contacts = contact_count;
     statistics.awake_bodies = uint32_t(awake_bodies.size());
     statistics.awake_contacts = uint32_t(awake_contacts.size());

@@ -16,7 +16,7 @@ FETTLE_JOINT_SETTING(DistanceJoint, DistanceData, damping_ratio,
                      check_not_negative("damping_ratio", value))
 
 float DistanceJoint::distance() const {
-    return (world_anchor_b() - world_anchor_a()).norm();
+    return gap_between(*this).norm();
 }
 
 FETTLE_JOINT_SETTING(RevoluteJoint, RevoluteData, reference_angle,
@@ -34,13 +34,11 @@ FETTLE_JOINT_SETTING(RevoluteJoint, RevoluteData, damping_ratio,
 FETTLE_JOINT_SETTING(RevoluteJoint, RevoluteData, target_angle, check_finite("target_angle", value))
 
 float RevoluteJoint::angle() const {
-    const Body a = body_a(), b = body_b();
-    return ((b ? b.angle() : 0.0f) - (a ? a.angle() : 0.0f)) - reference_angle();
+    return angle_between(*this) - reference_angle();
 }
 
 float RevoluteJoint::motor_torque() const {
-    const float h = live().last_substep;
-    return h > 0.0f ? own<RevoluteData>().impulses.motor / h : 0.0f;
+    return per_substep(own<RevoluteData>().impulses.motor);
 }
 
 }  // namespace fettle::physics

@@ -162,6 +162,16 @@ Fault check_joints(const WorldData& data) {
         listed += list.size();
     };
     std::apply([&](const auto&... list) { (check_list(list), ...); }, data.joint_lists);
+    for (uint32_t joint = 0; joint < data.joints.size(); ++joint) {
+        const JointRecord& record = data.joints[joint];
+        const auto [a, b] = record.bodies;
+        const bool awake = data.joint_generations[joint] != 0 && record.acts() &&
+                           (data.bodies[a].solver_index != 0 || data.bodies[b].solver_index != 0);
+        const auto& list = data.awake_joints[size_t(record.type)];
+        const uint32_t index = record.awake_index;
+        if (awake != (index != none) || (awake && (index >= list.size() || list[index] != joint)))
+            return "joint " + number(joint) + " is not listed as it should be";
+    }
     if (!placed || listed != live) return std::string("a list of joints does not hold its joints");
     return {};
 }

@@ -5,10 +5,8 @@
 #include <fettle/physics/world.h>
 #include <geometry/vertex_pool.h>
 #include <solver/constraint.h>
-#include <solver/distance_joint.h>
-#include <solver/mouse_joint.h>
-#include <solver/revolute_joint.h>
 #include <solver/wide_contact.h>
+#include <world/joint_types.h>
 #include <world/records.h>
 
 #include <array>
@@ -50,17 +48,13 @@ struct BorderPlane {
     float depth = 0.0f;
 };
 
-/// By type, in the order of `JointType`: what joints are set to, and what they are in a step.
-using JointLists =
-    std::tuple<std::vector<MouseData>, std::vector<DistanceData>, std::vector<RevoluteData>>;
-using JointConstraints = std::tuple<std::vector<MouseConstraint>, std::vector<DistanceConstraint>,
-                                    std::vector<RevoluteConstraint>>;
-template <class Data>
-inline constexpr JointType joint_type = JointType::mouse;
-template <>
-inline constexpr JointType joint_type<DistanceData> = JointType::distance;
-template <>
-inline constexpr JointType joint_type<RevoluteData> = JointType::revolute;
+/// What a joint that can break bore in this step, summed over the sub-steps.
+struct Strain {
+    uint32_t joint = none;
+    uint32_t index = 0;  ///< among the constraints of its type
+    V2 force;
+    float torque = 0.0f;
+};
 
 /// Everything of a world: arrays addressed by slot, lists of what is awake, lists of what an edit
 /// left out of date. The member functions are grouped by the file that defines them.
@@ -86,10 +80,11 @@ struct WorldData : Columns {
 
     Tree fixed_tree, moving_tree;
     PairSet pairs;
-    std::vector<uint32_t> moved_shapes;                  ///< look for new pairs
-    std::vector<uint32_t> awake_bodies;                  ///< slots; solver index is the place + 1
-    std::vector<uint32_t> awake_contacts;                ///< slots
-    std::vector<uint32_t> edited_bodies, edited_shapes;  ///< to refresh
+    std::vector<uint32_t> moved_shapes;    ///< look for new pairs
+    std::vector<uint32_t> awake_bodies;    ///< slots; solver index is the place + 1
+    std::vector<uint32_t> awake_contacts;  ///< slots
+    std::array<std::vector<uint32_t>, joint_type_count> awake_joints;  ///< slots, by type
+    std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
 
     // Of the step; kept for their capacity.
     std::vector<SolverBody> solver_bodies;
@@ -104,6 +99,7 @@ struct WorldData : Columns {
     bool baseline_kernels = false;         ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
     JointConstraints joint_constraints;
+    std::vector<Strain> strains;
     std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
     std::vector<FastBody> fast_bodies;
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio
@@ -152,6 +148,9 @@ struct WorldData : Columns {
     void set_joint_body(uint32_t joint, uint32_t side, uint32_t body);
     void set_joint_enabled(uint32_t joint, bool enabled);
     void set_joint_collide(uint32_t joint, bool collide);
+    void set_joint_broken(uint32_t joint, bool broken);
+    void list_joint(uint32_t joint);
+    void forget_impulses(uint32_t joint);
     void wake_joint(uint32_t joint);
     void wake_jointed();
     bool keeps_apart(uint32_t joint) const;
@@ -160,13 +159,16 @@ struct WorldData : Columns {
     enum class Role { idle, asleep, acting };
     Role role_of(const JointRecord& joint) const;
     JointEnds joint_ends(const JointRecord& joint) const;
+    JointFrame joint_frame(const JointRecord& joint) const;
     template <class Constraint>
     void prepare_list(const JointStep& step, std::vector<Constraint>& made);
     JointStep prepare_joints(float h);
     void warm_start_joints();
     void solve_joints(const JointStep& step);
     void relax_joints(const JointStep& step);
+    void strain_joints();
     void store_joints(const JointStep& step);
+    void break_joints(const JointStep& step);
     template <typename Visit>
     void for_each_joint(uint32_t body, Visit&& visit) const {
         for (uint32_t edge = bodies[body].first_joint; edge != none;) {

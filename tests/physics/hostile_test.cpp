@@ -217,10 +217,7 @@ TEST_CASE("bodies and shapes die anywhere in random sequences and the world stay
                 def.anchor_a = {x, y};
                 if (random() % 4 == 0) def.body_a = {};
                 if (def.body_a == def.body_b) break;
-                if (random() % 2 == 0)
-                    world.create_distance_joint(def);
-                else
-                    world.create_revolute_joint(def).set_max_motor_torque(infinity);
+                create_any_joint(world, def, random);
                 break;
             }
             case 20: {
@@ -228,9 +225,11 @@ TEST_CASE("bodies and shapes die anywhere in random sequences and the world stay
                 if (joints.empty()) break;
                 Joint joint = pick(joints);
                 if (random() % 2 == 0) joint.set_enabled(!joint.enabled());
+                if (random() % 4 == 0) joint.set_broken(!joint.broken());
+                joint.set_break_force(random() % 2 == 0 ? infinity : 100.0f);
                 joint.set_collide(!joint.collide());
                 if (joint.type() == JointType::distance) {
-                    DistanceJoint distance = world.distance_joint(joint.id());
+                    DistanceJoint distance = world.joint<DistanceJoint>(joint.id());
                     distance.set_hertz(random() % 2 == 0 ? 0.0f : 30.0f);
                     distance.set_max_length(std::fabs(x));
                 }

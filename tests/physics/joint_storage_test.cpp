@@ -186,7 +186,7 @@ TEST_CASE("joints refuse what has no meaning and then change nothing") {
     REQUIRE_THROWS_WITH(rod.set_anchor_a({infinity, 0}), contains("anchor_a"));
     REQUIRE(rod.length() == 2.0f);
     REQUIRE(rod.body_a() == ball);
-    REQUIRE_THROWS_WITH(world.mouse_joint(rod.id()).hertz(),
+    REQUIRE_THROWS_WITH(world.joint<MouseJoint>(rod.id()).hertz(),
                         contains("expected a mouse joint, got a distance joint"));
     rod.set_body_a(Body());
     REQUIRE_FALSE(rod.body_a());

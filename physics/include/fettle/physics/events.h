@@ -49,12 +49,22 @@ struct SensorEvent {
     BodyId visitor_body;
 };
 
+/// A joint bore more than its `break_force` or `break_torque`; it acts no more (`Joint::broken`).
+struct JointBreakEvent {
+    JointId joint;
+    BodyId body_a;  ///< an invalid one is the world
+    BodyId body_b;
+    Vec2 force = Vec2::Zero();  ///< N, on body b, mean over the step
+    float torque = 0.0f;        ///< N m, on body b, besides that of the force
+};
+
 struct Events {
     std::vector<ContactBeginEvent> contact_begin;
     std::vector<ContactEndEvent> contact_end;
     std::vector<ContactHitEvent> contact_hit;
     std::vector<SensorEvent> sensor_begin;
     std::vector<SensorEvent> sensor_end;
+    std::vector<JointBreakEvent> joint_broke;
     std::vector<BodyId> slept;
     std::vector<BodyId> woke;
 };

@@ -41,8 +41,16 @@ class Joint {
     void set_enabled(bool enabled);  ///< disabled, it does nothing at all
     bool collide() const;
     void set_collide(bool collide);  ///< whether the two bodies collide with each other
-    Vec2 force() const;              ///< N, on body b in the last step
-    float torque() const;            ///< N m, on body b in the last step, besides that of the force
+    /// N: a joint that bears more than this in the mean over a step breaks. It then does nothing,
+    /// as if disabled, and `Events::joint_broke` tells of it; infinity (the default): never.
+    float break_force() const;
+    void set_break_force(float force);
+    float break_torque() const;  ///< N m
+    void set_break_torque(float torque);
+    bool broken() const;
+    void set_broken(bool broken);  ///< false mends it
+    Vec2 force() const;            ///< N, on body b in the last step
+    float torque() const;          ///< N m, on body b in the last step, besides that of the force
 
     uint64_t user_data() const;
     void set_user_data(uint64_t value);
@@ -52,7 +60,8 @@ class Joint {
     template <class Data>
     Data& own() const;
     template <class Data>
-    Data& edit() const;  ///< the same, waking the bodies
+    Data& edit() const;                      ///< the same, waking the bodies
+    float per_substep(float impulse) const;  ///< as a force, or a torque
 
   private:
     void set_body(uint32_t side, const Body& body);

@@ -53,7 +53,20 @@ enum class ShapeType : uint8_t {
             ///< and rays
 };
 
-enum class JointType : uint8_t { mouse, distance, revolute };
+enum class JointType : uint8_t {
+    mouse,
+    distance,
+    revolute,
+    prismatic,
+    wheel,
+    weld,
+    motor,
+    pulley,
+    gear,
+    groove,
+    pin_slot,
+    ratchet
+};
 
 /// Axis-aligned box. `min` is the lower left corner.
 struct Aabb {

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <fettle/physics/body.h>
+#include <fettle/physics/coupling_joints.h>
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
-#include <fettle/physics/joint.h>
 #include <fettle/physics/query.h>
 #include <fettle/physics/shape.h>
+#include <fettle/physics/sliding_joints.h>
 #include <fettle/physics/statistics.h>
 
 #include <cstddef>
@@ -99,8 +100,17 @@ class World {
     Shape create_shape(const Segment& segment, const ShapeDef& def = {});
     Shape create_shape(const Polygon& polygon, const ShapeDef& def = {});
     MouseJoint create_mouse_joint(const MouseJointDef& def);
-    DistanceJoint create_distance_joint(const JointDef& def);  ///< a rod as long as it is now
-    RevoluteJoint create_revolute_joint(const JointDef& def);  ///< the angle now counts as 0
+    DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod as long as it is now
+    RevoluteJoint create_revolute_joint(const JointDef& def);    ///< the angle now counts as 0
+    PrismaticJoint create_prismatic_joint(const JointDef& def);  ///< holds the angle it has now
+    WheelJoint create_wheel_joint(const JointDef& def);
+    WeldJoint create_weld_joint(const JointDef& def);      ///< holds the angle it has now
+    MotorJoint create_motor_joint(const JointDef& def);    ///< the angle now is its offset
+    PulleyJoint create_pulley_joint(const JointDef& def);  ///< set its wheels, then its length
+    GearJoint create_gear_joint(const JointDef& def);      ///< set its ratio, then its phase
+    GrooveJoint create_groove_joint(const JointDef& def);
+    PinSlotJoint create_pin_slot_joint(const JointDef& def);
+    RatchetJoint create_ratchet_joint(const JointDef& def);  ///< the angle now counts as 0
     void clear();  ///< destroys every body, shape and joint
 
     bool is_valid(BodyId id) const {
@@ -117,10 +127,11 @@ class World {
     }
     Body body(BodyId id) { return {this, id}; }
     Shape shape(ShapeId id) { return {this, id}; }
-    Joint joint(JointId id) { return {this, id}; }
-    MouseJoint mouse_joint(JointId id) { return {this, id}; }
-    DistanceJoint distance_joint(JointId id) { return {this, id}; }
-    RevoluteJoint revolute_joint(JointId id) { return {this, id}; }
+    /// As the type it is, or as any joint: `joint<WheelJoint>(id)`.
+    template <class Any = Joint>
+    Any joint(JointId id) {
+        return {this, id};
+    }
 
     // Unchecked, for hosts that keep slots: `index` must be that of a live body. A reference holds
     // until the next creation of a body.

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <fettle/physics/export.h>
+#include <fettle/physics/joint.h>
+
+// Joints that hold, drive or couple two bodies as a whole.
+
+FETTLE_PHYSICS_BEGIN
+
+namespace fettle::physics {
+
+/// Holds two bodies together: a point and an angle, rigidly or as springs.
+class WeldJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    float angle() const;  ///< rad, of b relative to a, less the reference: held at 0
+    float reference_angle() const;
+    void set_reference_angle(float angle);
+    float hertz() const;  ///< of the point; infinity (the default): rigid; 0: not held
+    void set_hertz(float hertz);
+    float damping_ratio() const;
+    void set_damping_ratio(float ratio);
+    float angular_hertz() const;  ///< of the angle; infinity (the default): rigid; 0: not held
+    void set_angular_hertz(float hertz);
+    float angular_damping_ratio() const;
+    void set_angular_damping_ratio(float ratio);
+};
+
+/// Drives b against a, by at most a force and a torque: to a velocity, or with `hertz` to an offset
+/// and an angle. At rest and without stiffness it is the friction of a top-down game.
+class MotorJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    Vec2 linear_velocity() const;  ///< m/s, of anchor b against anchor a, in the coordinates of a
+    void set_linear_velocity(const Vec2& velocity);
+    float angular_velocity() const;  ///< rad/s
+    void set_angular_velocity(float velocity);
+    float max_force() const;  ///< N; 0 (the default): none
+    void set_max_force(float force);
+    float max_torque() const;  ///< N m; 0 (the default): none
+    void set_max_torque(float torque);
+    Vec2 linear_offset() const;  ///< m, of anchor b from anchor a, in the coordinates of a
+    void set_linear_offset(const Vec2& offset);
+    float angular_offset() const;  ///< rad, of b relative to a
+    void set_angular_offset(float angle);
+    float hertz() const;  ///< stiffness to the offsets; 0 (the default): velocities alone
+    void set_hertz(float hertz);
+    float damping_ratio() const;  ///< 1 at first
+    void set_damping_ratio(float ratio);
+};
+
+/// A rope from a over two wheels of the world to b. It only pulls.
+class PulleyJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    Vec2 ground_a() const;  ///< the wheel over a; world, m
+    void set_ground_a(const Vec2& point);
+    Vec2 ground_b() const;
+    void set_ground_b(const Vec2& point);
+    float ratio() const;  ///< parts of the rope at b: how much slower and stronger b is than a
+    void set_ratio(float ratio);  ///< positive
+    float length() const;         ///< m, of a's part and `ratio` times b's
+    void set_length(float length);
+    float length_a() const;  ///< m, from the wheel to anchor a now
+    float length_b() const;
+    float tension() const;  ///< N, in the last step
+};
+
+/// Turns b with a.
+class GearJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    /// How far b turns when a turns once: -r_a/r_b where the wheels mesh, r_a/r_b with a belt.
+    float ratio() const;
+    void set_ratio(float ratio);
+    float phase() const;  ///< rad: angle of b less `ratio` times that of a
+    void set_phase(float phase);
+};
+
+/// Lets b turn against a one way only.
+class RatchetJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    float angle() const;  ///< rad, of b relative to a, less the reference
+    float reference_angle() const;
+    void set_reference_angle(float angle);
+    float tooth() const;  ///< rad between teeth; 0 (the default): it holds at any angle
+    void set_tooth(float angle);
+    bool backwards() const;  ///< clockwise is free instead of counter-clockwise
+    void set_backwards(bool backwards);
+    float caught_angle() const;  ///< rad: it does not turn back beyond this
+};
+
+}  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

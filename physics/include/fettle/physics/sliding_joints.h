@@ -1,0 +1,103 @@
+#pragma once
+
+#include <fettle/physics/export.h>
+#include <fettle/physics/joint.h>
+
+// Joints of a point of body b and a line that body a carries. `axis` is the direction of the line
+// in the coordinates of a, of any length but 0; it goes through anchor a.
+
+FETTLE_PHYSICS_BEGIN
+
+namespace fettle::physics {
+
+/// Lets b slide along an axis of a without turning: a drawer, a piston, a lift.
+class PrismaticJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    Vec2 axis() const;
+    void set_axis(const Vec2& axis);
+    float translation() const;        ///< m, of anchor b from anchor a along the axis now
+    float lower_translation() const;  ///< m; -infinity (the default): none
+    void set_lower_translation(float translation);
+    float upper_translation()
+        const;  ///< m; infinity (the default): none. It counts where they cross
+    void set_upper_translation(float translation);
+    float motor_speed() const;  ///< m/s, of b relative to a along the axis
+    void set_motor_speed(float speed);
+    float max_motor_force() const;  ///< N; 0 (the default): no motor
+    void set_max_motor_force(float force);
+    float motor_force() const;  ///< N, what the motor gave in the last step
+    float hertz() const;        ///< of a spring to `target_translation`; 0 (the default): none
+    void set_hertz(float hertz);
+    float damping_ratio() const;
+    void set_damping_ratio(float ratio);
+    float target_translation() const;  ///< m
+    void set_target_translation(float translation);
+    float angle() const;  ///< rad, of b relative to a, less the reference: held at 0
+    float reference_angle() const;
+    void set_reference_angle(float angle);
+};
+
+/// A pin of b in a straight slot of a: slides as in a prismatic joint, and turns freely.
+class PinSlotJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    Vec2 axis() const;
+    void set_axis(const Vec2& axis);
+    float translation() const;
+    float lower_translation() const;
+    void set_lower_translation(float translation);
+    float upper_translation() const;
+    void set_upper_translation(float translation);
+    float motor_speed() const;
+    void set_motor_speed(float speed);
+    float max_motor_force() const;
+    void set_max_motor_force(float force);
+    float motor_force() const;
+    float hertz() const;
+    void set_hertz(float hertz);
+    float damping_ratio() const;
+    void set_damping_ratio(float ratio);
+    float target_translation() const;
+    void set_target_translation(float translation);
+};
+
+/// A pin of b in a groove of a that begins at anchor a and has an end.
+class GrooveJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    Vec2 end() const;  ///< in the coordinates of a
+    void set_end(const Vec2& end);
+    float translation() const;  ///< m, of the pin from where the groove begins
+};
+
+/// A wheel (b) of a vehicle (a): sprung along the axis, which is (0, 1) at first, and driven about
+/// its axle.
+class WheelJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    Vec2 axis() const;
+    void set_axis(const Vec2& axis);
+    float translation() const;  ///< m, of the axle from where the spring is at rest
+    float hertz() const;        ///< of the suspension; 4 at first; 0: none
+    void set_hertz(float hertz);
+    float damping_ratio() const;  ///< 0.7 at first
+    void set_damping_ratio(float ratio);
+    float lower_translation() const;
+    void set_lower_translation(float translation);
+    float upper_translation() const;
+    void set_upper_translation(float translation);
+    float motor_speed() const;  ///< rad/s, of the wheel relative to the vehicle
+    void set_motor_speed(float speed);
+    float max_motor_torque() const;  ///< N m; 0 (the default): no motor
+    void set_max_motor_torque(float torque);
+    float motor_torque() const;  ///< N m, what the motor gave in the last step
+};
+
+}  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

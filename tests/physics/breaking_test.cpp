@@ -1,0 +1,95 @@
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+TEST_CASE("a joint breaks at its force and not below") {
+    World world({.sleeping = false});
+    Body box = add_box(world, {0, 0});
+    DistanceJoint rod = world.create_distance_joint({.body_b = box.id(), .anchor_a = {0, 2}});
+    rod.set_break_force(12.0f);
+    box.set_force({0, -1.9f});  // 11.9 N with its weight
+    run(world, 3.0f);
+    REQUIRE_FALSE(rod.broken());
+    REQUIRE(world.events().joint_broke.empty());
+    box.set_force({0, -2.1f});
+    run(world, 0.5f);
+    REQUIRE(rod.broken());
+    REQUIRE(rod.is_valid());
+    REQUIRE(box.velocity().y() < -3.0f);
+    REQUIRE(rod.force().norm() == 0.0f);
+}
+
+TEST_CASE("a broken joint tells which and how hard it was pulled and can be mended") {
+    World world({.sleeping = false});
+    Body beam = world.create_body({.position = {2, 0}});
+    beam.add(Box{.width = 4, .height = 0.2f});
+    WeldJoint weld = world.create_weld_joint({.body_b = beam.id(), .anchor_b = {-2, 0}});
+    run(world, 1.0f);
+    const float moment = weld.torque();
+    weld.set_break_torque(1.05f * moment);
+    run(world, 1.0f);
+    REQUIRE_FALSE(weld.broken());
+    weld.set_break_torque(0.95f * moment);
+    world.step(frame);
+    REQUIRE(world.events().joint_broke.size() == 1);
+    const JointBreakEvent& event = world.events().joint_broke[0];
+    REQUIRE(event.joint == weld.id());
+    REQUIRE(event.body_b == beam.id());
+    REQUIRE(event.torque == Approx(moment).epsilon(0.01));
+    REQUIRE(event.force.y() == Approx(10.0f * beam.mass()).epsilon(0.01));
+    world.step(frame);
+    REQUIRE(world.events().joint_broke.empty());
+    beam.set_pose({{2, 0}, 0});
+    beam.set_velocity({0, 0});
+    beam.set_angular_velocity(0);
+    weld.set_break_torque(infinity);
+    weld.set_broken(false);
+    run(world, 1.0f);
+    REQUIRE(std::fabs(beam.position().y()) < 0.01f);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("a blow within one step breaks what holds the weight for ever") {
+    World world({.sleeping = false});
+    Body box = add_box(world, {0, 0});
+    RevoluteJoint pin = world.create_revolute_joint({.body_b = box.id()});
+    pin.set_break_force(30.0f);
+    run(world, 2.0f);
+    REQUIRE_FALSE(pin.broken());
+    box.apply_impulse({2, 0});  // 120 N over a step
+    world.step(frame);
+    REQUIRE(pin.broken());
+}
+
+TEST_CASE("the parts of a broken joint collide again") {
+    World world({.gravity = {0, 0}, .sleeping = false});
+    Body a = add_box(world, {0, 0}), b = add_box(world, {0.5f, 0});
+    WeldJoint weld = world.create_weld_joint(
+        {.body_a = a.id(), .body_b = b.id(), .anchor_a = {0.25f, 0}, .anchor_b = {-0.25f, 0}});
+    run(world, 1.0f);
+    REQUIRE((b.position() - a.position()).norm() == Approx(0.5f).margin(0.01));
+    weld.set_broken(true);
+    run(world, 2.0f);
+    REQUIRE((b.position() - a.position()).norm() > 0.95f);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("sleeping joints are not looked at and go on where they were") {
+    World world;
+    add_floor(world);
+    Body box = add_box(world, {0, 3});
+    RevoluteJoint pin = world.create_revolute_joint(
+        {.body_b = box.id(), .anchor_a = {0, 3.5f}, .anchor_b = {0, 0.5f}});
+    run(world, 3.0f);
+    REQUIRE_FALSE(box.awake());
+    REQUIRE(pin.force().y() == Approx(10.0f).epsilon(0.02));
+    REQUIRE(world.statistics().awake_joints == 0);
+    World twin = world;
+    box.set_awake(true);
+    world.step(frame);
+    REQUIRE(world.statistics().awake_joints == 1);
+    REQUIRE(std::fabs(box.velocity().y()) < 0.001f);  // warm: it does not sag
+    REQUIRE_FALSE(world.validate());
+    REQUIRE_FALSE(twin.validate());
+}
