@@ -16,16 +16,19 @@ namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
 constexpr uint32_t archive_version = 1;
-constexpr size_t world_data_size = 2528;  // without the lists of joints
+constexpr size_t world_data_size = 2896;  // without the lists of joints
 
 /// Another layout of what is copied byte by byte is another format.
 constexpr uint32_t layout() {
     uint32_t mixed = 0x811c9dc5u;
-    for (const size_t size :
-         {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(ShapeRecord),
-          sizeof(ShapeForm), sizeof(ContactRecord), sizeof(JointRecord), sizeof(WorldDef),
-          sizeof(StepStatistics), sizeof(MouseData), sizeof(DistanceData), sizeof(RevoluteData)})
-        mixed = (mixed ^ uint32_t(size)) * 0x01000193u;
+    const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
+    for (const size_t size : {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord),
+                              sizeof(ShapeRecord), sizeof(ShapeForm), sizeof(ContactRecord),
+                              sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics)})
+        add(size);
+    [&]<class... Data>(const std::tuple<std::vector<Data>...>*) {
+        (add(sizeof(Data)), ...);
+    }(static_cast<const JointLists*>(nullptr));
     return mixed;
 }
 
@@ -37,9 +40,10 @@ struct Header {
 
 template <class Io, class Happened>
 void event_members(Io& io, Happened& e) {
-    static_assert(sizeof(Events) == 7 * sizeof(std::vector<int>), "list the new member here");
+    static_assert(sizeof(Events) == 8 * sizeof(std::vector<int>), "list the new member here");
     io(e.contact_begin), io(e.contact_end), io(e.contact_hit);
-    io(e.sensor_begin), io(e.sensor_end), io(e.slept), io(e.woke);
+    io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke);
+    io(e.slept), io(e.woke);
 }
 
 /// Every member that outlives a step, once. The capacity kept for the step (`solver_bodies` to
@@ -55,7 +59,7 @@ void world_members(Io& io, World& w) {
     io(w.next_generation);
     io(w.forms), io(w.boxes), io(w.fat_boxes), io(w.pool);
     io(w.fixed_tree), io(w.moving_tree), io(w.pairs);
-    io(w.moved_shapes), io(w.awake_bodies), io(w.awake_contacts);
+    io(w.moved_shapes), io(w.awake_bodies), io(w.awake_contacts), io(w.awake_joints);
     io(w.edited_bodies), io(w.edited_shapes);
     io(w.last_substep), io(w.steps), io(w.sleep_candidates);
     event_members(io, w.events), event_members(io, w.pending);

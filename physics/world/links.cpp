@@ -157,6 +157,18 @@ void check_joints(const WorldData& w, Findings& findings) {
                              edge_in_range(joint.edges[0], n) && edge_in_range(joint.edges[1], n),
                          "a joint");
     }
+    for (size_t type = 0; type < joint_type_count; ++type) {
+        const auto& list = w.awake_joints[type];
+        for (size_t i = 0; i < list.size(); ++i)
+            findings.require(list[i] < n && w.joint_generations[list[i]] != 0 &&
+                                 size_t(w.joints[list[i]].type) == type &&
+                                 w.joints[list[i]].awake_index == i,
+                             "the awake joints");
+    }
+    for (const JointRecord& joint : w.joints)
+        findings.require(joint.awake_index == none ||
+                             joint.awake_index < w.awake_joints[size_t(joint.type)].size(),
+                         "the awake joints");
     findings.require(list_ends(w.free_joint, n, [&](uint32_t i) { return w.joints[i].next_free; }),
                      "free joints");
 }

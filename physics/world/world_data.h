@@ -136,8 +136,8 @@ struct WorldData : Columns {
     template <class Data>
     uint32_t create_joint(const JointRecord& record, const Data& data) {
         auto& list = std::get<std::vector<Data>>(joint_lists);
-        const uint32_t slot = add_joint(record, joint_type<Data>, uint32_t(list.size()));
         list.push_back(data);
+        const uint32_t slot = add_joint(record, joint_type<Data>, uint32_t(list.size() - 1));
         list.back().joint = slot;
         return slot;
     }

@@ -141,6 +141,48 @@ TEST_CASE("many bodies in the very same place part without harm") {
     REQUIRE_FALSE(world.validate());
 }
 
+namespace {
+
+void create_any_joint(World& world, const JointDef& def, std::mt19937& random) {
+    switch (random() % 11) {
+        case 0:
+            world.create_distance_joint(def);
+            break;
+        case 1:
+            world.create_revolute_joint(def).set_max_motor_torque(infinity);
+            break;
+        case 2:
+            world.create_prismatic_joint(def).set_upper_translation(1.0f);
+            break;
+        case 3:
+            world.create_wheel_joint(def).set_max_motor_torque(10.0f);
+            break;
+        case 4:
+            world.create_weld_joint(def).set_break_torque(50.0f);
+            break;
+        case 5:
+            world.create_motor_joint(def).set_max_force(100.0f);
+            break;
+        case 6:
+            world.create_pulley_joint(def).set_ratio(2.0f);
+            break;
+        case 7:
+            world.create_gear_joint(def).set_ratio(-3.0f);
+            break;
+        case 8:
+            world.create_groove_joint(def).set_end({1, 1});
+            break;
+        case 9:
+            world.create_pin_slot_joint(def).set_hertz(5.0f);
+            break;
+        default:
+            world.create_ratchet_joint(def).set_tooth(0.3f);
+            break;
+    }
+}
+
+}  // namespace
+
 TEST_CASE("bodies and shapes die anywhere in random sequences and the world stays consistent") {
     std::mt19937 random(11);
     auto pick = [&](auto& list) { return list[size_t(random()) % list.size()]; };

@@ -84,6 +84,47 @@ void build_compounds(World& world) {
     }
 }
 
+/// One of each type of joint, all of them moving, and one that is about to break.
+void build_machine(World& world) {
+    auto wheel = [&](float x, float y) {
+        Body body = add_ball(world, {x, y}, 0.4f);
+        world.create_revolute_joint({.body_b = body.id(), .anchor_a = {x, y}});
+        return body;
+    };
+    Body driver = wheel(0, 0), driven = wheel(1, 0), pawl = wheel(3, 0);
+    driver.set_torque(0.3f);
+    pawl.set_torque(0.2f);
+    world.create_gear_joint({.body_a = driver.id(), .body_b = driven.id()}).set_ratio(-0.7f);
+    world.create_ratchet_joint({.body_b = pawl.id()}).set_tooth(0.4f);
+    Body slider = add_box(world, {6, 0}), pin = add_ball(world, {9, 0}),
+         ring = add_ball(world, {12, 0});
+    PrismaticJoint rail = world.create_prismatic_joint({.body_b = slider.id(), .anchor_a = {6, 0}});
+    rail.set_hertz(1.0f);
+    rail.set_target_translation(1.0f);
+    world.create_pin_slot_joint({.body_b = pin.id(), .anchor_a = {9, 0}}).set_axis({1, -1});
+    world.create_groove_joint({.body_b = ring.id(), .anchor_a = {12, 0}}).set_end({14, -2});
+    Body beam = add_box(world, {0, 6}, 0.5f), left = add_box(world, {-3, 6}),
+         right = add_box(world, {3, 6});
+    world
+        .create_weld_joint({.body_a = beam.id(),
+                            .body_b = left.id(),
+                            .anchor_a = {-1.5f, 0},
+                            .anchor_b = {1.5f, 0}})
+        .set_angular_hertz(3.0f);
+    MotorJoint motor = world.create_motor_joint({.body_b = beam.id(), .anchor_a = {0, 6}});
+    motor.set_max_force(60.0f);
+    motor.set_linear_velocity({0, 1});
+    PulleyJoint pulley = world.create_pulley_joint({.body_a = beam.id(), .body_b = right.id()});
+    pulley.set_ground_a({0, 12});
+    pulley.set_ground_b({3, 12});
+    pulley.set_length(12.0f);
+    Body cart = add_box(world, {-8, 1}), roll = add_ball(world, {-8, 0.3f}, 0.3f);
+    world.create_wheel_joint({.body_a = cart.id(), .body_b = roll.id(), .anchor_a = {0, -0.7f}})
+        .set_max_motor_torque(1.0f);
+    DistanceJoint thread = world.create_distance_joint({.body_b = left.id(), .anchor_a = {-3, 9}});
+    thread.set_break_force(9.0f);
+}
+
 }  // namespace
 
 TEST_CASE("a restored stack goes on bit for bit") {
@@ -96,6 +137,21 @@ TEST_CASE("a restored tumbler with joints goes on bit for bit") {
     World world;
     build_tumbler(world);
     check_restored(world, 120, 240);
+}
+
+TEST_CASE("a restored machine of all types of joints goes on bit for bit") {
+    World world({.bounds = Aabb{{-20, -4}, {20, 20}}});
+    build_machine(world);
+    check_restored(world, 3, 300, [](World& changed) {
+        for (Joint& joint : changed.joints()) {
+            joint.set_broken(!joint.broken());
+            joint.set_anchor_b({0.3f, 0.1f});
+        }
+        changed.joints().back().destroy();
+    });
+    bool broke = false;
+    for (const Joint& joint : world.joints()) broke |= joint.broken();
+    REQUIRE(broke);
 }
 
 TEST_CASE("restored compounds go on bit for bit") {
