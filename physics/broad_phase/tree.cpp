@@ -1,11 +1,13 @@
 #include <broad_phase/tree.h>
 
+#include <algorithm>
+
 namespace fettle::physics::detail {
 
 int32_t Tree::allocate() {
     if (free_ != none) {
         const int32_t node = free_;
-        free_ = int32_t(nodes_[size_t(node)].item) - 1;
+        free_ = nodes_[size_t(node)].right;
         nodes_[size_t(node)] = Node{};
         return node;
     }
@@ -15,16 +17,17 @@ int32_t Tree::allocate() {
 
 void Tree::release(int32_t node) {
     nodes_[size_t(node)] = Node{};
-    nodes_[size_t(node)].item = uint32_t(free_ + 1);
+    nodes_[size_t(node)].right = free_;
     free_ = node;
 }
 
 int32_t Tree::insert(const Box4& box, uint32_t item) {
     const int32_t leaf = allocate();
     nodes_[size_t(leaf)].box = box;
-    nodes_[size_t(leaf)].item = item;
+    nodes_[size_t(leaf)].right = int32_t(item);
     ++leaves_;
     link_leaf(leaf);
+    flag(leaf);
     return leaf;
 }
 
@@ -35,9 +38,26 @@ void Tree::remove(int32_t leaf) {
 }
 
 void Tree::move(int32_t leaf, const Box4& box) {
-    unlink_leaf(leaf);
-    nodes_[size_t(leaf)].box = box;
-    link_leaf(leaf);
+    Node& moved = nodes_[size_t(leaf)];
+    moved.box = box;
+    moved.moved = epoch_;
+    for (int32_t i = moved.parent; i != none; i = nodes_[size_t(i)].parent) {
+        Node& node = nodes_[size_t(i)];
+        if (has_moved(node) && contains(node.box, box)) break;
+        node.box = unite(node.box, box);
+        node.moved = epoch_;
+    }
+}
+
+void Tree::touch(int32_t leaf) {
+    flag(leaf);
+}
+
+/// What is above something that moved has moved.
+void Tree::flag(int32_t index) {
+    for (nodes_[size_t(index)].moved = epoch_, index = nodes_[size_t(index)].parent;
+         index != none && !has_moved(nodes_[size_t(index)]); index = nodes_[size_t(index)].parent)
+        nodes_[size_t(index)].moved = epoch_;
 }
 
 /// Greedy descent by the surface-area heuristic: the cost of a place is the perimeter of the new
@@ -92,6 +112,7 @@ void Tree::link_leaf(int32_t leaf) {
     node.parent = above;
     node.left = sibling;
     node.right = leaf;
+    node.moved = nodes_[size_t(sibling)].moved;
     nodes_[size_t(sibling)].parent = parent;
     nodes_[size_t(leaf)].parent = parent;
     if (above == none) {
@@ -173,8 +194,79 @@ void Tree::exchange(int32_t child, int32_t grandchild) {
                                               : nodes_[size_t(inner)].right) = child;
     nodes_[size_t(grandchild)].parent = top;
     nodes_[size_t(child)].parent = inner;
+    if (has_moved(nodes_[size_t(child)])) nodes_[size_t(inner)].moved = epoch_;
     nodes_[size_t(inner)].box = unite(nodes_[size_t(nodes_[size_t(inner)].left)].box,
                                       nodes_[size_t(nodes_[size_t(inner)].right)].box);
+}
+
+// --- Building anew
+
+void Tree::settle() {
+    if (root_ == none || nodes_[size_t(root_)].is_leaf() || !has_moved(nodes_[size_t(root_)]))
+        return;
+    take_apart();
+    next_vacant_ = 0;
+    root_ = build(parts_.data(), parts_.data() + parts_.size());
+    nodes_[size_t(root_)].parent = none;
+}
+
+/// Lists the parts that did not move, leaves at the least, and the nodes above them, which will be
+/// used again. Top down and left before right, as they will be handed out: what is near in the tree
+/// is near in memory.
+void Tree::take_apart() {
+    parts_.clear();
+    vacant_.clear();
+    Stack<int32_t> open;
+    open.push(root_);
+    while (!open.empty()) {
+        const int32_t index = open.pop();
+        const Node& node = nodes_[size_t(index)];
+        if (node.is_leaf() || !has_moved(node)) {
+            parts_.push_back({node.box.low + node.box.high, index});
+            continue;
+        }
+        vacant_.push_back(index);
+        open.push(node.right);
+        open.push(node.left);
+    }
+}
+
+int32_t Tree::build(Part* begin, Part* end) {
+    if (end - begin == 1) return begin->node;
+    const int32_t index = vacant_[next_vacant_++];
+    Part* middle = split(begin, end);
+    const int32_t left = build(begin, middle), right = build(middle, end);
+    Node &node = nodes_[size_t(index)], &l = nodes_[size_t(left)], &r = nodes_[size_t(right)];
+    node.left = left;
+    node.right = right;
+    l.parent = r.parent = index;
+    node.box = unite(l.box, r.box);
+    node.moved = has_moved(l) || has_moved(r) ? epoch_ : 0;
+    return index;
+}
+
+/// In the middle of the longer side. Where nearly all are on one side of that, in halves by number,
+/// so that no coordinates make the tree deep.
+Tree::Part* Tree::split(Part* begin, Part* end) {
+    if (end - begin == 2) return begin + 1;
+    V2 low = begin->middle, high = begin->middle;
+    for (const Part* part = begin + 1; part != end; ++part) {
+        low = {min(low.x, part->middle.x), min(low.y, part->middle.y)};
+        high = {max(high.x, part->middle.x), max(high.y, part->middle.y)};
+    }
+    const bool along_x = high.x - low.x > high.y - low.y;
+    const float border = along_x ? 0.5f * (low.x + high.x) : 0.5f * (low.y + high.y);
+    const auto key = [along_x](const Part& part) {
+        return along_x ? part.middle.x : part.middle.y;
+    };
+    Part* middle = std::partition(begin, end, [&](const Part& part) { return key(part) < border; });
+    const std::ptrdiff_t least = 1 + (end - begin) / 16;
+    if (middle - begin < least || end - middle < least) {
+        middle = begin + (end - begin) / 2;
+        std::nth_element(begin, middle, end,
+                         [&](const Part& a, const Part& b) { return key(a) < key(b); });
+    }
+    return middle;
 }
 
 int Tree::height_of(int32_t index) const {
@@ -208,6 +300,7 @@ bool Tree::is_consistent() const {
         for (int32_t child : {node.left, node.right}) {
             if (nodes_[size_t(child)].parent != index) return false;
             if (!contains(node.box, nodes_[size_t(child)].box)) return false;
+            if (has_moved(nodes_[size_t(child)]) && !has_moved(node)) return false;
             open.push_back(child);
         }
     }

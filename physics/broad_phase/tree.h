@@ -7,9 +7,11 @@
 
 namespace fettle::physics::detail {
 
-/// A dynamic tree of boxes: inserted by the surface-area heuristic, kept good by rotations on the
-/// way up. Plain indices in one vector, so that a copy of it is a snapshot that behaves
-/// identically.
+/// A dynamic tree of boxes. What is new is inserted by the surface-area heuristic; what moves only
+/// enlarges the boxes above it, and once a step the parts that moved are built anew from the top
+/// (`settle`), which costs less than to take leaves out and put them in again one by one. Pairs are
+/// found by one walk of the tree against itself, below which nothing is visited that did not move.
+/// Plain indices in one vector, so that a copy of it is a snapshot that behaves identically.
 class Tree {
   public:
     static constexpr int32_t none = -1;
@@ -17,8 +19,21 @@ class Tree {
     /// The leaf's index stays valid until `remove`.
     int32_t insert(const Box4& box, uint32_t item);
     void remove(int32_t leaf);
-    /// Replaces the box of a leaf. The leaf keeps its index.
+    /// Replaces the box of a leaf, which has moved then. The leaf keeps its index.
     void move(int32_t leaf, const Box4& box);
+    /// Counts the leaf as moved where it is.
+    void touch(int32_t leaf);
+
+    /// Builds the parts that have moved anew. Leaves keep their indices.
+    void settle();
+    /// Calls `visit(item, item)` for every two leaves that overlap and of which one has moved.
+    template <typename Visit>
+    void pairs(Visit&& visit) const;
+    /// The same for a leaf of this tree and one of another.
+    template <typename Visit>
+    void pairs(const Tree& other, Visit&& visit) const;
+    /// From here on nothing has moved.
+    void rest() { ++epoch_; }
 
     const Box4& box(int32_t node) const { return nodes_[size_t(node)].box; }
     uint32_t size() const { return leaves_; }
@@ -33,7 +48,7 @@ class Tree {
     template <typename Visit>
     void cast(V2 from, V2 to, Visit&& visit) const;
 
-    /// Every parent contains its children and every link is mutual.
+    /// Every parent contains its children, has moved if one of them has, and every link is mutual.
     bool is_consistent() const;
     /// Every index is in range and each node is reached once: safe to walk, whatever it came from.
     bool is_walkable(uint32_t items) const;
@@ -52,39 +67,58 @@ class Tree {
     struct Node {
         Box4 box;
         int32_t parent = none;
-        int32_t left = none;  // none in a leaf
-        int32_t right = none;
-        uint32_t item = 0;  // of a leaf; next free node in the free list
+        int32_t left = none;   // none in a leaf
+        int32_t right = none;  // of a leaf: its item; of a free node: the next one
+        uint32_t moved = 0;    // the epoch in which it, or something below it, moved last
 
         bool is_leaf() const { return left == none; }
+        uint32_t item() const { return uint32_t(right); }
     };
     static_assert(sizeof(Node) == 32);
 
-    /// Indices still to visit. Trees are shallow; one made by hostile coordinates may not be.
+    /// A subtree that stays as it is while what is above it is built anew.
+    struct Part {
+        V2 middle;  // twice the center of its box
+        int32_t node;
+    };
+    struct NodePair {
+        int32_t a, b;
+    };
+
+    /// What is still to visit. Trees are shallow; one made by hostile coordinates may not be.
+    template <typename Entry>
     class Stack {
       public:
         bool empty() const { return count_ == 0; }
-        void push(int32_t node) {
+        void push(Entry entry) {
             if (count_ < inline_size)
-                near_[count_] = node;
+                near_[count_] = entry;
             else
-                far_.push_back(node);
+                far_.push_back(entry);
             ++count_;
         }
-        int32_t pop() {
+        Entry pop() {
             if (--count_ < inline_size) return near_[count_];
-            const int32_t node = far_.back();
+            const Entry entry = far_.back();
             far_.pop_back();
-            return node;
+            return entry;
         }
 
       private:
         static constexpr uint32_t inline_size = 96;
-        int32_t near_[inline_size];
+        Entry near_[inline_size];
         uint32_t count_ = 0;
-        std::vector<int32_t> far_;
+        std::vector<Entry> far_;
     };
 
+    bool has_moved(const Node& node) const { return node.moved == epoch_; }
+    void flag(int32_t node);
+    void take_apart();
+    int32_t build(Part* begin, Part* end);
+    static Part* split(Part* begin, Part* end);
+    template <typename Visit>
+    static void cross_pairs(const Tree& left, const Tree& right, Stack<NodePair>& open,
+                            Visit&& visit);
     int32_t allocate();
     void release(int32_t node);
     void link_leaf(int32_t leaf);
@@ -99,23 +133,78 @@ class Tree {
     int32_t root_ = none;
     int32_t free_ = none;
     uint32_t leaves_ = 0;
+    uint32_t epoch_ = 1;
+    // Of `settle`; kept for their capacity.
+    std::vector<Part> parts_;
+    std::vector<int32_t> vacant_;
+    std::size_t next_vacant_ = 0;
 };
 
 template <typename Visit>
 void Tree::query(const Box4& box, Visit&& visit) const {
     if (root_ == none) return;
-    Stack stack;
+    Stack<int32_t> stack;
     stack.push(root_);
     while (!stack.empty()) {
         const Node& node = nodes_[size_t(stack.pop())];
         if (!overlap(node.box, box)) continue;
         if (node.is_leaf()) {
-            visit(node.item);
+            visit(node.item());
         } else {
             stack.push(node.right);
             stack.push(node.left);
         }
     }
+}
+
+/// `open` holds pairs of subtrees that overlap and of which one has moved.
+template <typename Visit>
+void Tree::cross_pairs(const Tree& left, const Tree& right, Stack<NodePair>& open, Visit&& visit) {
+    const auto push = [&](int32_t a, int32_t b) {
+        const Node &u = left.nodes_[size_t(a)], &v = right.nodes_[size_t(b)];
+        if ((left.has_moved(u) || right.has_moved(v)) && overlap(u.box, v.box)) open.push({a, b});
+    };
+    while (!open.empty()) {
+        const auto [a, b] = open.pop();
+        const Node &u = left.nodes_[size_t(a)], &v = right.nodes_[size_t(b)];
+        if (u.is_leaf() && v.is_leaf()) {
+            visit(u.item(), v.item());
+        } else if (v.is_leaf() || (!u.is_leaf() && perimeter(u.box) >= perimeter(v.box))) {
+            push(u.left, b);
+            push(u.right, b);
+        } else {
+            push(a, v.left);
+            push(a, v.right);
+        }
+    }
+}
+
+template <typename Visit>
+void Tree::pairs(Visit&& visit) const {
+    if (root_ == none) return;
+    Stack<int32_t> inner;
+    Stack<NodePair> open;
+    inner.push(root_);
+    while (!inner.empty()) {
+        const Node& node = nodes_[size_t(inner.pop())];
+        if (node.is_leaf() || !has_moved(node)) continue;
+        inner.push(node.left);
+        inner.push(node.right);
+        const Node &left = nodes_[size_t(node.left)], &right = nodes_[size_t(node.right)];
+        if (!(has_moved(left) || has_moved(right)) || !overlap(left.box, right.box)) continue;
+        open.push({node.left, node.right});
+        cross_pairs(*this, *this, open, visit);
+    }
+}
+
+template <typename Visit>
+void Tree::pairs(const Tree& other, Visit&& visit) const {
+    if (root_ == none || other.root_ == none) return;
+    const Node &mine = nodes_[size_t(root_)], &theirs = other.nodes_[size_t(other.root_)];
+    if (!(has_moved(mine) || other.has_moved(theirs)) || !overlap(mine.box, theirs.box)) return;
+    Stack<NodePair> open;
+    open.push({root_, other.root_});
+    cross_pairs(*this, other, open, visit);
 }
 
 template <typename Visit>
@@ -131,7 +220,7 @@ void Tree::cast(V2 from, V2 to, Visit&& visit) const {
                     {max(from.x, end.x), max(from.y, end.y)}};
     };
     Box4 reach = swept();
-    Stack stack;
+    Stack<int32_t> stack;
     stack.push(root_);
     while (!stack.empty()) {
         const Node& node = nodes_[size_t(stack.pop())];
@@ -143,7 +232,7 @@ void Tree::cast(V2 from, V2 to, Visit&& visit) const {
         if (std::fabs(dot(across, from - center)) > dot(abs_across, half) * 1.00001f + 1e-6f)
             continue;
         if (node.is_leaf()) {
-            const float nearer = visit(node.item, far);
+            const float nearer = visit(node.item(), far);
             if (nearer <= 0.0f) return;
             if (nearer < far) {
                 far = nearer;

@@ -97,6 +97,9 @@ struct Box4 {
     V2 low;
     V2 high;
 };
+/// Overlaps no box.
+inline constexpr Box4 no_box = {{1e38f, 1e38f}, {-1e38f, -1e38f}};
+
 inline bool overlap(const Box4& a, const Box4& b) {
     // Bitwise and: four compares without branches.
     return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) &

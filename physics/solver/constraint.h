@@ -70,6 +70,7 @@ struct ContactConstraint {
     float coupling_normal;  ///< change of the normal velocity of point 2 for a unit impulse at
                             ///< point 1
     float coupling_tangent;
+    Softness soft;
     ConstraintPoint points[2];
 };
 

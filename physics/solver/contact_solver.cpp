@@ -64,7 +64,8 @@ struct NormalRow {
 
 template <bool biased>
 inline void solve_normals(ContactConstraint& c, const SolverBody& a, const SolverBody& b,
-                          Pair& pair, const Softness& soft, float inverse_h, float push_speed) {
+                          Pair& pair, float inverse_h, float push_speed) {
+    const Softness& soft = c.soft;
     const V2 n = c.normal;
     const float approach = dot(n, pair.vb - pair.va);
     const float shift = dot(n, b.shift - a.shift);
@@ -177,7 +178,7 @@ void ContactSolver::solve_biased() {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
         Pair pair(a, b);
-        solve_normals<true>(c, a, b, pair, softness[c.fixed], inverse_h, push_speed);
+        solve_normals<true>(c, a, b, pair, inverse_h, push_speed);
         pair.store(a, b);
     }
 }
@@ -187,7 +188,7 @@ void ContactSolver::relax() {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
         Pair pair(a, b);
-        solve_normals<false>(c, a, b, pair, softness[0], inverse_h, push_speed);
+        solve_normals<false>(c, a, b, pair, inverse_h, push_speed);
         if (c.extra == 0) {
             solve_friction(c, pair, 0.0f);
         } else {

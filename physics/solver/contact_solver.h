@@ -10,7 +10,6 @@ struct ContactSolver {
     std::span<SolverBody> bodies;
     std::span<ContactConstraint> constraints;
     std::span<ContactExtra> extras;
-    Softness softness[2];  ///< between two that move; with one fixed side
     float inverse_h = 0.0f;
     float push_speed = 3.0f;
     float restitution_threshold = 1.0f;

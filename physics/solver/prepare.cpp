@@ -69,15 +69,15 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
                          b.inverse_inertia * p.tangent_lever_b * q.tangent_lever_b;
 }
 
-void pack(const ContactConstraint& c, const Softness& soft, WideContact& wide, int lane) {
+void pack(const ContactConstraint& c, WideContact& wide, int lane) {
     wide.a[lane] = c.a;
     wide.b[lane] = c.b;
     wide.normal_x[lane] = c.normal.x;
     wide.normal_y[lane] = c.normal.y;
     wide.friction[lane] = c.friction;
-    wide.bias_rate[lane] = soft.bias_rate;
-    wide.mass_scale[lane] = soft.mass_scale;
-    wide.impulse_keep[lane] = 1.0f - soft.impulse_scale;
+    wide.bias_rate[lane] = c.soft.bias_rate;
+    wide.mass_scale[lane] = c.soft.mass_scale;
+    wide.impulse_keep[lane] = 1.0f - c.soft.impulse_scale;
     wide.coupling_normal[lane] = c.coupling_normal;
     wide.coupling_tangent[lane] = c.coupling_tangent;
     for (int k = 0; k < 2; ++k) {
@@ -139,7 +139,7 @@ void WorldData::color_contacts() {
     wide_contacts.resize(begin / lanes);
 }
 
-void WorldData::prepare_contacts(float h, const Softness (&softness)[2]) {
+void WorldData::prepare_contacts(float h, const ContactStiffness& stiffness) {
     color_contacts();
     const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
     auto prepare = [&](uint32_t slot, ContactConstraint& c) {
@@ -147,20 +147,23 @@ void WorldData::prepare_contacts(float h, const Softness (&softness)[2]) {
         c.contact = slot;
         c.a = bodies[record.body_a].solver_index;
         c.b = bodies[record.body_b].solver_index;
-        prepare_constraint(record, solver_bodies[c.a], solver_bodies[c.b], ratio, c);
+        const SolverBody &a = solver_bodies[c.a], &b = solver_bodies[c.b];
+        prepare_constraint(record, a, b, ratio, c);
+        c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
+                              max(a.inverse_mass, b.inverse_mass));
     };
     ContactConstraint c;
     for (const auto& [slot, color] : colored) {
         const uint32_t place = color_begin[color]++;
         prepare(slot, c);
         wide_slots[place] = slot;
-        pack(c, softness[c.fixed], wide_contacts[place / lanes], int(place % lanes));
+        pack(c, wide_contacts[place / lanes], int(place % lanes));
     }
     // Lanes that no contact came to: body 0 against itself, without mass.
     const ContactConstraint nothing = {};
     for (uint32_t place = 0; place < wide_slots.size(); ++place) {
         if (wide_slots[place] == none)
-            pack(nothing, {}, wide_contacts[place / lanes], int(place % lanes));
+            pack(nothing, wide_contacts[place / lanes], int(place % lanes));
     }
     constraints.clear();
     extras.clear();

@@ -25,29 +25,39 @@ bool WorldData::may_collide(uint32_t a, uint32_t b) const {
     return filters_agree(a, b) && !joint_forbids_contact(forms[a].body, forms[b].body);
 }
 
-void WorldData::try_pair(uint32_t shape, uint32_t other) {
-    // Two that moved find each other twice: the lower one makes the pair.
-    if (other == shape || (shapes[other].moved && other < shape)) return;
+/// Of two whose fat boxes overlap, and of which one moved.
+void WorldData::look_at_pair(uint32_t shape, uint32_t other) {
+    if (overlap(paired_boxes[shape], paired_boxes[other])) return;  // known, one way or the other
     if (!may_collide(shape, other) || pairs.find(shape, other) != PairSet::absent) return;
-    create_contact(std::min(shape, other), std::max(shape, other));
+    new_pairs.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
 }
 
 void WorldData::find_pairs() {
+    if (moved_shapes.empty()) return;
+    new_pairs.clear();
+    const auto look = [&](uint32_t shape, uint32_t other) { look_at_pair(shape, other); };
+    moving_tree.settle();
+    fixed_tree.settle();
+    moving_tree.pairs(look);
+    moving_tree.pairs(fixed_tree, look);
     for (uint32_t shape : moved_shapes) {
         if (forms[shape].body == none || shape_generations[shape] == 0) continue;
-        const Mobility mobility = bodies[forms[shape].body].mobility;
-        const Box4& fat = fat_boxes[shape];
-        auto pair = [&](uint32_t other) { try_pair(shape, other); };
-        moving_tree.query(fat, pair);
-        if (mobility != Mobility::dynamic) continue;
-        fixed_tree.query(fat, pair);
-        if (!settings.bounds) continue;
-        for (uint32_t side = 0; side < 4; ++side) {
-            if (overlap(fat, fat_boxes[side])) try_pair(shape, side);
+        if (settings.bounds && bodies[forms[shape].body].mobility == Mobility::dynamic) {
+            for (uint32_t side = 0; side < 4; ++side) {
+                if (overlap(fat_boxes[shape], fat_boxes[side])) look_at_pair(shape, side);
+            }
         }
     }
-    for (uint32_t shape : moved_shapes) shapes[shape].moved = false;
+    // In the order of the shapes, whatever that of the trees.
+    std::sort(new_pairs.begin(), new_pairs.end());
+    for (uint64_t pair : new_pairs) create_contact(uint32_t(pair), uint32_t(pair >> 32));
+    for (uint32_t shape : moved_shapes) {
+        shapes[shape].moved = false;
+        paired_boxes[shape] = fat_boxes[shape];
+    }
     moved_shapes.clear();
+    moving_tree.rest();
+    fixed_tree.rest();
 }
 
 void WorldData::remix(ContactRecord& c) const {

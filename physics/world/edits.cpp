@@ -47,7 +47,16 @@ void WorldData::mark_placement(uint32_t body) {
     list_body(body);
 }
 
+/// An edit moved it, or changed with whom it collides: all its pairs are looked at again.
 void WorldData::mark_moved(uint32_t shape) {
+    paired_boxes[shape] = no_box;
+    const ShapeRecord& record = shapes[shape];
+    if (record.proxy != Tree::none)
+        (record.tree == Mobility::fixed ? fixed_tree : moving_tree).touch(record.proxy);
+    list_moved(shape);
+}
+
+void WorldData::list_moved(uint32_t shape) {
     if (shapes[shape].moved) return;
     shapes[shape].moved = true;
     moved_shapes.push_back(shape);

@@ -17,6 +17,7 @@ void WorldData::make_border() {
         shapes.emplace_back();
         boxes.emplace_back();
         fat_boxes.emplace_back();
+        paired_boxes.push_back(no_box);
         shape_generations.push_back(next_generation++);
         forms[side] = {side, 0, 0.0f, 0};
         shapes[side].type = ShapeType::border;
@@ -42,7 +43,7 @@ void WorldData::apply_bounds() {
         if (side == 1) box.low.x = b.max.x();
         if (side == 2) box.high.y = b.min.y();
         if (side == 3) box.low.y = b.max.y();
-        boxes[side] = fat_boxes[side] = box;
+        boxes[side] = fat_boxes[side] = paired_boxes[side] = box;
     }
     if (!settings.bounds) return;
     for (uint32_t shape = 4; shape < shapes.size(); ++shape) {
@@ -158,6 +159,7 @@ uint32_t WorldData::create_shape(const ShapeDef& def, const Geometry& geometry) 
         forms.emplace_back();
         boxes.emplace_back();
         fat_boxes.emplace_back();
+        paired_boxes.push_back(no_box);
         shape_generations.push_back(0);
     }
     shape_generations[slot] = next_generation++;

@@ -5,6 +5,7 @@
 #include <fettle/physics/world.h>
 #include <geometry/vertex_pool.h>
 #include <solver/constraint.h>
+#include <solver/stiffness.h>
 #include <solver/wide_contact.h>
 #include <world/joint_types.h>
 #include <world/records.h>
@@ -76,11 +77,15 @@ struct WorldData : Columns {
     std::vector<ShapeForm> forms;
     std::vector<Box4> boxes;      ///< tight
     std::vector<Box4> fat_boxes;  ///< in the tree
+    /// The fat boxes as they were when pairs were last looked for: two that overlapped then are
+    /// known. Empty after an edit that may have changed with whom the shape collides.
+    std::vector<Box4> paired_boxes;
     VertexPool pool;
 
     Tree fixed_tree, moving_tree;
     PairSet pairs;
     std::vector<uint32_t> moved_shapes;    ///< look for new pairs
+    std::vector<uint64_t> new_pairs;       ///< of the step: upper << 32 | lower
     std::vector<uint32_t> awake_bodies;    ///< slots; solver index is the place + 1
     std::vector<uint32_t> awake_contacts;  ///< slots
     std::array<std::vector<uint32_t>, joint_type_count> awake_joints;  ///< slots, by type
@@ -190,6 +195,7 @@ struct WorldData : Columns {
     void place_shape(uint32_t shape, Rotation q);
     void update_mobility(uint32_t body);
     void mark_moved(uint32_t shape);
+    void list_moved(uint32_t shape);
     void set_proxy(uint32_t shape);
     void remove_proxy(uint32_t shape);
     float fat_margin(uint32_t shape) const;
@@ -199,7 +205,7 @@ struct WorldData : Columns {
     void find_pairs();
     bool filters_agree(uint32_t shape_a, uint32_t shape_b) const;
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const;
-    void try_pair(uint32_t shape, uint32_t other);
+    void look_at_pair(uint32_t shape, uint32_t other);
     void create_contact(uint32_t shape_a, uint32_t shape_b);
     void destroy_contact(uint32_t contact, bool in_narrow_phase = false);
     void destroy_contacts_of_shape(uint32_t shape);
@@ -253,7 +259,7 @@ struct WorldData : Columns {
                       float core) const;
     // ../solver
     void color_contacts();
-    void prepare_contacts(float h, const Softness (&softness)[2]);
+    void prepare_contacts(float h, const ContactStiffness& stiffness);
     void store_contacts();
     void update_touch(uint32_t contact, bool pushed);
     void report_hit(uint32_t contact, const ContactExtra* extra);

@@ -72,6 +72,85 @@ TEST_CASE("the tree finds the same boxes as brute force while they come and move
     }
 }
 
+TEST_CASE("the trees find the same moved pairs as brute force while boxes come and move and go") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(-20.0f, 20.0f), size(0.1f, 3.0f);
+    auto random_box = [&] {
+        const V2 low = {place(random), place(random)};
+        return Box4{low, {low.x + size(random), low.y + size(random)}};
+    };
+    struct Leaf {
+        int32_t node;
+        Box4 box;
+        bool moved;
+    };
+    Tree trees[2];
+    std::map<uint32_t, Leaf> models[2];
+    using Pairs = std::set<std::pair<uint32_t, uint32_t>>;
+    for (uint32_t round = 0; round < 120; ++round) {
+        for (uint32_t side = 0; side < 2; ++side) {
+            Tree& tree = trees[side];
+            auto& model = models[side];
+            for (uint32_t i = 0; i < 30; ++i) {
+                const uint32_t action = random() % 8, item = 100 * round + i;
+                if (action < 2 || model.empty()) {
+                    const Box4 box = random_box();
+                    model[item] = {tree.insert(box, item), box, true};
+                    continue;
+                }
+                auto it = std::next(model.begin(), std::ptrdiff_t(random() % model.size()));
+                Leaf& leaf = it->second;
+                if (action == 2) {
+                    tree.remove(leaf.node);
+                    model.erase(it);
+                } else if (action == 3) {
+                    tree.touch(leaf.node);
+                    leaf.moved = true;
+                } else {
+                    leaf.box = random_box();
+                    leaf.moved = true;
+                    tree.move(leaf.node, leaf.box);
+                }
+                INFO("action " << action);
+                REQUIRE(tree.is_consistent());
+            }
+            if (round % 3 != 0) tree.settle();
+            REQUIRE(tree.is_consistent());
+        }
+        Pairs expected_own, expected_cross, own, cross;
+        for (const auto& [a, u] : models[0]) {
+            for (const auto& [b, v] : models[0])
+                if (a < b && (u.moved || v.moved) && overlap(u.box, v.box))
+                    expected_own.insert({a, b});
+            for (const auto& [b, v] : models[1])
+                if ((u.moved || v.moved) && overlap(u.box, v.box)) expected_cross.insert({a, b});
+        }
+        trees[0].pairs([&](uint32_t a, uint32_t b) {
+            REQUIRE(own.insert({std::min(a, b), std::max(a, b)}).second);
+        });
+        trees[0].pairs(trees[1], [&](uint32_t a, uint32_t b) {
+            REQUIRE(cross.insert({a, b}).second);
+        });
+        REQUIRE(own == expected_own);
+        REQUIRE(cross == expected_cross);
+        for (uint32_t side = 0; side < 2; ++side) {
+            trees[side].rest();
+            for (auto& [item, leaf] : models[side]) leaf.moved = false;
+        }
+    }
+}
+
+TEST_CASE("a tree built of boxes whose places double is shallow") {
+    Tree tree;
+    for (uint32_t i = 0; i < 4000; ++i) {
+        const float x = std::exp2(float(i) / 40.0f);
+        tree.insert({{x, 0.0f}, {x, 1.0f}}, i);
+    }
+    tree.settle();
+    REQUIRE(tree.is_consistent());
+    REQUIRE(tree.height() < 120);
+}
+
 TEST_CASE("a tree of boxes in a row is shallow") {
     Tree tree;
     for (uint32_t i = 0; i < 4096; ++i) {

@@ -50,21 +50,21 @@ struct Scene {
                                any(random),      0.02f * any(random), positive(random),
                                positive(random), positive(random),    0.1f * any(random)};
             }
+            c.soft = softness[c.fixed];
             single.push_back(c);
             pack(c, wide[size_t(i / lanes)], i % lanes);
         }
     }
 
     void pack(const ContactConstraint& c, WideContact& w, int lane) const {
-        const Softness& soft = softness[c.fixed];
         w.a[lane] = c.a;
         w.b[lane] = c.b;
         w.normal_x[lane] = c.normal.x;
         w.normal_y[lane] = c.normal.y;
         w.friction[lane] = c.friction;
-        w.bias_rate[lane] = soft.bias_rate;
-        w.mass_scale[lane] = soft.mass_scale;
-        w.impulse_keep[lane] = 1.0f - soft.impulse_scale;
+        w.bias_rate[lane] = c.soft.bias_rate;
+        w.mass_scale[lane] = c.soft.mass_scale;
+        w.impulse_keep[lane] = 1.0f - c.soft.impulse_scale;
         w.coupling_normal[lane] = c.coupling_normal;
         w.coupling_tangent[lane] = c.coupling_tangent;
         for (int k = 0; k < 2; ++k) {
@@ -103,8 +103,6 @@ std::vector<SolverBody> run_single(Scene scene) {
     solver.bodies = scene.bodies;
     solver.constraints = scene.single;
     solver.extras = extras;
-    solver.softness[0] = scene.softness[0];
-    solver.softness[1] = scene.softness[1];
     solver.inverse_h = inverse_h;
     solver.push_speed = push_speed;
     for (int i = 0; i < rounds; ++i) {

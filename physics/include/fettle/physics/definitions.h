@@ -25,7 +25,8 @@ struct WorldDef {
     float hit_threshold = 1.0f;          ///< m/s; slower impacts make no hit event
     float sleep_speed = 0.05f;    ///< m/s; an island slower than this for `sleep_delay` sleeps
     float sleep_delay = 0.5f;     ///< s
-    float contact_hertz = 60.0f;  ///< stiffness of contacts, at most a quarter of the sub-step rate
+    float contact_hertz = 60.0f;  ///< of a contact under load; an idle one has ¾ of it. At most a
+                                  ///< quarter of the sub-step rate counts
     float contact_damping = 10.0f;  ///< damping ratio of contacts
     float push_speed = 3.0f;        ///< m/s; the fastest that an overlap is pushed apart
 };
