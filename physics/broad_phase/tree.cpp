@@ -321,7 +321,7 @@ bool Tree::is_walkable(uint32_t items) const {
         open.pop_back();
         if (seen[size_t(index)]++ != 0) return false;
         const Node& node = nodes_[size_t(index)];
-        if (!inside(node.parent) || (node.is_leaf() && node.item >= items)) return false;
+        if (!inside(node.parent) || (node.is_leaf() && node.item() >= items)) return false;
         found += node.is_leaf();
         if (node.is_leaf()) continue;
         for (const int32_t child : {node.left, node.right}) {
@@ -330,7 +330,7 @@ bool Tree::is_walkable(uint32_t items) const {
             open.push_back(child);
         }
     }
-    for (int32_t free = free_; free != none; free = int32_t(nodes_[size_t(free)].item) - 1) {
+    for (int32_t free = free_; free != none; free = nodes_[size_t(free)].right) {
         if (!inside(free) || seen[size_t(free)]++ != 0) return false;
     }
     return found == leaves_ && (root_ == none || nodes_[size_t(root_)].parent == none);

@@ -59,7 +59,7 @@ class Tree {
     /// For saving and restoring.
     template <class Io, class Self>
     static void members(Io& io, Self& self) {
-        io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_);
+        io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
     }
     int height() const { return root_ == none ? 0 : height_of(root_); }
 

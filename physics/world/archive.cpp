@@ -15,8 +15,8 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 1;
-constexpr size_t world_data_size = 2896;  // without the lists of joints
+constexpr uint32_t archive_version = 2;
+constexpr size_t world_data_size = 3056;  // without the lists of joints
 
 /// Another layout of what is copied byte by byte is another format.
 constexpr uint32_t layout() {
@@ -57,7 +57,7 @@ void world_members(Io& io, World& w) {
     io(w.free_body), io(w.free_shape), io(w.free_contact), io(w.free_joint), io(w.free_island);
     io(w.body_count), io(w.shape_count), io(w.contact_count), io(w.joint_count), io(w.island_count);
     io(w.next_generation);
-    io(w.forms), io(w.boxes), io(w.fat_boxes), io(w.pool);
+    io(w.forms), io(w.boxes), io(w.fat_boxes), io(w.paired_boxes), io(w.pool);
     io(w.fixed_tree), io(w.moving_tree), io(w.pairs);
     io(w.moved_shapes), io(w.awake_bodies), io(w.awake_contacts), io(w.awake_joints);
     io(w.edited_bodies), io(w.edited_shapes);

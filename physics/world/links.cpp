@@ -78,8 +78,8 @@ void check_bodies(const WorldData& w, Findings& findings) {
 void check_shapes(const WorldData& w, Findings& findings) {
     const size_t n = w.shapes.size(), vertices = w.pool.local.size();
     findings.require(n >= 4 && w.forms.size() == n && w.boxes.size() == n &&
-                         w.fat_boxes.size() == n && w.shape_generations.size() == n &&
-                         w.pool.is_walkable(),
+                         w.fat_boxes.size() == n && w.paired_boxes.size() == n &&
+                         w.shape_generations.size() == n && w.pool.is_walkable(),
                      "shapes");
     for (size_t i = 0; i < n; ++i) {
         const ShapeRecord& shape = w.shapes[i];
