@@ -39,8 +39,9 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         if (!error.where.empty()) told.context += " (" + error.where + ")";
         fail(told);
     });
+    make_tweaks();
     runtime_ = std::make_unique<script::Runtime>(
-        tree_, script::Options{.seed = options.seed, .assets = assets()});
+        tree_, script::Options{.seed = options.seed, .assets = assets(), .tweaks = tweaks_.get()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
     runtime_->on_print([this](std::string_view text) {
         std::fwrite(text.data(), 1, text.size(), stdout);
@@ -51,6 +52,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
     loop_->on_error([this](const script::ScriptError& error) { fail(error); });
     loop_->before_step([this](std::uint64_t step) { run_at(step); });
+    loop_->after_barrier([this] { tweaks_->barrier(); });
     for (const auto& module : modules_)
         loop_->add({.name = std::string(module->name()),
                     .step = [m = module.get()](double dt) { m->step(dt); },
@@ -60,6 +62,21 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
 }
 
 Session::~Session() = default;
+
+void Session::make_tweaks() {
+    tweaks_ = std::make_unique<property::Tweaks>(
+        tree_, options_.game, [this](const std::string& warning) { note(warning); });
+}
+
+/// Something a person should know and that is no error of the game.
+void Session::note(const std::string& text) {
+    std::fflush(stdout);
+    std::fprintf(stderr, "fettle: %s\n", text.c_str());
+    if (console_)
+        console_->print(text);
+    else
+        early_notes_.push_back(text);
+}
 
 void Session::attach_modules() {
 #ifdef FETTLE_WITH_PHYSICS
@@ -81,6 +98,7 @@ void Session::make_console(app::Clipboard* clipboard) {
         .to_pixels = [&view](property::Vec2 world) { return view.to_screen(world); }};
     if (!options_.headless) options.history_file = console::default_history_file();
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
+    for (const std::string& text : early_notes_) console_->print(text);
 #endif
 }
 
@@ -93,6 +111,11 @@ void Session::start() {
     loop_->add(*console_);
 #endif
     if (!runtime_->load(options_.game)) failed_ = true;
+    tweaks_->game_loaded();
+    if (const std::size_t open = tweaks_->open_earlier(); open > 0)
+        note(std::to_string(open) +
+             (open == 1 ? " tweak of an earlier run is" : " tweaks of earlier runs are") +
+             " not kept: tweaks() lists " + (open == 1 ? "it" : "them"));
     for (const std::string& chunk : options_.evals) {
         if (loop_->stopped() || failed_) return;
         if (!runtime_->run(chunk, "eval")) failed_ = true;

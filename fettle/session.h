@@ -9,6 +9,7 @@
 #include <fettle/app/loop.h>
 #include <fettle/app/services.h>
 #include <fettle/module/module.h>
+#include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
 
@@ -42,6 +43,8 @@ class Session {
     void attach_modules();
     void make_console(app::Clipboard* clipboard);
     void run_at(std::uint64_t step);
+    void make_tweaks();
+    void note(const std::string& text);
     void fail(const script::ScriptError& error);
 
     const RunOptions& options_;
@@ -50,10 +53,12 @@ class Session {
     std::vector<std::unique_ptr<module::Module>> modules_;
     property::Tree tree_;
     std::unique_ptr<app::Services> services_;
+    std::unique_ptr<property::Tweaks> tweaks_;
     std::unique_ptr<script::Runtime> runtime_;
     std::unique_ptr<app::Loop> loop_;
     struct ConsoleLayer;
     std::unique_ptr<ConsoleLayer> console_;
+    std::vector<std::string> early_notes_;  // of before there was a console
     bool failed_ = false;
 };
 

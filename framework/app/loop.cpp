@@ -57,7 +57,17 @@ void Loop::handle(const InputEvent& event) {
         services_.input.apply(event);
 }
 
+void Loop::after_barrier(std::function<void()> hook) {
+    after_barrier_ = std::move(hook);
+}
+
 void Loop::barrier() {
+    struct After {
+        const std::function<void()>& hook;
+        ~After() {
+            if (hook) hook();
+        }
+    } after{after_barrier_};
     try {
         tree_.barrier();
     } catch (const std::exception& error) {

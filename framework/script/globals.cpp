@@ -28,8 +28,8 @@ const std::vector<std::string>& callback_names() {
 }
 
 const std::vector<std::string>& later_names() {
-    static const std::vector<std::string> names = {"keep",      "load_game", "restore", "rewind",
-                                                   "save_game", "snapshot",  "tweaks",  "tween"};
+    static const std::vector<std::string> names = {"load_game", "restore",  "rewind",
+                                                   "save_game", "snapshot", "tween"};
     return names;
 }
 

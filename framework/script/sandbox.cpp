@@ -100,6 +100,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_scenes(L);
     open_formulas(L);
     open_history(L);
+    open_tweaks(L);
     open_help(L);
     open_vec(L, machine);
     open_color(L, machine);

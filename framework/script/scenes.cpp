@@ -9,6 +9,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
+#include <fettle/property/storage/tweaks.h>
 
 #include "guard.h"
 #include "machine.h"
@@ -90,7 +91,13 @@ int load(lua_State* L) {
                                                  property::suggestion(file, names));
     }
     std::vector<std::string> warnings;
-    const Handle loaded = property::load_scene(machine.tree, path, parent, name, &warnings);
+    std::vector<property::SceneInstance> instances;
+    const Handle loaded =
+        property::load_scene(machine.tree, path, parent, name, &warnings, &instances);
+    if (property::Tweaks* tweaks = machine.options.tweaks) {
+        tweaks->scene_loaded(path, instances);
+        tweaks->placed(loaded);
+    }
     for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
     push_instance(L, loaded);
     return 1;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fettle/property/storage/tweaks.h>
+
 #include "function_source.h"
 #include "machine.h"
 
@@ -125,6 +127,7 @@ void add_property(Machine& machine, Handle instance, std::string_view name, cons
 void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
            bool first_plain) {
     machine.tree.move(instance, parent, name, first_plain);
+    if (machine.options.tweaks != nullptr) machine.options.tweaks->placed(instance);
     if (machine.recording.active && machine.tree.is_below(instance, machine.tree.root()))
         note(machine, instance, machine.tree.path(instance),
              "new " + machine.tree.class_of(instance).name());

@@ -74,7 +74,7 @@ const std::vector<Library>& libraries() {
         {"ImGui", std::regex("(imgui/)?(imgui|imstb|imconfig).*"),
          std::regex("fettle_imgui|PkgConfig::IMGUI")},
         {"JSON", std::regex("nlohmann/.*"), std::regex("nlohmann_json::.*")},
-        {"SQLite", std::regex("sqlite3.*"), std::regex("SQLite::.*|SQLite3::.*")},
+        {"SQLite", std::regex("sqlite3.*"), std::regex("fettle_sqlite|SQLite::.*|SQLite3::.*")},
         {"CLI11", std::regex("CLI/.*"), std::regex("CLI11::.*")},
         {"POSIX", std::regex("(sys/.*|unistd|fcntl|dlfcn|poll|pthread|signal|termios)(\\.h)?"),
          std::regex("dl")},

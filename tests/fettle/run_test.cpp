@@ -1,79 +1,11 @@
 // `fettle run` as a command: what it prints, and how it ends.
 
 #include <catch.h>
-#include <sys/wait.h>
 
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include "program.h"
 
-#include <unistd.h>
-
-namespace {
-
+using namespace program_test;
 namespace fs = std::filesystem;
-
-struct Outcome {
-    int status = -1;
-    std::string out, err;
-};
-
-/// A folder for games that goes with the test.
-class Folder {
-  public:
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "fettle run XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    fs::path operator/(const std::string& name) const { return path_ / name; }
-    std::string write(const std::string& name, const std::string& text) const {
-        fs::create_directories((path_ / name).parent_path());
-        std::ofstream(path_ / name) << text;
-        return (path_ / name).string();
-    }
-    std::string text(const std::string& name) const {
-        std::ifstream in(path_ / name);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-
-  private:
-    fs::path path_;
-};
-
-std::string quoted(const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) c == '\'' ? out += "'\\''" : out += c;
-    return out + "'";
-}
-
-/// Runs `fettle ARGUMENTS` without a display.
-Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments) {
-    std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY timeout 60 " + quoted(FETTLE_PROGRAM);
-    for (const std::string& argument : arguments) command += " " + quoted(argument);
-    command += " >" + quoted((folder / "out").string()) + " 2>" +
-               quoted((folder / "err").string()) + " </dev/null";
-    const int result = std::system(command.c_str());
-    Outcome outcome;
-    outcome.status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
-    outcome.out = folder.text("out");
-    outcome.err = folder.text("err");
-    INFO(command << "\n" << outcome.out << outcome.err);
-    return outcome;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_CASE("a headless run makes its steps and ends well") {
     const Folder folder;

@@ -51,6 +51,7 @@ class Document {
     /// nullptr when the object has no such member.
     const Node* member(const Node& object, std::string_view key) const;
 
+    bool has_key(const Node& node) const { return node.key != none; }
     const std::string& key(const Node& node) const { return strings_[node.key]; }
     const std::string& text(const Node& node) const { return strings_[node.string]; }
     /// As it stands in the file.
@@ -58,6 +59,7 @@ class Document {
         return std::string_view(source_).substr(node.begin, node.end - node.begin);
     }
 
+    const std::string& source() const { return source_; }
     const std::string& file_name() const { return file_name_; }
     /// From 1.
     std::size_t line(std::size_t offset) const;

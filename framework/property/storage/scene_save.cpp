@@ -6,6 +6,7 @@
 
 #include "document.h"
 #include "durable_file.h"
+#include "scene_text.h"
 #include "scene_value.h"
 #include "unknown_keys.h"
 
@@ -54,8 +55,10 @@ class Members {
 
 class SceneWriter {
   public:
-    SceneWriter(const Tree& tree, Handle top, std::vector<std::string>* warnings)
-        : tree_(tree), top_(top), warnings_(warnings), values_(tree, top) {}
+    /// `references_from`: paths of references start there; null: all of them at the root.
+    SceneWriter(const Tree& tree, Handle top, Handle references_from,
+                std::vector<std::string>* warnings)
+        : tree_(tree), top_(top), warnings_(warnings), values_(tree, references_from) {}
 
     std::string run() {
         tree_.require(top_);
@@ -217,10 +220,15 @@ class SceneWriter {
 }  // namespace
 
 std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* warnings) {
-    std::string text = SceneWriter(tree, node, warnings).run();
+    std::string text = SceneWriter(tree, node, node, warnings).run();
     // What cannot be read must not become a file.
     const Document check(text, tree.path(node));
     return text;
+}
+
+std::string scene_text_with_full_paths(const Tree& tree, Handle node,
+                                       std::vector<std::string>* warnings) {
+    return SceneWriter(tree, node, {}, warnings).run();
 }
 
 void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file,

@@ -42,6 +42,9 @@ class Loop {
     /// that a paused game can be woken.
     void before_step(std::function<void(std::uint64_t n)> hook);
 
+    /// Called after each barrier, whatever came of it.
+    void after_barrier(std::function<void()> hook);
+
     /// Told when a barrier fails as a whole (handlers that never come to rest); without it, the
     /// exception leaves the frame.
     void on_error(std::function<void(const script::ScriptError&)> sink);
@@ -86,6 +89,7 @@ class Loop {
     std::vector<SteppedModule> modules_;
     std::vector<Layer*> layers_;
     std::function<void(std::uint64_t)> before_step_;
+    std::function<void()> after_barrier_;
     std::function<void(const script::ScriptError&)> on_error_;
     double owed_ = 0;  // s of simulation time not yet stepped
     std::uint64_t announced_ = 0;

@@ -5,8 +5,11 @@
 #include <optional>
 
 #include <fettle/property/class.h>
+#include <fettle/property/export.h>
 #include <fettle/property/formula.h>
 #include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
@@ -35,3 +38,5 @@ class EditObserver {
 };
 
 }  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -18,6 +18,10 @@
 
 FETTLE_SCRIPT_BEGIN
 
+namespace fettle::property {
+class Tweaks;
+}
+
 namespace fettle::script {
 
 struct Options {
@@ -25,7 +29,8 @@ struct Options {
     std::size_t memory_limit = std::size_t{512} << 20;    // bytes, whole Lua state
     std::size_t console_memory = std::size_t{128} << 20;  // bytes one console command may add
     std::uint64_t console_budget = 50'000'000;            // Lua instructions of one console command
-    std::filesystem::path assets;  // where files are looked for that the game's folder lacks
+    std::filesystem::path assets;        // where files are looked for that the game's folder lacks
+    property::Tweaks* tweaks = nullptr;  // not owned; of this game, which has none without it
 };
 
 /// A script went wrong: what the error screen and stderr show.

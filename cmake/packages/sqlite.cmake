@@ -1,0 +1,11 @@
+# SQLite, and the threads that what is built on it needs.
+if(NOT TARGET fettle_sqlite)
+  find_package(SQLite3 QUIET)
+  find_package(Threads QUIET)
+  if(SQLite3_FOUND AND Threads_FOUND)
+    add_library(fettle_sqlite INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(fettle_sqlite INTERFACE SQLite::SQLite3 Threads::Threads)
+  else()
+    set(FETTLE_MISSING "SQLite 3 (Debian: libsqlite3-dev) is needed")
+  endif()
+endif()

@@ -1,0 +1,33 @@
+#pragma once
+// The thread that brings a write-ahead log into its database file, and both to the disk: the
+// waiting that nobody who plays should notice.
+
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+namespace fettle::property {
+
+class CheckpointThread {
+  public:
+    explicit CheckpointThread(std::filesystem::path file);
+    /// Makes a last checkpoint.
+    ~CheckpointThread();
+    CheckpointThread(const CheckpointThread&) = delete;
+    CheckpointThread& operator=(const CheckpointThread&) = delete;
+
+    /// Something was committed.
+    void notify();
+
+  private:
+    void work();
+    std::filesystem::path file_;
+    std::mutex mutex_;
+    std::condition_variable woken_;
+    bool committed_ = false;
+    bool ending_ = false;
+    std::thread thread_;
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,45 @@
+#pragma once
+// What a property is, as text that outlives the tree: for the journal of tweaks.
+
+#include <string>
+
+#include <fettle/property/edits.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::property {
+
+struct Image {
+    enum class Kind : std::uint8_t { absent, by_default, value, formula };
+    Kind kind = Kind::absent;
+    std::string value{};      // as scene files write what has no declared type; references by path
+    std::string source{};     // of a formula
+    std::string not_saved{};  // why the source is not all of it
+    std::string text{};       // for people, with its unit
+
+    /// What a person would call the same: a formula may have another value by now.
+    friend bool operator==(const Image& a, const Image& b) {
+        return a.kind == b.kind && a.source == b.source &&
+               (a.kind == Kind::formula || a.value == b.value);
+    }
+};
+
+Image image_of(const Tree& tree, const Property& property, const CellState& state);
+/// Of a property as it is now. `settle`: a formula is run first, if it is due.
+Image image_now(const Tree& tree, Handle instance, Symbol property, bool settle);
+
+std::string image_json(const Image& image);
+/// Throws Error for what `image_json` has not written. The text for people is not part of it.
+Image read_image(const std::string& json);
+
+/// Its value, a formula's included. Throws Error for a reference that leads nowhere now.
+Value image_value(const Tree& tree, const Image& image);
+
+/// As it stands in a scene file whose topmost instance is `top` (null: references by path), for a
+/// property that the class declares, or for an ad-hoc one (null).
+std::string image_in_file(const Tree& tree, Handle top, const Property* declared,
+                          const Image& image);
+
+/// Makes the property be that. Throws Error.
+void apply_image(Tree& tree, Handle instance, const std::string& property, const Image& image);
+
+}  // namespace fettle::property

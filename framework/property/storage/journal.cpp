@@ -1,0 +1,261 @@
+#include "journal.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <utility>
+
+#include "checkpoints.h"
+
+namespace fettle::property {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr FileFormat format{.application = 0x4654574b, .version = 1};  // "FTWK"
+constexpr int most_files = 9;
+// A frame must not wait; opening a file may.
+constexpr int commit_patience = 20, open_patience = 2000;  // ms
+
+std::uint64_t identity_of(const fs::path& file) {
+    struct stat status {};
+    return ::stat(file.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_ino) : 0;
+}
+
+/// As who the process acts, which `access` would not tell.
+bool may_write(const fs::path& file) {
+    return ::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+void make_tables(Database& database) {
+    Transaction transaction(database);
+    database.run(
+        "CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY, started INTEGER, process "
+        "INTEGER)");
+    database.run(
+        "CREATE TABLE IF NOT EXISTS tweaks (run INTEGER, number INTEGER, kind INTEGER, state "
+        "INTEGER, instance TEXT, property TEXT, was TEXT, now TEXT, was_text TEXT, now_text TEXT, "
+        "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, "
+        "PRIMARY KEY (run, number)) WITHOUT ROWID");
+    database.run(("PRAGMA application_id = " + std::to_string(format.application)).c_str());
+    database.run(("PRAGMA user_version = " + std::to_string(format.version)).c_str());
+    transaction.commit();
+}
+
+}  // namespace
+
+class Journal::Checkpoints : public CheckpointThread {
+    using CheckpointThread::CheckpointThread;
+};
+
+Journal::Journal(std::vector<fs::path> folders, std::string name, Warn warn)
+    : folders_(std::move(folders)), name_(std::move(name)), warn_(std::move(warn)) {
+    find_existing();
+}
+
+Journal::~Journal() {
+    // The last connection to go synchronizes with the disk as it says: that of the checkpoints.
+    database_.reset();
+    checkpoints_.reset();
+}
+
+fs::path Journal::candidate(const fs::path& folder, int number) const {
+    return folder / (name_ + (number > 1 ? "." + std::to_string(number) : "") + ".sqlite");
+}
+
+/// "" when the file is the journal now, else why it is not. One that can only be read is noted as
+/// such.
+std::string Journal::open(const fs::path& file, Access access) {
+    try {
+        auto database = std::make_unique<Database>(file, access);
+        database->wait_for_others(open_patience);
+        const bool made = check_format(*database, format);
+        if (database->read_only()) throw std::runtime_error("it can only be read");
+        if (database->text("PRAGMA journal_mode = WAL") != "wal")
+            throw std::runtime_error("its file system allows no write-ahead log");
+        if (!made) make_tables(*database);
+        database->run("PRAGMA synchronous = OFF");
+        database->run("PRAGMA wal_autocheckpoint = 0");
+        database->wait_for_others(commit_patience);
+        database_ = std::move(database);
+        file_ = file;
+        identity_ = identity_of(file);
+        return {};
+    } catch (const DatabaseError& error) {
+        if (error.damaged()) unusable_.insert(file);
+        return error.what();
+    } catch (const std::runtime_error& error) {
+        unusable_.insert(file);
+        return error.what();
+    }
+}
+
+/// Notes a journal that nothing more can be written to, in a folder that is read-only.
+bool Journal::can_be_read(const fs::path& file) {
+    unusable_.insert(file);
+    try {
+        Database database(file, Access::reading);
+        if (!check_format(database, format)) return false;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+    if (may_write(file) && may_write(file.parent_path())) return false;
+    unwritable_.push_back(file);
+    return true;
+}
+
+void Journal::find_existing() {
+    std::error_code ignored;
+    for (const fs::path& folder : folders_)
+        for (int number = 1; number <= most_files && !database_; ++number) {
+            const fs::path file = candidate(folder, number);
+            if (!fs::exists(file, ignored)) continue;
+            const std::string problem = open(file, Access::existing);
+            if (problem.empty() || can_be_read(file)) continue;
+            unusable_.insert(file);
+            warn_(file.string() + ": this journal of tweaks cannot be used: " + problem +
+                  "; it is left as it is");
+        }
+}
+
+void Journal::create() {
+    std::string reasons;
+    for (const fs::path& folder : folders_) {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (!error && !may_write(folder)) error.assign(errno, std::generic_category());
+        std::string problem = error ? error.message() : std::string();
+        for (int number = 1; number <= most_files && problem.empty(); ++number) {
+            const fs::path file = candidate(folder, number);
+            if (unusable_.contains(file)) continue;
+            // Another run may have made it in the meantime.
+            problem = open(file, Access::create);
+            if (problem.empty()) {
+                if (!reasons.empty())
+                    warn_("tweaks are journaled in " + file.string() + " (" + reasons + ")");
+                return;
+            }
+            if (unusable_.contains(file)) problem.clear();
+        }
+        reasons += (reasons.empty() ? "" : "; ") + folder.string() + ": " + problem;
+    }
+    throw std::runtime_error(reasons.empty() ? "there is no folder it could be written in"
+                                             : reasons);
+}
+
+void Journal::begin_run() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    database_->statement("INSERT INTO runs (started, process) VALUES (?, ?)")
+        .bind(1, std::chrono::duration_cast<std::chrono::seconds>(now).count())
+        .bind(2, static_cast<std::int64_t>(::getpid()))
+        .run();
+    run_ = database_->last_row();
+}
+
+void Journal::read_rows(Database& from, std::vector<JournalRow>& rows) {
+    Statement query = from.statement(
+        "SELECT run, number, kind, state, instance, property, was, now, was_text, now_text, step, "
+        "time, file, inside, kept_in FROM tweaks WHERE run <> ? AND state = 0 ORDER BY run, "
+        "number");
+    query.bind(1, run_);
+    while (query.step()) {
+        JournalRow& row = rows.emplace_back();
+        row.run = query.integer(0);
+        row.number = query.integer(1);
+        row.kind = static_cast<JournalRow::Kind>(query.integer(2));
+        row.state = static_cast<JournalRow::State>(query.integer(3));
+        row.instance = query.text(4);
+        row.property = query.text(5);
+        row.was = query.text(6);
+        row.now = query.text(7);
+        row.was_text = query.text(8);
+        row.now_text = query.text(9);
+        row.step = query.integer(10);
+        row.time = query.integer(11);
+        row.file = query.text(12);
+        row.inside = query.text(13);
+        row.kept_in = query.text(14);
+    }
+}
+
+std::vector<JournalRow> Journal::earlier() {
+    std::vector<JournalRow> rows;
+    const auto read = [&](Database& from, const fs::path& file) {
+        try {
+            read_rows(from, rows);
+        } catch (const DatabaseError& error) {
+            warn_(file.string() + ": cannot be read: " + error.what());
+        }
+    };
+    for (const fs::path& file : unwritable_) {
+        try {
+            Database database(file, Access::reading);
+            const std::size_t known = rows.size();
+            read(database, file);
+            // What becomes of them cannot be written there, and its runs are numbered anew here.
+            for (std::size_t i = known; i < rows.size(); ++i) rows[i].run = JournalRow::elsewhere;
+        } catch (const DatabaseError& error) {
+            warn_(file.string() + ": cannot be read: " + error.what());
+        }
+    }
+    if (database_) read(*database_, file_);
+    return rows;
+}
+
+bool Journal::commit(const Changes& changes) {
+    try {
+        if (!database_) create();
+        if (!checkpoints_) checkpoints_ = std::make_unique<Checkpoints>(file_);
+        const std::int64_t known = run_;
+        Transaction transaction(*database_);
+        if (run_ == 0) begin_run();
+        try {
+            Statement put = database_->statement(
+                "INSERT OR REPLACE INTO tweaks VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+            for (const JournalRow* row : changes.put) {
+                put.bind(1, row->run != 0 ? row->run : run_)
+                    .bind(2, row->number)
+                    .bind(3, static_cast<std::int64_t>(row->kind))
+                    .bind(4, static_cast<std::int64_t>(row->state))
+                    .bind(5, row->instance)
+                    .bind(6, row->property)
+                    .bind(7, row->was)
+                    .bind(8, row->now)
+                    .bind(9, row->was_text)
+                    .bind(10, row->now_text)
+                    .bind(11, row->step)
+                    .bind(12, row->time)
+                    .bind(13, row->file)
+                    .bind(14, row->inside)
+                    .bind(15, row->kept_in);
+                put.run();
+            }
+            Statement withdraw =
+                database_->statement("DELETE FROM tweaks WHERE run = ? AND number = ?");
+            for (const std::int64_t number : changes.withdrawn)
+                withdraw.bind(1, run_).bind(2, number).run();
+            transaction.commit();
+        } catch (...) {
+            run_ = known;
+            throw;
+        }
+    } catch (const DatabaseError& error) {
+        if (error.busy()) return false;
+        throw;
+    }
+    checkpoints_->notify();
+    return true;
+}
+
+bool Journal::vanished() {
+    if (!database_ || identity_of(file_) == identity_) return false;
+    database_.reset();
+    checkpoints_.reset();
+    run_ = 0;
+    return true;
+}
+
+}  // namespace fettle::property

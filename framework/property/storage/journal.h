@@ -1,0 +1,90 @@
+#pragma once
+// The journal of tweaks: a SQLite file in which every edit by a person is a row. It is written in
+// one transaction a barrier, without waiting for the disk, so what was committed survives the death
+// of the process; another thread, with a connection of its own, synchronizes with the disk and
+// empties the write-ahead log.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "database.h"
+
+namespace fettle::property {
+
+/// A row of the journal. A run numbers its own rows.
+struct JournalRow {
+    enum class Kind : std::uint8_t { value, created, deleted, moved };
+    enum class State : std::uint8_t { open, kept, dropped };
+
+    static constexpr std::int64_t elsewhere = -1;  // as `run`: of a journal that can only be read
+    std::int64_t run = 0;
+    std::int64_t number = 0;
+    Kind kind = Kind::value;
+    State state = State::open;
+    std::string instance;  // path
+    std::string property;  // "" unless kind is value
+    std::string was, now;  // as image.h writes them; of a creation, a scene; of a move, a path
+    std::string was_text, now_text;  // for people
+    std::int64_t step = 0;
+    std::int64_t time = 0;  // seconds since 1970
+    std::string file;       // the scene file the instance came from; "" when a script made it
+    std::string inside;     // where in that file
+    std::string kept_in;    // the file it was kept in
+};
+
+class Journal {
+  public:
+    using Warn = std::function<void(const std::string&)>;
+
+    /// The file is `name`.sqlite in the first of the folders it can be written in; nothing is
+    /// created before the first commit. A file that cannot be used is left as it is, `warn` is
+    /// told, and another one (`name`.2.sqlite) is taken.
+    Journal(std::vector<std::filesystem::path> folders, std::string name, Warn warn);
+    ~Journal();
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    /// Rows of earlier runs that are still open, oldest first.
+    std::vector<JournalRow> earlier();
+
+    struct Changes {
+        std::vector<const JournalRow*> put;   // new ones, or new contents of old ones
+        std::vector<std::int64_t> withdrawn;  // rows of this run, by number
+    };
+    /// All of it or nothing. False when another program is writing just now. Throws DatabaseError.
+    bool commit(const Changes& changes);
+    /// True when the file was removed behind our back: rows of this run must be put again.
+    bool vanished();
+    std::int64_t run() const { return run_; }
+    /// Where rows go; empty before the first.
+    const std::filesystem::path& file() const { return file_; }
+
+  private:
+    class Checkpoints;
+    std::filesystem::path candidate(const std::filesystem::path& folder, int number) const;
+    std::string open(const std::filesystem::path& file, Access access);
+    bool can_be_read(const std::filesystem::path& file);
+    void find_existing();
+    void create();
+    void begin_run();
+    void read_rows(Database& from, std::vector<JournalRow>& rows);
+
+    std::vector<std::filesystem::path> folders_;
+    std::string name_;
+    Warn warn_;
+    std::filesystem::path file_;
+    std::uint64_t identity_ = 0;  // of the file, to notice that the name leads to another one
+    std::unique_ptr<Database> database_;
+    std::unique_ptr<Checkpoints> checkpoints_;
+    std::set<std::filesystem::path> unusable_;
+    std::vector<std::filesystem::path> unwritable_;  // journals that can only be read
+    std::int64_t run_ = 0;
+};
+
+}  // namespace fettle::property

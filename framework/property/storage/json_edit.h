@@ -1,0 +1,48 @@
+#pragma once
+// Edits of a JSON text that leave everything else of it as it is: comments, order, white space.
+
+#include <string>
+#include <string_view>
+
+#include "document.h"
+
+namespace fettle::property {
+
+class JsonEdit {
+  public:
+    /// Throws SceneError for a text that is not JSON.
+    JsonEdit(std::string text, std::string file_name);
+
+    /// Of the text as it is now; its nodes are those of another text after an edit.
+    const Document& document() const { return document_; }
+    const std::string& text() const { return document_.source(); }
+
+    using Node = Document::Node;
+    void replace(const Node& node, std::string_view value);
+    /// Behind `after`, a member of the object, as the first one (the object itself), or as the last
+    /// one (null). `value` may have several
+    /// lines, indented as if it began in column 1.
+    void add_member(const Node& object, std::string_view key, std::string_view value,
+                    const Node* after = nullptr);
+    void add_element(const Node& array, std::string_view value);
+    /// Removes a member of an object, or an element of an array, with its line and the comment
+    /// behind it.
+    void remove(const Node& container, const Node& child);
+
+  private:
+    void add(const Node& container, const std::string& item, const Node* after);
+    void add_first(const Node& container, const std::string& item);
+    void set(std::string text);
+    /// Behind white space, comments and commas on the same line.
+    std::size_t line_end(std::size_t at) const;
+    bool begins_line(std::size_t at) const;
+    std::string indent(std::size_t at) const;
+    std::string indented(std::string_view lines, const std::string& indent) const;
+    std::size_t start(const Node& child) const;
+    const Node* last(const Node& container) const;
+
+    std::string newline_;
+    Document document_;
+};
+
+}  // namespace fettle::property

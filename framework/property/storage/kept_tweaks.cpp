@@ -1,0 +1,285 @@
+#include "kept_tweaks.h"
+
+#include <algorithm>
+
+#include <fettle/property/path.h>
+#include <fettle/property/storage/scene.h>
+
+#include "durable_file.h"
+#include "scene_reference.h"
+#include "scene_value.h"
+#include "unknown_keys.h"
+
+namespace fettle::property {
+
+namespace {
+
+constexpr std::string_view version_of_tweaks = "fettle_tweaks";
+constexpr int format_version = 1;
+constexpr std::string_view empty_file = "{\n  \"fettle_tweaks\": 1\n}\n";
+
+/// The path of the first `count` names, as the tree writes it.
+std::string joined(const std::vector<Segment>& segments, std::size_t count) {
+    std::string path;
+    for (std::size_t i = 0; i < count; ++i)
+        path += path_suffix(std::get<std::string>(segments[i].key));
+    if (path.starts_with('.')) return path.substr(1);
+    return "game" + path;
+}
+
+bool all_names(const std::vector<Segment>& segments) {
+    return std::none_of(segments.begin(), segments.end(),
+                        [](const Segment& each) { return each.is_index(); });
+}
+
+}  // namespace
+
+KeptTweaks::KeptTweaks(Tree& tree, std::filesystem::path file, Warn warn)
+    : tree_(tree), file_(std::move(file)), warn_(std::move(warn)) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file_, ignored)) return;
+    try {
+        read();
+    } catch (const Error& error) {
+        problem_ = error.what();
+        values_.clear();
+        created_.clear();
+        deleted_.clear();
+        warn_(problem_ + "; the tweaks kept in this file are not applied");
+    }
+}
+
+void KeptTweaks::read() {
+    document_ = std::make_unique<Document>(read_file(file_, Document::size_limit), file_.string());
+    const Node& root = document_->root();
+    const Node* version = document_->member(root, version_of_tweaks);
+    if (version == nullptr || version->kind != Document::Kind::integer || version->integer < 1)
+        document_->fail(ErrorKind::bad_structure, root.begin,
+                        "no file of tweaks: the key \"fettle_tweaks\" with the version of the "
+                        "format is missing");
+    if (version->integer > format_version)
+        document_->fail(ErrorKind::bad_structure, version->begin,
+                        "was written by a newer Fettle (version " +
+                            std::to_string(version->integer) + " of the format)");
+    index(*document_);
+}
+
+void KeptTweaks::index(const Document& document) {
+    const auto section = [&](const char* name, Document::Kind kind) {
+        const Node* node = document.member(document.root(), name);
+        if (node != nullptr && node->kind != kind)
+            document.fail(ErrorKind::bad_structure, node->begin,
+                          "expected " + std::string(kind_words(kind)));
+        return node;
+    };
+    const auto names = [&](const std::string& path, std::size_t offset) {
+        try {
+            std::vector<Segment> segments = parse_path(path);
+            if (!segments.empty() && all_names(segments)) return segments;
+        } catch (const Error&) {
+        }
+        document.fail(ErrorKind::bad_path, offset, "\"" + path + "\" is no path of names");
+    };
+    if (const Node* values = section("values", Document::Kind::object))
+        for (const Node* node = document.first(*values); node; node = document.next(*node)) {
+            const std::string& key = document.key(*node);
+            const std::vector<Segment> path = names(key, node->key_begin);
+            const std::string instance = path.size() == 1 ? "game" : joined(path, path.size() - 1);
+            values_[instance].push_back({std::get<std::string>(path.back().key), key});
+        }
+    if (const Node* created = section("created", Document::Kind::object))
+        for (const Node* node = document.first(*created); node; node = document.next(*node)) {
+            const std::string& key = document.key(*node);
+            if (names(key, node->key_begin).size() < 2)
+                document.fail(ErrorKind::bad_path, node->key_begin, "no place for an instance");
+            created_.push_back(key);
+        }
+    if (const Node* deleted = section("deleted", Document::Kind::array))
+        for (const Node* node = document.first(*deleted); node; node = document.next(*node)) {
+            if (node->kind != Document::Kind::text)
+                document.fail(ErrorKind::bad_structure, node->begin, "expected a path");
+            const std::vector<Segment> path = names(document.text(*node), node->begin);
+            deleted_.push_back(joined(path, path.size()));
+        }
+}
+
+// --- Applying ------------------------------------------------------------------------------------
+
+void KeptTweaks::warn(std::size_t offset, const std::string& reason) {
+    try {
+        document_->fail(ErrorKind::rejected, offset, reason);
+    } catch (const SceneError& error) {
+        if (told_.insert(error.what()).second) warn_(error.what());
+    }
+}
+
+const KeptTweaks::Node* KeptTweaks::member(std::string_view section, const std::string& key) const {
+    const Node* object = document_->member(document_->root(), section);
+    return object == nullptr ? nullptr : document_->member(*object, key);
+}
+
+void KeptTweaks::apply_value(Handle instance, const Kept& kept) {
+    const Node* node = member("values", kept.key);
+    if (node == nullptr) return;
+    std::function<std::string()> locate = [&] {
+        return file_.filename().string() + ":" + std::to_string(document_->line(node->begin));
+    };
+    const Tree::CauseScope cause(tree_, Writer::load, &locate);
+    try {
+        const Property* found = tree_.find(instance, kept.property);
+        const Type type = found != nullptr ? declared_type(*found) : Type::nil;
+        const Type element = found != nullptr ? found->element : Type::nil;
+        const FormulaText formula = formula_text(*document_, *node);
+        const Node* plain = formula ? formula.value : node;
+        if (!formula && plain->kind == Document::Kind::null && found != nullptr &&
+            !found->nullable) {
+            tree_.set(instance, *found, {});
+            return;
+        }
+        Value value;
+        if (plain != nullptr)
+            value = read_value(*document_, *plain, type, element,
+                               [&](const std::string& path, const Node& at) {
+                                   return find_reference({tree_, *document_, {}, {}, {}}, path, at);
+                               });
+        if (formula)
+            tree_.set_formula(instance, kept.property,
+                              make_formula(tree_, document_->text(*formula.is), value));
+        else
+            tree_.set_or_add(instance, kept.property, value);
+    } catch (const SceneError& error) {
+        if (told_.insert(error.what()).second) warn_(error.what());
+    } catch (const Error& error) {
+        warn(node->begin, error.what());
+    }
+}
+
+void KeptTweaks::apply_values(Handle top) {
+    if (values_.empty() || !tree_.alive(top)) return;
+    if (top != tree_.root() && !tree_.is_below(top, tree_.root())) return;
+    std::vector<std::pair<Handle, const std::vector<Kept>*>> found;
+    tree_.each_below(top, [&](Handle handle) {
+        if (const auto it = values_.find(tree_.path(handle)); it != values_.end())
+            found.emplace_back(handle, &it->second);
+    });
+    for (const auto& [handle, kept] : found)
+        for (const Kept& each : *kept)
+            if (tree_.alive(handle)) apply_value(handle, each);
+}
+
+void KeptTweaks::create(const std::string& path) {
+    const Node* node = member("created", path);
+    const std::vector<Segment> segments = parse_path(path);
+    Handle parent = tree_.root();
+    for (std::size_t i = 0; parent && i + 1 < segments.size(); ++i)
+        parent = tree_.child(parent, std::get<std::string>(segments[i].key));
+    const std::string& name = std::get<std::string>(segments.back().key);
+    if (!parent || tree_.child(parent, name)) return;
+    try {
+        // In its place, so that errors name it.
+        std::string text(document_->line(node->begin) - 1, '\n');
+        text += document_->raw(*node);
+        load_scene_text(tree_, text, file_.string(), parent, name);
+    } catch (const Error& error) {
+        if (told_.insert(error.what()).second) warn_(error.what());
+    }
+}
+
+void KeptTweaks::apply_all() {
+    for (const std::string& path : deleted_) {
+        try {
+            const Place place = resolve(tree_, path);
+            const Tree::CauseScope cause(tree_, Writer::load);
+            if (place.property == nullptr) tree_.destroy(place.instance);
+        } catch (const Error&) {  // it is not there
+        }
+    }
+    for (const std::string& path : created_) create(path);
+    apply_values(tree_.root());
+}
+
+// --- Keeping -------------------------------------------------------------------------------------
+
+void KeptTweaks::put(const std::string& section, const std::string& key, const std::string& value) {
+    if (!problem_.empty())
+        throw Error(ErrorKind::rejected, problem_ + "; mend or remove that file first");
+    if (edit_ == nullptr)
+        edit_ = document_ != nullptr
+                    ? std::make_unique<JsonEdit>(document_->source(), file_.string())
+                    : std::make_unique<JsonEdit>(std::string(empty_file), file_.string());
+    const auto object = [&]() {
+        return edit_->document().member(edit_->document().root(), section);
+    };
+    if (object() == nullptr)
+        edit_->add_member(edit_->document().root(), section, section == "deleted" ? "[]" : "{}");
+    if (section == "deleted") {
+        edit_->add_element(*object(), value);
+    } else if (const Node* old = edit_->document().member(*object(), key)) {
+        edit_->replace(*old, value);
+    } else {
+        edit_->add_member(*object(), key, value);
+    }
+}
+
+void KeptTweaks::drop(const std::string& section, const std::string& key) {
+    if (document_ == nullptr && edit_ == nullptr) return;
+    if (edit_ == nullptr) edit_ = std::make_unique<JsonEdit>(document_->source(), file_.string());
+    const Document& document = edit_->document();
+    const Node* object = document.member(document.root(), section);
+    if (object == nullptr) return;
+    for (const Node* node = document.first(*object); node; node = document.next(*node)) {
+        const bool same = object->kind == Document::Kind::object
+                              ? document.key(*node) == key
+                              : node->kind == Document::Kind::text && document.text(*node) == key;
+        if (!same) continue;
+        if (document.count(*object) == 1) return edit_->remove(document.root(), *object);
+        return edit_->remove(*object, *node);
+    }
+}
+
+void KeptTweaks::set(const std::string& instance, const std::string& property, const Image& image) {
+    const std::string suffix = path_suffix(property);
+    const std::string path = instance != "game"        ? instance + suffix
+                             : suffix.starts_with('.') ? suffix.substr(1)
+                                                       : "game" + suffix;
+    if (image.kind == Image::Kind::absent) {
+        drop("values", path);
+        return put("values", path, "null");
+    }
+    if (image.kind == Image::Kind::by_default) return put("values", path, "null");
+    const Property* declared = nullptr;
+    try {
+        const Place place = resolve(tree_, instance);
+        if (place.property == nullptr) declared = tree_.class_of(place.instance).property(property);
+    } catch (const Error&) {  // not there now: the value says its own type
+    }
+    put("values", path, image_in_file(tree_, {}, declared, image));
+}
+
+void KeptTweaks::add(const std::string& path, const std::string& scene) {
+    drop("deleted", path);
+    std::string text = scene;
+    while (text.ends_with('\n')) text.pop_back();
+    put("created", path, text);
+}
+
+void KeptTweaks::remove(const std::string& path) {
+    const auto was_created = std::find(created_.begin(), created_.end(), path) != created_.end();
+    drop("created", path);
+    std::string quoted;
+    append_quoted(quoted, path);
+    if (!was_created) put("deleted", path, quoted);
+}
+
+void KeptTweaks::write() {
+    if (edit_ == nullptr) return;
+    std::unique_ptr<JsonEdit> edit = std::move(edit_);
+    replace_file(file_, edit->text());
+    document_ = std::make_unique<Document>(edit->text(), file_.string());
+    values_.clear();
+    created_.clear();
+    deleted_.clear();
+    index(*document_);
+}
+
+}  // namespace fettle::property

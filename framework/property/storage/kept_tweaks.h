@@ -1,0 +1,74 @@
+#pragma once
+// Tweaks that were kept of what a script makes: `main.tweaks.json`, beside the game, by path.
+//
+//   {
+//     "fettle_tweaks": 1,
+//     "values": {"world.ball.mass": 5},
+//     "created": {"world.lamp": {a scene}},
+//     "deleted": ["world.wall"]
+//   }
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include "image.h"
+#include "json_edit.h"
+
+namespace fettle::property {
+
+class KeptTweaks {
+  public:
+    using Warn = std::function<void(const std::string&)>;
+
+    /// Reads the file, if there is one. One that cannot be used is told, has no effect and is never
+    /// written.
+    KeptTweaks(Tree& tree, std::filesystem::path file, Warn warn);
+
+    const std::filesystem::path& file() const { return file_; }
+    bool empty() const { return values_.empty() && created_.empty() && deleted_.empty(); }
+
+    /// Values of the instance and of everything below it.
+    void apply_values(Handle top);
+    /// To everything there is: values, and what was created and deleted.
+    void apply_all();
+
+    // For the next run. Throw Error; `write` throws FileError.
+    void set(const std::string& instance, const std::string& property, const Image& image);
+    void add(const std::string& path, const std::string& scene);
+    void remove(const std::string& path);
+    void write();
+
+  private:
+    using Node = Document::Node;
+    struct Kept {
+        std::string property;
+        std::string key;
+    };
+    void read();
+    void index(const Document& document);
+    void apply_value(Handle instance, const Kept& kept);
+    void create(const std::string& path);
+    void warn(std::size_t offset, const std::string& reason);
+    const Node* member(std::string_view section, const std::string& key) const;
+    void put(const std::string& section, const std::string& key, const std::string& value);
+    void drop(const std::string& section, const std::string& key);
+
+    Tree& tree_;
+    std::filesystem::path file_;
+    Warn warn_;
+    std::string problem_;                                        // why the file is not used
+    std::unique_ptr<Document> document_;                         // as it was read
+    std::unique_ptr<JsonEdit> edit_;                             // as it will be written
+    std::unordered_map<std::string, std::vector<Kept>> values_;  // by path of the instance
+    std::vector<std::string> created_, deleted_;                 // paths
+    std::unordered_set<std::string> told_;                       // warnings
+};
+
+}  // namespace fettle::property

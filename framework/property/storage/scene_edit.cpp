@@ -1,0 +1,155 @@
+#include "scene_edit.h"
+
+#include <fettle/property/path.h>
+
+#include "unknown_keys.h"
+
+namespace fettle::property {
+
+SceneEdit::SceneEdit(const Tree& tree, std::string text, std::string file_name)
+    : tree_(tree), json_(std::move(text), std::move(file_name)) {
+    if (document().member(document().root(), version_key) == nullptr)
+        document().fail(ErrorKind::bad_structure, 0, "not a scene");
+}
+
+// By name; a child the file does not name is known by its place.
+const SceneEdit::Node* SceneEdit::child(const Node& instance, const SceneStep& step) const {
+    const Node* children = document().member(instance, "children");
+    if (children == nullptr || children->kind != Document::Kind::array) return nullptr;
+    const Node* at_place = nullptr;
+    std::size_t place = 0;
+    for (const Node* node = document().first(*children); node; node = document().next(*node)) {
+        const Node* name = document().member(*node, "name");
+        if (name != nullptr && name->kind == Document::Kind::text &&
+            document().text(*name) == step.name)
+            return node;
+        if (place++ == step.place && name == nullptr) at_place = node;
+    }
+    return at_place;
+}
+
+const SceneEdit::Node& SceneEdit::find(const SceneSteps& steps) const {
+    const Node* at = &document().root();
+    std::string path;
+    for (const SceneStep& step : steps) {
+        path += path_suffix(step.name);
+        at = child(*at, step);
+        if (at == nullptr)
+            throw Error(ErrorKind::unknown_name,
+                        document().file_name() + ": it has no instance " + path + " any more");
+    }
+    return *at;
+}
+
+void SceneEdit::set(const SceneSteps& steps, const std::string& property, const Image& image,
+                    Handle top) {
+    const Node& instance = find(steps);
+    const Node* class_name = document().member(instance, "class");
+    const Class* of = class_name != nullptr && class_name->kind == Document::Kind::text
+                          ? tree_.find_class(document().text(*class_name))
+                          : nullptr;
+    const Property* declared = of != nullptr ? of->property(property) : nullptr;
+    if (image.kind == Image::Kind::absent || image.kind == Image::Kind::by_default) {
+        remove_member(steps, "properties", property);
+        remove_member(steps, "ad_hoc", property);
+    } else {
+        set_member(steps, declared, property, image_in_file(tree_, top, declared, image));
+    }
+}
+
+/// The last member that the class declares before the property: files keep that order.
+const SceneEdit::Node* SceneEdit::member_before(const Node& section, const Class& of,
+                                                const Property& property) const {
+    const Node* before = &section;  // as the first
+    for (const Property* each : of.properties()) {
+        if (each == &property) break;
+        if (const Node* node = document().member(section, each->name);
+            node != nullptr && (before == &section || node->begin > before->begin))
+            before = node;
+    }
+    return before;
+}
+
+void SceneEdit::set_member(const SceneSteps& steps, const Property* declared,
+                           const std::string& property, const std::string& value) {
+    const Node& instance = find(steps);
+    const std::string_view key = declared != nullptr ? "properties" : "ad_hoc";
+    const Node* section = document().member(instance, key);
+    if (section == nullptr) {
+        std::string item = "{\n  ";
+        append_quoted(item, property);
+        item += ": " + value + "\n}";
+        const Node* after = nullptr;
+        for (const std::string_view earlier : {"properties", "name", "class"})
+            if (after == nullptr && earlier != key) after = document().member(instance, earlier);
+        return json_.add_member(instance, key, item, after);
+    }
+    if (const Node* member = document().member(*section, property))
+        return json_.replace(*member, value);
+    const Node* after =
+        declared != nullptr && declared->owner != nullptr
+            ? member_before(
+                  *section,
+                  *tree_.find_class(document().text(*document().member(instance, "class"))),
+                  *declared)
+            : nullptr;
+    json_.add_member(*section, property, value, after);
+}
+
+void SceneEdit::remove_member(const SceneSteps& steps, const std::string& section,
+                              const std::string& property) {
+    const Node& instance = find(steps);
+    const Node* object = document().member(instance, section);
+    const Node* member = object != nullptr ? document().member(*object, property) : nullptr;
+    if (member == nullptr) return;
+    if (document().count(*object) == 1)
+        json_.remove(instance, *object);
+    else
+        json_.remove(*object, *member);
+}
+
+void SceneEdit::add_child(const SceneSteps& steps, const std::string& scene) {
+    JsonEdit child(scene, document().file_name());
+    if (const Node* version = child.document().member(child.document().root(), version_key))
+        child.remove(child.document().root(), *version);
+    std::string text = child.text();
+    while (text.ends_with('\n')) text.pop_back();
+    const Node& instance = find(steps);
+    if (const Node* children = document().member(instance, "children"))
+        return json_.add_element(*children, text);
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 3))
+        text.replace(at, 1, "\n  ");
+    json_.add_member(instance, "children", "[\n  " + text + "\n]");
+}
+
+void SceneEdit::remove(const SceneSteps& steps) {
+    const Node& instance = find(steps);
+    SceneSteps above = steps;
+    above.pop_back();
+    const Node& parent = find(above);
+    const Node& children = *document().member(parent, "children");
+    // They are known by their places, and those would change.
+    for (const Node* node = document().first(children); node; node = document().next(*node))
+        if (node != &instance && document().member(*node, "name") == nullptr)
+            throw Error(ErrorKind::bad_structure,
+                        document().file_name() + ":" +
+                            std::to_string(document().line(node->begin)) +
+                            ": an instance beside it has no name in the file; give it one first");
+    if (document().count(children) == 1)
+        json_.remove(parent, children);
+    else
+        json_.remove(children, instance);
+}
+
+void SceneEdit::rename(const SceneSteps& steps, const std::string& name) {
+    std::string quoted;
+    if (!append_quoted(quoted, name))
+        throw Error(ErrorKind::bad_name, "a file cannot hold a name that is not UTF-8");
+    const Node& instance = find(steps);
+    if (const Node* old = document().member(instance, "name"))
+        json_.replace(*old, quoted);
+    else
+        json_.add_member(instance, "name", quoted, document().member(instance, "class"));
+}
+
+}  // namespace fettle::property

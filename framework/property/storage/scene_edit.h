@@ -1,0 +1,45 @@
+#pragma once
+// Changes of a scene file that leave the rest of it as somebody wrote it.
+
+#include <string>
+
+#include <fettle/property/tree.h>
+
+#include "image.h"
+#include "json_edit.h"
+#include "scene_origins.h"
+
+namespace fettle::property {
+
+class SceneEdit {
+  public:
+    /// Throws SceneError for a text that is no scene.
+    SceneEdit(const Tree& tree, std::string text, std::string file_name);
+    const std::string& text() const { return json_.text(); }
+
+    // Each throws Error when the file has no such instance (any more).
+
+    /// `top`: the scene's topmost instance in the tree, for references inside the scene; null when
+    /// there is none.
+    void set(const SceneSteps& steps, const std::string& property, const Image& image, Handle top);
+    /// `scene`: the text of the new child as a scene of its own.
+    void add_child(const SceneSteps& steps, const std::string& scene);
+    void remove(const SceneSteps& steps);
+    void rename(const SceneSteps& steps, const std::string& name);
+
+  private:
+    using Node = Document::Node;
+    const Document& document() const { return json_.document(); }
+    const Node& find(const SceneSteps& steps) const;
+    const Node* child(const Node& instance, const SceneStep& step) const;
+    void set_member(const SceneSteps& steps, const Property* declared, const std::string& property,
+                    const std::string& value);
+    const Node* member_before(const Node& section, const Class& of, const Property& property) const;
+    void remove_member(const SceneSteps& steps, const std::string& section,
+                       const std::string& property);
+
+    const Tree& tree_;
+    JsonEdit json_;
+};
+
+}  // namespace fettle::property

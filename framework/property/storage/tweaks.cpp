@@ -1,0 +1,292 @@
+// Tweaks: from edits to entries. An entry is about a property, or about an instance that a person
+// created, deleted or moved; what happens to the same thing again changes its entry.
+
+#include <fettle/property/storage/tweaks.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "places.h"
+#include "tweaks_state.h"
+
+namespace fettle::property {
+
+namespace {
+
+std::vector<std::string> names_in(const std::string& path) {
+    std::vector<std::string> names;
+    for (const Segment& segment : parse_path(path))
+        names.push_back(segment.is_index() ? std::to_string(std::get<std::int64_t>(segment.key))
+                                           : std::get<std::string>(segment.key));
+    return names;
+}
+
+/// Whether `path` is `top` or leads below it.
+bool is_at_or_below(const std::string& path, const std::string& top) {
+    return path.starts_with(top) &&
+           (path.size() == top.size() || path[top.size()] == '.' || path[top.size()] == '[');
+}
+
+std::int64_t seconds_now() {
+    return std::chrono::duration_cast<std::chrono::seconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+}  // namespace
+
+std::string path_of(const JournalRow& row) {
+    if (row.kind != JournalRow::Kind::value) return row.instance;
+    const std::string suffix = path_suffix(row.property);
+    if (row.instance == "game") return suffix.starts_with('.') ? suffix.substr(1) : "game" + suffix;
+    return row.instance + suffix;
+}
+
+// --- Patterns
+
+TweakPattern::TweakPattern(std::string_view text)
+    : pattern_(text), whole_instances_(text.find('*') == std::string_view::npos) {}
+
+bool TweakPattern::matches(const JournalRow& row) const {
+    std::vector<std::string> names = names_in(path_of(row));
+    while (!names.empty()) {
+        if (pattern_.matches(names)) return true;
+        if (!whole_instances_) return false;
+        names.pop_back();
+    }
+    return pattern_.text() == "game";
+}
+
+// --- Beginning and ending
+
+Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn)
+    : tree(its_tree),
+      folder(game_folder(game)),
+      warn(std::move(its_warn)),
+      journal(journal_folders(game), game_name(game) + ".tweaks", warn),
+      kept(its_tree, folder / (game_name(game) + ".tweaks.json"), warn),
+      earlier(journal.earlier()) {
+    tree.observe_edits(this);
+}
+
+Tweaks::State::~State() {
+    tree.observe_edits(nullptr);
+}
+
+// --- Edits
+
+bool Tweaks::State::attached(Handle instance) const {
+    return instance == tree.root() || tree.is_below(instance, tree.root());
+}
+
+bool Tweaks::State::is_fresh(Handle instance) const {
+    if (fresh.empty()) return false;
+    for (Handle at = instance; at; at = tree.parent(at))
+        if (is_in_fresh.contains(key(at))) return true;
+    return false;
+}
+
+Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
+    if (created.empty()) return nullptr;
+    for (Handle at = instance; at; at = tree.parent(at))
+        if (const auto found = created.find(key(at)); found != created.end())
+            return !found->second->gone && found->second->row.state == RowState::open
+                       ? found->second
+                       : nullptr;
+    return nullptr;
+}
+
+Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instance,
+                                           const std::string& property, Handle handle) {
+    Entry*& found = by_key[std::to_string(static_cast<int>(kind)) + instance + '\n' + property];
+    if (found == nullptr) {
+        found = entries.emplace_back(std::make_unique<Entry>()).get();
+        found->row.kind = kind;
+        found->row.number = ++last_number;
+        found->row.instance = instance;
+        found->row.property = property;
+    }
+    found->handle = handle;
+    return *found;
+}
+
+void Tweaks::State::touch(Entry& entry) {
+    entry.row.state = RowState::open;
+    entry.row.step = static_cast<std::int64_t>(tree.step());
+    entry.row.time = seconds_now();
+    rest = 0;
+    if (entry.dirty) return;
+    entry.dirty = true;
+    dirty.push_back(&entry);
+}
+
+void Tweaks::State::tell_origin(Entry& entry, Handle instance) const {
+    const auto origin = origins.find(instance);
+    if (!origin) return;
+    entry.row.file = origin->file.string();
+    entry.row.inside = steps_text(origin->steps);
+}
+
+void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {
+    if (property.transient || !attached(instance) || is_fresh(instance)) return;
+    if (Entry* creation = created_above(instance)) {
+        creation->inside.emplace_back(instance, property.symbol);
+        return touch(*creation);
+    }
+    const std::size_t known = entries.size();
+    Entry& its = entry(Kind::value, tree.path(instance), property.name, instance);
+    if (entries.size() > known) {
+        its.was = image_of(tree, property, before);
+        tell_origin(its, instance);
+    }
+    its.property = property.symbol;
+    its.now = image_now(tree, instance, property.symbol, false);
+    its.gone = false;
+    touch(its);
+}
+
+void Tweaks::State::born(Handle instance) {
+    if (is_in_fresh.insert(key(instance)).second) fresh.push_back(instance);
+    rest = 0;
+}
+
+void Tweaks::State::dying(Handle instance) {
+    // What was created just now leaves no trace.
+    if (is_in_fresh.erase(key(instance)) != 0) {
+        std::erase(fresh, instance);
+        if (!created.contains(key(instance))) return;
+    }
+    if (attached(instance)) bury(instance, tree.path(instance));
+}
+
+/// Whatever was done to it is void, unless the deletion is undone.
+void Tweaks::State::bury(Handle instance, const std::string& path) {
+    bool made_here = false;
+    for (const auto& each : entries) {
+        if (each->row.state != RowState::open || each->gone) continue;
+        if (!is_at_or_below(each->row.instance, path) || each->row.kind == Kind::deleted) continue;
+        made_here = made_here || (each->row.kind == Kind::created && each->handle == instance);
+        each->gone = true;
+        touch(*each);
+    }
+    if (made_here) return;
+    Entry& deletion = entry(Kind::deleted, path, {}, instance);
+    deletion.row.was_text = "a " + tree.class_of(instance).name();
+    deletion.row.now_text = "deleted";
+    deletion.gone = false;
+    tell_origin(deletion, instance);
+    touch(deletion);
+}
+
+void Tweaks::State::revive(Entry& deletion) {
+    deletion.gone = true;
+    touch(deletion);
+    for (const auto& each : entries)
+        if (each->gone && each->row.kind != Kind::deleted &&
+            is_at_or_below(each->row.instance, deletion.row.instance)) {
+            each->gone = false;
+            touch(*each);
+        }
+}
+
+void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string& old_name) {
+    if (is_fresh(instance)) return;
+    const bool was = old_parent && tree.alive(old_parent) && attached(old_parent);
+    const bool is = attached(instance);
+    if (!was && is) return born(instance);
+    if (!was) return;
+    const std::string suffix = path_suffix(old_name);
+    const std::string old_path = old_parent != tree.root() ? tree.path(old_parent) + suffix
+                                 : suffix.starts_with('.') ? suffix.substr(1)
+                                                           : "game" + suffix;
+    if (!is) return bury(instance, old_path);
+    const std::string path = tree.path(instance);
+    Entry* last = entries.empty() ? nullptr : entries.back().get();
+    const bool again = last != nullptr && last->row.kind == Kind::moved &&
+                       last->handle == instance && last->row.now == old_path;
+    Entry& move =
+        again ? *last : entry(Kind::moved, old_path, std::to_string(last_number + 1), instance);
+    if (!again) tell_origin(move, instance);
+    move.row.property.clear();
+    move.row.now = path;
+    move.row.was_text = move.row.instance;
+    move.row.now_text = "moved to " + path;
+    move.gone = path == move.row.instance;
+    touch(move);
+}
+
+// --- What is told of them
+
+std::vector<Tweak> Tweaks::list() const {
+    std::vector<Tweak> all;
+    const auto add = [&all](const JournalRow& row, bool is_earlier, bool committed) {
+        all.push_back({.path = path_of(row),
+                       .was = row.was_text,
+                       .now = row.now_text,
+                       .step = static_cast<std::uint64_t>(row.step),
+                       .time = row.time,
+                       .value = row.kind == JournalRow::Kind::value,
+                       .earlier = is_earlier,
+                       .committed = committed,
+                       .kept = row.state == JournalRow::State::kept,
+                       .kept_in = row.kept_in});
+    };
+    for (const JournalRow& row : state_->earlier)
+        if (row.state == JournalRow::State::open) add(row, true, true);
+    for (const auto& entry : state_->entries)
+        if (state_->visible(*entry)) {
+            add(entry->row, false, entry->committed && !entry->dirty);
+            if (!all.back().value) continue;
+            all.back().was = entry->was.text;
+            all.back().now = entry->now.text;
+        }
+    return all;
+}
+
+std::size_t Tweaks::open_earlier() const {
+    return static_cast<std::size_t>(
+        std::count_if(state_->earlier.begin(), state_->earlier.end(),
+                      [](const JournalRow& row) { return row.state == JournalRow::State::open; }));
+}
+
+// --- The public face
+
+Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
+               std::function<void(const std::string&)> warn)
+    : state_(std::make_unique<State>(tree, game, std::move(warn))) {}
+Tweaks::~Tweaks() {
+    state_->rest = 0;
+    barrier();
+}
+
+void Tweaks::barrier() {
+    try {
+        state_->barrier();
+    } catch (const std::exception& error) {
+        state_->warn(std::string("tweaks cannot be journaled: ") + error.what());
+    }
+}
+TweakReport Tweaks::keep(std::string_view pattern) {
+    return state_->keep(pattern);
+}
+TweakReport Tweaks::reapply(std::string_view pattern) {
+    return state_->reapply(pattern);
+}
+TweakReport Tweaks::drop(std::string_view pattern) {
+    return state_->drop(pattern);
+}
+void Tweaks::scene_loaded(const std::filesystem::path& file,
+                          const std::vector<SceneInstance>& instances) {
+    state_->origins.loaded(state_->tree, file, instances);
+}
+void Tweaks::placed(Handle instance) {
+    state_->kept.apply_values(instance);
+}
+void Tweaks::game_loaded() {
+    state_->kept.apply_all();
+}
+std::filesystem::path Tweaks::journal() const {
+    return state_->journal.file();
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,157 @@
+// Tweaks: from entries to rows of the journal, once a barrier.
+
+#include <algorithm>
+#include <utility>
+
+#include "scene_edit.h"
+#include "scene_text.h"
+#include "tweaks_state.h"
+
+namespace fettle::property {
+
+namespace {
+
+// After a failure (a full disk), this many barriers pass before the next attempt, unless somebody
+// edits.
+constexpr int barriers_of_rest = 60;
+
+}  // namespace
+
+bool Tweaks::State::visible(const Entry& entry) const {
+    if (entry.gone || entry.row.state == RowState::dropped) return false;
+    return entry.row.kind != Kind::value || !(entry.was == entry.now);
+}
+
+void Tweaks::State::barrier() {
+    if (fresh.empty() && dirty.empty() && changed.empty()) return;
+    if (rest > 0) {
+        --rest;
+        return;
+    }
+    settle_fresh();
+    for (Entry* entry : dirty) refresh(*entry);
+    commit();
+}
+
+// --- What was created ----------------------------------------------------------------------------
+
+void Tweaks::State::settle_fresh() {
+    const std::vector<Handle> born = std::move(fresh);
+    fresh.clear();
+    for (const Handle instance : born) {
+        if (!tree.alive(instance) || !attached(instance)) continue;
+        // What was made below something new belongs to that.
+        bool inside = false;
+        for (Handle at = tree.parent(instance); at && !inside; at = tree.parent(at))
+            inside = is_in_fresh.contains(key(at));
+        if (!inside) settle_one(instance);
+    }
+    is_in_fresh.clear();
+}
+
+void Tweaks::State::settle_one(Handle instance) {
+    const std::string path = tree.path(instance);
+    const auto deletion =
+        by_key.find(std::to_string(static_cast<int>(Kind::deleted)) + path + '\n');
+    if (deletion != by_key.end() && deletion->second->handle == instance && !deletion->second->gone)
+        return revive(*deletion->second);
+    if (const auto known = created.find(key(instance)); known != created.end()) {
+        known->second->gone = false;  // its deletion, or its creation, was undone and done again
+        return touch(*known->second);
+    }
+    std::vector<std::string> warnings;
+    std::string text;
+    try {
+        text = scene_text_with_full_paths(tree, instance, &warnings);
+    } catch (const Error& error) {
+        return warn(path + " is new, but cannot be journaled: " + error.what());
+    }
+    for (const std::string& warning : warnings) warn(warning);
+    Entry& its = entry(Kind::created, path, {}, instance);
+    its.row.now = text;
+    its.row.was_text = "nothing";
+    its.row.now_text = "new " + tree.class_of(instance).name();
+    its.gone = false;
+    its.inside.clear();
+    created[key(instance)] = &its;
+    tell_origin(its, tree.parent(instance));
+    touch(its);
+}
+
+/// Values edited below it since are written into its scene: taking the scene anew would also take
+/// what the simulation has made of it.
+void Tweaks::State::refresh_created(Entry& entry) {
+    const auto inside = std::move(entry.inside);
+    entry.inside.clear();
+    for (const auto& [instance, property] : inside) {
+        if (!tree.alive(instance) || !tree.alive(entry.handle)) continue;
+        try {
+            SceneSteps steps;
+            for (Handle at = instance; at && at != entry.handle; at = tree.parent(at))
+                steps.insert(steps.begin(), SceneStep{tree.name(at), SIZE_MAX});
+            SceneEdit edit(tree, entry.row.now, "journal");
+            edit.set(steps, property.text(), image_now(tree, instance, property, true), {});
+            entry.row.now = edit.text();
+        } catch (const Error&) {  // its shape has changed
+            try {
+                entry.row.now = scene_text_with_full_paths(tree, entry.handle, nullptr);
+            } catch (const Error& error) {
+                warn(tree.path(entry.handle) + " cannot be journaled: " + error.what());
+            }
+        }
+    }
+}
+
+// --- Rows ----------------------------------------------------------------------------------------
+
+void Tweaks::State::refresh(Entry& entry) {
+    if (entry.row.kind == Kind::created) return refresh_created(entry);
+    if (entry.row.kind != Kind::value) return;
+    // Settled by now; any other value is what the person made it, whatever came of it since.
+    if (entry.now.kind == Image::Kind::formula && tree.alive(entry.handle))
+        entry.now = image_now(tree, entry.handle, entry.property, true);
+    entry.row.was = image_json(entry.was);
+    entry.row.now = image_json(entry.now);
+    entry.row.was_text = entry.was.text;
+    entry.row.now_text = entry.now.text;
+}
+
+void Tweaks::State::commit() {
+    if (journal.vanished()) {
+        for (const auto& each : entries) {
+            each->committed = false;
+            if (visible(*each) && !each->dirty) {
+                each->dirty = true;
+                dirty.push_back(each.get());
+            }
+        }
+    }
+    Journal::Changes changes;
+    for (const Entry* entry : dirty) {
+        if (visible(*entry))
+            changes.put.push_back(&entry->row);
+        else if (entry->committed)
+            changes.withdrawn.push_back(entry->row.number);
+    }
+    changes.put.insert(changes.put.end(), changed.begin(), changed.end());
+    try {
+        if (!(changes.put.empty() && changes.withdrawn.empty()) && !journal.commit(changes))
+            return;  // another run is writing; the next barrier tries again
+    } catch (const std::exception& error) {
+        rest = barriers_of_rest;
+        if (last_failure == error.what()) return;
+        last_failure = error.what();
+        return warn("tweaks cannot be journaled: " + last_failure + "; " +
+                    std::to_string(changes.put.size()) +
+                    " wait for it and are lost if the game ends before");
+    }
+    for (Entry* entry : dirty) {
+        entry->dirty = false;
+        entry->committed = visible(*entry);
+    }
+    dirty.clear();
+    changed.clear();
+    if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
+}
+
+}  // namespace fettle::property

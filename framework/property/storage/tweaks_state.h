@@ -1,0 +1,111 @@
+#pragma once
+// What the journal of tweaks knows while a game runs, for the files that implement it.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <fettle/property/edits.h>
+#include <fettle/property/path.h>
+#include <fettle/property/storage/tweaks.h>
+
+#include "image.h"
+#include "journal.h"
+#include "kept_tweaks.h"
+#include "scene_origins.h"
+
+namespace fettle::property {
+
+struct Tweaks::State : EditObserver {
+    using Kind = JournalRow::Kind;
+    using RowState = JournalRow::State;
+
+    /// A tweak of this run. Known by what it is about, so that editing a property twice is one
+    /// tweak, and undoing it is none.
+    struct Entry {
+        JournalRow row;
+        Image was, now;  // of a value
+        Handle handle;
+        Symbol property;
+        bool gone = false;       // a person deleted what it is about, or took it back
+        bool committed = false;  // the journal has it
+        bool dirty = false;
+        std::vector<std::pair<Handle, Symbol>> inside;  // of a creation: edited below it since
+    };
+
+    static std::uint64_t key(Handle handle) {
+        return std::uint64_t{handle.generation} << 32 | handle.index;
+    }
+
+    State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn);
+    ~State() override;
+
+    // tweaks.cpp: what is edited
+    void edited(Handle instance, const Property& property, const CellState& before) override;
+    void born(Handle instance) override;
+    void dying(Handle instance) override;
+    void moved(Handle instance, Handle old_parent, const std::string& old_name) override;
+    bool attached(Handle instance) const;
+    bool is_fresh(Handle instance) const;
+    Entry* created_above(Handle instance) const;
+    Entry& entry(Kind kind, const std::string& instance, const std::string& property,
+                 Handle handle);
+    void touch(Entry& entry);
+    void bury(Handle instance, const std::string& path);
+    void revive(Entry& deletion);
+    void tell_origin(Entry& entry, Handle instance) const;
+
+    // tweaks_commit.cpp: what becomes rows
+    void barrier();
+    void settle_fresh();
+    void settle_one(Handle instance);
+    void refresh(Entry& entry);
+    void refresh_created(Entry& entry);
+    bool visible(const Entry& entry) const;
+    void commit();
+
+    // tweaks.cpp, keep.cpp: what is done to them
+    std::vector<JournalRow*> matching(std::string_view pattern, bool earlier_only);
+    TweakReport keep(std::string_view pattern);
+    TweakReport reapply(std::string_view pattern);
+    TweakReport drop(std::string_view pattern);
+    void set_state(JournalRow& row, RowState state);
+
+    Tree& tree;
+    std::filesystem::path folder;  // of the game
+    Journal::Warn warn;
+    Journal journal;
+    KeptTweaks kept;
+    SceneOrigins origins;
+
+    std::vector<std::unique_ptr<Entry>> entries;  // number 1 first
+    std::unordered_map<std::string, Entry*> by_key;
+    std::vector<Entry*> dirty;
+    std::vector<Handle> fresh;  // created since the last barrier, in order
+    std::unordered_set<std::uint64_t> is_in_fresh;
+    std::unordered_map<std::uint64_t, Entry*> created;  // by instance
+    std::vector<JournalRow> earlier;                    // of earlier runs
+    std::vector<JournalRow*> changed;                   // of those, to be put again
+    std::int64_t last_number = 0;
+    std::string last_failure;  // told once
+    int rest = 0;              // barriers until a failed commit is tried again
+};
+
+/// Whether a tweak is meant by a pattern.
+class TweakPattern {
+  public:
+    explicit TweakPattern(std::string_view text);
+    bool matches(const JournalRow& row) const;
+
+  private:
+    Pattern pattern_;
+    bool whole_instances_;
+};
+
+/// "world.ball.mass", or the path of the instance.
+std::string path_of(const JournalRow& row);
+
+}  // namespace fettle::property

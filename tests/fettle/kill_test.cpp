@@ -1,0 +1,202 @@
+// Tweaks survive the death of the game: another process kills it at random instants, and what it
+// had told of before must be found by the next run, all of it.
+
+#include <catch.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <termios.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <random>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "program.h"
+
+using namespace program_test;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Each step edits as a person does, and tells a step later, when the barrier has passed. Of every
+// tweak it is known what the next run must find: a new value, the latest of many, a formula, or
+// nothing, where the edit was undone.
+const char* const game = R"lua(
+game.o = Object {}
+game.o.often = 0
+local told = {}
+local n = 0
+function step()
+    for _, line in ipairs(told) do print(line) end
+    told = {}
+    n = n + 1
+    local name = "t" .. n
+    if n % 5 == 0 then
+        edit("again", function() game.o.often = n end)
+        told = { "often " .. n }
+    elseif n % 7 == 0 and (n - 1) % 5 ~= 0 then
+        print("undoing t" .. n - 1)
+        undo()
+        told = { "gone t" .. n - 1 }
+    elseif n % 11 == 0 then
+        edit("formula", function() game.o[name] = formula(function() return 1 end) end)
+        told = { "is " .. name }
+    else
+        edit("new", function() game.o[name] = n game.o[name .. "b"] = -n end)
+        told = { "set " .. name .. " " .. n, "set " .. name .. "b " .. -n }
+    end
+end
+)lua";
+
+/// What the game said up to its death. It writes to a terminal, so that each line arrives at once.
+class Victim {
+  public:
+    explicit Victim(const std::string& file) {
+        terminal_ = posix_openpt(O_RDWR | O_NOCTTY);
+        REQUIRE(terminal_ >= 0);
+        REQUIRE(grantpt(terminal_) == 0);
+        REQUIRE(unlockpt(terminal_) == 0);
+        const std::string name = ptsname(terminal_);
+        process_ = fork();
+        REQUIRE(process_ >= 0);
+        if (process_ != 0) return;
+        const int out = open(name.c_str(), O_WRONLY | O_NOCTTY);
+        termios raw{};
+        tcgetattr(out, &raw);
+        cfmakeraw(&raw);
+        tcsetattr(out, TCSANOW, &raw);
+        dup2(out, STDOUT_FILENO);
+        unsetenv("DISPLAY");
+        execl(FETTLE_PROGRAM, "fettle", "run", file.c_str(), "--headless", "--steps", "1000000000",
+              static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    ~Victim() {
+        if (process_ > 0) die();
+        close(terminal_);
+    }
+    Victim(const Victim&) = delete;
+
+    /// Reads until so long after the first line, or after now when `at_once`.
+    void listen(std::chrono::microseconds time, bool at_once) {
+        Clock::time_point end = Clock::now() + time;
+        bool waiting = !at_once;
+        while (waiting || Clock::now() < end) {
+            pollfd ready{.fd = terminal_, .events = POLLIN, .revents = 0};
+            poll(&ready, 1, 1);
+            if ((ready.revents & POLLIN) != 0 && read_some() && waiting) {
+                waiting = false;
+                end = Clock::now() + time;
+            }
+            if ((ready.revents & (POLLHUP | POLLERR)) != 0 && (ready.revents & POLLIN) == 0) {
+                FAIL("the game ended by itself: " << said_);
+            }
+        }
+    }
+    std::string die() {
+        kill(process_, SIGKILL);
+        waitpid(process_, nullptr, 0);
+        process_ = -1;
+        while (read_some()) {
+        }
+        return said_.substr(0, said_.rfind('\n') + 1);  // not what it was just writing
+    }
+
+  private:
+    bool read_some() {
+        char buffer[1 << 16];
+        const ssize_t count = read(terminal_, buffer, sizeof buffer);
+        if (count > 0) said_.append(buffer, static_cast<std::size_t>(count));
+        return count > 0;
+    }
+    int terminal_ = -1;
+    pid_t process_ = -1;
+    std::string said_;
+};
+
+/// "o.t1: nothing → 1   step 1, ..." of each line, by path.
+std::map<std::string, std::string> found_by_next_run(const Folder& folder,
+                                                     const std::string& file) {
+    const Outcome next = fettle(folder, {"run", file, "--headless", "--steps", "1", "--eval",
+                                         "tweaks() drop_tweaks('**') quit()"});
+    INFO(next.err);
+    REQUIRE(next.status == 0);
+    std::map<std::string, std::string> found;
+    std::istringstream lines(next.out);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t colon = line.find(": "), arrow = line.find(" → ");
+        if (!line.starts_with("  ") || arrow == std::string::npos) continue;
+        const std::size_t begin = arrow + std::string(" → ").size();
+        found[line.substr(2, colon - 2)] = line.substr(begin, line.find("   ", begin) - begin);
+    }
+    return found;
+}
+
+/// Compares what the game told with what the next run found; how many lines it told.
+int check(const std::string& said, const std::map<std::string, std::string>& found) {
+    std::map<std::string, std::string> expected;
+    int often = 0, lines = 0;
+    std::istringstream in(said);
+    for (std::string line; std::getline(in, line); ++lines) {
+        std::istringstream words(line);
+        std::string what, name, value;
+        words >> what >> name >> value;
+        const std::string path = "o." + name;
+        if (what == "often") often = std::stoi(name);
+        if (what == "set") expected[path] = value;
+        if (what == "is") expected[path] = "is function() return 1 end";
+        // Whether the undo was committed is not known before it tells that, too.
+        if (what == "undoing") expected.erase(path), expected.erase(path + "b");
+        if (what == "gone") CHECK_FALSE(found.contains(path));
+    }
+    for (const auto& [path, value] : expected) {
+        INFO(path << " was told to be " << value);
+        const auto it = found.find(path);
+        REQUIRE(it != found.end());
+        REQUIRE(it->second == value);
+    }
+    if (often > 0) {
+        INFO("o.often was told to be " << often);
+        REQUIRE(found.contains("o.often"));
+        CHECK(std::stoi(found.at("o.often")) >= often);
+    }
+    return lines;
+}
+
+}  // namespace
+
+TEST_CASE("every tweak that was told of is found after a kill at any instant") {
+    const char* asked = std::getenv("FETTLE_KILLS");
+    const int kills = asked != nullptr ? std::atoi(asked) : 20;
+    std::mt19937 random(20081123);
+    std::uniform_int_distribution<int> instant(0, 60'000);
+    int told = 0, silent = 0;
+    auto folder = std::make_unique<Folder>();
+    std::string file = folder->write("main.lua", game);
+    for (int i = 0; i < kills; ++i) {
+        if (i % 10 == 0) {  // a journal that has to be made first
+            folder = std::make_unique<Folder>();
+            file = folder->write("main.lua", game);
+        }
+        Victim victim(file);
+        // Also while it starts.
+        victim.listen(std::chrono::microseconds(instant(random)), i % 5 == 4);
+        const std::string said = victim.die();
+        INFO("kill " << i + 1 << " of " << kills);
+        const int lines = check(said, found_by_next_run(*folder, file));
+        told += lines;
+        silent += lines == 0 ? 1 : 0;
+    }
+    std::printf("%d kills, %d lines told and found again, %d before the first line\n", kills, told,
+                silent);
+    CHECK(told >= kills - silent);
+    CHECK(silent < kills);
+}

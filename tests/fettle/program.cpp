@@ -1,0 +1,65 @@
+#include "program.h"
+
+#include <catch.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <unistd.h>
+
+namespace program_test {
+
+namespace fs = std::filesystem;
+
+Folder::Folder() {
+    std::string name = (fs::temp_directory_path() / "fettle run XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path_ = name;
+    setenv("XDG_DATA_HOME", (path_ / "user data").c_str(), 1);
+}
+
+Folder::~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::string Folder::write(const std::string& name, const std::string& text) const {
+    fs::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name) << text;
+    return (path_ / name).string();
+}
+
+std::string Folder::text(const std::string& name) const {
+    std::ifstream in(path_ / name);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) c == '\'' ? out += "'\\''" : out += c;
+    return out + "'";
+}
+
+Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments,
+               const std::string& before) {
+    std::string command =
+        before + "env -u DISPLAY -u WAYLAND_DISPLAY timeout 60 " + quoted(FETTLE_PROGRAM);
+    for (const std::string& argument : arguments) command += " " + quoted(argument);
+    command += " >" + quoted((folder / "out").string()) + " 2>" +
+               quoted((folder / "err").string()) + " </dev/null";
+    const int result = std::system(command.c_str());
+    Outcome outcome;
+    outcome.status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
+    outcome.out = folder.text("out");
+    outcome.err = folder.text("err");
+    INFO(command << "\n" << outcome.out << outcome.err);
+    return outcome;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace program_test

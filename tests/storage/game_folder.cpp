@@ -1,0 +1,46 @@
+#include "game_folder.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace scene_test {
+
+namespace fs = std::filesystem;
+
+GameFolder::GameFolder() {
+    std::string name = (fs::temp_directory_path() / "fettle game XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = fs::canonical(name) / "game";
+    user_ = fs::canonical(name) / "user";
+    fs::create_directories(path_);
+    fs::create_directories(user_);
+    setenv("XDG_DATA_HOME", user_.c_str(), 1);
+    write("main.lua", "");
+    // Tests become somebody else to meet permissions.
+    for (const fs::path& folder : {path_.parent_path(), path_, user_})
+        fs::permissions(folder, fs::perms::all);
+}
+
+GameFolder::~GameFolder() {
+    unsetenv("XDG_DATA_HOME");
+    std::error_code ignored;
+    fs::permissions(path_, fs::perms::all, ignored);
+    fs::remove_all(path_.parent_path(), ignored);
+}
+
+fs::path GameFolder::write(const std::string& name, const std::string& text) const {
+    fs::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+}
+
+std::string GameFolder::text(const std::string& name) const {
+    std::ifstream in(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace scene_test

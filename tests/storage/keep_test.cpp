@@ -1,0 +1,318 @@
+// Keeping tweaks: scene files change where they must and nowhere else; what a script makes has a
+// file of its own.
+
+#include <fettle/property/storage/tweaks.h>
+
+#include "catch.h"
+#include "game_folder.h"
+#include "tweak_run.h"
+
+using namespace scene_test;
+
+namespace {
+
+const char* const level =
+    "// The first level.\n"
+    "{\n"
+    "  \"fettle_scene\": 1,\n"
+    "  \"class\": \"Object\",\n"
+    "  \"name\": \"level\",\n"
+    "  \"editor\": {\"zoom\": 2},          // not ours\n"
+    "  \"children\": [\n"
+    "    {\n"
+    "      \"class\": \"Thing\",\n"
+    "      \"name\": \"a\",                // the hero\n"
+    "      \"properties\": {\n"
+    "        \"number\": 0.50,            /* half */\n"
+    "        \"kind\":   \"static\"         // heavy\n"
+    "      }\n"
+    "    },\n"
+    "    { \"class\": \"Thing\", \"name\": \"b\", \"properties\": { \"flag\": true } },\n"
+    "    {\n"
+    "      \"class\": \"Note\",\n"
+    "      \"name\": \"n\"\n"
+    "    }\n"
+    "  ]\n"
+    "}\n";
+
+/// Lines that differ, as `diff` would show them.
+std::string changes(const std::string& before, const std::string& after) {
+    const auto lines = [](const std::string& text) {
+        std::vector<std::string> all;
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find('\n', at), text.size());
+            all.push_back(text.substr(at, end - at));
+            at = end + 1;
+        }
+        return all;
+    };
+    std::vector<std::string> a = lines(before), b = lines(after);
+    while (!a.empty() && !b.empty() && a.back() == b.back()) a.pop_back(), b.pop_back();
+    std::size_t same = 0;
+    while (same < a.size() && same < b.size() && a[same] == b[same]) ++same;
+    std::string out;
+    for (std::size_t i = same; i < a.size(); ++i) out += "-" + a[i] + "\n";
+    for (std::size_t i = same; i < b.size(); ++i) out += "+" + b[i] + "\n";
+    return out;
+}
+
+/// Loads the level, edits it as a person, keeps everything; what changed in the file.
+template <class F>
+std::string kept(F edit, const std::string& text = level) {
+    const GameFolder folder;
+    folder.write("level.json", text);
+    Run run(folder);
+    run.load(folder, "level.json");
+    run.person([&] { edit(run); });
+    const TweakReport report = run.tweaks->keep("**");
+    INFO((report.problems.empty() ? std::string() : report.problems[0]));
+    CHECK(report.problems.empty());
+    CHECK(Run(folder).lines().empty());
+    CHECK_FALSE(std::filesystem::exists(folder / "main.tweaks.json"));
+    // What was kept is what the next run loads.
+    Run next(folder);
+    next.load(folder, "level.json");
+    CHECK(next.everything() == run.everything());
+    return changes(text, folder.text("level.json"));
+}
+
+}  // namespace
+
+TEST_CASE("keeping a value changes that value in its scene file and nothing else") {
+    CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.a"), "number", 7.0); }) ==
+          "-        \"number\": 0.50,            /* half */\n"
+          "+        \"number\": 7,            /* half */\n");
+    CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.b"), "flag", false); }) ==
+          "-    { \"class\": \"Thing\", \"name\": \"b\", \"properties\": { \"flag\": true } },\n"
+          "+    { \"class\": \"Thing\", \"name\": \"b\" },\n");
+}
+
+TEST_CASE("a property that the file did not mention takes its place in the order") {
+    CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.a"), "small", 0.1); }) ==
+          "+        \"small\": 0.1,\n");
+    CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.a"), "mass", INFINITY); }) ==
+          "-        \"kind\":   \"static\"         // heavy\n"
+          "+        \"kind\":   \"static\",         // heavy\n"
+          "+        \"mass\": \"inf\"\n");
+    CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.b"), "number", -0.0); }) ==
+          "-    { \"class\": \"Thing\", \"name\": \"b\", \"properties\": { \"flag\": true } },\n"
+          "+    { \"class\": \"Thing\", \"name\": \"b\", \"properties\": { \"number\": -0.0, "
+          "\"flag\": true } },\n");
+    CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.n"), "text", "hi"); }) ==
+          "-      \"name\": \"n\"\n"
+          "+      \"name\": \"n\",\n"
+          "+      \"properties\": {\n"
+          "+        \"text\": \"hi\"\n"
+          "+      }\n");
+    CHECK(kept([](Run& run) {
+              run.tree.set(run.at("world.level.n"), "target", run.at("world.level.a"));
+          }).find("+        \"target\": \".a\"\n") != std::string::npos);
+    CHECK(kept([](Run& run) { run.tree.set_or_add(run.at("world.level"), "lives", 3); }) ==
+          "+  \"ad_hoc\": {\n+    \"lives\": 3\n+  },\n");
+}
+
+TEST_CASE("a value that is back at its default leaves the file") {
+    CHECK(kept([](Run& run) {
+              run.tree.reset(run.at("world.level.a"),
+                             run.tree.property(run.at("world.level.a"), "number"));
+          }) == "-        \"number\": 0.50,            /* half */\n");
+    CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.a"), "kind", "dynamic"); }) ==
+          "-        \"number\": 0.50,            /* half */\n"
+          "-        \"kind\":   \"static\"         // heavy\n"
+          "+        \"number\": 0.50            /* half */\n");
+}
+
+TEST_CASE("instances that come and go and get names change their own lines") {
+    CHECK(kept([](Run& run) {
+              const Handle made = run.tree.create(run.tree.class_named("Thing"), {}, "c");
+              run.tree.set(made, "number", 2.0);
+              run.tree.move(made, run.at("world.level"), "c");
+          }) ==
+          "+    },\n"
+          "+    {\n"
+          "+      \"class\": \"Thing\",\n"
+          "+      \"name\": \"c\",\n"
+          "+      \"properties\": {\n"
+          "+        \"number\": 2\n"
+          "+      }\n");
+    CHECK(kept([](Run& run) { run.tree.destroy(run.at("world.level.b")); }) ==
+          "-    { \"class\": \"Thing\", \"name\": \"b\", \"properties\": { \"flag\": true } },\n");
+    CHECK(kept([](Run& run) { run.tree.rename(run.at("world.level.a"), "hero"); }) ==
+          "-      \"name\": \"a\",                // the hero\n"
+          "+      \"name\": \"hero\",                // the hero\n");
+}
+
+TEST_CASE("keeping many tweaks keeps what the file says besides") {
+    std::string windows = level;
+    for (std::size_t at = windows.find('\n'); at != std::string::npos;
+         at = windows.find('\n', at + 2))
+        windows.replace(at, 1, "\r\n");
+    for (const std::string& text : {std::string(level), windows}) {
+        const GameFolder folder;
+        folder.write("level.json", text);
+        Run run(folder);
+        run.load(folder, "level.json");
+        run.person([&] {
+            for (const char* name : {"a", "b"}) {
+                const Handle each = run.at("world.level." + std::string(name));
+                run.tree.set(each, "number", 3.0);
+                run.tree.set(each, "position", Vec2(1, 2));
+                run.tree.set_or_add(each, "note", "hello");
+                run.tree.create(run.tree.class_named("Thing"), each, "inner");
+            }
+        });
+        CHECK(run.tweaks->keep("world.level").count == 8);
+        const std::string now = folder.text("level.json");
+        for (const char* part : {"// The first level.", "// not ours", "\"editor\": {\"zoom\": 2}",
+                                 "/* half */", "// heavy", "// the hero"})
+            CHECK(now.find(part) != std::string::npos);
+        const bool mixed =
+            text == windows && now.find("\r\n") != std::string::npos &&
+            std::count(now.begin(), now.end(), '\n') != std::count(now.begin(), now.end(), '\r');
+        CHECK_FALSE(mixed);
+        Run next(folder);
+        next.load(folder, "level.json");
+        CHECK(next.everything() == run.everything());
+    }
+}
+
+TEST_CASE("only what matches the pattern is kept") {
+    const GameFolder folder;
+    folder.write("level.json", level);
+    Run run(folder);
+    run.load(folder, "level.json");
+    run.person([&] {
+        run.tree.set(run.at("world.level.a"), "number", 7.0);
+        run.tree.set(run.at("world.level.b"), "number", 8.0);
+    });
+    CHECK(run.tweaks->keep("world.nobody.*").count == 0);
+    CHECK(run.tweaks->keep("world.level.b.*").count == 1);
+    CHECK(run.lines() ==
+          std::vector<std::string>{"world.level.a.number: 0.5 → 7",
+                                   "world.level.b.number: 0 → 8 kept in level.json"});
+    CHECK(Run(folder).lines() == std::vector<std::string>{"earlier world.level.a.number: 0.5 → 7"});
+    CHECK_THROWS_AS(run.tweaks->keep("world..x"), Error);
+    // The next run can still keep what is left, also before it has loaded anything.
+    Run next(folder);
+    CHECK(next.tweaks->keep("**").files ==
+          std::vector<std::string>{(folder / "level.json").string()});
+    CHECK(folder.text("level.json").find("\"number\": 7,") != std::string::npos);
+}
+
+TEST_CASE("a scene file that cannot be changed keeps its text and the tweaks stay open") {
+    const GameFolder folder;
+    folder.write("level.json", level);
+    Run run(folder);
+    run.load(folder, "level.json");
+    run.person([&] {
+        run.tree.set(run.at("world.level.a"), "number", 7.0);
+        run.tree.set(run.add("Thing", "own"), "number", 8.0);
+    });
+    const std::string broken = std::string(level).substr(0, 300);
+    folder.write("level.json", broken);
+    const TweakReport report = run.tweaks->keep("**.number");
+    CHECK(report.count == 0);
+    REQUIRE(report.problems.size() == 1);
+    CHECK(report.problems[0].find("level.json:") != std::string::npos);
+    CHECK(folder.text("level.json") == broken);
+    CHECK(Run(folder).tweaks->open_earlier() == 2);
+}
+
+TEST_CASE("what a script made is kept by path and set when it is made again") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        const Handle a = run.add("Thing", "a"), b = run.add("Thing", "my b");
+        run.person([&] {
+            run.tree.set(a, "position", Vec2(1, INFINITY));
+            run.tree.set_or_add(b, "lives", 3);
+            run.tree.set(run.add("Note", "n"), "target", b);
+        });
+        CHECK(run.tweaks->keep("world").count == 3);
+    }
+    CHECK(folder.text("main.tweaks.json") ==
+          "{\n"
+          "  \"fettle_tweaks\": 1,\n"
+          "  \"values\": {\n"
+          "    \"world.a.position\": [1, \"inf\"],\n"
+          "    \"world[\\\"my b\\\"].lives\": 3\n"
+          "  },\n"
+          "  \"created\": {\n"
+          "    \"world.n\": {\n"
+          "      \"fettle_scene\": 1,\n"
+          "      \"class\": \"Note\",\n"
+          "      \"name\": \"n\",\n"
+          "      \"properties\": {\n"
+          "        \"target\": \"world[\\\"my b\\\"]\"\n"
+          "      }\n"
+          "    }\n"
+          "  }\n"
+          "}\n");
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    run.tweaks->placed(a);
+    CHECK(run.tree.get(a, "position") == Value(Vec2(1, INFINITY)));
+    run.tree.set(a, "position", Vec2(0, 0));  // the script sets it up
+    const Handle b = run.add("Thing", "my b");
+    run.tweaks->game_loaded();
+    CHECK(run.tree.get(a, "position") == Value(Vec2(1, INFINITY)));
+    CHECK(run.tree.get(b, "lives") == Value(3));
+    REQUIRE(run.at("world.n"));
+    CHECK(run.tree.get(run.at("world.n"), "target") == Value(b));
+    CHECK(run.lines().empty());
+    run.barrier();
+    CHECK(run.lines().empty());
+
+    // Editing it again, and deleting it again, changes the same file.
+    run.person([&] { run.tree.set(a, "position", Vec2(5, 5)); });
+    run.person([&] { run.tree.destroy(run.at("world.n")); });
+    run.person([&] { run.tree.destroy(b); });
+    CHECK(run.tweaks->keep("**").problems.empty());
+    CHECK(folder.text("main.tweaks.json") ==
+          "{\n"
+          "  \"fettle_tweaks\": 1,\n"
+          "  \"values\": {\n"
+          "    \"world.a.position\": [5, 5],\n"
+          "    \"world[\\\"my b\\\"].lives\": 3\n"
+          "  },\n"
+          "  \"deleted\": [\n"
+          "    \"world[\\\"my b\\\"]\"\n"
+          "  ]\n"
+          "}\n");
+}
+
+TEST_CASE("a file of kept tweaks that cannot be used is told and never written over") {
+    const GameFolder folder;
+    const std::string bad =
+        GENERATE(as<std::string>{}, "{\"fettle_tweaks\": 1, \"values\": {\"world.a.number\": }}",
+                 "{\"fettle_tweaks\": 2, \"values\": {}}", "{\"values\": {}}", "[]",
+                 "{\"fettle_tweaks\": 1, \"values\": {\"world[3].a\": 1}}");
+    folder.write("main.tweaks.json", bad);
+    Run run(folder);
+    REQUIRE(run.told.size() == 1);
+    CHECK(run.told[0].find("main.tweaks.json:1:") != std::string::npos);
+    const Handle a = run.add("Thing", "a");
+    run.tweaks->game_loaded();
+    run.person([&] { run.tree.set(a, "number", 2.0); });
+    const TweakReport report = run.tweaks->keep("**");
+    CHECK(report.count == 0);
+    CHECK(report.problems.size() == 1);
+    CHECK(folder.text("main.tweaks.json") == bad);
+    CHECK(Run(folder).tweaks->open_earlier() == 1);
+}
+
+TEST_CASE("a kept value that no longer fits is told with its place and the others are set") {
+    const GameFolder folder;
+    folder.write("main.tweaks.json",
+                 "{\n  \"fettle_tweaks\": 1,\n  \"values\": {\n"
+                 "    \"world.a.density\": -3,\n    \"world.a.number\": 4,\n"
+                 "    \"world.a.nmber\": 4,\n    \"world.b.number\": 4\n  }\n}\n");
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    run.tweaks->placed(a);
+    run.tweaks->placed(a);
+    CHECK(run.tree.get(a, "number") == Value(4.0));
+    REQUIRE(run.told.size() == 2);
+    CHECK(run.told[0].find("main.tweaks.json:4:24: world.a.density: ") != std::string::npos);
+    CHECK(run.told[1].find("main.tweaks.json:6:22: world.a") != std::string::npos);
+}

@@ -1,0 +1,227 @@
+// Tweaks: what a person edits is journaled, found again, kept, made again or dropped.
+
+#include <fettle/property/storage/tweaks.h>
+
+#include "catch.h"
+#include "game_folder.h"
+#include "tweak_run.h"
+
+using namespace scene_test;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("what a person edits is a tweak and the next run finds it") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        const Handle a = run.add("Thing", "a");
+        run.tree.set(a, "number", 1.0);
+        CHECK_FALSE(std::filesystem::exists(folder / ".fettle"));
+        run.person([&] { run.tree.set(a, "number", 2.0); });
+        run.person([&] { run.tree.set_or_add(a, "lives", 3); });
+        CHECK(run.lines() == Lines{"world.a.number: 1 → 2", "world.a.lives: nothing → 3"});
+        CHECK(run.told.empty());
+
+        // While the first is still running, as after a kill.
+        Run next(folder);
+        CHECK(next.lines() ==
+              Lines{"earlier world.a.number: 1 → 2", "earlier world.a.lives: nothing → 3"});
+        CHECK(next.tweaks->open_earlier() == 2);
+    }
+    Run last(folder);
+    CHECK(last.tweaks->open_earlier() == 2);
+}
+
+TEST_CASE("an edit is one tweak however often it is made and none when it is taken back") {
+    const GameFolder folder;
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    run.person([&] { run.tree.set(a, "number", 2.0); });
+    run.person([&] { run.tree.set(a, "number", 3.0); });
+    CHECK(run.lines() == Lines{"world.a.number: 0 → 3"});
+    run.person([&] { run.tree.set(a, "number", 0.0); });
+    CHECK(run.lines().empty());
+    run.person([&] { run.tree.set(a, "number", 4.0); });
+    run.tree.undo();
+    run.barrier();
+    CHECK(run.lines().empty());
+    CHECK(Run(folder).lines().empty());
+    run.tree.redo();
+    run.barrier();
+    CHECK(run.lines() == Lines{"world.a.number: 0 → 4"});
+    CHECK(Run(folder).lines() == Lines{"earlier world.a.number: 0 → 4"});
+}
+
+TEST_CASE("undo takes tweaks back one by one in the journal too") {
+    const GameFolder folder;
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    run.person([&] { run.tree.set(a, "number", 2.0); });
+    run.person([&] { run.tree.set(a, "number", 3.0); });
+    run.person([&] { run.tree.set(a, "flag", true); });
+    for (const Lines& expected : {Lines{"earlier world.a.number: 0 → 3"},
+                                  Lines{"earlier world.a.number: 0 → 2"}, Lines{}}) {
+        run.tree.undo();
+        run.barrier();
+        CHECK(Run(folder).lines() == expected);
+    }
+}
+
+TEST_CASE("what a script writes is no tweak unless it is an edit") {
+    const GameFolder folder;
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    const Tree::CauseScope scope(run.tree, Writer::script);
+    run.tree.set(a, "number", 2.0);
+    run.barrier();
+    CHECK(run.lines().empty());
+    run.tree.begin_edit("tune");
+    run.tree.set(a, "number", 3.0);
+    run.tree.end_edit();
+    CHECK(run.lines() == Lines{"world.a.number: 2 → 3 not yet"});
+    run.barrier();
+    CHECK(run.lines() == Lines{"world.a.number: 2 → 3"});
+    run.tree.set(a, "number", 9.0);  // the game goes on
+    run.barrier();
+    CHECK(run.lines() == Lines{"world.a.number: 2 → 3"});
+}
+
+TEST_CASE("a tweak outlives its instance unless a person deletes that") {
+    const GameFolder folder;
+    Run run(folder);
+    Handle a = run.add("Thing", "a");
+    run.person([&] { run.tree.set(a, "number", 2.0); });
+    run.tree.destroy(a);  // the game starts its level again
+    run.barrier();
+    CHECK(run.lines() == Lines{"world.a.number: 0 → 2"});
+    a = run.add("Thing", "a");
+    run.person([&] { run.tree.set(a, "number", 5.0); });
+    CHECK(run.lines() == Lines{"world.a.number: 0 → 5"});
+    run.person([&] { run.tree.destroy(a); });
+    CHECK(run.lines() == Lines{"world.a: a Thing → deleted"});
+    run.tree.undo();
+    run.barrier();
+    CHECK(run.lines() == Lines{"world.a.number: 0 → 5"});
+    CHECK(Run(folder).lines() == Lines{"earlier world.a.number: 0 → 5"});
+}
+
+TEST_CASE("instances that a person makes and renames are tweaks") {
+    const GameFolder folder;
+    Run run(folder);
+    Handle made;
+    run.person([&] {
+        made = run.tree.create(run.tree.class_named("Thing"), {}, "lamp");
+        run.tree.set(made, "number", 2.0);
+        run.tree.move(made, run.world, "lamp");
+    });
+    CHECK(run.lines() == Lines{"world.lamp: nothing → new Thing"});
+    run.person([&] { run.tree.set(made, "flag", true); });
+    CHECK(run.lines() == Lines{"world.lamp: nothing → new Thing"});
+    run.add("Thing", "wall");
+    run.person([&] { run.tree.rename(run.at("world.wall"), "fence"); });
+    CHECK(run.lines().back() == "world.wall: world.wall → moved to world.fence");
+    {
+        Run next(folder);
+        next.add("Thing", "wall");
+        const Tree::CauseScope scope(next.tree, Writer::console);
+        CHECK(next.tweaks->reapply("**").count == 2);
+        next.barrier();
+        REQUIRE(next.at("world.lamp"));
+        CHECK(next.tree.get(next.at("world.lamp"), "number") == Value(2.0));
+        CHECK(next.tree.get(next.at("world.lamp"), "flag") == Value(true));
+        CHECK(next.at("world.fence"));
+        CHECK(next.lines().size() == 2);
+    }
+    run.tree.undo();
+    run.tree.undo();
+    run.tree.undo();
+    run.barrier();
+    CHECK(run.lines().empty());
+}
+
+TEST_CASE("tweaks of an earlier run are made again as edits that can be undone") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        const Handle a = run.add("Thing", "a"), b = run.add("Thing", "b");
+        run.person([&] {
+            run.tree.set(a, "number", 2.0);
+            run.tree.set(a, "position", Vec2(1, -INFINITY));
+            run.tree.set_or_add(a, "companion", b);
+        });
+    }
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    {
+        const Tree::CauseScope scope(run.tree, Writer::console);
+        const TweakReport report = run.tweaks->reapply("world.a");
+        CHECK(report.count == 2);
+        REQUIRE(report.problems.size() == 1);
+        CHECK(report.problems[0].find("world.a.companion: ") == 0);
+    }
+    CHECK(run.tree.get(a, "number") == Value(2.0));
+    CHECK(run.tree.get(a, "position") == Value(Vec2(1, -INFINITY)));
+    run.barrier();
+    CHECK(run.tweaks->open_earlier() == 1);
+    CHECK(run.lines().size() == 3);
+    run.tree.undo();
+    run.barrier();
+    CHECK(run.tree.get(a, "number") == Value(0.0));
+    CHECK(run.lines().size() == 1);
+}
+
+TEST_CASE("dropped tweaks are forgotten and their values stay") {
+    const GameFolder folder;
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    run.person([&] {
+        run.tree.set(a, "number", 2.0);
+        run.tree.set(a, "flag", true);
+    });
+    CHECK(run.tweaks->drop("world.*.number").count == 1);
+    CHECK(run.lines() == Lines{"world.a.flag: false → true"});
+    CHECK(run.tree.get(a, "number") == Value(2.0));
+    Run next(folder);
+    CHECK(next.lines() == Lines{"earlier world.a.flag: false → true"});
+    CHECK(next.tweaks->drop("**").count == 1);
+    CHECK(Run(folder).lines().empty());
+}
+
+TEST_CASE("a formula that a person defines is a tweak") {
+    const GameFolder folder;
+    const auto compiler = [](const std::string& source) {
+        return Formula{
+            [](const Tree& tree) {
+                return Value(
+                    2 *
+                    tree.get(tree.child(tree.child(tree.root(), "world"), "b"), "number").number());
+            },
+            source};
+    };
+    {
+        Run run(folder);
+        run.tree.set(run.add("Thing", "b"), "number", 3.0);
+        const Handle a = run.add("Thing", "a");
+        run.person([&] { run.tree.set_formula(a, "number", compiler("twice b")); });
+        CHECK(run.lines() == Lines{"world.a.number: 0 → is twice b"});
+        run.person([&] { run.tree.set_formula(a, "number", compiler("twice b")); });
+    }
+    Run run(folder);
+    run.tree.compile_formulas_with(compiler);
+    const Handle a = run.add("Thing", "a");
+    run.tree.set(run.add("Thing", "b"), "number", 4.0);
+    {
+        const Tree::CauseScope scope(run.tree, Writer::console);
+        CHECK(run.tweaks->reapply("world.a.number").problems.empty());
+    }
+    CHECK(run.tree.get(a, "number") == Value(8.0));
+    run.barrier();
+    CHECK(run.tweaks->keep("world.a").count == 1);
+    CHECK(folder.text("main.tweaks.json") ==
+          "{\n  \"fettle_tweaks\": 1,\n  \"values\": {\n    \"world.a.number\": {\"is\": \"twice "
+          "b\", \"value\": 8}\n  }\n}\n");
+}
