@@ -116,8 +116,8 @@ bool may_know(const Part& part, const Part& other) {
 }
 
 bool is_standard(const std::string& header) {
-    static const std::regex modern("[a-z_0-9]+");
-    return std::regex_match(header, modern);
+    static const std::regex modern_or_c("[a-z_0-9]+|std(def|int|io|lib)\\.h|string\\.h");
+    return std::regex_match(header, modern_or_c);
 }
 
 const Library* library_of_header(const std::string& header) {

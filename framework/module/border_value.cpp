@@ -1,0 +1,146 @@
+#include "border_value.h"
+
+namespace fettle::module {
+
+using property::ErrorKind;
+using property::List;
+using property::Record;
+using property::Result;
+using property::Type;
+using property::Value;
+
+static_assert(static_cast<int>(Type::list) == FETTLE_LIST, "types are numbered alike");
+static_assert(static_cast<int>(ErrorKind::no_barrier_end) + 1 == FETTLE_ERR_NO_BARRIER_END,
+              "kinds of errors are numbered alike, OK being 0");
+static_assert(sizeof(fettle_value) == 24);
+
+fettle_value Outgoing::put(const Value& value) {
+    fettle_value sent{};
+    sent.type = static_cast<std::uint32_t>(value.type());
+    switch (value.type()) {
+        case Type::nil:
+            break;
+        case Type::boolean:
+            sent.as.boolean = value.boolean() ? 1 : 0;
+            break;
+        case Type::integer:
+            sent.as.integer = value.integer();
+            break;
+        case Type::number:
+            sent.as.number = value.number();
+            break;
+        case Type::text: {
+            const Value& kept = kept_.emplace_back(value);
+            sent.as.text = kept.text().c_str();
+            sent.count = static_cast<std::uint32_t>(kept.text().size());
+            break;
+        }
+        case Type::vec2:
+            sent.as.vec2[0] = value.vec2().x();
+            sent.as.vec2[1] = value.vec2().y();
+            break;
+        case Type::color: {
+            const property::Color color = value.color();
+            std::copy_n(&color.r, 4, sent.as.color);
+            break;
+        }
+        case Type::reference:
+            sent.as.reference = module::sent(value.reference());
+            break;
+        case Type::list:
+            sent.count = static_cast<std::uint32_t>(value.list().size());
+            sent.as.list = put(std::span<const Value>(value.list()));
+            break;
+    }
+    return sent;
+}
+
+const fettle_value* Outgoing::put(std::span<const Value> values) {
+    std::vector<fettle_value> sent;
+    sent.reserve(values.size());
+    for (const Value& value : values) sent.push_back(put(value));
+    return arrays_.emplace_back(std::move(sent)).data();
+}
+
+fettle_result Outgoing::put(const Result& result) {
+    fettle_result sent{};
+    if (const auto* value = std::get_if<Value>(&result)) {
+        sent.value = put(*value);
+        return sent;
+    }
+    std::vector<Value> values;
+    const auto add = [&](const Record& record) {
+        sent.fields = static_cast<std::uint32_t>(record.values.size());
+        values.insert(values.end(), record.values.begin(), record.values.end());
+    };
+    if (const auto* only = std::get_if<Record>(&result)) {
+        sent.kind = FETTLE_RECORD;
+        sent.count = 1;
+        add(*only);
+    } else {
+        const auto& records = std::get<std::vector<Record>>(result);
+        sent.kind = FETTLE_RECORDS;
+        sent.count = static_cast<std::uint32_t>(records.size());
+        for (const Record& record : records) add(record);
+    }
+    sent.values = put(std::span<const Value>(values));
+    return sent;
+}
+
+Value received(const fettle_value& value) {
+    switch (value.type) {
+        case FETTLE_BOOLEAN:
+            return value.as.boolean != 0;
+        case FETTLE_INTEGER:
+            return value.as.integer;
+        case FETTLE_NUMBER:
+            return value.as.number;
+        case FETTLE_TEXT:
+            return value.as.text == nullptr ? Value("")
+                                            : Value(std::string_view(value.as.text, value.count));
+        case FETTLE_VEC2:
+            return property::Vec2(value.as.vec2[0], value.as.vec2[1]);
+        case FETTLE_COLOR:
+            return property::Color{value.as.color[0], value.as.color[1], value.as.color[2],
+                                   value.as.color[3]};
+        case FETTLE_REFERENCE:
+            return received(value.as.reference);
+        case FETTLE_LIST:
+            return received(value.as.list, value.count);
+        default:
+            return {};
+    }
+}
+
+List received(const fettle_value* values, std::size_t count) {
+    List list;
+    if (values == nullptr) return list;
+    list.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) list.push_back(received(values[i]));
+    return list;
+}
+
+Result received(const fettle_result& result, const std::vector<property::Field>& fields) {
+    if (result.kind == FETTLE_ONE_VALUE) return received(result.value);
+    std::vector<Record> records;
+    for (std::size_t i = 0; i < result.count; ++i) {
+        Record record{.fields = &fields,
+                      .values = received(result.values + i * result.fields, result.fields)};
+        record.values.resize(fields.size());  // one field, one value, whatever came
+        records.push_back(std::move(record));
+    }
+    if (result.kind == FETTLE_RECORDS) return records;
+    return records.empty() ? Result(Value()) : Result(std::move(records.front()));
+}
+
+fettle_status status_of(ErrorKind kind) {
+    return static_cast<fettle_status>(static_cast<int>(kind) + 1);
+}
+
+ErrorKind kind_of(fettle_status status) {
+    return status > FETTLE_OK && status <= FETTLE_ERR_NO_BARRIER_END
+               ? static_cast<ErrorKind>(static_cast<int>(status) - 1)
+               : ErrorKind::rejected;
+}
+
+}  // namespace fettle::module

@@ -1,0 +1,82 @@
+#pragma once
+// Values on their way across the C border: by value where they fit, else pointing into memory that
+// the sender keeps until its next call.
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fettle/module/abi.h>
+#include <fettle/property/class.h>
+#include <fettle/property/error.h>
+#include <fettle/property/value.h>
+
+namespace fettle::module {
+
+/// Keeps what sent values point to.
+class Outgoing {
+  public:
+    Outgoing() = default;
+    Outgoing(const Outgoing&) = delete;
+    Outgoing& operator=(const Outgoing&) = delete;
+
+    /// What was put before is no longer needed.
+    void clear() {
+        kept_.clear();
+        arrays_.clear();
+    }
+    fettle_value put(const property::Value& value);
+    /// Good until `clear`.
+    const fettle_value* put(std::span<const property::Value> values);
+    fettle_result put(const property::Result& result);
+
+  private:
+    std::vector<property::Value> kept_;
+    std::vector<std::vector<fettle_value>> arrays_;  // what an inner one holds stays where it is
+};
+
+/// What came. A type nobody knows is nil, a text or list without memory is empty.
+property::Value received(const fettle_value& value);
+std::vector<property::Value> received(const fettle_value* values, std::size_t count);
+/// `fields` must outlive the result.
+property::Result received(const fettle_result& result, const std::vector<property::Field>& fields);
+
+inline fettle_handle sent(property::Handle handle) {
+    return {handle.index, handle.generation};
+}
+inline property::Handle received(fettle_handle handle) {
+    return {handle.index, handle.generation};
+}
+/// Null is "".
+inline std::string_view view(const char* text) {
+    return text == nullptr ? std::string_view() : std::string_view(text);
+}
+inline std::string text_or_empty(const char* text) {
+    return text == nullptr ? std::string() : std::string(text);
+}
+
+fettle_status status_of(property::ErrorKind kind);
+property::ErrorKind kind_of(fettle_status status);
+
+/// A structure whose maker may have known fewer or more of its fields: what it did not know is
+/// zero.
+template <class Struct>
+Struct known_part(const void* from, std::size_t size) {
+    Struct copy{};
+    std::memcpy(static_cast<void*>(&copy), from, std::min(size, sizeof copy));
+    return copy;
+}
+
+template <class Element>
+std::vector<Element> elements(const fettle_array& array) {
+    std::vector<Element> copies;
+    if (array.data == nullptr || array.size == 0) return copies;
+    for (std::size_t i = 0; i < array.count; ++i)
+        copies.push_back(
+            known_part<Element>(static_cast<const char*>(array.data) + i * array.size, array.size));
+    return copies;
+}
+
+}  // namespace fettle::module

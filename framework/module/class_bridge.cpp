@@ -1,0 +1,367 @@
+#include "class_bridge.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace fettle::module {
+
+using property::Binding;
+using property::BindingKind;
+using property::Field;
+using property::Handle;
+using property::Method;
+using property::Native;
+using property::Property;
+using property::Row;
+using property::Type;
+using property::Value;
+
+namespace {
+
+static_assert(static_cast<int>(Native::enumeration) == FETTLE_ENUM8, "natives are numbered alike");
+
+Type type_of(std::uint32_t type, const std::string& of) {
+    if (type > FETTLE_LIST)
+        throw property::Error(property::ErrorKind::wrong_type,
+                              of + ": there is no type number " + std::to_string(type));
+    return static_cast<Type>(type);
+}
+
+std::vector<std::string> texts(const char* const* list) {
+    std::vector<std::string> all;
+    for (; list != nullptr && *list != nullptr; ++list) all.emplace_back(*list);
+    return all;
+}
+
+std::vector<Field> fields(const fettle_array& array, const std::string& of) {
+    std::vector<Field> all;
+    for (const fettle_field& field : elements<fettle_field>(array))
+        all.push_back({.name = text_or_empty(field.name),
+                       .type = type_of(field.type, of),
+                       .unit = text_or_empty(field.unit),
+                       .doc = text_or_empty(field.doc)});
+    return all;
+}
+
+std::size_t size_of(Native native) {
+    switch (native) {
+        case Native::f32:
+        case Native::i32:
+            return 4;
+        case Native::f64:
+        case Native::i64:
+        case Native::vec2f:
+            return 8;
+        case Native::vec2d:
+        case Native::color:
+            return 16;
+        case Native::boolean:
+        case Native::enumeration:
+            return 1;
+    }
+    return 0;
+}
+
+/// What a getter gave, if the property can hold that at all: a module's slip is no reason for the
+/// host to read one type as another.
+Value checked(const Property& declared, Value value) {
+    if (declared.any_type || value.type() == declared.type) return value;
+    if (value.is_nil() && declared.nullable) return value;
+    if (declared.type == Type::number && value.is(Type::integer)) return value.as_double();
+    return declared.default_value;
+}
+
+Value get(void* context, Row row) {
+    const auto& property = *static_cast<BridgedProperty*>(context);
+    fettle_value value{};
+    if (property.gone || property.native.get == nullptr ||
+        property.native.get(property.native.context, row, &value) != FETTLE_OK)
+        return property.declared->default_value;
+    return checked(*property.declared, received(value));
+}
+
+void set(void* context, Row row, const Value& value) {
+    const auto& property = *static_cast<BridgedProperty*>(context);
+    if (property.gone || property.native.set == nullptr)
+        throw std::invalid_argument("the module, as it is now, does not let it be written");
+    Outgoing outgoing;
+    const fettle_value given = outgoing.put(value);
+    property.host->require(property.native.set(property.native.context, row, &given),
+                           property.declared->name);
+}
+
+void reset(void* context, Row row) {
+    const auto& property = *static_cast<BridgedProperty*>(context);
+    if (property.gone || property.native.reset == nullptr) return;
+    property.host->require(property.native.reset(property.native.context, row),
+                           property.declared->name);
+}
+
+bool overridden(void* context, Row row) {
+    const auto& property = *static_cast<BridgedProperty*>(context);
+    return !property.gone && property.native.overridden != nullptr &&
+           property.native.overridden(property.native.context, row) != 0;
+}
+
+void invalidate(void* context, Row row) {
+    const auto& property = *static_cast<BridgedProperty*>(context);
+    if (!property.gone && property.native.invalidate != nullptr)
+        property.native.invalidate(property.native.context, row);
+}
+
+std::byte* base(void* context) {
+    const auto& property = *static_cast<BridgedProperty*>(context);
+    return static_cast<std::byte*>(property.native.base(property.native.context));
+}
+
+property::Result call(void* context, property::Tree&, Handle self, Row row,
+                      std::span<const Value> arguments) {
+    const auto& method = *static_cast<BridgedMethod*>(context);
+    if (method.gone || method.native.call == nullptr)
+        throw std::invalid_argument("the module, as it is now, does not have this method");
+    Outgoing outgoing;
+    fettle_result result{};
+    method.host->require(
+        method.native.call(method.native.context, sent(self), row, outgoing.put(arguments),
+                           static_cast<std::uint32_t>(arguments.size()), &result),
+        method.declared->name);
+    return received(result, method.declared->returns);
+}
+
+}  // namespace
+
+BridgedClass::BridgedClass(HostTable& host, const fettle_class& native)
+    : host_(host), native_(native) {
+    property::ClassDescriptor descriptor;
+    descriptor.name = text_or_empty(native.name);
+    if (native.base != nullptr) descriptor.base = native.base;
+    descriptor.doc = text_or_empty(native.doc);
+    descriptor.stem = text_or_empty(native.stem);
+    descriptor.creatable = (native.flags & FETTLE_NOT_CREATABLE) == 0;
+    for (const auto& property : elements<fettle_property>(native.properties))
+        descriptor.properties.push_back(bridged(property));
+    for (const auto& method : elements<fettle_method>(native.methods))
+        descriptor.methods.push_back(bridged(method));
+    for (const auto& event : elements<fettle_event>(native.events))
+        descriptor.events.push_back({.name = text_or_empty(event.name),
+                                     .fields = fields(event.fields, descriptor.name),
+                                     .doc = text_or_empty(event.doc)});
+    descriptor.lifecycle = lifecycle_of(native, *this);
+    declared_ = &host.tree->define(std::move(descriptor));
+    for (BridgedProperty& property : properties_)
+        property.declared = declared_->property(view(property.native.name));
+    for (BridgedMethod& method : methods_)
+        method.declared = declared_->method(view(method.native.name));
+    write_tags();
+}
+
+Property BridgedClass::bridged(const fettle_property& native) {
+    const auto is = [&](std::uint32_t flag) { return (native.flags & flag) != 0; };
+    const std::string of = text_or_empty(native_.name) + "." + text_or_empty(native.name);
+    Property property;
+    property.name = text_or_empty(native.name);
+    property.type = type_of(native.type, of);
+    property.default_value = received(native.default_value);
+    property.unit = text_or_empty(native.unit);
+    if (native.min < native.max) property.range = {native.min, native.max};
+    property.doc = text_or_empty(native.doc);
+    property.read_only = is(FETTLE_READ_ONLY);
+    property.transient = is(FETTLE_TRANSIENT);
+    property.simulated = is(FETTLE_SIMULATED);
+    property.clamp = is(FETTLE_CLAMP);
+    property.infinity = is(FETTLE_INFINITY);
+    property.nullable = is(FETTLE_NULLABLE);
+    property.any_type = is(FETTLE_ANY_TYPE);
+    property.hidden = is(FETTLE_HIDDEN);
+    property.single_precision = is(FETTLE_SINGLE_PRECISION);
+    property.enumerators = texts(native.enumerators);
+    property.derives_from = texts(native.derives_from);
+    property.element = type_of(native.element, of);
+    property.reference_class = text_or_empty(native.reference_class);
+    if (native.binding == FETTLE_STORED) return property;
+
+    const auto lacks = [&](const char* what) {
+        return property::Error(property::ErrorKind::bad_structure, of + " has no " + what);
+    };
+    BridgedProperty& kept = properties_.emplace_back();
+    kept.host = &host_;
+    kept.native = native;
+    Binding& binding = property.binding;
+    binding.context = &kept;
+    if (native.binding == FETTLE_COLUMN) {
+        if (native.base == nullptr) throw lacks("base, which a column needs");
+        if (native.native > FETTLE_ENUM8) throw lacks("known native type");
+        binding.kind = BindingKind::column;
+        binding.native = static_cast<Native>(native.native);
+        binding.base = base;
+        binding.stride = native.stride != 0 ? native.stride : size_of(binding.native);
+    } else {
+        if (native.get == nullptr) throw lacks("get, which an accessor needs");
+        binding.kind = BindingKind::accessor;
+        binding.get = get;
+        if (native.set != nullptr) binding.set = set;
+    }
+    if (native.reset != nullptr) binding.reset = reset;
+    if (native.overridden != nullptr) binding.overridden = overridden;
+    if (native.invalidate != nullptr) binding.invalidate = invalidate;
+    return property;
+}
+
+Method BridgedClass::bridged(const fettle_method& native) {
+    const std::string of = text_or_empty(native_.name) + ":" + text_or_empty(native.name);
+    if (native.call == nullptr)
+        throw property::Error(property::ErrorKind::bad_structure, of + "() has no call");
+    BridgedMethod& kept = methods_.emplace_back();
+    kept.host = &host_;
+    kept.native = native;
+    return {.name = text_or_empty(native.name),
+            .parameters = fields(native.parameters, of),
+            .required = native.required,
+            .returns = fields(native.returns, of),
+            .doc = text_or_empty(native.doc),
+            .context = &kept,
+            .call = call};
+}
+
+void BridgedClass::write_tags() {
+    for (const auto& event : elements<fettle_event>(native_.events)) {
+        const property::Event* declared = declared_->event(view(event.name));
+        if (event.tag != nullptr && declared != nullptr)
+            *event.tag = {.id = declared, .listeners = &declared->listeners};
+    }
+}
+
+// --- Rows
+
+property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, BridgedClass& self) {
+    property::Lifecycle lifecycle;
+    if (!native.create && !native.place && !native.destroy && !native.draw && !native.draw_over)
+        return lifecycle;
+    // Each of them asks the module as it is now; what it lacks then does nothing.
+    lifecycle.context = &self;
+    lifecycle.create = [](void* context, property::Tree&, Handle instance) {
+        return Row{static_cast<BridgedClass*>(context)->create(instance)};
+    };
+    lifecycle.place = [](void* context, property::Tree&, Handle instance, Row row) {
+        auto& c = *static_cast<BridgedClass*>(context);
+        if (c.native_.place != nullptr)
+            c.host_.require(c.native_.place(c.native_.context, sent(instance), &row), "place");
+        return row;
+    };
+    lifecycle.destroy = [](void* context, property::Tree&, Handle instance, Row row) {
+        auto& c = *static_cast<BridgedClass*>(context);
+        if (c.native_.destroy != nullptr) c.native_.destroy(c.native_.context, sent(instance), row);
+        c.instances_.erase({instance.index, instance.generation});
+    };
+    if (native.draw != nullptr)
+        lifecycle.draw = [](void* context, const property::Tree&, Handle instance, Row row,
+                            property::Painter& painter, double alpha) {
+            auto& c = *static_cast<BridgedClass*>(context);
+            if (c.native_.draw == nullptr) return;
+            const fettle_painter table = painter_table(painter);
+            c.native_.draw(c.native_.context, sent(instance), row, &table, alpha);
+        };
+    if (native.draw_over != nullptr)
+        lifecycle.draw_over = [](void* context, const property::Tree&, Handle instance, Row row,
+                                 property::Painter& painter, double alpha) {
+            auto& c = *static_cast<BridgedClass*>(context);
+            if (c.native_.draw_over == nullptr) return;
+            const fettle_painter table = painter_table(painter);
+            c.native_.draw_over(c.native_.context, sent(instance), row, &table, alpha);
+        };
+    return lifecycle;
+}
+
+fettle_row BridgedClass::create(Handle self) {
+    if (abandoned_)
+        throw property::Error(property::ErrorKind::rejected,
+                              "the module of " + declared_->name() + " is not there any more");
+    fettle_row row = 0;
+    if (native_.create != nullptr) try {
+            host_.require(native_.create(native_.context, sent(self), &row),
+                          "create of " + declared_->name());
+        } catch (const std::invalid_argument& refused) {
+            throw property::Error(property::ErrorKind::rejected, refused.what());
+        }
+    instances_.insert({self.index, self.generation});
+    return row;
+}
+
+void BridgedClass::revive(Handle self) {
+    fettle_row row = create(self);
+    host_.tree->set_row(self, row);
+    if (native_.place == nullptr || !host_.tree->parent(self)) return;
+    host_.require(native_.place(native_.context, sent(self), &row), "place");
+    host_.tree->set_row(self, row);
+}
+
+void BridgedClass::retire(Handle self) {
+    if (native_.destroy != nullptr)
+        native_.destroy(native_.context, sent(self), host_.tree->row(self));
+}
+
+const BridgedProperty* BridgedClass::find(const Property& declared) const {
+    for (const BridgedProperty& property : properties_)
+        if (property.declared == &declared || &property == declared.binding.context)
+            return &property;
+    return nullptr;
+}
+
+void BridgedClass::abandon() {
+    abandoned_ = true;
+    native_ = {};
+    for (BridgedProperty& property : properties_) property.gone = true;
+    for (BridgedMethod& method : methods_) method.gone = true;
+}
+
+// --- A module taken in anew
+
+void BridgedClass::replace(const fettle_class& native, std::vector<std::string>& notes) {
+    const std::string name = declared_->name();
+    const std::string base = native.base == nullptr ? "Object" : native.base;
+    if (declared_->base() == nullptr || declared_->base()->name() != base)
+        throw std::runtime_error("class " + name + " derives from " + base + " now, not from " +
+                                 (declared_->base() ? declared_->base()->name() : "nothing") +
+                                 " as before: that takes a new start");
+    const auto given = elements<fettle_property>(native.properties);
+    for (BridgedProperty& kept : properties_) {
+        const auto same = std::find_if(given.begin(), given.end(), [&](const fettle_property& p) {
+            return kept.declared->name == view(p.name);
+        });
+        kept.gone = same == given.end();
+        if (kept.gone && kept.declared->binding.kind == BindingKind::column)
+            throw std::runtime_error(name + "." + kept.declared->name +
+                                     ", which lies in the module's memory, is gone: that takes a "
+                                     "new start");
+        if (kept.gone) {
+            notes.push_back(name + "." + kept.declared->name + " is gone");
+            continue;
+        }
+        const Binding& binding = kept.declared->binding;
+        const auto stride = same->stride != 0 ? same->stride : size_of(binding.native);
+        if (same->type != static_cast<std::uint32_t>(kept.declared->type) ||
+            same->binding != kept.native.binding ||
+            (binding.kind == BindingKind::column &&
+             (same->native != kept.native.native || stride != binding.stride)))
+            throw std::runtime_error(name + "." + kept.declared->name +
+                                     " has another type or place in memory than before: that "
+                                     "takes a new start");
+        kept.native = *same;
+    }
+    for (const fettle_property& property : given)
+        if (declared_->property(view(property.name)) == nullptr)
+            notes.push_back(name + "." + text_or_empty(property.name) +
+                            " is new: it comes with the next start");
+    const auto calls = elements<fettle_method>(native.methods);
+    for (BridgedMethod& kept : methods_) {
+        const auto same = std::find_if(calls.begin(), calls.end(), [&](const fettle_method& m) {
+            return kept.declared->name == view(m.name);
+        });
+        kept.gone = same == calls.end();
+        if (!kept.gone) kept.native = *same;
+    }
+    native_ = native;
+    write_tags();
+}
+
+}  // namespace fettle::module

@@ -1,0 +1,244 @@
+#include "host_table.h"
+
+#include <stdexcept>
+
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+namespace fettle::module {
+
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+
+HostTable& host_of(void* self) {
+    return *static_cast<HostTable*>(self);
+}
+
+template <class Body>
+fettle_status HostTable::guarded(Body&& body) noexcept {
+    try {
+        if (tree == nullptr)
+            throw std::logic_error("there is no tree before `attach` and after `close`");
+        body(*tree);
+        return FETTLE_OK;
+    } catch (const Error& error) {
+        error_ = error.what();
+        return status_of(error.kind());
+    } catch (const std::exception& error) {
+        error_ = error.what();
+    } catch (...) {
+        error_ = "an exception of no known type";
+    }
+    return FETTLE_ERR_FAILED;
+}
+
+std::string HostTable::take_reason() {
+    std::string reason = std::move(reason_);
+    reason_.clear();
+    return reason;
+}
+
+void HostTable::require(fettle_status status, std::string_view what) {
+    if (status == FETTLE_OK) return reason_.clear();
+    std::string reason = take_reason();
+    if (reason.empty())
+        reason = std::string(what) + " failed with status " + std::to_string(status) +
+                 " and gave no reason";
+    throw std::invalid_argument(reason);
+}
+
+/// The functions of the table. `self` is the HostTable.
+struct HostFunctions {
+    static const void* capability(void*, const char*) { return nullptr; }
+    static const char* last_error(void* self) { return host_of(self).error_.c_str(); }
+    static void fail(void* self, const char* why) { host_of(self).reason_ = text_or_empty(why); }
+    static void print(void* self, const char* line) {
+        const HostTable& host = host_of(self);
+        if (host.print && line != nullptr) host.print(line);
+    }
+
+    static fettle_status define_class(void* self, const fettle_class* descriptor) {
+        HostTable& host = host_of(self);
+        return host.guarded([&](property::Tree&) {
+            if (!host.define_class)
+                throw Error(ErrorKind::bad_structure,
+                            "classes are registered during `attach` and at no other time");
+            if (descriptor == nullptr || descriptor->struct_size == 0)
+                throw Error(ErrorKind::bad_structure,
+                            "a class descriptor with its struct_size is expected");
+            host.define_class(known_part<fettle_class>(descriptor, descriptor->struct_size));
+        });
+    }
+
+    // --- Instances
+    static fettle_handle root(void* self) {
+        const HostTable& host = host_of(self);
+        return host.tree == nullptr ? fettle_handle{} : sent(host.tree->root());
+    }
+    static fettle_status create(void* self, const char* class_name, fettle_handle parent,
+                                const char* name, fettle_handle* made) {
+        HostTable& host = host_of(self);
+        return host.guarded([&](property::Tree& tree) {
+            const property::Class& of = tree.class_named(text_or_empty(class_name));
+            Handle instance;
+            if (host.adopt && name != nullptr) instance = host.adopt(of, received(parent), name);
+            if (!instance) instance = tree.create(of, received(parent), text_or_empty(name));
+            if (made != nullptr) *made = sent(instance);
+        });
+    }
+    static fettle_status destroy(void* self, fettle_handle instance) {
+        return host_of(self).guarded(
+            [&](property::Tree& tree) { tree.destroy(received(instance)); });
+    }
+    static std::uint32_t alive(void* self, fettle_handle instance) {
+        const HostTable& host = host_of(self);
+        return host.tree != nullptr && host.tree->alive(received(instance)) ? 1 : 0;
+    }
+    /// A null handle for one that was deleted.
+    template <Handle (property::Tree::*Step)(Handle) const>
+    static fettle_handle relative(void* self, fettle_handle instance) {
+        Handle found;
+        (void)host_of(self).guarded(
+            [&](property::Tree& tree) { found = (tree.*Step)(received(instance)); });
+        return sent(found);
+    }
+    static fettle_status find(void* self, const char* path, fettle_handle* found) {
+        return host_of(self).guarded([&](property::Tree& tree) {
+            const property::Place place = property::resolve(tree, text_or_empty(path));
+            if (place.property != nullptr)
+                throw Error(ErrorKind::wrong_type,
+                            text_or_empty(path) + ": expected an instance, got a property");
+            *found = sent(place.instance);
+        });
+    }
+    static fettle_status path(void* self, fettle_handle instance, const char** path) {
+        HostTable& host = host_of(self);
+        return host.guarded([&](property::Tree& tree) {
+            host.kept_text = tree.path(received(instance));
+            *path = host.kept_text.c_str();
+        });
+    }
+    static const char* class_name(void* self, fettle_handle instance) {
+        const HostTable& host = host_of(self);
+        if (host.tree == nullptr || !host.tree->alive(received(instance))) return nullptr;
+        return host.tree->class_of(received(instance)).name().c_str();
+    }
+    static const char* base_class(void* self, const char* class_name) {
+        const HostTable& host = host_of(self);
+        const property::Class* of =
+            host.tree == nullptr ? nullptr : host.tree->find_class(text_or_empty(class_name));
+        return of == nullptr || of->base() == nullptr ? nullptr : of->base()->name().c_str();
+    }
+    static std::uint32_t is_a(void* self, fettle_handle instance, const char* class_name) {
+        const HostTable& host = host_of(self);
+        if (host.tree == nullptr || !host.tree->alive(received(instance))) return 0;
+        const property::Class* of = host.tree->find_class(text_or_empty(class_name));
+        return of != nullptr && host.tree->class_of(received(instance)).is_a(*of) ? 1 : 0;
+    }
+    static fettle_status row(void* self, fettle_handle instance, fettle_row* row) {
+        return host_of(self).guarded(
+            [&](property::Tree& tree) { *row = tree.row(received(instance)); });
+    }
+    static fettle_status set_row(void* self, fettle_handle instance, fettle_row row) {
+        return host_of(self).guarded(
+            [&](property::Tree& tree) { tree.set_row(received(instance), row); });
+    }
+
+    // --- Values
+    static fettle_status get(void* self, fettle_handle instance, const char* property,
+                             fettle_value* value) {
+        HostTable& host = host_of(self);
+        return host.guarded([&](property::Tree& tree) {
+            *value = host.outgoing().put(tree.get(received(instance), view(property)));
+        });
+    }
+    static fettle_status set(void* self, fettle_handle instance, const char* property,
+                             const fettle_value* value) {
+        return host_of(self).guarded([&](property::Tree& tree) {
+            tree.set(received(instance), view(property), received(*value));
+        });
+    }
+    static fettle_status call(void* self, fettle_handle instance, const char* method,
+                              const fettle_value* arguments, std::uint32_t count,
+                              fettle_result* result) {
+        HostTable& host = host_of(self);
+        return host.guarded([&](property::Tree& tree) {
+            const property::Class& of = tree.class_of(received(instance));
+            const property::Method* found = of.method(view(method));
+            if (found == nullptr)
+                throw Error(ErrorKind::unknown_name,
+                            tree.path(received(instance)) + " has no method \"" +
+                                text_or_empty(method) + "\"" +
+                                property::suggestion(method, of.member_names()));
+            const std::vector<property::Value> values = received(arguments, count);
+            const property::Result answer = tree.call(received(instance), *found, values);
+            if (result != nullptr) *result = host.outgoing().put(answer);
+        });
+    }
+
+    // --- Events
+    static std::uint32_t listens(void* self, fettle_handle instance, const void* event) {
+        const HostTable& host = host_of(self);
+        return host.tree != nullptr && event != nullptr && host.tree->alive(received(instance)) &&
+                       host.tree->listens(received(instance),
+                                          *static_cast<const property::Event*>(event))
+                   ? 1
+                   : 0;
+    }
+    static fettle_status emit(void* self, fettle_handle instance, const void* event,
+                              const fettle_value* values, std::uint32_t count) {
+        return host_of(self).guarded([&](property::Tree& tree) {
+            const auto& which = *static_cast<const property::Event*>(event);
+            if (count != which.fields.size())
+                throw Error(ErrorKind::wrong_type, "event " + which.name + ": expected " +
+                                                       std::to_string(which.fields.size()) +
+                                                       " values, got " + std::to_string(count));
+            tree.emit(received(instance), which, received(values, count));
+        });
+    }
+    static std::uint64_t step(void* self) {
+        const HostTable& host = host_of(self);
+        return host.tree == nullptr ? 0 : host.tree->step();
+    }
+    static void touched(void* self) {
+        // The barrier that follows compares what is watched of the simulation.
+        (void)host_of(self).guarded([](property::Tree& tree) { tree.stepped(); });
+    }
+};
+
+HostTable::HostTable() {
+    using F = HostFunctions;
+    table_ = {.struct_size = sizeof table_,
+              .abi = FETTLE_ABI,
+              .self = this,
+              .program = FETTLE_PROGRAM,
+              .capability = F::capability,
+              .last_error = F::last_error,
+              .fail = F::fail,
+              .print = F::print,
+              .define_class = F::define_class,
+              .root = F::root,
+              .create = F::create,
+              .destroy = F::destroy,
+              .alive = F::alive,
+              .parent = F::relative<&property::Tree::parent>,
+              .first_child = F::relative<&property::Tree::first_child>,
+              .next_sibling = F::relative<&property::Tree::next_sibling>,
+              .find = F::find,
+              .path = F::path,
+              .class_name = F::class_name,
+              .base_class = F::base_class,
+              .is_a = F::is_a,
+              .row = F::row,
+              .set_row = F::set_row,
+              .get = F::get,
+              .set = F::set,
+              .call = F::call,
+              .listens = F::listens,
+              .emit = F::emit,
+              .step = F::step,
+              .touched = F::touched};
+}
+
+}  // namespace fettle::module

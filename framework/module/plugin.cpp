@@ -1,0 +1,178 @@
+#include <fettle/module/plugin.h>
+
+#include <cstdio>
+
+#include <fettle/property/path.h>
+
+#include "plugin_state.h"
+#include "trial.h"
+
+namespace fettle::module {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string version_text(std::uint32_t abi) {
+    return std::to_string(abi >> 16) + "." + std::to_string(abi & 0xffff);
+}
+
+bool runs_here(std::uint32_t abi) {
+    return abi >> 16 == FETTLE_ABI_MAJOR && (abi & 0xffff) <= FETTLE_ABI_MINOR;
+}
+
+}  // namespace
+
+OpenModule Plugin::State::open_file() {
+    OpenModule opened;
+    opened.object = SharedObject(file);
+    const auto entry =
+        reinterpret_cast<fettle_module_entry>(opened.object.symbol(FETTLE_MODULE_ENTRY));
+    if (entry == nullptr)
+        throw LoadError(file, "expected a module with the function " FETTLE_MODULE_ENTRY
+                              ", found a shared object without it");
+    opened.native.struct_size = sizeof opened.native;
+    const fettle_status status = entry(&host.table(), &opened.native);
+    const std::string reason = host.take_reason();
+    if (opened.native.abi != 0 && !runs_here(opened.native.abi))
+        throw LoadError(file, "expected a module for version " + version_text(FETTLE_ABI) +
+                                  " of the module interface or an older " +
+                                  std::to_string(FETTLE_ABI_MAJOR) + ".x, found one for " +
+                                  version_text(opened.native.abi));
+    if (status != FETTLE_OK)
+        throw LoadError(file, "the module refuses: " +
+                                  (reason.empty() ? "status " + std::to_string(status) : reason));
+    if (opened.native.abi == 0)
+        throw LoadError(file, "expected a module that tells its version, found `abi` 0");
+    if (!property::is_identifier(view(opened.native.name)))
+        throw LoadError(file, "expected a module with an identifier for its name, found \"" +
+                                  text_or_empty(opened.native.name) + "\"");
+    if (opened.native.attach == nullptr)
+        throw LoadError(file, "expected a module with `attach`, found none");
+    return opened;
+}
+
+void Plugin::State::attach_native() {
+    host.require(open.native.attach(open.native.context), "attach");
+    host.define_class = nullptr;
+}
+
+void Plugin::State::check_native() {
+    if (open.native.check != nullptr)
+        host.require(open.native.check(open.native.context), "its own test");
+}
+
+void Plugin::State::close_native() {
+    if (open.native.close != nullptr) open.native.close(open.native.context);
+    open.native = {};
+}
+
+// --- Plugin
+
+std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
+    auto state = std::make_unique<State>();
+    state->file = file;
+    require_shared_object(file);
+    const std::string problem = tried([&](const auto& now) {
+        now(while_opened);
+        OpenModule opened = state->open_file();
+        (void)opened;
+    });
+    if (!problem.empty())
+        throw problem.starts_with(file.string()) ? LoadError(problem)
+                                                 : LoadError(file, "the module " + problem);
+    state->open = state->open_file();
+    state->identity = identity(file);
+    state->name = text_or_empty(state->open.native.name);
+    state->version = text_or_empty(state->open.native.version);
+    state->host.print = [](std::string_view line) {
+        std::fwrite(line.data(), 1, line.size(), stdout);
+        std::fputc('\n', stdout);
+    };
+    return std::unique_ptr<Plugin>(new Plugin(std::move(state)));
+}
+
+Plugin::Plugin(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Plugin::~Plugin() {
+    state_->host.tree = nullptr;  // it has ended before us
+    state_->close_native();
+}
+
+const fs::path& Plugin::file() const {
+    return state_->file;
+}
+const std::string& Plugin::version() const {
+    return state_->version;
+}
+std::string_view Plugin::name() const {
+    return state_->name;
+}
+void Plugin::on_print(std::function<void(std::string_view)> sink) {
+    state_->host.print = std::move(sink);
+}
+
+void Plugin::attach(property::Tree& tree) {
+    State& s = *state_;
+    if (s.host.tree != nullptr) throw std::logic_error(s.name + " is attached to a tree already");
+    const auto prepare = [&] {
+        s.host.tree = &tree;
+        s.host.define_class = [&s](const fettle_class& native) {
+            s.classes.push_back(std::make_unique<BridgedClass>(s.host, native));
+        };
+    };
+    const std::string problem = tried([&](const auto& now) {
+        prepare();
+        now(while_attached);
+        s.attach_native();
+        now(in_its_test);
+        s.check_native();
+    });
+    if (!problem.empty()) throw LoadError(s.file, "module " + s.name + ": " + problem);
+    prepare();
+    try {
+        s.attach_native();
+    } catch (const std::exception& error) {  // not in the trial, but now
+        for (const auto& c : s.classes) c->abandon();
+        throw LoadError(s.file, "module " + s.name + ": " + error.what());
+    }
+}
+
+void Plugin::step(double dt) {
+    if (state_->open.native.step != nullptr)
+        state_->open.native.step(state_->open.native.context, dt);
+}
+
+void Plugin::report(property::Tree&) {
+    State& s = *state_;
+    if (s.open.native.report != nullptr) s.open.native.report(s.open.native.context);
+}
+
+std::uint64_t Plugin::hash() const {
+    const fettle_module& native = state_->open.native;
+    return native.hash == nullptr ? 0 : native.hash(native.context);
+}
+
+// --- Plugins
+
+Plugin& Plugins::open(const fs::path& file) {
+    const FileIdentity wanted = identity(file);
+    if (wanted != FileIdentity{})
+        for (const auto& plugin : plugins_)
+            if (identity(plugin->file()) == wanted)
+                throw LoadError(
+                    file, "it is loaded already, as the module " + std::string(plugin->name()));
+    std::unique_ptr<Plugin> plugin = Plugin::open(file);
+    if (const Plugin* other = find(plugin->name()))
+        throw LoadError(file, "a module called " + std::string(plugin->name()) +
+                                  " is loaded already, from " + other->file().string());
+    return *plugins_.emplace_back(std::move(plugin));
+}
+
+Plugin* Plugins::find(std::string_view name) const {
+    for (const auto& plugin : plugins_)
+        if (plugin->name() == name) return plugin.get();
+    return nullptr;
+}
+
+}  // namespace fettle::module

@@ -1,0 +1,232 @@
+// A module taken in anew while the game goes on.
+//
+// Nothing of the tree changes: classes, instances, handles, watchers and formulas stay. What lay in
+// the old module's memory goes over by name, through the old getters and the new setters, so that
+// neither layout matters. It happens first in a copy of the process, and here only when it went
+// well there.
+
+#include <algorithm>
+#include <cstring>
+
+#include <fettle/module/plugin.h>
+#include <fettle/property/error.h>
+
+#include "plugin_state.h"
+#include "trial.h"
+
+namespace fettle::module {
+namespace {
+
+using property::BindingKind;
+using property::Handle;
+using property::Native;
+using property::Property;
+using property::Tree;
+using property::Value;
+
+struct Saved {
+    Handle instance;
+    BridgedClass* owner = nullptr;  // of its row
+    bool revived = false;
+    std::vector<std::pair<const Property*, Value>> values;
+};
+
+/// Writes without telling anybody: to everyone but the module nothing has changed.
+template <class Element>
+void put(std::byte* at, const Element& element) {
+    std::memcpy(at, &element, sizeof element);
+}
+
+void write_column(const Property& property, property::Row row, const Value& value) {
+    std::byte* at = property.binding.base(property.binding.context) + row * property.binding.stride;
+    switch (property.binding.native) {
+        case Native::f32:
+            return put(at, static_cast<float>(value.as_double()));
+        case Native::f64:
+            return put(at, value.as_double());
+        case Native::i32:
+            return put(at, static_cast<std::int32_t>(value.integer()));
+        case Native::i64:
+            return put(at, value.integer());
+        case Native::boolean:
+            return put(at, static_cast<std::uint8_t>(value.boolean()));
+        case Native::vec2f: {
+            const float xy[2] = {static_cast<float>(value.vec2().x()),
+                                 static_cast<float>(value.vec2().y())};
+            return put(at, xy);
+        }
+        case Native::vec2d: {
+            const double xy[2] = {value.vec2().x(), value.vec2().y()};
+            return put(at, xy);
+        }
+        case Native::color:
+            return put(at, value.color());
+        case Native::enumeration:
+            return put(at, static_cast<std::uint8_t>(property.enumerator_index(value.text())));
+    }
+}
+
+void write(const Property& property, property::Row row, const Value& value) {
+    const property::Binding& binding = property.binding;
+    if (binding.kind == BindingKind::column)
+        write_column(property, row, value);
+    else
+        binding.set(binding.context, row, value);
+    if (binding.invalidate != nullptr) binding.invalidate(binding.context, row);
+}
+
+/// One reload, from the old module to the new.
+class Reload {
+  public:
+    explicit Reload(Plugin::State& state) : s_(state), tree_(*state.host.tree) {}
+
+    Reloaded run(const std::function<void(std::string_view)>& now) {
+        now(while_opened);
+        OpenModule fresh = s_.open_file();
+        if (view(fresh.native.name) != s_.name)
+            throw LoadError(s_.file, "expected the module " + s_.name + ", found one called " +
+                                         fresh.native.name);
+        save();
+        for (auto saved = saved_.rbegin(); saved != saved_.rend(); ++saved)
+            saved->owner->retire(saved->instance);
+        s_.close_native();
+        std::swap(s_.open, fresh);  // the old one leaves the process at the end of this function
+        now(while_attached);
+        try {
+            attach();
+        } catch (...) {
+            for (const auto& c : s_.classes) c->abandon();
+            throw;
+        }
+        s_.host.adopt = nullptr;
+        for (Saved& saved : saved_)
+            if (!saved.revived) revive(saved);
+        give_back();
+        now(in_its_test);
+        s_.check_native();
+        s_.version = text_or_empty(s_.open.native.version);
+        s_.identity = identity(s_.file);
+        return std::move(report_);
+    }
+
+  private:
+    BridgedClass* owner_of(Handle instance) const {
+        for (const auto& c : s_.classes)
+            if (c->instances().contains({instance.index, instance.generation})) return c.get();
+        return nullptr;
+    }
+
+    /// Parents before children, in the order of the tree; then what hangs nowhere.
+    void save() {
+        const auto note = [&](Handle instance) {
+            if (BridgedClass* owner = owner_of(instance)) save(instance, *owner);
+        };
+        tree_.each_below(tree_.root(), note);
+        std::vector<Handle> tops;
+        for (const auto& c : s_.classes)
+            for (const auto& [index, generation] : c->instances()) {
+                Handle top{index, generation};
+                while (tree_.parent(top)) top = tree_.parent(top);
+                if (top != tree_.root() && std::find(tops.begin(), tops.end(), top) == tops.end())
+                    tops.push_back(top);
+            }
+        for (const Handle top : tops) {
+            note(top);
+            tree_.each_below(top, [&](Handle instance) {
+                if (instance != top) note(instance);
+            });
+        }
+    }
+
+    void save(Handle instance, BridgedClass& owner) {
+        Saved& saved = saved_.emplace_back();
+        saved.instance = instance;
+        saved.owner = &owner;
+        for (const Property* property : tree_.class_of(instance).properties()) {
+            const bool ours = std::any_of(s_.classes.begin(), s_.classes.end(), [&](const auto& c) {
+                return c->find(*property) != nullptr;
+            });
+            if (!ours || property->read_only) continue;
+            // What the module computes by itself it computes again.
+            if (property->binding.overridden && !tree_.overridden(instance, *property)) continue;
+            saved.values.emplace_back(property, tree_.peek(instance, *property));
+        }
+    }
+
+    void attach() {
+        std::vector<const BridgedClass*> seen;
+        s_.host.define_class = [&](const fettle_class& native) {
+            for (const auto& c : s_.classes)
+                if (c->declared().name() == view(native.name)) {
+                    c->replace(native, report_.notes);
+                    seen.push_back(c.get());
+                    return;
+                }
+            s_.classes.push_back(std::make_unique<BridgedClass>(s_.host, native));
+            seen.push_back(s_.classes.back().get());
+        };
+        // What the module makes when it is attached is there already.
+        s_.host.adopt = [&](const property::Class& of, Handle parent, const char* name) {
+            const Handle child = parent ? tree_.child(parent, name) : Handle{};
+            if (!child || &tree_.class_of(child) != &of) return Handle{};
+            for (Saved& saved : saved_)
+                if (saved.instance == child && !saved.revived) revive(saved);
+            return child;
+        };
+        s_.attach_native();
+        for (const auto& c : s_.classes)
+            if (std::find(seen.begin(), seen.end(), c.get()) == seen.end())
+                throw std::runtime_error("class " + c->declared().name() +
+                                         " is gone: that takes a new start");
+    }
+
+    void revive(Saved& saved) {
+        saved.revived = true;
+        saved.owner->revive(saved.instance);
+        ++report_.instances;
+    }
+
+    /// Some values may be refused until others are there: whoever is gets a second chance.
+    void give_back() {
+        for (const bool last : {false, true})
+            for (Saved& saved : saved_)
+                std::erase_if(saved.values, [&](const auto& pair) {
+                    return give_back(saved.instance, *pair.first, pair.second, last);
+                });
+    }
+
+    bool give_back(Handle instance, const Property& property, const Value& value, bool last) {
+        try {
+            if (!(tree_.peek(instance, property) == value))
+                write(property, tree_.row(instance), value);
+            ++report_.values;
+            return true;
+        } catch (const std::exception& refused) {
+            if (last)
+                report_.notes.push_back(tree_.path(instance, property) + " = " + tree_.text(value) +
+                                        " was refused: " + refused.what());
+            return false;
+        }
+    }
+
+    Plugin::State& s_;
+    Tree& tree_;
+    std::vector<Saved> saved_;
+    Reloaded report_;
+};
+
+}  // namespace
+
+Reloaded Plugin::reload() {
+    State& s = *state_;
+    if (s.host.tree == nullptr) throw std::logic_error(s.name + " is attached to no tree");
+    const std::string problem =
+        tried([&](const std::function<void(std::string_view)>& now) { Reload(s).run(now); });
+    if (!problem.empty())
+        throw problem.starts_with(s.file.string())
+            ? LoadError(problem)
+            : LoadError(s.file, "module " + s.name + ", taken in anew: " + problem);
+    return Reload(s).run([](std::string_view) {});
+}
+
+}  // namespace fettle::module

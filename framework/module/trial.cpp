@@ -1,0 +1,106 @@
+#include "trial.h"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+
+namespace fettle::module {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void write_all(int to, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t n = write(to, text.data(), text.size());
+        if (n < 0 && errno != EINTR) return;
+        if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+    }
+}
+
+/// What the copy writes is a line a phase, "@in its own test", and at last an error, "!text".
+[[noreturn]] void run_copy(
+    int to, const std::function<void(const std::function<void(std::string_view)>&)>& body) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);  // a crash is told of in words
+    // Whoever has asked to hear of crashes asked for those of the program, not of its copy.
+    for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP})
+        signal(number, SIG_DFL);
+    try {
+        body([&](std::string_view phase) { write_all(to, "@" + std::string(phase) + "\n"); });
+    } catch (const std::exception& error) {
+        write_all(to, std::string("!") + error.what());
+    } catch (...) {
+        write_all(to, "!an exception of no known type");
+    }
+    _exit(0);  // nothing of the program's own ends here
+}
+
+/// Everything written until the other end is closed; false when that takes too long.
+bool read_until(int from, Clock::time_point deadline, std::string& text) {
+    for (;;) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        pollfd waiting{from, POLLIN, 0};
+        const int ready = left <= 0 ? 0 : poll(&waiting, 1, static_cast<int>(left));
+        if (ready == 0) return false;
+        if (ready < 0) {
+            if (errno == EINTR) continue;
+            return true;
+        }
+        char buffer[4096];
+        const ssize_t n = read(from, buffer, sizeof buffer);
+        if (n == 0) return true;
+        if (n > 0) text.append(buffer, static_cast<std::size_t>(n));
+    }
+}
+
+}  // namespace
+
+std::string tried(const std::function<void(const std::function<void(std::string_view)>&)>& body,
+                  std::chrono::milliseconds limit) {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe: ") + strerror(errno));
+    const pid_t copy = fork();
+    if (copy == 0) {
+        close(ends[0]);
+        run_copy(ends[1], body);
+    }
+    close(ends[1]);
+    if (copy < 0) {
+        const int reason = errno;
+        close(ends[0]);
+        throw std::runtime_error(std::string("no copy of the process: ") + strerror(reason));
+    }
+    std::string said;
+    const bool in_time = read_until(ends[0], Clock::now() + limit, said);
+    close(ends[0]);
+    if (!in_time) kill(copy, SIGKILL);
+    int status = 0;
+    while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (const std::size_t error = said.rfind("\n!"); error != std::string::npos)
+        return said.substr(error + 2);
+    if (said.starts_with('!')) return said.substr(1);
+    const std::size_t last = said.rfind('@');
+    std::string phase = last == std::string::npos ? "" : said.substr(last + 1);
+    while (!phase.empty() && phase.back() == '\n') phase.pop_back();
+    if (!in_time)
+        return "did not come to an end " + phase + " within " +
+               std::to_string(limit.count() / 1000) + " s";
+    if (WIFSIGNALED(status))
+        return std::string("crashed (") + strsignal(WTERMSIG(status)) + ") " + phase;
+    if (WIFEXITED(status) && WEXITSTATUS(status) != 0)
+        return "ended the process with status " + std::to_string(WEXITSTATUS(status)) + " " + phase;
+    return "";
+}
+
+}  // namespace fettle::module
