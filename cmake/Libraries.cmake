@@ -62,6 +62,20 @@ function(fettle_library name text)
   fettle_pkgconfig(${name} "${text}" "${of_NEEDS}" "${of_PKGCONFIG}" "${defines}" "${of_LIBS_BEHIND}")
 endfunction()
 
+# fettle_plugin(NAME): the target fettle_NAME_plugin is a module in a shared object, found by its name.
+function(fettle_plugin name)
+  set(target fettle_${name}_plugin)
+  fettle_compile_options(${target})
+  file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/fettle/modules" "/${CMAKE_INSTALL_LIBDIR}")
+  set_target_properties(${target} PROPERTIES
+    PREFIX "" OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/${up}"
+    LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib/fettle/modules"
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(FETTLE_INSTALL)
+    install(TARGETS ${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/fettle/modules" COMPONENT runtime)
+  endif()
+endfunction()
+
 function(fettle_pkgconfig name text needs packages defines libs)
   set(requires)
   foreach(need IN LISTS needs)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "column_cell.h"
+
 namespace fettle::module {
 
 using property::Binding;
@@ -10,7 +12,6 @@ using property::BindingKind;
 using property::Field;
 using property::Handle;
 using property::Method;
-using property::Native;
 using property::Property;
 using property::Row;
 using property::Type;
@@ -18,7 +19,8 @@ using property::Value;
 
 namespace {
 
-static_assert(static_cast<int>(Native::enumeration) == FETTLE_ENUM8, "natives are numbered alike");
+static_assert(static_cast<int>(property::Native::enumeration) == FETTLE_ENUM8,
+              "natives are numbered alike");
 
 Type type_of(std::uint32_t type, const std::string& of) {
     if (type > FETTLE_LIST)
@@ -41,25 +43,6 @@ std::vector<Field> fields(const fettle_array& array, const std::string& of) {
                        .unit = text_or_empty(field.unit),
                        .doc = text_or_empty(field.doc)});
     return all;
-}
-
-std::size_t size_of(Native native) {
-    switch (native) {
-        case Native::f32:
-        case Native::i32:
-            return 4;
-        case Native::f64:
-        case Native::i64:
-        case Native::vec2f:
-            return 8;
-        case Native::vec2d:
-        case Native::color:
-            return 16;
-        case Native::boolean:
-        case Native::enumeration:
-            return 1;
-    }
-    return 0;
 }
 
 /// What a getter gave, if the property can hold that at all: a module's slip is no reason for the
@@ -107,11 +90,6 @@ void invalidate(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
     if (!property.gone && property.native.invalidate != nullptr)
         property.native.invalidate(property.native.context, row);
-}
-
-std::byte* base(void* context) {
-    const auto& property = *static_cast<BridgedProperty*>(context);
-    return static_cast<std::byte*>(property.native.base(property.native.context));
 }
 
 property::Result call(void* context, property::Tree&, Handle self, Row row,
@@ -189,12 +167,7 @@ Property BridgedClass::bridged(const fettle_property& native) {
     Binding& binding = property.binding;
     binding.context = &kept;
     if (native.binding == FETTLE_COLUMN) {
-        if (native.base == nullptr) throw lacks("base, which a column needs");
-        if (native.native > FETTLE_ENUM8) throw lacks("known native type");
-        binding.kind = BindingKind::column;
-        binding.native = static_cast<Native>(native.native);
-        binding.base = base;
-        binding.stride = native.stride != 0 ? native.stride : size_of(binding.native);
+        bind_column(property, kept);
     } else {
         if (native.get == nullptr) throw lacks("get, which an accessor needs");
         binding.kind = BindingKind::accessor;
@@ -329,23 +302,14 @@ void BridgedClass::replace(const fettle_class& native, std::vector<std::string>&
             return kept.declared->name == view(p.name);
         });
         kept.gone = same == given.end();
-        if (kept.gone && kept.declared->binding.kind == BindingKind::column)
-            throw std::runtime_error(name + "." + kept.declared->name +
-                                     ", which lies in the module's memory, is gone: that takes a "
-                                     "new start");
         if (kept.gone) {
             notes.push_back(name + "." + kept.declared->name + " is gone");
             continue;
         }
-        const Binding& binding = kept.declared->binding;
-        const auto stride = same->stride != 0 ? same->stride : size_of(binding.native);
         if (same->type != static_cast<std::uint32_t>(kept.declared->type) ||
-            same->binding != kept.native.binding ||
-            (binding.kind == BindingKind::column &&
-             (same->native != kept.native.native || stride != binding.stride)))
+            same->binding != kept.native.binding || same->native != kept.native.native)
             throw std::runtime_error(name + "." + kept.declared->name +
-                                     " has another type or place in memory than before: that "
-                                     "takes a new start");
+                                     " has another type than before: that takes a new start");
         kept.native = *same;
     }
     for (const fettle_property& property : given)

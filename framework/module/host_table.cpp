@@ -128,7 +128,8 @@ struct HostFunctions {
         const HostTable& host = host_of(self);
         const property::Class* of =
             host.tree == nullptr ? nullptr : host.tree->find_class(text_or_empty(class_name));
-        return of == nullptr || of->base() == nullptr ? nullptr : of->base()->name().c_str();
+        if (of == nullptr) return nullptr;
+        return of->base() == nullptr ? "" : of->base()->name().c_str();
     }
     static std::uint32_t is_a(void* self, fettle_handle instance, const char* class_name) {
         const HostTable& host = host_of(self);

@@ -6,7 +6,6 @@
 // well there.
 
 #include <algorithm>
-#include <cstring>
 
 #include <fettle/module/plugin.h>
 #include <fettle/property/error.h>
@@ -17,9 +16,7 @@
 namespace fettle::module {
 namespace {
 
-using property::BindingKind;
 using property::Handle;
-using property::Native;
 using property::Property;
 using property::Tree;
 using property::Value;
@@ -31,47 +28,10 @@ struct Saved {
     std::vector<std::pair<const Property*, Value>> values;
 };
 
-/// Writes without telling anybody: to everyone but the module nothing has changed.
-template <class Element>
-void put(std::byte* at, const Element& element) {
-    std::memcpy(at, &element, sizeof element);
-}
-
-void write_column(const Property& property, property::Row row, const Value& value) {
-    std::byte* at = property.binding.base(property.binding.context) + row * property.binding.stride;
-    switch (property.binding.native) {
-        case Native::f32:
-            return put(at, static_cast<float>(value.as_double()));
-        case Native::f64:
-            return put(at, value.as_double());
-        case Native::i32:
-            return put(at, static_cast<std::int32_t>(value.integer()));
-        case Native::i64:
-            return put(at, value.integer());
-        case Native::boolean:
-            return put(at, static_cast<std::uint8_t>(value.boolean()));
-        case Native::vec2f: {
-            const float xy[2] = {static_cast<float>(value.vec2().x()),
-                                 static_cast<float>(value.vec2().y())};
-            return put(at, xy);
-        }
-        case Native::vec2d: {
-            const double xy[2] = {value.vec2().x(), value.vec2().y()};
-            return put(at, xy);
-        }
-        case Native::color:
-            return put(at, value.color());
-        case Native::enumeration:
-            return put(at, static_cast<std::uint8_t>(property.enumerator_index(value.text())));
-    }
-}
-
+/// Without telling anybody: to everyone but the module nothing has changed.
 void write(const Property& property, property::Row row, const Value& value) {
     const property::Binding& binding = property.binding;
-    if (binding.kind == BindingKind::column)
-        write_column(property, row, value);
-    else
-        binding.set(binding.context, row, value);
+    binding.set(binding.context, row, value);
     if (binding.invalidate != nullptr) binding.invalidate(binding.context, row);
 }
 

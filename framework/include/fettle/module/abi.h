@@ -281,7 +281,8 @@ typedef struct fettle_host {
     fettle_status (*path)(void* self, fettle_handle instance, const char** path);
     /* Null for a deleted one; the text lasts as long as the tree. */
     const char* (*class_name)(void* self, fettle_handle instance);
-    const char* (*base_class)(void* self, const char* class_name); /* null: none */
+    /* Null when there is no such class, "" when it derives from nothing. */
+    const char* (*base_class)(void* self, const char* class_name);
     uint32_t (*is_a)(void* self, fettle_handle instance, const char* class_name);
     fettle_status (*row)(void* self, fettle_handle instance, fettle_row* row);
     fettle_status (*set_row)(void* self, fettle_handle instance, fettle_row row);

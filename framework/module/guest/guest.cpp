@@ -1,0 +1,83 @@
+#include <fettle/module/guest.h>
+
+#include <string>
+
+#include "guest_tree.h"
+
+namespace fettle::module {
+namespace {
+
+/// A module with the tree it sees. The tree ends first.
+struct Guest {
+    std::unique_ptr<Module> module;
+    std::string name;
+    property::Tree tree;
+};
+
+Guest& guest_of(void* context) {
+    return *static_cast<Guest*>(context);
+}
+
+fettle_status attach(void* context) {
+    Guest& guest = guest_of(context);
+    return guest.tree.state().answer([&] { guest.module->attach(guest.tree); });
+}
+
+/// What goes wrong where nobody is told a status is printed.
+template <class Body>
+void told(Guest& guest, Body&& body) {
+    const fettle_host* host = guest.tree.state().host;
+    guest.tree.state().follow_listeners();
+    try {
+        body();
+    } catch (const std::exception& error) {
+        host->print(host->self, (guest.name + ": " + error.what()).c_str());
+    }
+}
+
+void step(void* context, double dt) {
+    Guest& guest = guest_of(context);
+    told(guest, [&] { guest.module->step(dt); });
+}
+
+void report(void* context) {
+    Guest& guest = guest_of(context);
+    told(guest, [&] { guest.module->report(guest.tree); });
+}
+
+std::uint64_t hash(void* context) {
+    return guest_of(context).module->hash();
+}
+
+void close(void* context) {
+    delete &guest_of(context);
+}
+
+}  // namespace
+
+fettle_status open_guest(const fettle_host* host, fettle_module* module, const char* version,
+                         std::unique_ptr<Module> (*make)()) {
+    module->abi = FETTLE_ABI;
+    if (host->abi >> 16 != FETTLE_ABI_MAJOR || int(host->abi & 0xffff) < FETTLE_ABI_MINOR)
+        return FETTLE_ERR_WRONG_VERSION;
+    try {
+        auto guest = std::make_unique<Guest>();
+        guest->tree.state().host = host;
+        guest->module = make();
+        guest->name = guest->module->name();
+        module->name = guest->name.c_str();
+        module->version = version;
+        module->attach = attach;
+        module->step = step;
+        module->report = report;
+        module->hash = hash;
+        module->close = close;
+        module->context = guest.release();
+        return FETTLE_OK;
+    } catch (const std::exception& error) {
+        host->fail(host->self, error.what());
+        return FETTLE_ERR_FAILED;
+    }
+}
+
+}  // namespace fettle::module

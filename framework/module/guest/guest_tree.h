@@ -1,0 +1,117 @@
+#pragma once
+// The tree as a module in a shared object has it: the same class, another inside. Every member
+// hands on to the program's table of functions.
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/module/abi.h>
+#include <fettle/property/tree.h>
+
+#include "../../property/class_registry.h"
+#include "../border_value.h"
+
+namespace fettle::module {
+
+/// What the program calls a property, a method or a class of the module through.
+struct GuestProperty {
+    property::Tree::State* tree = nullptr;
+    property::Binding binding;
+};
+
+struct GuestMethod {
+    property::Tree::State* tree = nullptr;
+    property::Method method;
+};
+
+struct GuestClass {
+    property::Tree::State* tree = nullptr;
+    property::Lifecycle lifecycle;
+};
+
+struct GuestEvent {
+    const property::Event* event = nullptr;
+    fettle_event_tag tag{};
+};
+
+}  // namespace fettle::module
+
+namespace fettle::property {
+
+struct Tree::State {
+    Tree* self = nullptr;
+    const fettle_host* host = nullptr;
+    ClassRegistry classes;
+    module::Outgoing outgoing;  // towards the program: what the last callback answered
+
+    // Contexts of what the program calls: they stay where they are.
+    std::deque<module::GuestProperty> properties;
+    std::deque<module::GuestMethod> methods;
+    std::deque<module::GuestClass> lifecycles;
+    std::deque<module::GuestEvent> events;
+    mutable std::unordered_map<const void*, const Class*> by_name;  // by the program's own text
+
+    /// Throws what the program refused with.
+    void require(fettle_status status) const;
+    /// Runs a callback of the module and tells the program what it throws.
+    template <class Body>
+    fettle_status answer(Body&& body) noexcept;
+    /// The class of that name, made with its bases if it is the program's; null when there is none.
+    const Class* known(const char* name);
+    /// The program counts who listens; the module's own events are told before it may ask.
+    void follow_listeners();
+};
+
+template <class Body>
+fettle_status Tree::State::answer(Body&& body) noexcept {
+    try {
+        body();
+        return FETTLE_OK;
+    } catch (const Error& error) {
+        host->fail(host->self, error.what());
+        return module::status_of(error.kind());
+    } catch (const std::invalid_argument& refused) {
+        host->fail(host->self, refused.what());
+        return FETTLE_ERR_REJECTED;
+    } catch (const std::exception& error) {
+        host->fail(host->self, error.what());
+    } catch (...) {
+        host->fail(host->self, "an exception of no known type");
+    }
+    return FETTLE_ERR_FAILED;
+}
+
+}  // namespace fettle::property
+
+namespace fettle::module {
+
+/// Describes a class in C and gives it to the program. `descriptor` is that which the registry was
+/// given, `made` what came of it.
+void export_class(property::Tree::State& tree, const property::ClassDescriptor& descriptor,
+                  const property::Class& made);
+
+/// Draws with the program's painter.
+class GuestPainter : public property::Painter {
+  public:
+    explicit GuestPainter(const fettle_painter& table) : table_(table) {}
+    void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
+    void polygon(std::span<const property::Vec2> vertices, double rounding,
+                 const property::Paint& paint) override;
+    void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
+              float width) override;
+    void point(const property::Vec2& position, property::Color color, float size) override;
+    void text(const property::Vec2& position, std::string_view text, double height,
+              property::Color color, property::TextAlign align) override;
+    bool shows(property::Overlay overlay) const override;
+    bool sees(const property::Vec2& lower, const property::Vec2& upper) const override;
+    void begin_screen() override { table_.begin_screen(table_.self); }
+    void end_screen() override { table_.end_screen(table_.self); }
+
+  private:
+    const fettle_painter& table_;
+};
+
+}  // namespace fettle::module

@@ -1,0 +1,208 @@
+// Modules in shared objects: what a game sees of one that is as it should be.
+
+#include <catch.h>
+
+#include "weather.h"
+
+using namespace fettle;
+using namespace fettle::module::testing;
+using property::Handle;
+using property::Value;
+
+namespace {
+
+struct Game {
+    module::Plugins plugins;
+    property::Tree tree;
+    module::Plugin& weather = plugins.open(built("weather"));
+    Handle front;
+    Game() {
+        weather.attach(tree);
+        front = tree.child(tree.root(), "front");
+    }
+    Value get(const char* path) const { return property::get(tree, path); }
+    void set(const char* path, const Value& value) { property::set(tree, path, value); }
+    void step() {
+        weather.step(0.5);
+        weather.report(tree);
+        tree.barrier();
+    }
+};
+
+std::string complaint(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const property::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("a module tells its name and version before it registers anything") {
+    module::Plugins plugins;
+    const module::Plugin& weather = plugins.open(built("weather"));
+    CHECK(weather.name() == "weather");
+    CHECK(weather.version() == "1.2");
+    CHECK(plugins.find("weather") == &weather);
+    CHECK(plugins.find("climate") == nullptr);
+}
+
+TEST_CASE("what a module registers is a class like any other") {
+    Game game;
+    const property::Class& cloud = game.tree.class_named("Cloud");
+    CHECK(cloud.doc() == "Carries water.");
+    CHECK(cloud.base() == &game.tree.object_class());
+    const property::Property& water = *cloud.property("water");
+    CHECK(water.unit == "kg");
+    CHECK(water.range.max == 1000);
+    CHECK(water.simulated);
+    CHECK(cloud.property("mood")->read_only);
+    CHECK(cloud.property("mood")->derives_from == std::vector<std::string>{"water"});
+    CHECK(cloud.method("rain")->parameters.at(0).unit == "kg");
+    CHECK(cloud.event("rained")->fields.size() == 1);
+}
+
+TEST_CASE("values of every binding go to a module and come back") {
+    Game game;
+    CHECK(game.get("front.height") == Value(100.0));
+    game.set("front.height", 250);
+    CHECK(game.get("front.height") == Value(250.0));
+    game.set("front.water", 60.0);
+    CHECK(game.get("front.water") == Value(60.0));
+    CHECK(game.get("front.mood") == Value("heavy"));
+    game.set("front.kind", "cirrus");
+    CHECK(game.get("front.kind") == Value("cirrus"));
+    game.set("front.label", "gr\xC3\xA4u");
+    CHECK(game.get("front.label") == Value("gr\xC3\xA4u"));
+}
+
+TEST_CASE("values for a module are checked before it sees them") {
+    Game game;
+    CHECK(complaint([&] { game.set("front.water", 1001.0); }).find("1000") != std::string::npos);
+    CHECK(complaint([&] { game.set("front.kind", "fog"); }).find("cirrus") != std::string::npos);
+    CHECK(complaint([&] { game.set("front.mood", "glad"); }) != "");
+    CHECK(game.get("front.water") == Value(0.0));
+}
+
+TEST_CASE("why a module refuses a value stands in the error") {
+    Game game;
+    const std::string told = complaint([&] { game.set("front.height", 13); });
+    CHECK(told.find("front.height") != std::string::npos);
+    CHECK(told.find("thirteen metres bring bad luck") != std::string::npos);
+    CHECK(game.get("front.height") == Value(100.0));
+}
+
+TEST_CASE("a getter that gives another type than it said gives the default") {
+    Game game;
+    CHECK(game.get("front.slip") == Value(0.0));
+}
+
+TEST_CASE("a step of a module is seen by those who watch") {
+    Game game;
+    std::vector<double> seen;
+    game.tree.watch(game.front, "water",
+                    [&](const property::Change& c) { seen.push_back(c.new_value.number()); });
+    const std::uint64_t before = game.weather.hash();
+    game.step();
+    CHECK(game.weather.hash() != before);
+    game.step();
+    CHECK(seen == std::vector<double>{0.5, 1.0});
+}
+
+TEST_CASE("methods of a module are called and its events heard") {
+    Game game;
+    double heard = 0;
+    game.tree.on(game.front, *game.tree.class_of(game.front).event("rained"),
+                 [&](const property::Occurrence& o) { heard = o.record.get("amount").number(); });
+    game.set("front.water", 10.0);
+    const property::Result left = game.tree.call(game.front, "rain", {Value(4)});
+    CHECK(std::get<Value>(left) == Value(6.0));
+    CHECK(game.get("front.water") == Value(6.0));
+    CHECK(heard == 0);
+    game.tree.barrier();
+    CHECK(heard == 4);
+    CHECK(complaint([&] {
+              game.tree.call(game.front, "rain", {Value(99)});
+          }).find("not that much water") != std::string::npos);
+    const auto survey =
+        std::get<std::vector<property::Record>>(game.tree.call(game.front, "survey", {}));
+    REQUIRE(survey.size() == 2);
+    CHECK(survey[1].get("what") == Value("height"));
+    CHECK(survey[1].get("value") == Value(100.0));
+}
+
+TEST_CASE("a module has rows for instances that come and go") {
+    Game game;
+    const property::Class& cloud = game.tree.class_named("Cloud");
+    std::vector<Handle> made;
+    for (int i = 0; i < 63; ++i) made.push_back(game.tree.create(cloud, game.tree.root()));
+    CHECK(complaint([&] { game.tree.create(cloud, game.tree.root()); }).find("sky is full") !=
+          std::string::npos);
+    game.tree.destroy(made[7]);
+    const Handle again = game.tree.create(cloud, game.tree.root());
+    CHECK(game.tree.row(again) == 8);
+    CHECK(game.tree.get(again, "height") == Value(100.0));
+}
+
+// --- What can be wrong
+
+TEST_CASE("a file that is no module is refused with what it is") {
+    const auto says = [](const char* name, const std::string& text) {
+        const std::string told = refusal(built(name));
+        INFO(told);
+        CHECK(told.find(built(name).string() + ": ") == 0);
+        CHECK(told.find(text) != std::string::npos);
+    };
+    says("nothing", "there is no such file");
+    says("without_entry", "function fettle_module_open, found a shared object without it");
+    says("newer_major", "expected a module for version 1.0");
+    says("newer_major", "found one for 2.3");
+    says("newer_minor", "found one for 1.1");
+    says("bad_name", "found \"two words\"");
+    says("missing_symbol", "it needs the symbol function_of_another_program");
+    says("crash_when_opened", "crashed (Segmentation fault) while it was opened");
+    says("crash_in_check", "crashed (Segmentation fault) in its own test");
+    says("abort_in_check", "crashed (Aborted) in its own test");
+    says("exit_in_check", "ended the process with status 3 in its own test");
+    says("fail_in_check", "the barometer is stuck");
+    CHECK(refusal(FETTLE_TEST_MODULES).find("found a folder") != std::string::npos);
+    CHECK(refusal(__FILE__).find("found a file of another kind") != std::string::npos);
+    CHECK(refusal(built("weather")) == "");
+}
+
+TEST_CASE("a module is not loaded twice") {
+    module::Plugins plugins;
+    plugins.open(built("weather"));
+    const auto says = [&](const std::filesystem::path& file) {
+        try {
+            plugins.open(file);
+        } catch (const module::LoadError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(says(built("weather")).find("loaded already, as the module weather") !=
+          std::string::npos);
+    CHECK(says(built("../modules/weather")).find("loaded already") != std::string::npos);
+    CHECK(says(built("same_name")).find("module called weather is loaded already") !=
+          std::string::npos);
+    CHECK(plugins.all().size() == 1);
+}
+
+TEST_CASE("a class that is there already is told of and leaves the game as it was") {
+    Game game;
+    module::Plugin& sky = game.plugins.open(built("same_class"));
+    try {
+        sky.attach(game.tree);
+        FAIL("a second class Cloud was taken");
+    } catch (const module::LoadError& error) {
+        const std::string told = error.what();
+        INFO(told);
+        CHECK(told.find("same_class.so: module sky") != std::string::npos);
+        CHECK(told.find("there is a class \"Cloud\" already") != std::string::npos);
+    }
+    game.set("front.water", 3.0);
+    CHECK(game.get("front.water") == Value(3.0));
+}

@@ -1,0 +1,113 @@
+// A module taken in anew while its instances live.
+
+#include <catch.h>
+
+#include "weather.h"
+
+using namespace fettle;
+using namespace fettle::module::testing;
+using property::Handle;
+using property::Value;
+
+namespace {
+
+struct Game {
+    ModuleFile file{"weather"};
+    module::Plugins plugins;
+    property::Tree tree;
+    module::Plugin& weather = plugins.open(file.path());
+    Handle front, low, loose;
+
+    Game() {
+        weather.attach(tree);
+        const property::Class& cloud = tree.class_named("Cloud");
+        front = tree.child(tree.root(), "front");
+        low = tree.create(cloud, front, "low");
+        loose = tree.create(cloud);
+        tree.set(front, "water", 12.5);
+        tree.set(front, "kind", "cirrus");
+        tree.set(low, "height", 7);
+        tree.set(low, "label", "fog");
+        tree.set_or_add(low, "owner", "me");
+        tree.set(loose, "water", 3.0);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("instances live on when their module is taken in anew") {
+    Game game;
+    const bool other = GENERATE(false, true);
+    if (other) game.file.become("other_layout");
+    const module::Reloaded reloaded = game.weather.reload();
+    CHECK(reloaded.instances == 3);
+    CHECK(game.tree.alive(game.front));
+    CHECK(game.tree.get(game.front, "water") == Value(12.5));
+    CHECK(game.tree.get(game.front, "kind") == Value("cirrus"));
+    CHECK(game.tree.get(game.front, "height") == Value(100.0));
+    CHECK(game.tree.get(game.low, "height") == Value(7.0));
+    CHECK(game.tree.get(game.low, "label") == Value("fog"));
+    CHECK(game.tree.get(game.low, "owner") == Value("me"));
+    CHECK(game.tree.get(game.loose, "water") == Value(3.0));
+    CHECK(game.tree.path(game.low) == "front.low");
+    CHECK(game.tree.children(game.tree.root()).size() == 1);
+}
+
+TEST_CASE("a module taken in anew computes with the memory of the new one") {
+    Game game;
+    game.file.become("other_layout");
+    game.weather.reload();
+    game.weather.step(0.5);
+    CHECK(game.tree.get(game.front, "water") == Value(13.0));
+    game.tree.call(game.front, "rain", {Value(1.0)});
+    CHECK(game.tree.get(game.front, "water") == Value(12.0));
+    game.tree.destroy(game.low);
+    CHECK(game.tree.create(game.tree.class_named("Cloud"), game.front));
+    // And once more, back again.
+    game.file.become("weather");
+    CHECK(game.weather.reload().instances == 3);
+    CHECK(game.tree.get(game.front, "water") == Value(12.0));
+}
+
+TEST_CASE("watchers and formulas outlast a module being taken in anew") {
+    Game game;
+    std::vector<double> seen;
+    game.tree.watch(game.front, "water",
+                    [&](const property::Change& c) { seen.push_back(c.new_value.number()); });
+    const Handle front = game.front;
+    game.tree.set_formula(game.low, "height", {.function = [front](const property::Tree& tree) {
+                              return Value(tree.get(front, "water").number() * 2);
+                          }});
+    game.tree.barrier();
+    game.file.become("other_layout");
+    game.weather.reload();
+    game.tree.barrier();
+    CHECK(seen.empty());  // to everyone but the module nothing has happened
+    game.weather.step(0.5);
+    game.weather.report(game.tree);
+    game.tree.barrier();
+    CHECK(seen == std::vector<double>{13.0});
+    CHECK(game.tree.get(game.low, "height") == Value(26.0));
+}
+
+TEST_CASE("a new module that fails leaves the old one at work") {
+    Game game;
+    for (const char* bad : {"crash_in_check", "fail_in_check", "retyped", "without_entry",
+                            "newer_major", "missing_symbol", "same_class", "crash_when_opened"}) {
+        game.file.become(bad);
+        INFO(bad);
+        CHECK_THROWS_AS(game.weather.reload(), module::LoadError);
+        CHECK(game.tree.get(game.front, "water") == Value(12.5));
+        CHECK(game.tree.get(game.low, "height") == Value(7.0));
+    }
+    game.weather.step(0.5);
+    CHECK(game.tree.get(game.front, "water") == Value(13.0));
+}
+
+TEST_CASE("what a new module has more than the old one is told") {
+    Game game;
+    game.file.become("other_layout");
+    const module::Reloaded reloaded = game.weather.reload();
+    REQUIRE(reloaded.notes.size() == 1);
+    CHECK(reloaded.notes[0].find("Cloud.silver is new") != std::string::npos);
+}
