@@ -34,6 +34,14 @@ fs::path assets() {
     return own("assets");
 }
 
+fs::path installed_modules() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path beside = program / "../lib/fettle/modules";  // in the folder it is built in
+    const fs::path installed = program / FETTLE_LIBRARIES / "fettle/modules";
+    return fs::weakly_canonical(fs::exists(installed, error) ? installed : beside, error);
+}
+
 void require_game(const fs::path& game) {
     std::error_code error;
     if (!fs::exists(game, error))

@@ -20,6 +20,9 @@ std::filesystem::path showcase();
 /// Fettle's own assets; empty when they are missing.
 std::filesystem::path assets();
 
+/// The folder of the modules that are installed with the program.
+std::filesystem::path installed_modules();
+
 /// Throws FileError unless `game` is a .lua file, or a folder with
 /// main.lua.
 void require_game(const std::filesystem::path& game);

@@ -167,6 +167,8 @@ int run(const RunOptions& given) {
         return options.headless ? run_headless(options) : WindowRun(options).play();
     } catch (const FileError& error) {
         return complain(file_error, error.what());
+    } catch (const module::LoadError& error) {
+        return complain(file_error, error.what());
     } catch (const std::filesystem::filesystem_error& error) {
         return complain(file_error, error.path1().string() + ": " + error.code().message());
     }
@@ -194,6 +196,11 @@ void add_run(CLI::App& app, int& status) {
         .add_option_function<std::string>(
             "--at", [options](const std::string& text) { options->at.push_back(parse_at(text)); },
             "Run it before step N (repeatable): N:LUA")
+        ->trigger_on_parse();
+    command
+        .add_option_function<std::string>(
+            "--module", [options](const std::string& name) { options->modules.push_back(name); },
+            "Plug in a module: a shared object, or the name of an installed one (repeatable)")
         ->trigger_on_parse();
     command.add_option("--seed", options->seed, "Of random(); 0 unless given");
     command.add_option("--screenshot", options->screenshot,

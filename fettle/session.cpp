@@ -4,9 +4,6 @@
 #include <cstdio>
 
 #include <fettle/app/error_screen.h>
-#ifdef FETTLE_WITH_PHYSICS
-#include <fettle/physics_module/physics_module.h>
-#endif
 #ifdef FETTLE_WITH_CONSOLE
 #include <fettle/console/console.h>
 #endif
@@ -29,8 +26,8 @@ struct Session::ConsoleLayer {
 
 Session::Session(const RunOptions& options, app::Clipboard* clipboard,
                  std::function<void(const script::ScriptError&)> errors)
-    : options_(options), errors_(std::move(errors)) {
-    attach_modules();
+    : options_(options), errors_(std::move(errors)), modules_(options.game, options.modules) {
+    modules_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_);
     tree_.on_handler_error([this](const property::HandlerError& error) {
         script::ScriptError told;
@@ -43,21 +40,12 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     runtime_ = std::make_unique<script::Runtime>(
         tree_, script::Options{.seed = options.seed, .assets = assets(), .tweaks = tweaks_.get()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
-    runtime_->on_print([this](std::string_view text) {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        std::fputc('\n', stdout);
-        if (!options_.headless) std::fflush(stdout);
-        if (console_) console_->print(text);
-    });
+    runtime_->on_print([this](std::string_view text) { print(text); });
     loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
     loop_->on_error([this](const script::ScriptError& error) { fail(error); });
     loop_->before_step([this](std::uint64_t step) { run_at(step); });
     loop_->after_barrier([this] { tweaks_->barrier(); });
-    for (const auto& module : modules_)
-        loop_->add({.name = std::string(module->name()),
-                    .step = [m = module.get()](double dt) { m->step(dt); },
-                    .report = [this, m = module.get()] { m->report(tree_); },
-                    .hash = [m = module.get()] { return m->hash(); }});
+    add_modules();
     make_console(clipboard);
 }
 
@@ -78,11 +66,14 @@ void Session::note(const std::string& text) {
         early_notes_.push_back(text);
 }
 
-void Session::attach_modules() {
-#ifdef FETTLE_WITH_PHYSICS
-    modules_.push_back(std::make_unique<physics_module::PhysicsModule>());
-#endif
-    for (const auto& module : modules_) module->attach(tree_);
+void Session::add_modules() {
+    for (module::Module* m : modules_.all())
+        loop_->add({.name = std::string(m->name()),
+                    .step = [m](double dt) { m->step(dt); },
+                    .report = [this, m] { m->report(tree_); },
+                    .hash = [m] { return m->hash(); }});
+    modules_.on_print([this](std::string_view text) { print(text); });
+    loop_->between_frames([this] { modules_.renew(); });
 }
 
 void Session::make_console(app::Clipboard* clipboard) {
@@ -120,6 +111,13 @@ void Session::start() {
         if (loop_->stopped() || failed_) return;
         if (!runtime_->run(chunk, "eval")) failed_ = true;
     }
+}
+
+void Session::print(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fputc('\n', stdout);
+    if (!options_.headless) std::fflush(stdout);
+    if (console_) console_->print(text);
 }
 
 void Session::run_at(std::uint64_t step) {

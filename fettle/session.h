@@ -8,11 +8,11 @@
 #include <fettle/app/layer.h>
 #include <fettle/app/loop.h>
 #include <fettle/app/services.h>
-#include <fettle/module/module.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
 
+#include "game_modules.h"
 #include "run.h"
 
 namespace fettle::program {
@@ -40,8 +40,9 @@ class Session {
     bool failed() const { return failed_; }
 
   private:
-    void attach_modules();
+    void add_modules();
     void make_console(app::Clipboard* clipboard);
+    void print(std::string_view text);
     void run_at(std::uint64_t step);
     void make_tweaks();
     void note(const std::string& text);
@@ -50,7 +51,7 @@ class Session {
     const RunOptions& options_;
     std::function<void(const script::ScriptError&)> errors_;
     // Modules outlive the tree, which calls them as its instances go.
-    std::vector<std::unique_ptr<module::Module>> modules_;
+    GameModules modules_;
     property::Tree tree_;
     std::unique_ptr<app::Services> services_;
     std::unique_ptr<property::Tweaks> tweaks_;

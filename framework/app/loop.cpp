@@ -45,6 +45,9 @@ void Loop::add(Layer& layer) {
 void Loop::before_step(std::function<void(std::uint64_t)> hook) {
     before_step_ = std::move(hook);
 }
+void Loop::between_frames(std::function<void()> hook) {
+    between_frames_ = std::move(hook);
+}
 
 void Loop::handle(const InputEvent& event) {
     if (event.kind == EventKind::closing) closing_ = true;
@@ -137,6 +140,7 @@ bool Loop::make_step(Stopwatch& watch) {
 }
 
 void Loop::frame(double seconds, std::int64_t step_limit) {
+    if (between_frames_) between_frames_();
     Stopwatch watch;
     Clock& clock = services_.clock;
     seconds = std::max(0.0, seconds);
@@ -185,6 +189,7 @@ void Loop::catch_up(std::int64_t step_limit, Stopwatch& watch) {
 }
 
 void Loop::turn() {
+    if (between_frames_) between_frames_();
     Stopwatch watch;
     Clock& clock = services_.clock;
     announce(++turns_);

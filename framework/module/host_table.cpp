@@ -103,6 +103,12 @@ struct HostFunctions {
             [&](property::Tree& tree) { found = (tree.*Step)(received(instance)); });
         return sent(found);
     }
+    static fettle_handle child(void* self, fettle_handle instance, const char* name) {
+        Handle found;
+        (void)host_of(self).guarded(
+            [&](property::Tree& tree) { found = tree.child(received(instance), view(name)); });
+        return sent(found);
+    }
     static fettle_status find(void* self, const char* path, fettle_handle* found) {
         return host_of(self).guarded([&](property::Tree& tree) {
             const property::Place place = property::resolve(tree, text_or_empty(path));
@@ -226,6 +232,7 @@ HostTable::HostTable() {
               .parent = F::relative<&property::Tree::parent>,
               .first_child = F::relative<&property::Tree::first_child>,
               .next_sibling = F::relative<&property::Tree::next_sibling>,
+              .child = F::child,
               .find = F::find,
               .path = F::path,
               .class_name = F::class_name,

@@ -3,6 +3,7 @@
 #include "guest_tree.h"
 
 #include <fettle/property/error.h>
+#include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
 namespace fettle::property {
@@ -131,6 +132,11 @@ Handle Tree::next_sibling(Handle instance) const {
     return received(s.host->next_sibling(s.host->self, sent(instance)));
 }
 
+Handle Tree::child(Handle instance, std::string_view name) const {
+    const State& s = *state_;
+    return received(s.host->child(s.host->self, sent(instance), std::string(name).c_str()));
+}
+
 std::vector<Handle> Tree::children(Handle instance) const {
     std::vector<Handle> all;
     for (Handle c = first_child(instance); c; c = next_sibling(c)) all.push_back(c);
@@ -163,7 +169,15 @@ std::string Tree::path(Handle instance) const {
     return path;
 }
 
+std::string Tree::path(Handle instance, const Property& property) const {
+    return path(instance) + path_suffix(property.name);
+}
+
 // --- Values
+
+const Property* Tree::find(Handle instance, Symbol name) const {
+    return class_of(instance).property(name);
+}
 
 const Property* Tree::find(Handle instance, std::string_view name) const {
     return class_of(instance).property(name);

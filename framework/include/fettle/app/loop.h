@@ -44,6 +44,8 @@ class Loop {
 
     /// Called after each barrier, whatever came of it.
     void after_barrier(std::function<void()> hook);
+    /// Called when a frame begins and nothing of the game runs.
+    void between_frames(std::function<void()> hook);
 
     /// Told when a barrier fails as a whole (handlers that never come to rest); without it, the
     /// exception leaves the frame.
@@ -90,6 +92,7 @@ class Loop {
     std::vector<Layer*> layers_;
     std::function<void(std::uint64_t)> before_step_;
     std::function<void()> after_barrier_;
+    std::function<void()> between_frames_;
     std::function<void(const script::ScriptError&)> on_error_;
     double owed_ = 0;  // s of simulation time not yet stepped
     std::uint64_t announced_ = 0;

@@ -277,6 +277,7 @@ typedef struct fettle_host {
     fettle_handle (*parent)(void* self, fettle_handle instance);
     fettle_handle (*first_child)(void* self, fettle_handle instance);
     fettle_handle (*next_sibling)(void* self, fettle_handle instance);
+    fettle_handle (*child)(void* self, fettle_handle instance, const char* name);
     fettle_status (*find)(void* self, const char* path, fettle_handle* found);
     fettle_status (*path)(void* self, fettle_handle instance, const char** path);
     /* Null for a deleted one; the text lasts as long as the tree. */

@@ -1,0 +1,208 @@
+#include "game_modules.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#ifdef FETTLE_WITH_PHYSICS
+#include <fettle/physics_module/physics_module.h>
+#endif
+
+#include "game_path.h"
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+using property::Row;
+using property::Type;
+using property::Value;
+
+namespace {
+
+fs::path folder_of(const fs::path& game) {
+    std::error_code error;
+    return fs::is_directory(game, error) ? game : game.parent_path();
+}
+
+constexpr const char* manifest_name = "modules.json";
+
+}  // namespace
+
+std::vector<std::string> manifest(const fs::path& game) {
+    const fs::path file = folder_of(game) / manifest_name;
+    std::error_code error;
+    if (!fs::exists(file, error)) return {};
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw FileError(file.string() + ": it cannot be read");
+    const auto expected = [&](const std::string& found) {
+        return FileError(file.string() +
+                         ": expected { \"modules\": [ \"a file or a name\", ... ] }, found " +
+                         found);
+    };
+    try {
+        const auto whole = nlohmann::json::parse(in, nullptr, true, true);
+        if (!whole.is_object()) throw expected(std::string("a JSON ") + whole.type_name());
+        for (const auto& [key, value] : whole.items())
+            if (key != "modules") throw expected("the key \"" + key + "\"");
+        std::vector<std::string> names;
+        if (!whole.contains("modules")) throw expected("an object without \"modules\"");
+        if (!whole["modules"].is_array()) throw expected("no list under \"modules\"");
+        for (const auto& name : whole["modules"]) {
+            if (!name.is_string()) throw expected("a " + std::string(name.type_name()) + " in it");
+            names.push_back(name.get<std::string>());
+        }
+        return names;
+    } catch (const nlohmann::json::parse_error& problem) {
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+        const std::string what = problem.what();
+        throw FileError(file.string() + ": " + what.substr(what.find("] ") + 2));
+    }
+}
+
+fs::path module_file(const std::string& name, const fs::path& game) {
+    const fs::path given(name);
+    const fs::path folder = folder_of(game);
+    if (given.has_parent_path() || given.extension() == ".so") {
+        std::error_code error;
+        return given.is_absolute() || fs::exists(given, error) ? given : folder / given;
+    }
+    const fs::path beside = folder / (name + ".so");
+    std::error_code error;
+    if (fs::exists(beside, error)) return beside;
+    const fs::path installed = installed_modules() / (name + ".so");
+    if (fs::exists(installed, error)) return installed;
+    throw FileError("module \"" + name + "\": there is neither " + beside.string() + " nor " +
+                    installed.string());
+}
+
+/// A module that is plugged in, as `game.modules` shows it.
+struct GameModules::Plugged {
+    module::Plugin* plugin = nullptr;
+    fs::file_time_type changed{};
+    bool asked = false;   // to be taken in anew
+    bool follow = false;  // whenever its file changes
+    std::int64_t reloads = 0;
+    std::string problem;  // with the last attempt
+};
+
+GameModules::GameModules(const fs::path& game, std::span<const std::string> named) {
+    // A manifest names its modules beside itself, a command line from where one stands.
+    for (const std::string& name : manifest(game)) {
+        const fs::path file(name);
+        const bool is_path = file.has_parent_path() || file.extension() == ".so";
+        plugins_.open(is_path ? folder_of(game) / file : module_file(name, game));
+    }
+    for (const std::string& name : named) plugins_.open(module_file(name, game));
+#ifdef FETTLE_WITH_PHYSICS
+    if (plugins_.find("physics") == nullptr)
+        built_in_.push_back(std::make_unique<physics_module::PhysicsModule>());
+#endif
+}
+
+GameModules::~GameModules() = default;
+
+void GameModules::attach(property::Tree& tree) {
+    for (const auto& m : built_in_) m->attach(tree);
+    for (const auto& plugin : plugins_.all()) plugin->attach(tree);
+    if (!plugins_.all().empty()) define_service(tree);
+}
+
+std::vector<module::Module*> GameModules::all() const {
+    std::vector<module::Module*> modules;
+    for (const auto& m : built_in_) modules.push_back(m.get());
+    for (const auto& plugin : plugins_.all()) modules.push_back(plugin.get());
+    return modules;
+}
+
+void GameModules::on_print(std::function<void(std::string_view)> sink) {
+    print_ = std::move(sink);
+    for (const auto& plugin : plugins_.all()) plugin->on_print(print_);
+}
+
+void GameModules::define_service(property::Tree& tree) {
+    using property::accessor;
+    const auto told = [&](const char* name, Type type, const char* doc, property::Binding binding) {
+        return property::Property{
+            .name = name, .type = type, .doc = doc, .binding = binding, .transient = true};
+    };
+    property::ClassDescriptor one;
+    one.name = "PluggedModule";
+    one.doc = "A module in a shared object that the game has plugged in.";
+    one.creatable = false;
+    one.properties = {
+        told("file", Type::text, "Where it was loaded from.",
+             accessor(*this, [](GameModules& m,
+                                Row r) { return m.plugged_[r]->plugin->file().string(); })),
+        told("version", Type::text, "As the module gives it.",
+             accessor(*this,
+                      [](GameModules& m, Row r) { return m.plugged_[r]->plugin->version(); })),
+        told("reloads", Type::integer, "How often it has been taken in anew.",
+             accessor(*this, [](GameModules& m, Row r) { return m.plugged_[r]->reloads; })),
+        told("problem", Type::text, "Why it was not, when that was tried last.",
+             accessor(*this, [](GameModules& m, Row r) { return m.plugged_[r]->problem; })),
+        told("follow", Type::boolean, "Takes it in anew whenever its file has changed.",
+             accessor(
+                 *this, [](GameModules& m, Row r) { return m.plugged_[r]->follow; },
+                 [](GameModules& m, Row r, const Value& v) {
+                     m.plugged_[r]->follow = v.boolean();
+                 }))};
+    one.methods = {{.name = "reload",
+                    .doc =
+                        "Takes it in anew when the next frame begins: the file as it is now. Its "
+                        "instances live on, and their values go over by name.",
+                    .context = this,
+                    .call = [](void* context, property::Tree&, property::Handle, Row row,
+                               std::span<const Value>) -> property::Result {
+                        static_cast<GameModules*>(context)->plugged_[row]->asked = true;
+                        return Value();
+                    }}};
+    property::ClassDescriptor all_of_them;
+    all_of_them.name = "Modules";
+    all_of_them.doc = "The modules that the game has plugged in.";
+    all_of_them.creatable = false;
+    const property::Class& plugged = tree.define(std::move(one));
+    const property::Handle service =
+        tree.create(tree.define(std::move(all_of_them)), tree.root(), "modules");
+    for (const auto& plugin : plugins_.all()) {
+        Plugged& made = *plugged_.emplace_back(std::make_unique<Plugged>());
+        made.plugin = plugin.get();
+        std::error_code error;
+        made.changed = fs::last_write_time(plugin->file(), error);
+        tree.set_row(tree.create(plugged, service, plugin->name()),
+                     static_cast<Row>(plugged_.size() - 1));
+    }
+}
+
+void GameModules::renew() {
+    // Looking for a file costs more than a frame may: four times a second is often enough.
+    const bool look = ++frames_ % 15 == 0;
+    for (const auto& plugged : plugged_) {
+        if (plugged->follow && look) {
+            std::error_code error;
+            const auto changed = fs::last_write_time(plugged->plugin->file(), error);
+            if (!error && changed != plugged->changed) plugged->asked = true;
+        }
+        if (plugged->asked) reload(*plugged);
+    }
+}
+
+void GameModules::reload(Plugged& plugged) {
+    plugged.asked = false;
+    std::error_code error;
+    plugged.changed = fs::last_write_time(plugged.plugin->file(), error);
+    const std::string name(plugged.plugin->name());
+    try {
+        const module::Reloaded reloaded = plugged.plugin->reload();
+        ++plugged.reloads;
+        plugged.problem.clear();
+        if (print_)
+            print_("module " + name + " taken in anew: " + std::to_string(reloaded.instances) +
+                   " instances, " + std::to_string(reloaded.values) + " values");
+        for (const std::string& note : reloaded.notes)
+            if (print_) print_("  " + note);
+    } catch (const module::LoadError& problem) {
+        plugged.problem = problem.what();
+        if (print_) print_(plugged.problem + "; the module goes on as it was");
+    }
+}
+
+}  // namespace fettle::program
