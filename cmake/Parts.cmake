@@ -1,7 +1,7 @@
 # Which parts there are, which of them are to be built, and what each rests on.
 #
-# A project that takes Fettle in as a folder of its own gets the parts that need nothing but Eigen and a JSON library,
-# and names more in FETTLE_PARTS when it wants them:
+# A project that takes Fettle in as a folder of its own gets the parts that need nothing but Eigen, and names
+# more in FETTLE_PARTS when it wants them:
 #
 #   set(FETTLE_PARTS physics)            only rigid bodies
 #   set(FETTLE_PARTS physics console)    and everything the console rests on
@@ -29,7 +29,7 @@ set(fettle_folder_fettle fettle)
 if(PROJECT_IS_TOP_LEVEL)
   set(fettle_default_parts "${fettle_parts}")
 else()
-  set(fettle_default_parts property storage physics module physics_module)
+  set(fettle_default_parts property physics module physics_module)
 endif()
 set(FETTLE_PARTS "${fettle_default_parts}" CACHE STRING "The parts to build, with all that they rest on: ${fettle_parts}")
 
