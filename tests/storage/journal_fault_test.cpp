@@ -1,15 +1,12 @@
 // A journal of tweaks that cannot be written, or read: the game goes on, somebody is told, and what
 // was there stays.
 
-#include <sys/resource.h>
-
-#include <csignal>
 #include <fstream>
 
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include "catch.h"
+#include "file_faults.h"
 #include "tweak_run.h"
 
 using namespace scene_test;
@@ -18,41 +15,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Lines = std::vector<std::string>;
-
-/// As somebody whom permissions stop, when the tests run as root.
-class Nobody {
-  public:
-    Nobody() : root_(::geteuid() == 0) {
-        if (root_ && ::seteuid(65534) != 0) throw std::runtime_error("cannot become nobody");
-    }
-    ~Nobody() {
-        if (root_ && ::seteuid(0) != 0) std::abort();
-    }
-    Nobody(const Nobody&) = delete;
-
-  private:
-    bool root_;
-};
-
-/// Files cannot grow beyond so many bytes: what a full disk is to a program.
-class SmallFiles {
-  public:
-    explicit SmallFiles(rlim_t bytes) {
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit less{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &less);
-    }
-    ~SmallFiles() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    SmallFiles(const SmallFiles&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int) = nullptr;
-};
 
 void sql(const fs::path& file, const char* text) {
     sqlite3* database = nullptr;

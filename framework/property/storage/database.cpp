@@ -126,6 +126,23 @@ Database::Database(const std::filesystem::path& file, Access access) {
     throw error;
 }
 
+Database Database::in_memory() {
+    Database made;
+    const int code = sqlite3_open_v2(":memory:", &made.database_,
+                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    if (code != SQLITE_OK) throw DatabaseError(code, words(made.database_, code));
+    return made;
+}
+
+std::string Database::serialized() const {
+    sqlite3_int64 size = 0;
+    unsigned char* bytes = sqlite3_serialize(database_, "main", &size, 0);
+    if (bytes == nullptr) throw DatabaseError(SQLITE_NOMEM, "out of memory");
+    std::string text(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size));
+    sqlite3_free(bytes);
+    return text;
+}
+
 Database::~Database() {
     sqlite3_close(database_);
 }
@@ -172,6 +189,11 @@ Transaction::~Transaction() {
 void Transaction::commit() {
     database_.run("COMMIT");
     open_ = false;
+}
+
+void set_format(Database& database, const FileFormat& format) {
+    database.run(("PRAGMA application_id = " + std::to_string(format.application)).c_str());
+    database.run(("PRAGMA user_version = " + std::to_string(format.version)).c_str());
 }
 
 bool check_format(Database& database, const FileFormat& format) {

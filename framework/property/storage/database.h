@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -62,6 +63,8 @@ enum class Access : std::uint8_t { create, existing, reading };
 class Database {
   public:
     Database(const std::filesystem::path& file, Access access);
+    static Database in_memory();
+    Database(Database&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
     ~Database();
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
@@ -74,10 +77,13 @@ class Database {
     std::int64_t last_row() const;
     /// Nothing can be written, whatever it was opened for.
     bool read_only() const;
+    /// The bytes its file has, or would have.
+    std::string serialized() const;
     /// How long to wait for somebody else who is writing.
     void wait_for_others(int milliseconds);
 
   private:
+    Database() = default;
     sqlite3* database_ = nullptr;
 };
 
@@ -100,6 +106,8 @@ struct FileFormat {
     std::int32_t application = 0;
     int version = 0;
 };
+
+void set_format(Database& database, const FileFormat& format);
 
 /// Checks that an open file is of that format, whole, and not newer. True: it is; false: it is new
 /// and empty. Throws std::runtime_error with the reason in words.

@@ -40,8 +40,7 @@ void make_tables(Database& database) {
         "INTEGER, instance TEXT, property TEXT, was TEXT, now TEXT, was_text TEXT, now_text TEXT, "
         "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, "
         "PRIMARY KEY (run, number)) WITHOUT ROWID");
-    database.run(("PRAGMA application_id = " + std::to_string(format.application)).c_str());
-    database.run(("PRAGMA user_version = " + std::to_string(format.version)).c_str());
+    set_format(database, format);
     transaction.commit();
 }
 

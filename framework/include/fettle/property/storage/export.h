@@ -1,7 +1,7 @@
 #pragma once
-// What a shared libfettle_storage shows of itself: what its public headers declare between these two
-// marks, and nothing else. Everything is compiled with hidden visibility; a static library needs no
-// marks and has FETTLE_STORAGE_STATIC defined.
+// What a shared libfettle_storage shows of itself: what its public headers declare between these
+// two marks, and nothing else. Everything is compiled with hidden visibility; a static library
+// needs no marks and has FETTLE_STORAGE_STATIC defined.
 
 #ifdef FETTLE_STORAGE_STATIC
 #define FETTLE_STORAGE_BEGIN

@@ -1,0 +1,81 @@
+#pragma once
+// Saved games: one file a slot, written whole or not at all, refused with a reason when it is
+// damaged, newer or another game's.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fettle/property/storage/export.h>
+#include <fettle/property/storage/scene.h>
+
+FETTLE_STORAGE_BEGIN
+
+namespace fettle::property {
+
+/// A small picture of the game: rows from the top, four bytes a pixel (red, green, blue, opacity).
+struct Thumbnail {
+    std::uint32_t width = 0, height = 0;  // px; 0: there is none
+    std::vector<std::uint8_t> pixels{};
+    bool empty() const { return width == 0 || height == 0; }
+};
+
+/// The picture at most `widest` px wide, its pixels averaged.
+Thumbnail scaled_down(const Thumbnail& picture, std::uint32_t widest);
+
+struct SaveInfo {
+    std::string slot;
+    std::uint64_t step = 0;
+    std::int64_t time = 0;  // s since 1970
+    std::string program;    // the Fettle that wrote it
+    std::size_t bytes = 0;  // of the file
+    bool thumbnail = false;
+    std::string problem;  // why it cannot be loaded; "" when it can
+};
+
+struct SavedGame {
+    SaveInfo info;
+    std::vector<std::byte> state;
+    Thumbnail thumbnail;
+};
+
+class Saves {
+  public:
+    /// `folder` is made by the first save. `game` is what the saves are of: those of another one
+    /// are refused. `program` stands in them.
+    Saves(std::filesystem::path folder, std::string game, std::string program);
+
+    /// Throws Error(bad_name) unless it is 1 to 64 letters, digits, spaces, - or _, no space first
+    /// or last.
+    static void check_slot(std::string_view slot);
+
+    /// Whatever goes wrong, an older save of that slot stays. Throws FileError, Error(bad_name).
+    void save(const std::string& slot, std::uint64_t step, std::span<const std::byte> state,
+              const Thumbnail& thumbnail = {}) const;
+    /// Throws FileError with the reason why it cannot be used, Error(unknown_name) with the nearest
+    /// spelling when there is no such slot.
+    SavedGame load(const std::string& slot) const;
+    /// By name; those that cannot be loaded tell why.
+    std::vector<SaveInfo> list() const;
+    /// Throws as `load` does for a slot there is not, FileError when it cannot be removed.
+    void remove(const std::string& slot) const;
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+  private:
+    std::filesystem::path file(const std::string& slot) const;
+    std::filesystem::path existing(const std::string& slot) const;
+    SavedGame read(const std::filesystem::path& file) const;
+
+    std::filesystem::path folder_;
+    std::string game_;
+    std::string program_;
+};
+
+}  // namespace fettle::property
+
+FETTLE_STORAGE_END

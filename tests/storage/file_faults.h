@@ -1,0 +1,49 @@
+#pragma once
+// What can be wrong with a place for files: no permission, no room.
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace scene_test {
+
+/// As somebody whom permissions stop, when the tests run as root.
+class Nobody {
+  public:
+    Nobody() : root_(::geteuid() == 0) {
+        if (root_ && ::seteuid(65534) != 0) throw std::runtime_error("cannot become nobody");
+    }
+    ~Nobody() {
+        if (root_ && ::seteuid(0) != 0) std::abort();
+    }
+    Nobody(const Nobody&) = delete;
+
+  private:
+    bool root_;
+};
+
+/// Files cannot grow beyond so many bytes: what a full disk is to a program.
+class SmallFiles {
+  public:
+    explicit SmallFiles(rlim_t bytes) {
+        handler_ = std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit less{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &less);
+    }
+    ~SmallFiles() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    SmallFiles(const SmallFiles&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int) = nullptr;
+};
+
+}  // namespace scene_test
