@@ -39,7 +39,7 @@ std::string shown(const Tree& tree, const Property& property, const Value& value
     std::string text = tree.text(value, property.precision());
     if (text.size() > longest) text = text.substr(0, longest - 3) + "...";
     if (value.is(Type::text) && text.back() != '"') text += '"';
-    return property.unit.empty() ? text : text + " " + property.unit;
+    return text;
 }
 
 std::string on_one_line(const std::string& text) {
@@ -67,6 +67,7 @@ Image image_of(const Tree& tree, const Property& property, const CellState& stat
         return image;
     }
     image.text = shown(tree, property, state.value);
+    if (!property.unit.empty()) image.unit = " " + property.unit;
     try {
         image.value = value_json(tree, property, state.value);
     } catch (const Error& error) {  // NaN, or a reference to what hangs nowhere
@@ -78,6 +79,7 @@ Image image_of(const Tree& tree, const Property& property, const CellState& stat
         image.source = state.formula->source;
         if (!state.formula->not_saved.empty()) image.not_saved = state.formula->not_saved;
         if (image.source.empty() && image.not_saved.empty()) image.not_saved = "has no text";
+        image.unit.clear();
         image.text = image.source.empty() ? "a formula" : "is " + on_one_line(image.source);
     } else {
         image.kind = state.overridden ? Image::Kind::value : Image::Kind::by_default;
@@ -95,6 +97,10 @@ Image image_now(const Tree& tree, Handle instance, Symbol name, bool settle) {
     }
     now.value = tree.peek(instance, *property);
     return image_of(tree, *property, now);
+}
+
+std::pair<std::string, std::string> change_text(const Image& was, const Image& now) {
+    return {now.unit.empty() ? was.text + was.unit : was.text, now.text + now.unit};
 }
 
 std::string image_json(const Image& image) {

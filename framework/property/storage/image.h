@@ -2,6 +2,7 @@
 // What a property is, as text that outlives the tree: for the journal of tweaks.
 
 #include <string>
+#include <utility>
 
 #include <fettle/property/edits.h>
 #include <fettle/property/tree.h>
@@ -14,7 +15,8 @@ struct Image {
     std::string value{};      // as scene files write what has no declared type; references by path
     std::string source{};     // of a formula
     std::string not_saved{};  // why the source is not all of it
-    std::string text{};       // for people, with its unit
+    std::string text{};       // for people
+    std::string unit{};       // belongs behind it; "" for what is no value
 
     /// What a person would call the same: a formula may have another value by now.
     friend bool operator==(const Image& a, const Image& b) {
@@ -26,6 +28,9 @@ struct Image {
 Image image_of(const Tree& tree, const Property& property, const CellState& state);
 /// Of a property as it is now. `settle`: a formula is run first, if it is due.
 Image image_now(const Tree& tree, Handle instance, Symbol property, bool settle);
+
+/// A change as people read it: the unit is said once, behind the last value.
+std::pair<std::string, std::string> change_text(const Image& was, const Image& now);
 
 std::string image_json(const Image& image);
 /// Throws Error for what `image_json` has not written. The text for people is not part of it.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
 
 #include "places.h"
 #include "tweaks_state.h"
@@ -237,8 +238,7 @@ std::vector<Tweak> Tweaks::list() const {
         if (state_->visible(*entry)) {
             add(entry->row, false, entry->committed && !entry->dirty);
             if (!all.back().value) continue;
-            all.back().was = entry->was.text;
-            all.back().now = entry->now.text;
+            std::tie(all.back().was, all.back().now) = change_text(entry->was, entry->now);
         }
     return all;
 }

@@ -1,6 +1,7 @@
 // Tweaks: from entries to rows of the journal, once a barrier.
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "scene_edit.h"
@@ -112,8 +113,7 @@ void Tweaks::State::refresh(Entry& entry) {
         entry.now = image_now(tree, entry.handle, entry.property, true);
     entry.row.was = image_json(entry.was);
     entry.row.now = image_json(entry.now);
-    entry.row.was_text = entry.was.text;
-    entry.row.now_text = entry.now.text;
+    std::tie(entry.row.was_text, entry.row.now_text) = change_text(entry.was, entry.now);
 }
 
 void Tweaks::State::commit() {
