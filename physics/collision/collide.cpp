@@ -103,6 +103,7 @@ void single_point(V2 p, V2 q, V2 fallback, const Convex& a, const Convex& b, V2 
     const V2 middle = 0.5f * (surface_a + surface_b);
     m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature};
     m.count = 1;
+    m.corner = distance;
 }
 
 /// Circle (one vertex) against anything.
@@ -220,6 +221,7 @@ void clip(const Convex& reference, int edge, const Convex& other, int incident, 
 
 void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold& m) {
     m.count = 0;
+    m.corner = 0.0f;
     if (b.count == 1) {
         collide_circle(a, b, offset, margin, m);
         return;
@@ -288,6 +290,7 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
 void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,
                         Manifold& m) {
     m.count = 0;
+    m.corner = 0.0f;
     m.normal = normal;
     const float base = dot(normal, center_b) - depth - b.radius;
     int deepest = 0;

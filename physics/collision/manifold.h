@@ -30,6 +30,7 @@ struct ManifoldPoint {
 struct Manifold {
     V2 normal;  ///< from a to b
     int count = 0;
+    float corner = 0.0f;  ///< distance of the cores where they meet round a corner, m; else 0
     ManifoldPoint points[2];
 };
 

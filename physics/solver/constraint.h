@@ -74,7 +74,17 @@ struct ContactConstraint {
     ConstraintPoint points[2];
 };
 
+/// What a contact round a corner needs. Along the normal, who passes at a tangent comes nearer:
+/// s₀ + u_n; in truth the cores keep a distance of √((d + u_n)² + u_t²), which is more. Left out, a
+/// circle that rolls over flush tiles is kicked by the corner of every next one before it gets
+/// there.
+struct Corner {
+    float distance = 0.0f;                 ///< d of the cores when the step began, m; 0: no corner
+    float lever_a = 0.0f, lever_b = 0.0f;  ///< of the cores along the tangent, m
+};
+
 struct ContactExtra {
+    Corner corner;
     float restitution = 0.0f;
     float rolling_resistance =
         0.0f;  ///< m: times the normal impulse is the greatest angular impulse

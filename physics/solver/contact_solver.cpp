@@ -1,5 +1,7 @@
 #include <solver/contact_solver.h>
 
+#include <cmath>
+
 // Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
 // with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
 // other, but the change that the first makes to the relative velocity of the second is known
@@ -62,17 +64,39 @@ struct NormalRow {
     float total(float velocity) const { return max(kept - mass * (velocity + bias), 0.0f); }
 };
 
+/// What the way round a corner adds to the gap that is told along the normal: by now, or when all
+/// has gone on for a time. `along_normal`: how far the cores came apart by then, m.
+inline float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
+                        const Pair& pair, float along_normal, float ahead) {
+    const V2 t = right_perp(n);
+    const float moved =
+        dot(t, b.shift - a.shift) + (corner.lever_b * b.turn - corner.lever_a * a.turn);
+    const float velocity =
+        dot(t, pair.vb - pair.va) + (corner.lever_b * pair.wb - corner.lever_a * pair.wa);
+    const float u = moved + ahead * velocity;
+    const float reach = max(corner.distance + along_normal, 0.0f);
+    return u * u / (std::sqrt(reach * reach + u * u) + reach + 1e-12f);
+}
+
 template <bool biased>
 inline void solve_normals(ContactConstraint& c, const SolverBody& a, const SolverBody& b,
-                          Pair& pair, float inverse_h, float push_speed) {
+                          Pair& pair, const Corner* corner, float inverse_h, float push_speed) {
     const Softness& soft = c.soft;
     const V2 n = c.normal;
     const float approach = dot(n, pair.vb - pair.va);
     const float shift = dot(n, b.shift - a.shift);
     ConstraintPoint& p = c.points[0];
-    const float s1 = p.separation + shift + (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
-    const float v1 = approach + (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
+    float s1 = p.separation + shift + (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
+    float v1 = approach + (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
     if (c.count == 1) {
+        if (corner != nullptr) {
+            // As fast as the way round opens the gap, it may be closed along the normal.
+            const float h = 1.0f / inverse_h, opened = s1 - p.separation;
+            const float gap = corner_gap(*corner, n, a, b, pair, opened, 0.0f);
+            const float later = corner_gap(*corner, n, a, b, pair, opened + h * v1, h);
+            v1 += (later - gap) * inverse_h;
+            s1 += gap;
+        }
         const float total = NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed).total(v1);
         const float impulse = total - p.normal_impulse;
         p.normal_impulse = total;
@@ -173,12 +197,17 @@ void ContactSolver::warm_start() {
     }
 }
 
+const Corner* ContactSolver::corner_of(const ContactConstraint& c) const {
+    if (c.extra == 0 || extras[c.extra - 1].corner.distance == 0.0f) return nullptr;
+    return &extras[c.extra - 1].corner;
+}
+
 void ContactSolver::solve_biased() {
     for (ContactConstraint& c : constraints) {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
         Pair pair(a, b);
-        solve_normals<true>(c, a, b, pair, inverse_h, push_speed);
+        solve_normals<true>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         pair.store(a, b);
     }
 }
@@ -188,7 +217,7 @@ void ContactSolver::relax() {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
         Pair pair(a, b);
-        solve_normals<false>(c, a, b, pair, inverse_h, push_speed);
+        solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         if (c.extra == 0) {
             solve_friction(c, pair, 0.0f);
         } else {

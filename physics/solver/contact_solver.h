@@ -23,6 +23,9 @@ struct ContactSolver {
     /// Once after all sub-steps: what hit fast enough leaves with its share of the approach
     /// velocity.
     void restitute();
+
+  private:
+    const Corner* corner_of(const ContactConstraint& c) const;
 };
 
 }  // namespace fettle::physics::detail

@@ -95,15 +95,45 @@ void pack(const ContactConstraint& c, WideContact& wide, int lane) {
     }
 }
 
+/// The cores are half a radius and a bit away from the anchors, along the normal.
+Corner corner_of(const ContactRecord& record, const ShapeForm& form_a, const ShapeForm& form_b) {
+    const Manifold& m = record.manifold;
+    const ManifoldPoint& point = m.points[0];
+    const V2 t = right_perp(m.normal);
+    const float half_gap = 0.5f * point.separation;
+    return {m.corner, cross(point.anchor_a, t) + form_a.radius + half_gap,
+            cross(point.anchor_b, t) - form_b.radius - half_gap};
+}
+
 /// Colors of contacts between two that move, then those with something fixed: solved last, they
 /// have the last word.
 constexpr int moving_colors = 48;
 
+/// A path that bends by less in a step is straight, m.
+constexpr float negligible_bend = 5e-5f;
+
 }  // namespace
+
+/// Passing a corner so fast that the bend of the way shows within the step. Two circles do without:
+/// they meet in piles, where all move slowly. So do bare corners: they have no way round.
+bool WorldData::passes_corner(const ContactRecord& record, float dt) const {
+    const Manifold& m = record.manifold;
+    if (m.corner == 0.0f) return false;
+    const ShapeForm &form_a = forms[record.shape_a], &form_b = forms[record.shape_b];
+    if (form_a.count == 1 && form_b.count == 1) return false;
+    if (form_a.radius + form_b.radius == 0.0f) return false;
+    const Corner corner = corner_of(record, form_a, form_b);
+    const SolverBody& a = solver_bodies[bodies[record.body_a].solver_index];
+    const SolverBody& b = solver_bodies[bodies[record.body_b].solver_index];
+    const float u =
+        dt * (dot(right_perp(m.normal), b.velocity - a.velocity) +
+              corner.lever_b * b.angular_velocity - corner.lever_a * a.angular_velocity);
+    return u * u > 2.0f * corner.distance * negligible_bend;
+}
 
 /// Greedy coloring, anew in every step: the lowest color that neither body has yet. What finds
 /// none, and what needs more than a plain contact, is solved one at a time.
-void WorldData::color_contacts() {
+void WorldData::color_contacts(float dt) {
     colored.clear();
     color_begin.fill(0);
     colors_of_body.assign(solver_bodies.size(), 0);
@@ -119,7 +149,8 @@ void WorldData::color_contacts() {
             (moves_a ? colors_of_body[a] : 0) | (moves_b ? colors_of_body[b] : 0);
         const int first = moves_a && moves_b ? 0 : moving_colors;
         const int color = first + std::countr_one(taken >> first);
-        if (record.special || color >= (first == 0 ? moving_colors : color_count)) {
+        if (record.special || passes_corner(record, dt) ||
+            color >= (first == 0 ? moving_colors : color_count)) {
             serial_contacts.push_back(slot);
             continue;
         }
@@ -139,8 +170,8 @@ void WorldData::color_contacts() {
     wide_contacts.resize(begin / lanes);
 }
 
-void WorldData::prepare_contacts(float h, const ContactStiffness& stiffness) {
-    color_contacts();
+void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stiffness) {
+    color_contacts(dt);
     const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
     auto prepare = [&](uint32_t slot, ContactConstraint& c) {
         const ContactRecord& record = contacts[slot];
@@ -170,9 +201,13 @@ void WorldData::prepare_contacts(float h, const ContactStiffness& stiffness) {
     for (uint32_t slot : serial_contacts) {
         ContactConstraint& serial = constraints.emplace_back();
         prepare(slot, serial);
-        if (!contacts[slot].special) continue;
-        prepare_extra(contacts[slot], serial, solver_bodies[serial.a], solver_bodies[serial.b],
-                      ratio, extras.emplace_back());
+        const ContactRecord& record = contacts[slot];
+        const bool corner = passes_corner(record, dt);
+        if (!record.special && !corner) continue;
+        ContactExtra& extra = extras.emplace_back();
+        prepare_extra(record, serial, solver_bodies[serial.a], solver_bodies[serial.b], ratio,
+                      extra);
+        if (corner) extra.corner = corner_of(record, forms[record.shape_a], forms[record.shape_b]);
         serial.extra = uint32_t(extras.size());
     }
 }

@@ -105,8 +105,9 @@ void WorldData::solve(float dt) {
     const JointStep joint_step = prepare_joints(h);
 
     const float gravity = length(to_v2(settings.gravity));
-    prepare_contacts(h, {settings.contact_hertz, settings.contact_damping, h,
-                         gravity > 0.0f ? gravity : usual_gravity});
+    prepare_contacts(dt, h,
+                     {settings.contact_hertz, settings.contact_damping, h,
+                      gravity > 0.0f ? gravity : usual_gravity});
     ContactSolver serial;
     serial.bodies = solver_bodies;
     serial.constraints = constraints;

@@ -258,8 +258,9 @@ struct WorldData : Columns {
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
     // ../solver
-    void color_contacts();
-    void prepare_contacts(float h, const ContactStiffness& stiffness);
+    void color_contacts(float dt);
+    bool passes_corner(const ContactRecord& contact, float dt) const;
+    void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);
     void store_contacts();
     void update_touch(uint32_t contact, bool pushed);
     void report_hit(uint32_t contact, const ContactExtra* extra);

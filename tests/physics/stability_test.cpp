@@ -191,6 +191,27 @@ TEST_CASE("nothing kicks a fast box at the seams of a floor of tiles") {
     REQUIRE(ball.velocity().x() == Approx(30.0f).epsilon(0.01));
 }
 
+TEST_CASE("nothing kicks a circle that slides or rolls over a floor of tiles") {
+    const float speed = GENERATE(0.5f, 2.0f, 5.0f, 10.0f, 30.0f);
+    const float friction = GENERATE(0.0f, 0.6f);
+    World world;
+    Body floor = world.create_body({.type = BodyType::static_body});
+    for (int i = -5; i < 100; ++i)
+        floor.add(Box{.center = {float(i), -0.5f}}, {.friction = friction});
+    Body ball = add_ball(world, {-3, 0.5f}, 0.5f, {.friction = friction});
+    run(world, 0.5f);
+    ball.set_velocity({speed, 0});
+    if (friction > 0.0f) ball.set_angular_velocity(-speed / 0.5f);
+    float fastest = 0.0f;
+    for (int i = 0; i < 180; ++i) {
+        world.step(frame);
+        fastest = std::max(fastest, std::fabs(ball.velocity().y()));
+    }
+    INFO(speed << " m/s, friction " << friction);
+    CHECK(fastest < 0.03f);
+    CHECK(ball.velocity().x() == Approx(speed).epsilon(0.01));
+}
+
 TEST_CASE("a body thrown at a border at any speed stays inside") {
     World world({.gravity = {0, 0}, .bounds = Aabb{{-5, -5}, {5, 5}}});
     Body box = add_box(world, {0, 0}, 0.3f);
