@@ -14,7 +14,7 @@ set(fettle_needs_module property)
 set(fettle_needs_physics_module module property physics)
 set(fettle_needs_script property storage)
 set(fettle_needs_app script property)
-set(fettle_needs_console app script property)
+set(fettle_needs_console app script storage property)
 set(fettle_needs_fettle ${fettle_parts})
 
 set(fettle_folder_property framework/property)

@@ -32,9 +32,14 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
       ui(clipboard),
       log_view(log),
       prompt_view(prompt),
-      inspector(tree) {
+      inspector(tree),
+      tweak_list(tree, options.tweaks) {
     log_view.is_link = [this](std::string_view path) { return is_link(path); };
     log_view.follow = [this](std::string_view path, bool insert) { follow_link(path, insert); };
+    tweak_list.say = [this](const std::string& line) { log.note(line); };
+    tweak_list.follow = [this](std::string_view path) {
+        if (is_link(path)) follow_link(path, false);
+    };
     inspector.chosen = [this](Handle instance) { choose(instance); };
     inspector.insert = [this](const std::string& text) { prompt.edit().insert(text); };
     inspector.editor().fields().calculate =

@@ -64,7 +64,10 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
     float prompt_height = prompt_view.height(panel_height);
     float log_height =
         ImGui::GetContentRegionAvail().y - prompt_height - ImGui::GetStyle().ItemSpacing.y * 2;
-    log_view.draw(std::max(1.0f, log_height), cell);
+    if (tweak_list.available() && settings.flag("tweaks"))
+        tweak_list.draw(std::max(1.0f, log_height));
+    else
+        log_view.draw(std::max(1.0f, log_height), cell);
     ImGui::Spacing();
     prompt_view.draw(prompt_height, cell, !ImGui::IsAnyItemActive());
     draw_height_handle();
@@ -73,7 +76,9 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
 
 bool Console::State::title_button(const char* label, bool lit, float& right) {
     float pad = ImGui::GetStyle().FramePadding.x;
-    float button_width = text_width(label) + 2 * pad;
+    const std::string_view shown =
+        std::string_view(label).substr(0, std::string_view(label).find("##"));
+    float button_width = text_width(shown) + 2 * pad;
     float button_height = ImGui::GetTextLineHeight() + 2;
     right -= button_width;
     ImVec2 start = ImGui::GetCursorScreenPos();
@@ -85,7 +90,7 @@ bool Console::State::title_button(const char* label, bool lit, float& right) {
     ImVec2 end(at.x + button_width, at.y + button_height);
     float rounding = ImGui::GetStyle().FrameRounding;
     list.AddRectFilled(at, end, hovered ? palette::hover : palette::raised, rounding);
-    draw_text(list, ImVec2(at.x + pad, at.y + 1), lit ? palette::accent : palette::dim, label);
+    draw_text(list, ImVec2(at.x + pad, at.y + 1), lit ? palette::accent : palette::dim, shown);
     right -= ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetCursorScreenPos(start);
     return pressed;
@@ -98,6 +103,14 @@ void Console::State::draw_title(float cell) {
     bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
     if (title_button("inspector", shown, right)) settings.set("inspector", property::Value(!shown));
     if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
+    if (tweak_list.available()) {
+        const bool listed = settings.flag("tweaks");
+        const std::size_t open = tweak_list.open_count();
+        const std::string label =
+            open == 0 ? "tweaks###tweaks" : "tweaks " + std::to_string(open) + "###tweaks";
+        if (title_button(label.c_str(), listed, right))
+            settings.set("tweaks", property::Value(!listed));
+    }
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = at.x;

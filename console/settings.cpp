@@ -44,6 +44,8 @@ property::ClassDescriptor console_class() {
     list.push_back(
         flag_property("pauses", false, "Whether time stands still while the console is open."));
     list.push_back(flag_property("inspector", true, "Whether the inspector is shown with it."));
+    list.push_back(
+        flag_property("tweaks", false, "Whether tweaks are listed in place of the log."));
     list.push_back(flag_property(
         "picks", true, "Whether a click on a body selects it while the console is open."));
     list.push_back(number_property("font_size", 15, {8, 48}, "px", "Height of the text."));

@@ -16,6 +16,7 @@
 #include "prompt_view.h"
 #include "rect.h"
 #include "settings.h"
+#include "tweak_list.h"
 
 namespace fettle::console {
 
@@ -79,6 +80,7 @@ struct Console::State {
     LogView log_view;
     PromptView prompt_view;
     Inspector inspector;
+    TweakList tweak_list;
 
     HeldKeys keys, buttons;
     bool was_open = false;

@@ -86,7 +86,8 @@ void Session::make_console(app::Clipboard* clipboard) {
             [&view](float x, float y) {
                 return view.to_world({x, y});
             },
-        .to_pixels = [&view](property::Vec2 world) { return view.to_screen(world); }};
+        .to_pixels = [&view](property::Vec2 world) { return view.to_screen(world); },
+        .tweaks = tweaks_.get()};
     if (!options_.headless) options.history_file = console::default_history_file();
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
     for (const std::string& text : early_notes_) console_->print(text);

@@ -1,5 +1,7 @@
 #include "rig.h"
 
+#include "catch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,11 +117,15 @@ Options Rig::with_view(Options options) {
         return Vec2(surface.width() / 2 + p.x() * pixels_per_metre,
                     surface.height() / 2 - p.y() * pixels_per_metre);
     };
+    options.tweaks = tweaks.get();
     return options;
 }
 
-Rig::Rig(Options options)
-    : surface(1280, 720),
+Rig::Rig(Options options, const std::filesystem::path& game)
+    : tweaks(game.empty() ? nullptr
+                          : std::make_unique<property::Tweaks>(
+                                tree, game, [this](const std::string& text) { FAIL(text); })),
+      surface(1280, 720),
       console((make_game(tree), tree), stand_in(), with_view(std::move(options))) {}
 
 Interpreter Rig::stand_in() {
@@ -259,6 +265,7 @@ void Rig::drag(float from_x, float from_y, float to_x, float to_y) {
 void Rig::draw(int frames) {
     for (; frames > 0; --frames) {
         tree.barrier();
+        if (tweaks) tweaks->barrier();
         surface.clear();
         console.draw(surface, 1.0 / 60);
     }

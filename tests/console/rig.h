@@ -1,12 +1,15 @@
 #pragma once
 // A small world with a console over it, driven by events as a window would send them.
 
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fettle/console/console.h>
 #include <fettle/property/path.h>
+#include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 
 #include "raster_surface.h"
@@ -31,7 +34,8 @@ app::InputEvent key_event(std::string_view name, bool pressed);
 class Rig {
   public:
     /// Commands are understood by a stand-in: `path = value` sets, `path` prints.
-    explicit Rig(Options options = {});
+    /// `game`: a file whose tweaks are journaled; none without.
+    explicit Rig(Options options = {}, const std::filesystem::path& game = {});
 
     /// A key pressed and released; "ctrl+r", "shift+enter". Returns what the console said to the
     /// press: true when the game does not get it.
@@ -58,6 +62,7 @@ class Rig {
     void save(const std::string& name);
 
     property::Tree tree;
+    std::unique_ptr<property::Tweaks> tweaks;
     TextClipboard clipboard;
     std::vector<std::string> commands;  // what was evaluated
     RasterSurface surface;

@@ -73,10 +73,10 @@ std::string Journal::open(const fs::path& file, Access access) {
         database->wait_for_others(open_patience);
         const bool made = check_format(*database, format);
         if (database->read_only()) throw std::runtime_error("it can only be read");
+        database->run("PRAGMA synchronous = OFF");
         if (database->text("PRAGMA journal_mode = WAL") != "wal")
             throw std::runtime_error("its file system allows no write-ahead log");
         if (!made) make_tables(*database);
-        database->run("PRAGMA synchronous = OFF");
         database->run("PRAGMA wal_autocheckpoint = 0");
         database->wait_for_others(commit_patience);
         database_ = std::move(database);

@@ -16,6 +16,10 @@
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
 
+namespace fettle::property {
+class Tweaks;
+}
+
 FETTLE_CONSOLE_BEGIN
 
 namespace fettle::console {
@@ -29,6 +33,8 @@ struct Options {
     /// cannot be clicked.
     std::function<property::Vec2(float x, float y)> to_world{};
     std::function<property::Vec2(property::Vec2 world)> to_pixels{};
+    /// What can be listed, kept and dropped; null: nothing of it is shown.
+    property::Tweaks* tweaks = nullptr;
 };
 
 /// `console_history` in `$XDG_STATE_HOME/fettle`, or in `~/.local/state/fettle`; empty when neither

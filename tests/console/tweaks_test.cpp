@@ -1,0 +1,106 @@
+// The list of tweaks, with a mouse.
+
+#include <fstream>
+#include <iterator>
+
+#include "catch.h"
+#include "rig.h"
+
+using namespace fettle;
+using console::Rect;
+using console::test::Rig;
+using property::Value;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Place {
+    Place() {
+        std::string name = (fs::temp_directory_path() / "fettle tweaks XXXXXX").string();
+        REQUIRE(mkdtemp(name.data()) != nullptr);
+        folder = name;
+    }
+    ~Place() { fs::remove_all(folder); }
+    fs::path folder;
+    fs::path game() const { return folder / "main.lua"; }
+};
+
+struct TweakedRig : Place, Rig {
+    TweakedRig() : Place(), Rig({}, Place::game()) {
+        key("grave");
+        edit("world.ball.mass", 5.0);
+        edit("world.ball.angle", 0.5);
+        property::set(tree, "console.tweaks", true);
+        draw(3);
+    }
+    void edit(const char* path, double value) {
+        const property::Tree::CauseScope cause(tree, property::Writer::console);
+        property::set(tree, path, value);
+    }
+    void press(int row, const char* label) {
+        const Rect at = state().tweak_list.button(row, label);
+        REQUIRE_FALSE(at.empty());
+        click(at.middle().x, at.middle().y);
+        draw(3);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the list of tweaks keeps and drops what is clicked") {
+    TweakedRig rig;
+    REQUIRE(rig.tweaks->list().size() == 2);
+    CHECK(rig.state().tweak_list.open_count() == 2);
+    rig.save("tweaks");
+    CHECK(rig.surface.faults() == 0);
+    rig.press(1, "drop");
+    CHECK(rig.logged("dropped 1 tweak"));
+    REQUIRE(rig.tweaks->list().size() == 1);
+    CHECK(rig.tweaks->list()[0].path == "world.ball.mass");
+    rig.press(0, "keep");
+    CHECK(rig.logged("kept 1 tweak in main.tweaks.json"));
+    CHECK(rig.tweaks->list()[0].kept);
+    CHECK(rig.state().tweak_list.button(0, "keep").empty());
+    CHECK(rig.state().tweak_list.open_count() == 0);
+    CHECK(rig.value("world.ball.angle") == Value(0.5));
+    std::ifstream file(rig.folder / "main.tweaks.json");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    CHECK(text.find("\"world.ball.mass\": 5") != std::string::npos);
+}
+
+TEST_CASE("what an earlier run left is made again from the list as one edit") {
+    const Place place;
+    {
+        Rig first({}, place.game());
+        const property::Tree::CauseScope cause(first.tree, property::Writer::console);
+        property::set(first.tree, "world.ball.mass", 5.0);
+        property::set(first.tree, "world.ball.angle", 0.5);
+        first.tweaks->barrier();
+    }
+    Rig rig({}, place.game());
+    rig.key("grave");
+    property::set(rig.tree, "console.tweaks", true);
+    rig.draw(3);
+    const double before = rig.value("world.ball.mass").number();
+    CHECK(before != 5);
+    const Rect at = rig.state().tweak_list.button(-1, "make all again");
+    REQUIRE_FALSE(at.empty());
+    rig.click(at.middle().x, at.middle().y);
+    rig.draw(3);
+    CHECK(rig.value("world.ball.mass") == Value(5.0));
+    CHECK(rig.tweaks->open_earlier() == 0);
+    CHECK(rig.tweaks->list().size() == 2);
+    rig.tree.undo();
+    rig.draw();
+    CHECK(rig.value("world.ball.mass").number() == before);
+    CHECK(rig.tweaks->list().empty());
+}
+
+TEST_CASE("a console without a journal shows nothing of tweaks") {
+    Rig rig;
+    rig.key("grave");
+    property::set(rig.tree, "console.tweaks", true);
+    rig.draw(3);
+    CHECK_FALSE(rig.state().tweak_list.available());
+    CHECK(rig.state().log_view.line_height() > 0);
+}
