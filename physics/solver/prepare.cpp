@@ -166,7 +166,6 @@ void WorldData::color_contacts(float dt) {
         entry = begin;
         begin += (count + lanes - 1) / lanes * lanes;
     }
-    wide_slots.assign(begin, none);
     wide_contacts.resize(begin / lanes);
 }
 
@@ -184,16 +183,16 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
                               max(a.inverse_mass, b.inverse_mass));
     };
     ContactConstraint c;
-    for (const auto& [slot, color] : colored) {
-        const uint32_t place = color_begin[color]++;
-        prepare(slot, c);
-        wide_slots[place] = slot;
+    for (ColoredContact& colored_contact : colored) {
+        uint32_t& place = colored_contact.place;
+        place = color_begin[place]++;
+        prepare(colored_contact.slot, c);
         pack(c, wide_contacts[place / lanes], int(place % lanes));
     }
     // Lanes that no contact came to: body 0 against itself, without mass.
     const ContactConstraint nothing = {};
-    for (uint32_t place = 0; place < wide_slots.size(); ++place) {
-        if (wide_slots[place] == none)
+    for (uint32_t place : color_begin) {
+        for (; place % lanes != 0; ++place)
             pack(nothing, wide_contacts[place / lanes], int(place % lanes));
     }
     constraints.clear();
@@ -213,17 +212,17 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
 }
 
 void WorldData::store_contacts() {
-    for (uint32_t place = 0; place < wide_slots.size(); ++place) {
-        if (wide_slots[place] == none) continue;
+    // In the order of the records, not of the colors: they are far larger than the lanes.
+    for (const auto& [slot, place] : colored) {
         const WideContact& wide = wide_contacts[place / lanes];
         const uint32_t lane = place % lanes;
-        Manifold& m = contacts[wide_slots[place]].manifold;
+        Manifold& m = contacts[slot].manifold;
         for (int k = 0; k < m.count; ++k) {
             m.points[k].normal_impulse = wide.points[k].normal_impulse[lane];
             m.points[k].tangent_impulse = wide.points[k].tangent_impulse[lane];
         }
-        update_touch(wide_slots[place], false);
-        report_hit(wide_slots[place], nullptr);
+        update_touch(slot, false);
+        if (contacts[slot].hit_events) report_hit(slot, nullptr);
     }
     for (const ContactConstraint& c : constraints) {
         Manifold& m = contacts[c.contact].manifold;

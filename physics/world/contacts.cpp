@@ -33,6 +33,7 @@ void WorldData::look_at_pair(uint32_t shape, uint32_t other) {
 }
 
 void WorldData::find_pairs() {
+    relocated.resize(shapes.size(), 0);
     if (moved_shapes.empty()) return;
     new_pairs.clear();
     const auto look = [&](uint32_t shape, uint32_t other) { look_at_pair(shape, other); };
@@ -53,9 +54,9 @@ void WorldData::find_pairs() {
     for (uint64_t pair : new_pairs) create_contact(uint32_t(pair), uint32_t(pair >> 32));
     for (uint32_t shape : moved_shapes) {
         shapes[shape].moved = false;
+        relocated[shape] = 1;
         paired_boxes[shape] = fat_boxes[shape];
     }
-    moved_shapes.clear();
     moving_tree.rest();
     fixed_tree.rest();
 }
@@ -242,7 +243,8 @@ void WorldData::narrow_phase() {
     for (size_t i = 0; i < awake_contacts.size(); ++i) {
         const uint32_t slot = awake_contacts[i];
         ContactRecord& c = contacts[slot];
-        if (!overlap(fat_boxes[c.shape_a], fat_boxes[c.shape_b])) {
+        if ((relocated[c.shape_a] | relocated[c.shape_b]) != 0 &&
+            !overlap(fat_boxes[c.shape_a], fat_boxes[c.shape_b])) {
             destroy_contact(slot, true);
             continue;
         }
@@ -263,6 +265,8 @@ void WorldData::narrow_phase() {
         }
     }
     awake_contacts.resize(kept);
+    for (uint32_t shape : moved_shapes) relocated[shape] = 0;
+    moved_shapes.clear();
 }
 
 Contact WorldData::view(const ContactRecord& c) const {

@@ -40,7 +40,7 @@ struct FastBody {
 inline constexpr int color_count = 64;
 struct ColoredContact {
     uint32_t slot;
-    uint32_t color;
+    uint32_t place;  ///< its color, until that of every other is known: then its lane
 };
 
 /// The border is solid where normal·p <= depth.
@@ -85,6 +85,7 @@ struct WorldData : Columns {
     Tree fixed_tree, moving_tree;
     PairSet pairs;
     std::vector<uint32_t> moved_shapes;    ///< look for new pairs
+    std::vector<uint8_t> relocated;        ///< of the step, by shape: its fat box is another
     std::vector<uint64_t> new_pairs;       ///< of the step: upper << 32 | lower
     std::vector<uint32_t> awake_bodies;    ///< slots; solver index is the place + 1
     std::vector<uint32_t> awake_contacts;  ///< slots
@@ -97,7 +98,6 @@ struct WorldData : Columns {
     std::vector<ContactConstraint> constraints;  ///< of the serial contacts
     std::vector<uint32_t> serial_contacts;       ///< solved one at a time
     std::vector<WideContact> wide_contacts;      ///< by color
-    std::vector<uint32_t> wide_slots;            ///< contact in each lane, or none
     std::vector<ColoredContact> colored;
     std::array<uint32_t, color_count> color_begin{};
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
