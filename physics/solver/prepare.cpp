@@ -123,8 +123,8 @@ bool WorldData::passes_corner(const ContactRecord& record, float dt) const {
     if (form_a.count == 1 && form_b.count == 1) return false;
     if (form_a.radius + form_b.radius == 0.0f) return false;
     const Corner corner = corner_of(record, form_a, form_b);
-    const SolverBody& a = solver_bodies[bodies[record.body_a].solver_index];
-    const SolverBody& b = solver_bodies[bodies[record.body_b].solver_index];
+    const SolverBody& a = solver_bodies[solver_ends[record.body_a] >> 1];
+    const SolverBody& b = solver_bodies[solver_ends[record.body_b] >> 1];
     const float u =
         dt * (dot(right_perp(m.normal), b.velocity - a.velocity) +
               corner.lever_b * b.angular_velocity - corner.lever_a * a.angular_velocity);
@@ -141,10 +141,9 @@ void WorldData::color_contacts(float dt) {
     for (uint32_t slot : awake_contacts) {
         const ContactRecord& record = contacts[slot];
         if (record.manifold.count == 0 || record.sensor) continue;
-        const uint32_t a = bodies[record.body_a].solver_index,
-                       b = bodies[record.body_b].solver_index;
-        const bool moves_a = bodies[record.body_a].mobility == Mobility::dynamic && a != 0;
-        const bool moves_b = bodies[record.body_b].mobility == Mobility::dynamic && b != 0;
+        const uint32_t end_a = solver_ends[record.body_a], end_b = solver_ends[record.body_b];
+        const uint32_t a = end_a >> 1, b = end_b >> 1;
+        const bool moves_a = end_a & 1, moves_b = end_b & 1;
         const uint64_t taken =
             (moves_a ? colors_of_body[a] : 0) | (moves_b ? colors_of_body[b] : 0);
         const int first = moves_a && moves_b ? 0 : moving_colors;
@@ -175,8 +174,8 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
     auto prepare = [&](uint32_t slot, ContactConstraint& c) {
         const ContactRecord& record = contacts[slot];
         c.contact = slot;
-        c.a = bodies[record.body_a].solver_index;
-        c.b = bodies[record.body_b].solver_index;
+        c.a = solver_ends[record.body_a] >> 1;
+        c.b = solver_ends[record.body_b] >> 1;
         const SolverBody &a = solver_bodies[c.a], &b = solver_bodies[c.b];
         prepare_constraint(record, a, b, ratio, c);
         c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,

@@ -57,11 +57,13 @@ void WorldData::gather_bodies(float h) {
     solver_forces.resize(count + 1);
     locked.clear();
     solver_bodies[0] = {};
+    solver_ends.assign(bodies.size(), 0);
     const V2 gravity = to_v2(settings.gravity);
     for (size_t i = 0; i < count; ++i) {
         const uint32_t slot = awake_bodies[i];
         const BodyRecord& record = bodies[slot];
         const BodyState& state = states[slot];
+        solver_ends[slot] = uint32_t(i + 1) << 1 | (record.mobility == Mobility::dynamic);
         previous[slot] = {state.position, state.angle};
         SolverBody& b = solver_bodies[i + 1];
         b.velocity = to_v2(state.velocity);

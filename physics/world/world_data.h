@@ -94,6 +94,9 @@ struct WorldData : Columns {
 
     // Of the step; kept for their capacity.
     std::vector<SolverBody> solver_bodies;
+    /// By body slot: solver index << 1 | takes impulses; 0 for what is fixed or asleep. Dense,
+    /// where the records are not: every contact asks.
+    std::vector<uint32_t> solver_ends;
     std::vector<SolverForce> solver_forces;
     std::vector<ContactConstraint> constraints;  ///< of the serial contacts
     std::vector<uint32_t> serial_contacts;       ///< solved one at a time
