@@ -7,6 +7,7 @@
 
 #include "canvas.h"
 #include "sfml.h"
+#include "system_clipboard.h"
 
 namespace fettle::app {
 
@@ -47,17 +48,6 @@ void write_image(const sf::Image& image, const std::filesystem::path& file) {
                                  ": the picture cannot be written (endings known: .png .jpg .bmp "
                                  ".tga)");
 }
-
-class SystemClipboard : public Clipboard {
-  public:
-    std::string read() override {
-        const auto text = sf::Clipboard::getString().toUtf8();
-        return {text.begin(), text.end()};
-    }
-    void write(std::string_view text) override {
-        sf::Clipboard::setString(sf::String::fromUtf8(text.begin(), text.end()));
-    }
-};
 
 /// Of a picture: nobody else to share it with.
 class OwnClipboard : public Clipboard {

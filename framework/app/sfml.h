@@ -80,78 +80,81 @@ inline bool load(sf::Font& font, const std::string& file) {
     return font.openFromFile(file);
 }
 
-/// The next event as the rest of the program knows it; kinds that nobody needs are passed over.
-inline bool poll(sf::RenderWindow& window, InputEvent& out) {
-    while (const std::optional<sf::Event> event = window.pollEvent()) {
-        out = {};
-        const auto place = [&](sf::Vector2i at) {
-            out.x = static_cast<float>(at.x);
-            out.y = static_cast<float>(at.y);
-        };
-        const auto key = [&](EventKind kind, const auto& e) {
-            out.kind = kind;
-            out.name = key_name(e.code);
-            out.control = e.control, out.shift = e.shift, out.alt = e.alt;
-        };
-        const auto button = [&](EventKind kind, const auto& e) {
-            out.kind = kind;
-            out.name = button_name(e.button);
+/// An event as the rest of the program knows it; false for kinds that nobody needs.
+inline bool convert(const sf::Event& event, InputEvent& out) {
+    out = {};
+    const auto place = [&](sf::Vector2i at) {
+        out.x = static_cast<float>(at.x);
+        out.y = static_cast<float>(at.y);
+    };
+    const auto key = [&](EventKind kind, const auto& e) {
+        out.kind = kind;
+        out.name = key_name(e.code);
+        out.control = e.control, out.shift = e.shift, out.alt = e.alt;
+    };
+    const auto button = [&](EventKind kind, const auto& e) {
+        out.kind = kind;
+        out.name = button_name(e.button);
+        place(e.position);
+    };
+    const auto gamepad = [&](EventKind kind, unsigned number) {
+        out.kind = kind;
+        out.gamepad = static_cast<int>(number) + 1;
+    };
+    bool known = true;
+    event.visit([&](const auto& e) {
+        using E = std::decay_t<decltype(e)>;
+        if constexpr (std::is_same_v<E, sf::Event::Closed>) {
+            out.kind = EventKind::closing;
+        } else if constexpr (std::is_same_v<E, sf::Event::Resized>) {
+            out.kind = EventKind::resized;
+            place(sf::Vector2i(e.size));
+        } else if constexpr (std::is_same_v<E, sf::Event::FocusGained> ||
+                             std::is_same_v<E, sf::Event::FocusLost>) {
+            out.kind = EventKind::focus;
+            out.focused = std::is_same_v<E, sf::Event::FocusGained>;
+        } else if constexpr (std::is_same_v<E, sf::Event::TextEntered>) {
+            out.kind = EventKind::text;
+            out.character = e.unicode;
+        } else if constexpr (std::is_same_v<E, sf::Event::KeyPressed>) {
+            key(EventKind::key_pressed, e);
+        } else if constexpr (std::is_same_v<E, sf::Event::KeyReleased>) {
+            key(EventKind::key_released, e);
+        } else if constexpr (std::is_same_v<E, sf::Event::MouseButtonPressed>) {
+            button(EventKind::mouse_pressed, e);
+        } else if constexpr (std::is_same_v<E, sf::Event::MouseButtonReleased>) {
+            button(EventKind::mouse_released, e);
+        } else if constexpr (std::is_same_v<E, sf::Event::MouseMoved>) {
+            out.kind = EventKind::mouse_moved;
             place(e.position);
-        };
-        const auto gamepad = [&](EventKind kind, unsigned number) {
-            out.kind = kind;
-            out.gamepad = static_cast<int>(number) + 1;
-        };
-        bool known = true;
-        event->visit([&](const auto& e) {
-            using E = std::decay_t<decltype(e)>;
-            if constexpr (std::is_same_v<E, sf::Event::Closed>) {
-                out.kind = EventKind::closing;
-            } else if constexpr (std::is_same_v<E, sf::Event::Resized>) {
-                out.kind = EventKind::resized;
-                place(sf::Vector2i(e.size));
-            } else if constexpr (std::is_same_v<E, sf::Event::FocusGained> ||
-                                 std::is_same_v<E, sf::Event::FocusLost>) {
-                out.kind = EventKind::focus;
-                out.focused = std::is_same_v<E, sf::Event::FocusGained>;
-            } else if constexpr (std::is_same_v<E, sf::Event::TextEntered>) {
-                out.kind = EventKind::text;
-                out.character = e.unicode;
-            } else if constexpr (std::is_same_v<E, sf::Event::KeyPressed>) {
-                key(EventKind::key_pressed, e);
-            } else if constexpr (std::is_same_v<E, sf::Event::KeyReleased>) {
-                key(EventKind::key_released, e);
-            } else if constexpr (std::is_same_v<E, sf::Event::MouseButtonPressed>) {
-                button(EventKind::mouse_pressed, e);
-            } else if constexpr (std::is_same_v<E, sf::Event::MouseButtonReleased>) {
-                button(EventKind::mouse_released, e);
-            } else if constexpr (std::is_same_v<E, sf::Event::MouseMoved>) {
-                out.kind = EventKind::mouse_moved;
-                place(e.position);
-            } else if constexpr (std::is_same_v<E, sf::Event::MouseWheelScrolled>) {
-                known = e.wheel == sf::Mouse::Wheel::Vertical;
-                out.kind = EventKind::wheel;
-                out.delta = e.delta;
-                place(e.position);
-            } else if constexpr (std::is_same_v<E, sf::Event::JoystickButtonPressed>) {
-                gamepad(EventKind::gamepad_pressed, e.joystickId);
-                out.name = std::to_string(e.button + 1);
-            } else if constexpr (std::is_same_v<E, sf::Event::JoystickButtonReleased>) {
-                gamepad(EventKind::gamepad_released, e.joystickId);
-                out.name = std::to_string(e.button + 1);
-            } else if constexpr (std::is_same_v<E, sf::Event::JoystickMoved>) {
-                gamepad(EventKind::gamepad_axis, e.joystickId);
-                set_axis(out, e.axis, e.position);
-            } else if constexpr (std::is_same_v<E, sf::Event::JoystickConnected>) {
-                gamepad(EventKind::gamepad_connected, e.joystickId);
-            } else if constexpr (std::is_same_v<E, sf::Event::JoystickDisconnected>) {
-                gamepad(EventKind::gamepad_disconnected, e.joystickId);
-            } else {
-                known = false;
-            }
-        });
-        if (known) return true;
-    }
+        } else if constexpr (std::is_same_v<E, sf::Event::MouseWheelScrolled>) {
+            known = e.wheel == sf::Mouse::Wheel::Vertical;
+            out.kind = EventKind::wheel;
+            out.delta = e.delta;
+            place(e.position);
+        } else if constexpr (std::is_same_v<E, sf::Event::JoystickButtonPressed>) {
+            gamepad(EventKind::gamepad_pressed, e.joystickId);
+            out.name = std::to_string(e.button + 1);
+        } else if constexpr (std::is_same_v<E, sf::Event::JoystickButtonReleased>) {
+            gamepad(EventKind::gamepad_released, e.joystickId);
+            out.name = std::to_string(e.button + 1);
+        } else if constexpr (std::is_same_v<E, sf::Event::JoystickMoved>) {
+            gamepad(EventKind::gamepad_axis, e.joystickId);
+            set_axis(out, e.axis, e.position);
+        } else if constexpr (std::is_same_v<E, sf::Event::JoystickConnected>) {
+            gamepad(EventKind::gamepad_connected, e.joystickId);
+        } else if constexpr (std::is_same_v<E, sf::Event::JoystickDisconnected>) {
+            gamepad(EventKind::gamepad_disconnected, e.joystickId);
+        } else {
+            known = false;
+        }
+    });
+    return known;
+}
+
+inline bool poll(sf::RenderWindow& window, InputEvent& out) {
+    while (const std::optional<sf::Event> event = window.pollEvent())
+        if (convert(*event, out)) return true;
     return false;
 }
 
@@ -210,91 +213,93 @@ inline bool load(sf::Font& font, const std::string& file) {
     return font.loadFromFile(file);
 }
 
-/// The next event as the rest of the program knows it; kinds that nobody needs are passed over.
+/// An event as the rest of the program knows it; false for kinds that nobody needs.
+inline bool convert(const sf::Event& event, InputEvent& out) {
+    out = {};
+    const auto place = [&](auto x, auto y) {
+        out.x = static_cast<float>(x);
+        out.y = static_cast<float>(y);
+    };
+    const auto key = [&](EventKind kind) {
+        out.kind = kind;
+        out.name = key_name(event.key.code);
+        out.control = event.key.control, out.shift = event.key.shift, out.alt = event.key.alt;
+    };
+    const auto button = [&](EventKind kind) {
+        out.kind = kind;
+        out.name = button_name(event.mouseButton.button);
+        place(event.mouseButton.x, event.mouseButton.y);
+    };
+    const auto gamepad = [&](EventKind kind, unsigned number) {
+        out.kind = kind;
+        out.gamepad = static_cast<int>(number) + 1;
+    };
+    switch (event.type) {
+        case sf::Event::Closed:
+            out.kind = EventKind::closing;
+            break;
+        case sf::Event::Resized:
+            out.kind = EventKind::resized;
+            place(event.size.width, event.size.height);
+            break;
+        case sf::Event::GainedFocus:
+        case sf::Event::LostFocus:
+            out.kind = EventKind::focus;
+            out.focused = event.type == sf::Event::GainedFocus;
+            break;
+        case sf::Event::TextEntered:
+            out.kind = EventKind::text;
+            out.character = event.text.unicode;
+            break;
+        case sf::Event::KeyPressed:
+            key(EventKind::key_pressed);
+            break;
+        case sf::Event::KeyReleased:
+            key(EventKind::key_released);
+            break;
+        case sf::Event::MouseButtonPressed:
+            button(EventKind::mouse_pressed);
+            break;
+        case sf::Event::MouseButtonReleased:
+            button(EventKind::mouse_released);
+            break;
+        case sf::Event::MouseMoved:
+            out.kind = EventKind::mouse_moved;
+            place(event.mouseMove.x, event.mouseMove.y);
+            break;
+        case sf::Event::MouseWheelScrolled:
+            if (event.mouseWheelScroll.wheel != sf::Mouse::VerticalWheel) return false;
+            out.kind = EventKind::wheel;
+            out.delta = event.mouseWheelScroll.delta;
+            place(event.mouseWheelScroll.x, event.mouseWheelScroll.y);
+            break;
+        case sf::Event::JoystickButtonPressed:
+        case sf::Event::JoystickButtonReleased:
+            gamepad(event.type == sf::Event::JoystickButtonPressed ? EventKind::gamepad_pressed
+                                                                   : EventKind::gamepad_released,
+                    event.joystickButton.joystickId);
+            out.name = std::to_string(event.joystickButton.button + 1);
+            break;
+        case sf::Event::JoystickMoved:
+            gamepad(EventKind::gamepad_axis, event.joystickMove.joystickId);
+            set_axis(out, event.joystickMove.axis, event.joystickMove.position);
+            break;
+        case sf::Event::JoystickConnected:
+            gamepad(EventKind::gamepad_connected, event.joystickConnect.joystickId);
+            break;
+        case sf::Event::JoystickDisconnected:
+            gamepad(EventKind::gamepad_disconnected, event.joystickConnect.joystickId);
+            break;
+        default:
+            return false;
+    }
+    return true;
+}
+
 inline bool poll(sf::RenderWindow& window, InputEvent& out) {
     sf::Event event;
-    while (window.pollEvent(event)) {
-        out = {};
-        const auto place = [&](auto x, auto y) {
-            out.x = static_cast<float>(x);
-            out.y = static_cast<float>(y);
-        };
-        const auto key = [&](EventKind kind) {
-            out.kind = kind;
-            out.name = key_name(event.key.code);
-            out.control = event.key.control, out.shift = event.key.shift, out.alt = event.key.alt;
-        };
-        const auto button = [&](EventKind kind) {
-            out.kind = kind;
-            out.name = button_name(event.mouseButton.button);
-            place(event.mouseButton.x, event.mouseButton.y);
-        };
-        const auto gamepad = [&](EventKind kind, unsigned number) {
-            out.kind = kind;
-            out.gamepad = static_cast<int>(number) + 1;
-        };
-        switch (event.type) {
-            case sf::Event::Closed:
-                out.kind = EventKind::closing;
-                break;
-            case sf::Event::Resized:
-                out.kind = EventKind::resized;
-                place(event.size.width, event.size.height);
-                break;
-            case sf::Event::GainedFocus:
-            case sf::Event::LostFocus:
-                out.kind = EventKind::focus;
-                out.focused = event.type == sf::Event::GainedFocus;
-                break;
-            case sf::Event::TextEntered:
-                out.kind = EventKind::text;
-                out.character = event.text.unicode;
-                break;
-            case sf::Event::KeyPressed:
-                key(EventKind::key_pressed);
-                break;
-            case sf::Event::KeyReleased:
-                key(EventKind::key_released);
-                break;
-            case sf::Event::MouseButtonPressed:
-                button(EventKind::mouse_pressed);
-                break;
-            case sf::Event::MouseButtonReleased:
-                button(EventKind::mouse_released);
-                break;
-            case sf::Event::MouseMoved:
-                out.kind = EventKind::mouse_moved;
-                place(event.mouseMove.x, event.mouseMove.y);
-                break;
-            case sf::Event::MouseWheelScrolled:
-                if (event.mouseWheelScroll.wheel != sf::Mouse::VerticalWheel) continue;
-                out.kind = EventKind::wheel;
-                out.delta = event.mouseWheelScroll.delta;
-                place(event.mouseWheelScroll.x, event.mouseWheelScroll.y);
-                break;
-            case sf::Event::JoystickButtonPressed:
-            case sf::Event::JoystickButtonReleased:
-                gamepad(event.type == sf::Event::JoystickButtonPressed
-                            ? EventKind::gamepad_pressed
-                            : EventKind::gamepad_released,
-                        event.joystickButton.joystickId);
-                out.name = std::to_string(event.joystickButton.button + 1);
-                break;
-            case sf::Event::JoystickMoved:
-                gamepad(EventKind::gamepad_axis, event.joystickMove.joystickId);
-                set_axis(out, event.joystickMove.axis, event.joystickMove.position);
-                break;
-            case sf::Event::JoystickConnected:
-                gamepad(EventKind::gamepad_connected, event.joystickConnect.joystickId);
-                break;
-            case sf::Event::JoystickDisconnected:
-                gamepad(EventKind::gamepad_disconnected, event.joystickConnect.joystickId);
-                break;
-            default:
-                continue;
-        }
-        return true;
-    }
+    while (window.pollEvent(event))
+        if (convert(event, out)) return true;
     return false;
 }
 

@@ -15,24 +15,6 @@ HostTable& host_of(void* self) {
     return *static_cast<HostTable*>(self);
 }
 
-template <class Body>
-fettle_status HostTable::guarded(Body&& body) noexcept {
-    try {
-        if (tree == nullptr)
-            throw std::logic_error("there is no tree before `attach` and after `close`");
-        body(*tree);
-        return FETTLE_OK;
-    } catch (const Error& error) {
-        error_ = error.what();
-        return status_of(error.kind());
-    } catch (const std::exception& error) {
-        error_ = error.what();
-    } catch (...) {
-        error_ = "an exception of no known type";
-    }
-    return FETTLE_ERR_FAILED;
-}
-
 std::string HostTable::take_reason() {
     std::string reason = std::move(reason_);
     reason_.clear();

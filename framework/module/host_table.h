@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include <fettle/module/abi.h>
@@ -53,6 +54,24 @@ class HostTable {
     std::string error_, reason_;
     Outgoing outgoing_;
 };
+
+template <class Body>
+fettle_status HostTable::guarded(Body&& body) noexcept {
+    try {
+        if (tree == nullptr)
+            throw std::logic_error("there is no tree before `attach` and after `close`");
+        body(*tree);
+        return FETTLE_OK;
+    } catch (const property::Error& error) {
+        error_ = error.what();
+        return status_of(error.kind());
+    } catch (const std::exception& error) {
+        error_ = error.what();
+    } catch (...) {
+        error_ = "an exception of no known type";
+    }
+    return FETTLE_ERR_FAILED;
+}
 
 /// `painter` as a module sees it. Valid as long as `painter`.
 fettle_painter painter_table(property::Painter& painter);

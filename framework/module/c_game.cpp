@@ -1,0 +1,57 @@
+#include <cstdio>
+#include <new>
+
+#include <fettle/module/host.h>
+#include <fettle/module/plugin.h>
+
+#include "host_table.h"
+
+/// Modules outlive the tree, which calls them as its instances go.
+struct fettle_game {
+    fettle::module::Plugins plugins;
+    fettle::property::Tree tree;
+    fettle::module::HostTable host;
+    std::uint64_t steps = 0;
+};
+
+fettle_game* fettle_game_open() {
+    try {
+        auto game = std::make_unique<fettle_game>();
+        game->host.tree = &game->tree;
+        game->host.print = [](std::string_view line) {
+            std::fwrite(line.data(), 1, line.size(), stdout);
+            std::fputc('\n', stdout);
+        };
+        return game.release();
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
+void fettle_game_close(fettle_game* game) {
+    delete game;
+}
+
+const fettle_host* fettle_game_host(fettle_game* game) {
+    return &game->host.table();
+}
+
+fettle_status fettle_game_load(fettle_game* game, const char* file) {
+    return game->host.guarded([&](fettle::property::Tree& tree) {
+        game->plugins.open(fettle::module::text_or_empty(file)).attach(tree);
+    });
+}
+
+fettle_status fettle_game_step(fettle_game* game, double seconds) {
+    using fettle::property::Tree;
+    using fettle::property::Writer;
+    return game->host.guarded([&](Tree& tree) {
+        tree.set_step(++game->steps);
+        {
+            const Tree::CauseScope cause(tree, Writer::simulation);
+            for (const auto& plugin : game->plugins.all()) plugin->step(seconds);
+            for (const auto& plugin : game->plugins.all()) plugin->report(tree);
+        }
+        tree.barrier();
+    });
+}

@@ -1,0 +1,53 @@
+# One way of another project to Fettle: writes a small project, builds it and runs it.
+set(here "${FOLDER}/${WAY}")
+file(REMOVE_RECURSE "${here}")
+file(MAKE_DIRECTORY "${here}")
+set(program "${SOURCES}/examples/bare/main.cpp")
+
+function(must)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY WORKING_DIRECTORY "${here}")
+endfunction()
+
+if(WAY STREQUAL "pkgconfig")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${LIBRARIES}/pkgconfig"
+    "${PKG_CONFIG}" --cflags --libs fettle-physics OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  must("${CXX}" -std=c++20 -O1 "${program}" -o program ${flags} "-Wl,-rpath,${LIBRARIES}")
+  must("${here}/program")
+  return()
+endif()
+
+set(parts physics)
+set(version 0.1)
+set(link Fettle::physics)
+set(take "find_package(Fettle \${version} REQUIRED COMPONENTS \${parts})")
+if(WAY STREQUAL "subdirectory")
+  set(take "set(FETTLE_PARTS physics)\nadd_subdirectory(\"${SOURCES}\" fettle EXCLUDE_FROM_ALL)")
+elseif(WAY STREQUAL "fetch")
+  set(take "set(FETTLE_PARTS physics)\ninclude(FetchContent)
+FetchContent_Declare(Fettle SOURCE_DIR \"${SOURCES}\")\nFetchContent_MakeAvailable(Fettle)")
+elseif(WAY STREQUAL "major")
+  set(version 1.0)
+elseif(WAY STREQUAL "component")
+  set(parts "physics sound")
+elseif(WAY STREQUAL "lonely")
+  # With these, looking for anything else would fail.
+  set(take "set(CMAKE_DISABLE_FIND_PACKAGE_SFML ON)\nset(CMAKE_DISABLE_FIND_PACKAGE_PkgConfig ON)\n${take}
+if(TARGET fettle_lua OR TARGET fettle_sfml OR TARGET Fettle::property)\n  message(FATAL_ERROR \"more than physics\")\nendif()")
+endif()
+string(REPLACE "\${version}" "${version}" take "${take}")
+string(REPLACE "\${parts}" "${parts}" take "${take}")
+file(WRITE "${here}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)
+project(Way LANGUAGES C CXX)
+${take}
+add_executable(program \"${program}\")
+target_link_libraries(program PRIVATE ${link})
+")
+must("${CMAKE_COMMAND}" -S "${here}" -B "${here}/build" "-DCMAKE_PREFIX_PATH=${PREFIX}" -DCMAKE_BUILD_TYPE=Debug
+  "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}" "-DCMAKE_C_COMPILER_LAUNCHER=${LAUNCHER}")
+if(WAY STREQUAL "fetch")  # the same files as above: what is to be built is enough
+  must("${CMAKE_COMMAND}" --build "${here}/build" -- -n)
+  return()
+endif()
+must("${CMAKE_COMMAND}" --build "${here}/build" --parallel 2)
+must("${here}/build/program")
