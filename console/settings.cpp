@@ -38,6 +38,7 @@ property::ClassDescriptor console_class() {
     descriptor.name = "Console";
     descriptor.stem = "console";
     descriptor.creatable = false;
+    descriptor.snapshots = property::Snapshots::never;
     descriptor.doc = "The in-game console and inspector.";
     auto& list = descriptor.properties;
     list.push_back(flag_property("open", false, "Whether the console is shown."));

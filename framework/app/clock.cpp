@@ -35,7 +35,8 @@ std::vector<Property> set_by_users(Clock& clock) {
          .type = Type::boolean,
          .default_value = false,
          .doc = "Whether simulation time stands still. update and draw are still called.",
-         .binding = column(clock, Native::boolean, 0, [](Clock& c) { return &c.paused; })},
+         .binding = column(clock, Native::boolean, 0, [](Clock& c) { return &c.paused; }),
+         .transient = true},
         {.name = "step_once",
          .type = Type::boolean,
          .default_value = false,
@@ -124,6 +125,34 @@ void Clock::advance() {
     }
     ++step;
     now = origin_ + static_cast<double>(step - origin_step_) * dt;
+}
+
+property::Memory ClockPart::save(property::ByteWriter& to) const {
+    to.put(clock_.step);
+    to.put(clock_.now);
+    to.put(clock_.origin_);
+    to.put(clock_.origin_step_);
+    to.put(clock_.origin_dt_);
+    return {};
+}
+
+std::function<void()> ClockPart::restore(property::ByteReader& from, const property::Memory&) {
+    Clock read;
+    read.step = from.get<std::int64_t>();
+    read.now = from.get<double>();
+    read.origin_ = from.get<double>();
+    read.origin_step_ = from.get<std::int64_t>();
+    read.origin_dt_ = from.get<double>();
+    for (const double time : {read.now, read.origin_, read.origin_dt_})
+        from.require(time >= 0 && time < 1e15, "a time that is none");
+    from.require(read.step >= 0 && read.origin_step_ <= read.step, "a step that is none");
+    return [this, read] {
+        clock_.step = read.step;
+        clock_.now = read.now;
+        clock_.origin_ = read.origin_;
+        clock_.origin_step_ = read.origin_step_;
+        clock_.origin_dt_ = read.origin_dt_;
+    };
 }
 
 property::Handle define_clock(property::Tree& tree, Clock& clock) {

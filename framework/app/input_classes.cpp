@@ -145,6 +145,7 @@ void Input::State::define() {
         {.name = "Input",
          .doc = "What the player does: keys, mouse, gamepads.",
          .creatable = false,
+         .snapshots = property::Snapshots::never,
          .properties = {{.name = "gamepads",
                          .type = Type::list,
                          .doc = "All gamepads, connected or not: input.gamepads[1].left.",
@@ -173,6 +174,7 @@ void Input::State::define_keys(Handle input) {
         tree.define({.name = "Keys",
                      .doc = "Which keys are held down. Setting one presses or releases it.",
                      .creatable = false,
+                     .snapshots = property::Snapshots::never,
                      .properties = std::move(properties)});
     keys_instance = tree.create(keys_class, input, "keys");
 }
@@ -187,6 +189,7 @@ void Input::State::define_mouse(Handle input) {
         tree.define({.name = "Mouse",
                      .doc = "The mouse. Setting a button presses or releases it.",
                      .creatable = false,
+                     .snapshots = property::Snapshots::never,
                      .properties = std::move(properties)});
     mouse_instance = tree.create(mouse_class, input, "mouse");
 }
@@ -200,6 +203,7 @@ void Input::State::define_gamepads(Handle input) {
     const property::Class& gamepad_class = tree.define({.name = "Gamepad",
                                                         .doc = "A gamepad.",
                                                         .creatable = false,
+                                                        .snapshots = property::Snapshots::never,
                                                         .properties = std::move(properties)});
     for (std::size_t i = 0; i < gamepads.size(); ++i) {
         gamepads[i].instance =

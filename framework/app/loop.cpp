@@ -64,7 +64,7 @@ void Loop::after_barrier(std::function<void()> hook) {
     after_barrier_ = std::move(hook);
 }
 
-void Loop::barrier() {
+void Loop::barrier(bool between_steps) {
     struct After {
         const std::function<void()>& hook;
         ~After() {
@@ -72,7 +72,7 @@ void Loop::barrier() {
         }
     } after{after_barrier_};
     try {
-        tree_.barrier();
+        tree_.barrier(between_steps);
     } catch (const std::exception& error) {
         // Handlers that never come to rest: the game's fault, and no reason to fall over.
         if (!on_error_) throw;
@@ -123,7 +123,7 @@ bool Loop::make_step(Stopwatch& watch) {
     runtime_.step(clock.now, dt);
     watch.lap(watch.phases.scripts);
     if (stopped()) return false;
-    barrier();
+    barrier(false);  // time does not jump between the scripts and the modules of a step
     watch.lap(watch.phases.handlers);
     if (stopped()) return false;
     {

@@ -30,7 +30,13 @@ void define_audio(property::Tree& tree, Audio& audio) {
 }  // namespace
 
 // Input comes last since it needs the view.
-Services::Services(property::Tree& tree) : input(define(tree), view) {}
+Services::Services(property::Tree& tree) : input(define(tree), view), tree_(tree) {
+    tree.add_part(clock_part_);
+}
+
+Services::~Services() {
+    tree_.remove_part(clock_part_);
+}
 
 property::Tree& Services::define(property::Tree& tree) {
     define_clock(tree, clock);

@@ -215,6 +215,7 @@ property::Handle define_view(property::Tree& tree, View& view) {
         tree.define({.name = "Show",
                      .doc = "What is shown over the picture, for looking into a game.",
                      .creatable = false,
+                     .snapshots = property::Snapshots::never,
                      .properties = overlays(view.show)});
     const property::Handle instance = tree.create(view_class, tree.root(), "view");
     tree.create(show_class, instance, "show");

@@ -102,6 +102,9 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
                                                  "\"" + suggestion(descriptor.base, names()));
     std::unique_ptr<Class> made(new Class());
     made->base_ = base;
+    made->snapshots_ = made->descriptor_.snapshots;
+    if (base != nullptr && made->snapshots_ == Snapshots::by_value)
+        made->snapshots_ = base->snapshots_;
     made->id_ = size();
     made->descriptor_ = std::move(descriptor);
     if (made->descriptor_.stem.empty()) made->descriptor_.stem = lower_case(made->descriptor_.name);

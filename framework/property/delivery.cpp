@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include <fettle/property/tree.h>
 
@@ -37,6 +38,8 @@ std::string_view writer_name(Writer writer) {
             return "load";
         case Writer::remote:
             return "remote";
+        case Writer::restore:
+            return "restore";
     }
     return "?";
 }
@@ -99,6 +102,7 @@ void Tree::State::note_edit() {
 // --------------------------------------------------------------------------------------------------------
 
 void Tree::State::queue_item(QueueItem item) {
+    if (replaying) return;
     item.until = watchers.last_id();
     item.trigger = delivering;
     queue.push_back(std::move(item));
@@ -106,6 +110,7 @@ void Tree::State::queue_item(QueueItem item) {
 
 void Tree::State::queue_change(Handle handle, const Property& property, const Value& old_value,
                                const Value& new_value, const Cause& cause) {
+    if (replaying) return;
     const Cell cell{handle.index, property.symbol};
     shadows.update(cell, new_value);
     writes.note_in_full(handle, property.symbol, cause);
@@ -129,20 +134,35 @@ void Tree::State::queue_change(Handle handle, const Property& property, const Va
     queue_item(std::move(item));
 }
 
+bool Tree::State::wants_farewell(Handle handle, const Class& of, bool only_own) const {
+    return !watchers.of_deletion(handle.index, of, only_own).empty();
+}
+
 void Tree::State::queue_deletion(Handle handle, const Class& of, const std::string& path) {
-    const Cause cause = tree.cause();
-    std::vector<WatcherId> keep;
+    Existence gone{.instance = handle,
+                   .instance_class = &of,
+                   .path = path,
+                   .cause = tree.cause(),
+                   .last_values = {}};
     // Who was never told of the instance is not told of its end; its own watchers knew it.
-    const std::vector<WatcherId> watching =
-        watchers.of_deletion(handle.index, of, nodes[handle.index].fresh);
-    if (!watching.empty()) {
-        Existence gone{.instance = handle,
-                       .instance_class = &of,
-                       .path = path,
-                       .cause = cause,
-                       .last_values = {}};
+    const bool only_own = nodes[handle.index].fresh;
+    if (wants_farewell(handle, of, only_own))
         for (const Property* property : tree.properties(handle))
             gone.last_values.emplace_back(property, tree.peek(handle, *property));
+    queue_farewell(std::move(gone), only_own);
+}
+
+void Tree::State::queue_farewell(Existence gone, bool only_own) {
+    if (replaying) return;
+    const Handle handle = gone.instance;
+    const std::string path = gone.path;
+    const Cause cause = gone.cause;
+    std::vector<WatcherId> keep;
+    const std::vector<WatcherId> watching =
+        watchers.of_deletion(handle.index, *gone.instance_class, only_own);
+    const std::vector<WatcherId> listening =
+        watchers.of_event(handle.index, *gone.instance_class, *deleted_event, watchers.last_id());
+    if (!watching.empty()) {
         QueueItem item;
         item.kind = QueueItem::Kind::deleted;
         item.what = std::move(gone);
@@ -151,16 +171,14 @@ void Tree::State::queue_deletion(Handle handle, const Class& of, const std::stri
         queue_item(std::move(item));
         keep = watching;
     }
-    const std::vector<WatcherId> listening =
-        watchers.of_event(handle, *deleted_event, watchers.last_id());
     if (!listening.empty()) {
-        Occurrence gone{.instance = handle,
+        Occurrence told{.instance = handle,
                         .event = deleted_event,
                         .record = {&deleted_event->fields, {Value(path), Value(cause.text())}},
                         .step = step};
         QueueItem item;
         item.kind = QueueItem::Kind::event;
-        item.what = std::move(gone);
+        item.what = std::move(told);
         item.recipients = listening;
         item.retire = true;
         queue_item(std::move(item));
@@ -295,17 +313,49 @@ void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& gen
                 .exception = std::make_exception_ptr(error)});
 }
 
-void Tree::barrier() {
+void Tree::at_barrier(std::function<void()> action) {
+    state_->at_barrier.push_back(std::move(action));
+}
+
+void Tree::State::run_actions(std::exception_ptr& first_error) {
+    // What they post meanwhile waits for the next barrier.
+    const std::vector<std::function<void()>> actions = std::exchange(at_barrier, {});
+    for (const auto& action : actions) {
+        try {
+            action();
+        } catch (const std::exception& error) {
+            if (error_sink)
+                error_sink({.path = "barrier",
+                            .where = {},
+                            .message = error.what(),
+                            .exception = std::current_exception()});
+            else if (!first_error)
+                first_error = std::current_exception();
+        }
+    }
+}
+
+void Tree::barrier(bool between_steps) {
     State& s = *state_;
     if (s.in_barrier)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
-    s.tell_plain_writes();
-    for (const std::uint32_t index : s.fresh) s.nodes[index].fresh = false;
-    s.fresh.clear();
-    if (s.fresh.capacity() > most_fresh_kept) s.fresh.shrink_to_fit();
-    s.formulas.settle_all(s.stepped);
-    s.compare_shadows();
-    if (s.queue.empty()) return;
+    std::exception_ptr first_error;
+    s.deliver_all(first_error);
+    if (between_steps && !s.at_barrier.empty()) {
+        s.run_actions(first_error);
+        s.deliver_all(first_error);
+    }
+    if (first_error) std::rethrow_exception(first_error);
+}
+
+void Tree::State::deliver_all(std::exception_ptr& first_error) {
+    tell_plain_writes();
+    for (const std::uint32_t index : fresh) nodes[index].fresh = false;
+    fresh.clear();
+    if (fresh.capacity() > most_fresh_kept) fresh.shrink_to_fit();
+    formulas.settle_all(stepped);
+    compare_shadows();
+    if (queue.empty()) return;
 
     struct Running {
         State& state;
@@ -314,37 +364,35 @@ void Tree::barrier() {
             state.in_barrier = false;
             state.delivering = -1;
         }
-    } running(s);
+    } running(*this);
     std::vector<std::vector<QueueItem>> generations;
-    std::exception_ptr first_error;
-    while (!s.queue.empty()) {
-        if (generations.size() == most_generations) return s.barrier_overrun(generations);
-        std::vector<QueueItem>& batch = generations.emplace_back(std::move(s.queue));
-        s.queue.clear();
-        s.queued_changes.clear();
+    while (!queue.empty()) {
+        if (generations.size() == most_generations) return barrier_overrun(generations);
+        std::vector<QueueItem>& batch = generations.emplace_back(std::move(queue));
+        queue.clear();
+        queued_changes.clear();
         for (std::size_t i = 0; i < batch.size(); ++i) {
             QueueItem& item = batch[i];
             if (item.kind == QueueItem::Kind::initial) {
                 auto& change = std::get<Change>(item.what);
-                if (!alive(change.instance)) continue;
-                change.new_value = peek(change.instance, *change.property);
+                if (!tree.alive(change.instance)) continue;
+                change.new_value = tree.peek(change.instance, *change.property);
             } else if (item.kind == QueueItem::Kind::created) {
                 auto& existence = std::get<Existence>(item.what);
-                if (!alive(existence.instance)) continue;
-                existence.path = path(existence.instance);
+                if (!tree.alive(existence.instance)) continue;
+                existence.path = tree.path(existence.instance);
             }
-            s.delivering = static_cast<std::ptrdiff_t>(i);
+            delivering = static_cast<std::ptrdiff_t>(i);
             try {
-                s.deliver(item);
+                deliver(item);
             } catch (...) {
                 if (!first_error) first_error = std::current_exception();
             }
         }
-        s.delivering = -1;
-        s.formulas.settle_all(false);
-        s.compare_shadows();
+        delivering = -1;
+        formulas.settle_all(false);
+        compare_shadows();
     }
-    if (first_error) std::rethrow_exception(first_error);
 }
 
 void Tree::on_handler_error(std::function<void(const HandlerError&)> sink) {

@@ -61,6 +61,23 @@ void Formulas::remove(Cell cell) {
     mark_dependents(cell);
 }
 
+std::vector<Formulas::Image> Formulas::images() const {
+    std::vector<Image> all;
+    all.reserve(order_.size());
+    for (const auto& e : order_) all.push_back({e->instance, e->property->symbol, e->formula});
+    return all;
+}
+
+void Formulas::clear() {
+    for (const auto& e : order_) e->removed = true;
+    entries_.clear();
+    order_.clear();
+    dependents_.clear();
+    read_of_.clear();
+    volatile_ = 0;
+    pending_ = false;
+}
+
 void Formulas::instance_gone(std::uint32_t index) {
     const auto names = read_of_.find(index);
     if (names == read_of_.end()) return;
@@ -266,7 +283,7 @@ void Formulas::settle(Entry& e) {
 
 void Formulas::settle(Cell cell) {
     const auto found = entries_.find(cell);
-    if (found == entries_.end()) return;
+    if (found == entries_.end() || tree_.state().replaying) return;
     const std::shared_ptr<Entry> e = found->second;
     if (e->running) throw Error(ErrorKind::formula, note_cycle(*e));
     if (!settled(*e)) settle(*e);

@@ -30,6 +30,15 @@ class Formulas {
     void set(Handle instance, const Property& property, Formula formula);
     void remove(Cell cell);
     const Formula* find(Cell cell) const;
+
+    /// For snapshots: all of them in order of making; and none of them.
+    struct Image {
+        Handle instance;
+        Symbol property;
+        Formula formula;
+    };
+    std::vector<Image> images() const;
+    void clear();
     std::size_t size() const { return order_.size(); }
 
     /// Whether a formula runs: then reads are noted.

@@ -33,7 +33,7 @@ std::string short_text(std::string text) {
 // -------------------------------------------------------------------------------------------------------
 
 bool History::recording() const {
-    return recording(tree_.state().writer);
+    return !tree_.state().replaying && recording(tree_.state().writer);
 }
 
 void History::begin(std::string name, bool scripts) {
@@ -55,11 +55,12 @@ void History::end() {
 
 void History::close() {
     if (open_.steps.empty()) return;
-    for (Transaction& transaction : undone_) forget(transaction);
+    for (const Shared& transaction : undone_) forget(*transaction);
     undone_.clear();
     bytes_ += open_.bytes;
-    done_.push_back(std::move(open_));
+    done_.push_back(std::make_shared<Transaction>(std::move(open_)));
     open_ = {};
+    ++version_;
     trim();
 }
 
@@ -161,7 +162,7 @@ std::vector<History::Image> History::images_of(Handle top) const {
 // --- Forgetting
 // ------------------------------------------------------------------------------------------------------
 
-void History::forget(Transaction& transaction) {
+void History::forget(const Transaction& transaction) {
     bytes_ -= std::min(bytes_, transaction.bytes);
     for (const Step& step : transaction.steps)
         if (const auto* existence = std::get_if<Existence>(&step))
@@ -171,8 +172,9 @@ void History::forget(Transaction& transaction) {
 
 void History::trim() {
     while (bytes_ > limit_ && done_.size() > 1) {
-        forget(done_.front());
+        forget(*done_.front());
         done_.pop_front();
+        ++version_;
     }
 }
 
@@ -182,18 +184,46 @@ void History::set_limit(std::size_t bytes) {
 }
 
 void History::clear() {
-    for (Transaction& transaction : done_) forget(transaction);
-    for (Transaction& transaction : undone_) forget(transaction);
+    for (const Shared& transaction : done_) forget(*transaction);
+    for (const Shared& transaction : undone_) forget(*transaction);
     done_.clear();
     undone_.clear();
     bytes_ = 0;
+    ++version_;
+}
+
+namespace {
+template <class Done, class Undone>
+struct HistoryImage {
+    Done done;
+    Undone undone;
+    std::size_t bytes = 0;
+};
+}  // namespace
+
+Memory History::image() const {
+    using Lists = HistoryImage<decltype(done_), decltype(undone_)>;
+    return std::make_shared<const Lists>(Lists{done_, undone_, bytes_});
+}
+
+// The slots of the dead that may come back are kept in the nodes' own image.
+void History::restore(const Memory& image) {
+    using Lists = HistoryImage<decltype(done_), decltype(undone_)>;
+    static const Lists nothing;
+    const Lists& lists = image == nullptr ? nothing : *static_cast<const Lists*>(image.get());
+    done_ = lists.done;
+    undone_ = lists.undone;
+    bytes_ = lists.bytes;
+    open_.steps.clear();  // an edit that is under way goes on from here
+    open_.bytes = 0;
+    ++version_;
 }
 
 std::vector<HistoryEntry> History::entries() const {
     std::vector<HistoryEntry> all;
-    for (const Transaction& t : done_) all.push_back({t.name, t.cause, t.steps.size(), false});
+    for (const Shared& t : done_) all.push_back({t->name, t->cause, t->steps.size(), false});
     for (auto t = undone_.rbegin(); t != undone_.rend(); ++t)
-        all.push_back({t->name, t->cause, t->steps.size(), true});
+        all.push_back({(*t)->name, (*t)->cause, (*t)->steps.size(), true});
     return all;
 }
 
@@ -204,10 +234,11 @@ UndoResult History::undo() {
     if (depth_ > 0 && !open_.steps.empty())
         throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
     if (done_.empty()) return {};
-    Transaction transaction = std::move(done_.back());
+    Transaction transaction = *done_.back();
     done_.pop_back();
     UndoResult result = run(transaction, true);
-    undone_.push_back(std::move(transaction));
+    undone_.push_back(std::make_shared<Transaction>(std::move(transaction)));
+    ++version_;
     return result;
 }
 
@@ -215,10 +246,11 @@ UndoResult History::redo() {
     if (depth_ > 0 && !open_.steps.empty())
         throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
     if (undone_.empty()) return {};
-    Transaction transaction = std::move(undone_.back());
+    Transaction transaction = *undone_.back();
     undone_.pop_back();
     UndoResult result = run(transaction, false);
-    done_.push_back(std::move(transaction));
+    done_.push_back(std::make_shared<Transaction>(std::move(transaction)));
+    ++version_;
     return result;
 }
 
@@ -315,6 +347,11 @@ void History::revive(Existence& existence, UndoResult& result) {
     Tree::State& s = tree_.state();
     if (existence.images.empty() || tree_.alive(existence.top)) {
         result.notes.emplace_back("an instance cannot be brought back: nothing is known of it");
+        return;
+    }
+    if (!std::all_of(existence.images.begin(), existence.images.end(),
+                     [&s](const Image& image) { return s.nodes.keeps(image.handle); })) {
+        result.notes.emplace_back("an instance cannot be brought back: its place was given away");
         return;
     }
     if (const Handle parent = existence.images.front().position.parent;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -71,6 +72,12 @@ class History {
     std::size_t bytes() const { return bytes_; }
     void clear();
 
+    /// The lists as they are, to be put back by `restore`; null puts back nothing: an empty
+    /// history.
+    Memory image() const;
+    void restore(const Memory& image);
+    std::uint64_t version() const { return version_; }
+
   private:
     struct CellEdit {
         Handle instance;
@@ -103,7 +110,7 @@ class History {
 
     void add(Step step, const std::string& name);
     void close();
-    void forget(Transaction& transaction);
+    void forget(const Transaction& transaction);
     void trim();
     std::vector<Image> images_of(Handle top) const;
     UndoResult run(Transaction& transaction, bool back);
@@ -117,8 +124,11 @@ class History {
 
     Tree& tree_;
     EditObserver* observer_ = nullptr;
-    std::deque<Transaction> done_;
-    std::vector<Transaction> undone_;
+    // Never changed once they are in a list: snapshots share them.
+    using Shared = std::shared_ptr<const Transaction>;
+    std::deque<Shared> done_;
+    std::vector<Shared> undone_;
+    std::uint64_t version_ = 0;  // counts changes of the two
     Transaction open_;
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it

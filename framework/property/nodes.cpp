@@ -1,5 +1,6 @@
 #include "nodes.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace fettle::property {
@@ -53,6 +54,7 @@ std::uint32_t Nodes::allocate() {
         if (nodes_.size() == nodes_.capacity()) nodes_.reserve(index + index / 8 + 64);
         nodes_.emplace_back();
         ++count_;
+        if (!issued_.empty()) nodes_[index].generation = next_generation(index, 0);
     } else {
         index = free_.back();
         free_.pop_back();
@@ -65,28 +67,47 @@ std::uint32_t Nodes::allocate() {
     return index;
 }
 
+std::uint32_t Nodes::next_generation(std::uint32_t index, std::uint32_t after) {
+    if (const auto found = issued_.find(index); found != issued_.end()) {
+        after = std::max(after, found->second);
+        issued_.erase(found);
+    }
+    return after + 1;
+}
+
 void Nodes::release(std::uint32_t index, bool keep) {
     Node& node = nodes_[index];
     if (node.counts_children)
         std::erase_if(counters_, [index](const auto& entry) { return entry.first >> 32 == index; });
     node.alive = false;
-    ++node.generation;
+    node.kept = keep;
+    // Of a slot that is kept the generation still tells whose it was.
+    node.generation = keep ? node.generation + 1 : next_generation(index, node.generation);
     --alive_;
     // A slot whose generations are used up rests for ever: no handle may ever mean two instances.
     if (node.generation != 0 && !keep) free_.push_back(index);
 }
 
 void Nodes::revive(Handle handle) {
-    nodes_[handle.index] = Node{};
-    nodes_[handle.index].generation = handle.generation;
-    nodes_[handle.index].alive = true;
+    Node& node = nodes_[handle.index];
+    node = Node{};
+    node.generation = handle.generation;
+    node.alive = true;
     ++alive_;
 }
 
-void Nodes::free_kept(Handle handle) {
+bool Nodes::keeps(Handle handle) const {
+    if (handle.index >= end()) return false;
     const Node& node = nodes_[handle.index];
-    if (!node.alive && node.generation == handle.generation + 1 && node.generation != 0)
-        free_.push_back(handle.index);
+    return node.kept && !node.alive && node.generation == handle.generation + 1;
+}
+
+void Nodes::free_kept(Handle handle) {
+    if (!keeps(handle)) return;
+    Node& node = nodes_[handle.index];
+    node.kept = false;
+    node.generation = next_generation(handle.index, handle.generation);
+    if (node.generation != 0) free_.push_back(handle.index);
 }
 
 void Nodes::reorder(std::uint32_t index, std::uint32_t before) {

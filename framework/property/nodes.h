@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include <fettle/property/bytes.h>
 #include <fettle/property/class.h>
 #include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
@@ -44,6 +45,7 @@ struct Node {
     bool has_dependents : 1 = false;  // a formula read something of it
     bool named : 1 = false;           // the user named it, so that a new parent keeps the name
     bool counts_children : 1 = false;
+    bool kept : 1 = false;  // dead, and its slot waits for it to come back
 };
 static_assert(sizeof(Node) == 40);
 
@@ -71,6 +73,18 @@ class Nodes {
     void release(std::uint32_t index, bool keep = false);
     void revive(Handle handle);
     void free_kept(Handle handle);
+    /// Whether a dead instance could come back.
+    bool keeps(Handle handle) const;
+
+    // Snapshots (nodes_image.cpp). Generations are not part of them: what was given since stays
+    // given, so that nobody's handle ever means somebody else.
+    void save(ByteWriter& to) const;
+    /// Reads and checks; `classes` tells what class a number in the bytes means here.
+    static Nodes load(ByteReader& from, const std::vector<std::uint16_t>& classes);
+    /// Takes the place of what is there.
+    void replace(Nodes&& other);
+    /// Slots that are kept for nobody any more.
+    void free_all_kept();
 
     /// Appends to the children of `parent`. The name must be free.
     void link(std::uint32_t index, std::uint32_t parent, NodeName name);
@@ -90,6 +104,10 @@ class Nodes {
     void index_insert(std::uint32_t index);
     void index_erase(std::uint32_t index);
 
+    std::uint32_t next_generation(std::uint32_t index, std::uint32_t after);
+    bool links_hold() const;
+    void index_names();
+
     std::vector<Node> nodes_;
     std::uint32_t count_ = 1;  // of slots: the vector's own size takes a division to find
     std::vector<std::uint32_t> free_;
@@ -98,6 +116,9 @@ class Nodes {
     std::size_t alive_ = 0;
     std::unordered_map<std::uint64_t, std::uint32_t>
         counters_;  // (parent, stem) -> last number given
+    // By slot: the last generation given in a future that a restored snapshot has left. Consulted
+    // when the slot's present owner goes.
+    std::unordered_map<std::uint32_t, std::uint32_t> issued_;
 };
 
 }  // namespace fettle::property

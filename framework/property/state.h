@@ -2,6 +2,7 @@
 // What a tree holds, for the files that implement it.
 
 #include <deque>
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
@@ -72,6 +73,10 @@ struct Tree::State {
     bool ending = false;      // the tree itself is being destroyed
     Cause last_edit;          // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
+    std::vector<std::function<void()>> at_barrier;  // when it is between steps
+    std::vector<SnapshotPart*> parts;
+    mutable std::size_t snapshot_size = 0;  // of the last one
+    bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
 
     std::uint64_t step = 0;
     Writer writer = Writer::module;
@@ -82,6 +87,7 @@ struct Tree::State {
     Handle root;
     const Event* ready_event = nullptr;
     const Event* deleted_event = nullptr;
+    const Event* restored_event = nullptr;
 
     Node& require(Handle handle) {
         Node* node = nodes.find(handle);
@@ -98,6 +104,7 @@ struct Tree::State {
     template <class What>
     void tell(What what) {
         tell_plain_writes();
+        if (replaying) return;
         for (Observer* observer : observers) what(*observer);
     }
     void tell_plain_writes() {
@@ -140,6 +147,11 @@ struct Tree::State {
                       const Value& new_value, const Cause& cause);
     void queue_item(QueueItem item);
     void queue_deletion(Handle handle, const Class& of, const std::string& path);
+    /// The same for one that is gone already. `own`: only its own watchers knew it.
+    void queue_farewell(Existence gone, bool only_own);
+    bool wants_farewell(Handle handle, const Class& of, bool only_own) const;
+    void deliver_all(std::exception_ptr& first_error);
+    void run_actions(std::exception_ptr& first_error);
     void compare_shadows();
     void deliver(const QueueItem& item);
     void call(const Watcher& watcher, const QueueItem& item);

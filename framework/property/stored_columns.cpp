@@ -83,4 +83,67 @@ void StoredColumns::set(const Property& property, std::uint32_t row, const Value
                columns_[property.stored_index]);
 }
 
+// --- Snapshots
+
+void StoredColumns::save(ByteWriter& to) const {
+    to.put(rows_);
+    to.put(free_);
+    to.put(std::uint64_t{class_->stored_.size()});
+    for (const Property* property : class_->stored_) {
+        const Column& column = columns_[property->stored_index];
+        to.put(property->name);
+        to.put(static_cast<std::uint8_t>(column.index()));
+        const std::size_t block = to.begin_block();
+        std::visit(
+            [&](const auto& values) {
+                if constexpr (std::is_same_v<decltype(values), const std::vector<Value>&>)
+                    for (const Value& value : values) to.put(value);
+                else
+                    to.put(values);
+            },
+            column);
+        to.end_block(block);
+    }
+}
+
+StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t most_rows) {
+    StoredColumns read(of);
+    read.rows_ = from.get<std::uint32_t>();
+    from.require(read.rows_ <= most_rows, "more rows than it has instances");
+    read.free_ = from.list<std::uint32_t>();
+    for (const std::uint32_t row : read.free_) from.require(row < read.rows_, "a row out of range");
+    std::vector<bool> found(of.stored_.size(), false);
+    for (std::size_t n = from.count(9); n > 0; --n) {
+        const std::string_view name = from.text();
+        const auto kind = from.get<std::uint8_t>();
+        ByteReader block = from.block();
+        const Property* property = of.property(name);
+        if (property == nullptr || property->binding.kind != BindingKind::stored) continue;
+        Column& column = read.columns_[property->stored_index];
+        if (kind != column.index()) continue;  // it has another type by now
+        std::visit(
+            [&](auto& values) {
+                using Values = std::remove_reference_t<decltype(values)>;
+                if constexpr (std::is_same_v<Values, std::vector<Value>>) {
+                    for (std::uint32_t row = 0; row < read.rows_; ++row)
+                        values.push_back(block.value());
+                } else {
+                    values = block.list<typename Values::value_type>();
+                    block.require(values.size() == read.rows_, "a column of another length");
+                }
+            },
+            column);
+        block.finish();
+        found[property->stored_index] = true;
+    }
+    for (const Property* property : of.stored_) {
+        if (found[property->stored_index]) continue;
+        std::visit([&](auto& values) { values.resize(read.rows_); },
+                   read.columns_[property->stored_index]);
+        for (std::uint32_t row = 0; row < read.rows_; ++row)
+            read.set(*property, row, property->default_value);
+    }
+    return read;
+}
+
 }  // namespace fettle::property

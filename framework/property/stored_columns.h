@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include <fettle/property/bytes.h>
 #include <fettle/property/class.h>
 
 namespace fettle::property {
@@ -24,6 +25,14 @@ class StoredColumns {
     T& cell(const Property& property, std::uint32_t row) {
         return (*std::get_if<std::vector<T>>(&columns_[property.stored_index]))[row];
     }
+
+    /// As many rows as that are in use or free.
+    std::uint32_t rows() const { return rows_; }
+
+    // Snapshots: columns by the names of their properties, so that a class may have changed since.
+    // What it did not have then starts with its default.
+    void save(ByteWriter& to) const;
+    static StoredColumns load(ByteReader& from, const Class& of, std::size_t most_rows);
 
   private:
     // A nullable or untyped property needs room for nil: it lives in a column of values.

@@ -19,7 +19,15 @@ Tree::Tree() : state_(std::make_unique<State>(*this)) {
     game.doc =
         "The root of the tree: its children are the services and whatever a game puts beside them.";
     game.creatable = false;
+    game.events = {Event{
+        .name = "restored",
+        .fields =
+            {{.name = "step", .type = Type::integer, .doc = "Where simulation time goes on from."},
+             {.name = "left", .type = Type::integer, .doc = "The step that time had come to."}},
+        .doc = "A snapshot was restored, or time rewound: everything in the tree "
+               "is as it was then. What a script keeps for itself is not."}};
     const Class& game_class = define(std::move(game));
+    state_->restored_event = game_class.event("restored");
     const std::uint32_t index = state_->make(game_class, 0, NodeName::make("game"), true);
     state_->root = state_->nodes.handle(index);
 }

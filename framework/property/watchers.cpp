@@ -91,6 +91,13 @@ void Watchers::retire(std::uint32_t index, const std::vector<WatcherId>& keep) {
     }
 }
 
+std::vector<std::uint32_t> Watchers::watched_slots() const {
+    std::vector<std::uint32_t> slots;
+    for (const auto& [index, ids] : on_index_) slots.push_back(index);
+    std::sort(slots.begin(), slots.end());
+    return slots;
+}
+
 std::shared_ptr<Watcher> Watchers::find(WatcherId id) const {
     const auto found = all_.find(id);
     return found == all_.end() ? nullptr : found->second;
@@ -151,11 +158,16 @@ std::vector<WatcherId> Watchers::of_change(const Change& change, WatcherId until
 
 std::vector<WatcherId> Watchers::of_event(Handle instance, const Event& event,
                                           WatcherId until) const {
+    return of_event(instance.index, tree_.class_of(instance), event, until);
+}
+
+std::vector<WatcherId> Watchers::of_event(std::uint32_t index, const Class& instance_class,
+                                          const Event& event, WatcherId until) const {
     std::vector<WatcherId> ids;
-    append(ids, events_, Cell{instance.index, event.symbol});
+    append(ids, events_, Cell{index, event.symbol});
     for (const WatcherId id : class_events_) {
         const Watcher& watcher = *all_.at(id);
-        if (watcher.event->symbol == event.symbol && tree_.class_of(instance).is_a(*watcher.of))
+        if (watcher.event->symbol == event.symbol && instance_class.is_a(*watcher.of))
             ids.push_back(id);
     }
     return in_order(std::move(ids), until);

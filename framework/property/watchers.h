@@ -70,6 +70,8 @@ class Watchers {
     // Those who want to hear, in order of registration; only those registered up to `until`.
     std::vector<WatcherId> of_change(const Change& change, WatcherId until) const;
     std::vector<WatcherId> of_event(Handle instance, const Event& event, WatcherId until) const;
+    std::vector<WatcherId> of_event(std::uint32_t index, const Class& instance_class,
+                                    const Event& event, WatcherId until) const;
     std::vector<WatcherId> of_creation(const Class& instance_class, WatcherId until) const;
     std::vector<WatcherId> of_deletion(std::uint32_t index, const Class& instance_class,
                                        bool only_own) const;
@@ -83,6 +85,9 @@ class Watchers {
     bool any_on(std::uint32_t index) const { return on_index_.contains(index); }
     bool any_broad() const { return !broad_.empty(); }
     bool any_created() const { return !created_.empty(); }
+    bool any_deleted() const { return !deleted_.empty(); }
+    /// Slots of instances with watchers of their own.
+    std::vector<std::uint32_t> watched_slots() const;
     /// How many broad watchers may want a property of that name: kept in `Property::interest`.
     std::uint32_t interest(const Property& property, const Class* of) const;
 

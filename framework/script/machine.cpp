@@ -75,6 +75,7 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
     alive = std::make_shared<lua_State*>(main);
     running = main;
     *static_cast<Machine**>(lua_getextraspace(main)) = this;
+    tree.add_part(part);
     arena.on_refusal = [this](std::size_t size) { budget.memory_refused(size); };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
     lua_pushcfunction(main, guarded<open_all>);
@@ -88,6 +89,7 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
 
 Machine::~Machine() {
     tree.compile_formulas_with({});
+    tree.remove_part(part);
     subscriptions.reset();
     classes.reset();
     arena.set_limit(static_cast<std::size_t>(-1));

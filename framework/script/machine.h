@@ -19,6 +19,7 @@
 #include "dispatch.h"
 #include "lua_api.h"
 #include "random.h"
+#include "runtime_part.h"
 #include "timers.h"
 #include "values.h"
 
@@ -65,6 +66,9 @@ struct Machine {
     Timers timers{*this};
     std::unique_ptr<Subscriptions> subscriptions;
     std::unique_ptr<ScriptClasses> classes;
+    RuntimePart part{*this};
+    std::function<void(double)> rewind;  // by seconds; empty: there is no timeline
+    std::size_t snapshots = 0;           // that scripts hold
     Recording recording;
 
     std::unordered_map<const property::Method*, int> method_references;
@@ -72,7 +76,7 @@ struct Machine {
 
     // References into Lua's registry.
     int vec_meta = 0, color_meta = 0, instance_meta = 0, list_meta = 0, set_meta = 0;
-    int record_meta = 0, connection_meta = 0, class_meta = 0;
+    int record_meta = 0, connection_meta = 0, class_meta = 0, snapshot_meta = 0;
     int proxies = 0;      // weak: handle -> proxy
     int environment = 0;  // globals of game and console
     int declared = 0;     // names of globals ever assigned

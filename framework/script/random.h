@@ -21,8 +21,12 @@ class Random {
     /// Both ends included; every integer equally likely.
     std::int64_t between(std::int64_t low, std::int64_t high);
 
+    using State = std::array<std::uint64_t, 4>;
+    const State& state() const { return state_; }
+    void restore(const State& state) { state_ = state; }
+
   private:
-    std::array<std::uint64_t, 4> state_{};
+    State state_{};
 };
 
 /// `random` among the globals on top, and in the table `math` there.

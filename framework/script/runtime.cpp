@@ -158,6 +158,10 @@ void Runtime::on_print(std::function<void(std::string_view)> sink) {
     state_->print_sink = std::move(sink);
 }
 
+void Runtime::on_rewind(std::function<void(double)> rewind) {
+    state_->rewind = std::move(rewind);
+}
+
 std::optional<int> Runtime::quit_status() const {
     return state_->quit_status;
 }

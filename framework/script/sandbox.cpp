@@ -16,6 +16,7 @@
 #include "random.h"
 #include "script_classes.h"
 #include "subscriptions.h"
+#include "time_functions.h"
 #include "timers.h"
 
 namespace fettle::script {
@@ -101,6 +102,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_formulas(L);
     open_history(L);
     open_tweaks(L);
+    open_time(L);
     open_help(L);
     open_vec(L, machine);
     open_color(L, machine);

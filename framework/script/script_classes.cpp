@@ -204,6 +204,8 @@ void ScriptClasses::adopt(Handle instance, bool announce) {
     }
     members_.push_back(instance);
     waiting_.push_back({instance, announce});
+    if (noting_) adopted_.push_back(instance);
+    if (adopted_.size() > 65536) adopted_.clear();  // nobody takes them any more
 }
 
 namespace {

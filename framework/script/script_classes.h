@@ -2,6 +2,7 @@
 // Classes in scripts: every class of the tree is an object that constructs when called; `class`
 // makes new ones, whose functions are methods, callbacks and handlers of events.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -57,6 +58,13 @@ class ScriptClasses {
     bool step(double dt);
     /// Calls `draw(pen)` of everything placed.
     bool draw();
+    // Snapshots: who is stepped and in which order, and who is not ready yet.
+    void save(property::ByteWriter& to) const;
+    std::function<void()> restore(property::ByteReader& from);
+    /// Members since the last call, in order; the first call begins it.
+    std::vector<property::Handle> take_adopted();
+    void redo_adopted(const std::vector<property::Handle>& adopted);
+
     /// Functions go, classes stay: the game is loaded anew.
     void forget_functions();
 
@@ -89,6 +97,8 @@ class ScriptClasses {
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
     std::size_t prune_at_ = 1024;              // deleted ones are looked for then
     bool calling_ = false;                     // `members_` is being walked
+    std::vector<property::Handle> adopted_;    // for `take_adopted`, while anybody takes them
+    bool noting_ = false;
     struct Waiting {
         property::Handle instance;
         bool announce;  // nobody else emits its `ready`

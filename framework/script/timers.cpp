@@ -1,6 +1,7 @@
 #include "timers.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fettle/property/error.h>
 
@@ -25,20 +26,40 @@ constexpr double shortest_interval = 1e-4;
 
 }  // namespace
 
+void Timers::note(Change change) {
+    if (!noting_ || changes_.all) return;
+    changes_.list.push_back(std::move(change));
+    // Nobody has asked for long, or the whole is shorter than what happened to it.
+    if (changes_.list.size() > 64 + 2 * queue_.size()) {
+        changes_.all = true;
+        changes_.list.clear();
+    }
+}
+
+void Timers::insert(const Key& key, Timer timer) {
+    if (timer.function) note({key, timer});
+    due_[key.second] = key.first;
+    queue_.emplace(key, std::move(timer));
+}
+
+void Timers::erase(Queue::iterator entry) {
+    if (entry->second.function) note({entry->first, std::nullopt});
+    due_.erase(entry->first.second);
+    queue_.erase(entry);
+}
+
 std::uint64_t Timers::add(lua_State* L, double due, double interval) {
     const std::uint64_t id = next_id_++;
-    Timer timer;
-    timer.interval = interval;
-    timer.reference = luaL_ref(L, LUA_REGISTRYINDEX);
-    queue_.emplace(Key{due, id}, timer);
-    due_.emplace(id, due);
+    insert({due, id}, {.interval = interval,
+                       .function = std::make_shared<FunctionRef>(L, machine_),
+                       .thread = LUA_NOREF});
     return id;
 }
 
 void Timers::wait(lua_State* L, double due) {
     lua_pushthread(L);
-    const std::uint64_t id = add(L, due, -1);
-    queue_.find(Key{due, id})->second.thread = true;
+    const std::uint64_t id = next_id_++;
+    insert({due, id}, {.interval = -1, .function = {}, .thread = luaL_ref(L, LUA_REGISTRYINDEX)});
     waiting_[L] = id;
 }
 
@@ -46,17 +67,17 @@ void Timers::stop(std::uint64_t id) {
     const auto found = due_.find(id);
     if (found == due_.end()) return;
     const auto entry = queue_.find(Key{found->second, id});
-    luaL_unref(machine_.main, LUA_REGISTRYINDEX, entry->second.reference);
-    queue_.erase(entry);
-    due_.erase(found);
+    if (!entry->second.function) luaL_unref(machine_.main, LUA_REGISTRYINDEX, entry->second.thread);
+    erase(entry);
 }
 
 void Timers::clear() {
     for (const auto& [key, timer] : queue_)
-        luaL_unref(machine_.main, LUA_REGISTRYINDEX, timer.reference);
+        if (!timer.function) luaL_unref(machine_.main, LUA_REGISTRYINDEX, timer.thread);
     queue_.clear();
     due_.clear();
     waiting_.clear();
+    changes_ = {.all = noting_, .queue = {}, .list = {}};
 }
 
 bool Timers::run(double now) {
@@ -71,18 +92,56 @@ bool Timers::run(double now) {
             continue;
         }
         const Timer timer = entry->second;
-        queue_.erase(entry);
-        due_.erase(id);
+        erase(entry);
         if (timer.interval >= 0) {
             // From the moment it was due, so that intervals do not drift; 0 is every step.
             const double next = timer.interval > 0 ? due + timer.interval : now + 2 * tolerance;
-            queue_.emplace(Key{next, id}, timer);
-            due_.emplace(id, next);
+            insert({next, id}, timer);
         }
         ok &= fire(timer);
         entry = queue_.begin();
     }
     return ok;
+}
+
+// --- Snapshots
+
+Timers::Queue Timers::image() const {
+    Queue functions;
+    for (const auto& [key, timer] : queue_)
+        if (timer.function) functions.emplace_hint(functions.end(), key, timer);
+    return functions;
+}
+
+void Timers::restore(const Queue& image, double later) {
+    Queue threads;
+    for (const auto& [key, timer] : queue_)
+        if (!timer.function) threads.emplace(Key{key.first + later, key.second}, timer);
+    queue_ = image;
+    queue_.merge(threads);
+    due_.clear();
+    for (const auto& [key, timer] : queue_) due_.emplace(key.second, key.first);
+    changes_ = {.all = noting_, .queue = {}, .list = {}};
+}
+
+Timers::Changes Timers::take_changes() {
+    Changes taken = std::exchange(changes_, {});
+    if (taken.all || !noting_) {
+        taken.all = true;
+        taken.queue = image();
+    }
+    noting_ = true;
+    return taken;
+}
+
+void Timers::redo(const Changes& changes) {
+    if (changes.all) return restore(changes.queue, 0);
+    for (const Change& change : changes.list) {
+        if (change.added)
+            insert(change.key, *change.added);
+        else if (const auto entry = queue_.find(change.key); entry != queue_.end())
+            erase(entry);
+    }
 }
 
 int Timers::take_thread() {
@@ -97,11 +156,11 @@ int Timers::take_thread() {
 
 // Functions run as coroutines, so that they can wait.
 bool Timers::fire(const Timer& timer) {
-    return protected_run(machine_, timer.thread ? "coroutine" : "timer", [&](lua_State* L) {
-        if (timer.thread) {
-            push_registry(L, timer.reference);
+    return protected_run(machine_, timer.function ? "timer" : "coroutine", [&](lua_State* L) {
+        if (!timer.function) {
+            push_registry(L, timer.thread);
             lua_State* thread = lua_tothread(L, -1);
-            luaL_unref(L, LUA_REGISTRYINDEX, timer.reference);
+            luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
             waiting_.erase(thread);
             resume_thread(L, thread, 0);
             return;
@@ -109,8 +168,7 @@ bool Timers::fire(const Timer& timer) {
         const int reference = take_thread();
         push_registry(L, reference);
         lua_State* thread = lua_tothread(L, -1);
-        push_registry(L, timer.reference);
-        if (timer.interval < 0) luaL_unref(L, LUA_REGISTRYINDEX, timer.reference);
+        timer.function->push(L);
         lua_xmove(L, thread, 1);
         // A thread that waits or failed is left to the collector; one that finished is used again.
         try {

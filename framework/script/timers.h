@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -12,6 +14,7 @@
 namespace fettle::script {
 
 struct Machine;
+class FunctionRef;
 
 class Timers {
   public:
@@ -29,19 +32,45 @@ class Timers {
     void clear();
     std::size_t size() const { return queue_.size(); }
 
-  private:
+    // Snapshots. Functions are restored; a coroutine that waits is where it is now, and goes on
+    // waiting as long as it still had to.
     struct Timer {
         double interval = -1;
-        int reference = LUA_NOREF;  // a function, or a thread that waits
-        bool thread = false;
+        std::shared_ptr<FunctionRef> function;  // null: a thread that waits
+        int thread = LUA_NOREF;
     };
-    using Key = std::pair<double, std::uint64_t>;
+    using Key = std::pair<double, std::uint64_t>;  // due, number
+    using Queue = std::map<Key, Timer>;
+    struct Change {
+        Key key;
+        std::optional<Timer> added;  // else removed
+    };
+    /// What has been added and removed since the last call, in order; the first call begins it.
+    /// `all`: so much that the whole queue is told instead.
+    struct Changes {
+        bool all = false;
+        Queue queue;
+        std::vector<Change> list;
+        bool empty() const { return !all && list.empty(); }
+    };
+    Queue image() const;
+    /// `later`: by how much simulation time jumps, seconds.
+    void restore(const Queue& image, double later);
+    Changes take_changes();
+    void redo(const Changes& changes);
 
+  private:
     bool fire(const Timer& timer);
     int take_thread();
 
+    void insert(const Key& key, Timer timer);
+    void erase(Queue::iterator entry);
+    void note(Change change);
+
     Machine& machine_;
-    std::map<Key, Timer> queue_;
+    Queue queue_;
+    Changes changes_;
+    bool noting_ = false;
     std::unordered_map<std::uint64_t, double> due_;
     std::unordered_map<lua_State*, std::uint64_t> waiting_;
     std::vector<int> idle_;  // threads that finished, ready for the next function

@@ -24,7 +24,8 @@ enum class Tag : std::uint32_t {
     class_object,
     connection,
     pen,
-    formula
+    formula,
+    snapshot
 };
 
 /// Where a value was read: a property, or a place inside a list that is its value. Assigning a

@@ -285,6 +285,7 @@ std::vector<Property> switches(Hosting& hosting) {
 
 void define_body(Hosting& hosting) {
     property::ClassDescriptor body;
+    body.snapshots = property::Snapshots::natively;
     body.name = "Body";
     body.doc =
         "A rigid body: its shapes are its children. It is simulated while it hangs below a World.";

@@ -124,6 +124,10 @@ class Hosting {
     void follow_listeners();
     void report(HostedWorld& hosted);
 
+    // --- Snapshots (saving.cpp)
+    void save(property::ByteWriter& to) const;
+    std::function<void()> restore(property::ByteReader& from);
+
     // --- Looks (looks.cpp)
     property::Color fill_of(Row shape);
     property::Color border_of(Row shape);

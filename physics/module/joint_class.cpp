@@ -76,6 +76,7 @@ Binding torque(Hosting& hosting) {
 
 void define_joint(Hosting& hosting) {
     property::ClassDescriptor joint;
+    joint.snapshots = property::Snapshots::natively;
     joint.name = "Joint";
     joint.doc =
         "Ties bodies together or to the world. It acts while it and its bodies are in the "

@@ -5,12 +5,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include <fettle/physics/world.h>
-#include <fettle/property/value.h>
+#include <fettle/property/bytes.h>
 
 namespace fettle::physics_module {
 
@@ -103,6 +104,10 @@ class Joints {
     void loosen() { loose_ = true; }
     /// Makes and ends native joints as the records want them.
     void tighten();
+
+    void save(property::ByteWriter& to) const;
+    /// Reads and checks; what is returned puts it into place.
+    std::function<void()> restore(property::ByteReader& from);
 
   private:
     std::uint32_t create(std::uint32_t world);

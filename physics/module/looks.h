@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fettle/physics/types.h>
@@ -37,6 +38,8 @@ class SlotValues {
         return value;
     }
     bool empty() const { return values_.empty(); }
+    const std::vector<T>& all() const { return values_; }
+    void replace(std::vector<T> values) { values_ = std::move(values); }
 
   private:
     std::vector<T> values_;

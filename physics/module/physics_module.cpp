@@ -28,6 +28,7 @@ PhysicsModule::~PhysicsModule() = default;
 void PhysicsModule::attach(property::Tree& tree) {
     if (hosting_) throw std::logic_error("physics is attached to a tree already");
     hosting_ = std::make_unique<Hosting>(tree);
+    tree.add_part(*this);
     define_step_statistics(*hosting_);
     define_world(*hosting_);
     define_body(*hosting_);
@@ -59,6 +60,15 @@ void PhysicsModule::report(property::Tree& tree) {
         hosted->unreported = false;
         hosting_->report(*hosted);
     }
+}
+
+property::Memory PhysicsModule::save(property::ByteWriter& to) const {
+    hosting_->save(to);
+    return {};
+}
+
+std::function<void()> PhysicsModule::restore(property::ByteReader& from, const property::Memory&) {
+    return hosting_->restore(from);
 }
 
 std::uint64_t PhysicsModule::hash() const {

@@ -188,6 +188,7 @@ std::vector<Property> derived(Hosting& hosting) {
 
 void define_shape(Hosting& hosting) {
     property::ClassDescriptor shape;
+    shape.snapshots = property::Snapshots::natively;
     shape.name = "Shape";
     shape.doc = "A part of a body: where it is solid, how heavy and how slippery it is there.";
     shape.creatable = false;

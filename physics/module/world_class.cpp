@@ -144,6 +144,7 @@ void define_step_statistics(Hosting& hosting) {
     using S = StepStatistics;
     Hosting& h = hosting;
     property::ClassDescriptor statistics;
+    statistics.snapshots = property::Snapshots::natively;
     statistics.name = "StepStatistics";
     statistics.doc = "What the last step of a world did, and how long that took.";
     statistics.creatable = false;
@@ -172,6 +173,7 @@ void define_step_statistics(Hosting& hosting) {
 
 void define_world(Hosting& hosting) {
     property::ClassDescriptor world;
+    world.snapshots = property::Snapshots::natively;
     world.name = "World";
     world.doc =
         "Bodies below it are simulated together. Its child `step` tells about the last "

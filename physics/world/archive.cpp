@@ -98,6 +98,10 @@ void World::restore(std::span<const std::byte> bytes) {
     data_->take(std::move(fresh));
 }
 
+void World::take(World&& other) {
+    data_->take(std::move(*other.data_));
+}
+
 /// What was made since stays gone for good: its generation is not given again.
 void WorldData::take(WorldData&& other) {
     const uint32_t issued = std::max(next_generation, other.next_generation);

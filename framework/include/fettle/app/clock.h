@@ -42,10 +42,25 @@ struct Clock {
     void advance();
 
   private:
+    friend class ClockPart;
     // Time is a multiple of dt from the last change of dt, so that 60 steps of 1/60 s are 1 s.
     double origin_ = 0;
     std::int64_t origin_step_ = 0;
     double origin_dt_ = 0;
+};
+
+/// How far simulation time is, for snapshots. What users set is saved by value; whether it is
+/// paused is the present's affair.
+class ClockPart : public property::SnapshotPart {
+  public:
+    explicit ClockPart(Clock& clock) : clock_(clock) {}
+    std::string_view part_name() const override { return "time"; }
+    property::Memory save(property::ByteWriter& to) const override;
+    std::function<void()> restore(property::ByteReader& from,
+                                  const property::Memory& memory) override;
+
+  private:
+    Clock& clock_;
 };
 
 /// Puts the clock into the tree as `time`, with `time.timings`. The clock must outlive the tree's

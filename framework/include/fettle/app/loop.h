@@ -81,7 +81,7 @@ class Loop {
     bool prelude(double dt, Stopwatch& watch);
     bool make_step(Stopwatch& watch);
     void catch_up(std::int64_t step_limit, Stopwatch& watch);
-    void barrier();
+    void barrier(bool between_steps = true);
     void end_frame(const Stopwatch& watch, double seconds);
 
     property::Tree& tree_;

@@ -21,6 +21,7 @@ struct Audio {
 class Services {
   public:
     explicit Services(property::Tree& tree);
+    ~Services();
     Services(const Services&) = delete;
     Services& operator=(const Services&) = delete;
 
@@ -31,6 +32,9 @@ class Services {
 
   private:
     property::Tree& define(property::Tree& tree);
+
+    property::Tree& tree_;
+    ClockPart clock_part_{clock};
 };
 
 }  // namespace fettle::app

@@ -6,16 +6,25 @@
 #include <string_view>
 
 #include <fettle/module/export.h>
+#include <fettle/property/snapshot.h>
 #include <fettle/property/tree.h>
 
 FETTLE_MODULE_BEGIN
 
 namespace fettle::module {
 
-class Module {
+/// A module whose classes are saved natively (`property::Snapshots`) writes what its rows are in
+/// `save`, reads it in `restore`, and calls `tree.add_part(*this)` in `attach`. The others have
+/// nothing to do: their instances are saved value by value.
+class Module : public property::SnapshotPart {
   public:
-    virtual ~Module();
+    ~Module() override;
     virtual std::string_view name() const = 0;
+    std::string_view part_name() const override { return name(); }
+    property::Memory save(property::ByteWriter&) const override { return {}; }
+    std::function<void()> restore(property::ByteReader&, const property::Memory&) override {
+        return [] {};
+    }
     /// Registers its classes and creates the services it offers (`game.world`). Called once; the
     /// module outlives the tree's use of it.
     virtual void attach(property::Tree& tree) = 0;

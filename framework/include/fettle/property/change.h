@@ -25,7 +25,8 @@ enum class Writer : std::uint8_t {
     formula,
     undo,
     load,
-    remote
+    remote,
+    restore  // a snapshot came back
 };
 
 std::string_view writer_name(Writer writer);

@@ -225,11 +225,19 @@ struct Lifecycle {
                       double alpha) = nullptr;
 };
 
+/// What a snapshot holds of the instances of a class beside what the tree keeps of them.
+enum class Snapshots : std::uint8_t {
+    by_value,  // each property that can be written and is not transient, by its name
+    natively,  // nothing: the class's module is a SnapshotPart and saves what the rows are
+    never      // nothing, and the tree's own columns neither: it belongs to the present (a console)
+};
+
 struct ClassDescriptor {
     std::string name;
     std::string base = "Object";  // "" only for Object itself
     std::string doc{};
     bool creatable = true;  // may be made by users; services such as `time` may not
+    Snapshots snapshots = Snapshots::by_value;
     std::vector<Property> properties{};
     std::vector<Method> methods{};
     std::vector<Event> events{};
@@ -247,6 +255,8 @@ class Class {
     const std::string& doc() const { return descriptor_.doc; }
     const Class* base() const { return base_; }
     bool creatable() const { return descriptor_.creatable; }
+    /// Of the nearest native class up the chain: what scripts derive is saved like its base.
+    Snapshots snapshots() const { return snapshots_; }
     bool is_a(const Class& other) const;
     const std::string& stem() const { return descriptor_.stem; }
     /// Of the nearest class up the chain that has one.
@@ -265,6 +275,8 @@ class Class {
     const Method* method(std::string_view name) const { return method(Symbol::find(name)); }
     const Event* event(std::string_view name) const { return event(Symbol::find(name)); }
 
+    /// Its place in the order of definition.
+    std::uint32_t id() const { return id_; }
     /// Names of properties and methods, for nearest spellings.
     std::vector<std::string> member_names() const;
 
@@ -276,11 +288,13 @@ class Class {
     friend class ClassRegistry;
     friend class Shadows;
     friend class StoredColumns;
+    friend class TreeImage;
     Class() = default;
 
     ClassDescriptor descriptor_;
     std::deque<Property> own_properties_;
     const Class* base_ = nullptr;
+    Snapshots snapshots_ = Snapshots::by_value;
     const Lifecycle* lifecycle_ = nullptr;
     std::vector<const Property*> properties_;
     std::vector<const Method*> methods_;

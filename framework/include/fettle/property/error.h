@@ -23,6 +23,7 @@ enum class ErrorKind {
     bad_structure,  // a parent inside its own child, class that may not be created, ...
     bad_path,       // path does not parse
     formula,        // the value is a formula that failed or depends on itself
+    damaged,        // a snapshot or a saved game that is cut off, changed or another version's
     rejected,       // the owner of the value refused it; the message says why
     no_barrier_end  // handlers kept changing values
 };

@@ -54,6 +54,8 @@ class Observer {
     /// does to the tree meanwhile is told as well.
     virtual void call_begins(Handle, const Method&, std::span<const Value> /*arguments*/) {}
     virtual void call_ends(Handle, const Method&) {}
+    /// A snapshot was restored: anything may be different. Nothing else is told of it.
+    virtual void restored() {}
 };
 
 }  // namespace fettle::property

@@ -25,6 +25,7 @@
 #include <fettle/property/export.h>
 #include <fettle/property/formula.h>
 #include <fettle/property/history.h>
+#include <fettle/property/snapshot.h>
 #include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
 
@@ -222,10 +223,16 @@ class Tree {
     /// Queued; delivered at the next barrier.
     void emit(Handle instance, const Event& event, std::vector<Value> values);
 
+    /// Runs at the end of the next barrier between steps, when all is delivered; what it changes is
+    /// delivered in the same barrier. Errors go the way of handlers' errors.
+    void at_barrier(std::function<void()> action);
+
     /// Delivers everything queued, and compares what is watched of the simulation. Errors of
     /// handlers go to the error sink; without one the first is thrown when all are delivered.
     /// Throws Error(no_barrier_end) after 16 generations of handlers that make changes.
-    void barrier();
+    /// `between_steps` is false in the middle of a step, when what `at_barrier` was given has to
+    /// wait.
+    void barrier(bool between_steps = true);
     void on_handler_error(std::function<void(const HandlerError&)> sink);
     /// How many watchers are registered.
     std::size_t watcher_count() const;
@@ -235,6 +242,29 @@ class Tree {
     void unobserve(Observer& observer);
     /// Not owned; told of what people edit, instead of the one before. Null: nobody.
     void observe_edits(EditObserver* observer);
+
+    // --- Snapshots
+    // --------------------------------------------------------------------------------------------------
+
+    /// Not owned; what it is becomes part of snapshots until `remove_part`. Throws Error(bad_name)
+    /// for a name taken.
+    void add_part(SnapshotPart& part);
+    void remove_part(SnapshotPart& part);
+    const std::vector<SnapshotPart*>& parts() const;
+    /// All of it: instances, values, formulas, the history of edits, the step, and the parts.
+    Snapshot snapshot() const;
+    /// Puts the tree back, in place. Who existed then has their handles again; who came since is
+    /// deleted, and no handle to them will ever mean anybody else. Watchers stay with the instances
+    /// that exist on both sides and are told of what changed, cause `restore`, at the next barrier;
+    /// so is who listens to `restored` of the root. Classes stay. Changes that were still to be
+    /// delivered are not.
+    ///
+    /// Throws Error(damaged) or, for what this game does not have (a class, a module),
+    /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler or a
+    /// formula: see `at_barrier`.
+    void restore(const Snapshot& snapshot);
+    /// The same; `go_on` then redoes what happened since, with a `Replay`, before anybody is told.
+    void restore(const Snapshot& snapshot, const std::function<void()>& go_on);
 
     // --- Time and cause
     // ---------------------------------------------------------------------------------------------

@@ -108,6 +108,8 @@ class Runtime {
     void on_error(std::function<void(const ScriptError&)> sink);
     /// print() outside console commands.
     void on_print(std::function<void(std::string_view)> sink);
+    /// What rewind(seconds) does, at a barrier between steps. Without it rewind is refused.
+    void on_rewind(std::function<void(double seconds)> rewind);
     /// Status given to quit(), once it was called.
     std::optional<int> quit_status() const;
     /// Whether the game defines a global function of that name.

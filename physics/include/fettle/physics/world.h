@@ -59,6 +59,8 @@ class World {
     /// The state `save` wrote, in place: as an assignment. Throws std::invalid_argument when the
     /// bytes are damaged or another version's, and then changes nothing.
     void restore(std::span<const std::byte> bytes);
+    /// The state of `other`, in place, as `restore`; `other` is to be thrown away.
+    void take(World&& other);
 
     /// Advances by `dt` seconds (0 < dt, else nothing happens). Never throws on any state.
     void step(float dt);

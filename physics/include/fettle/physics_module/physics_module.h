@@ -32,6 +32,11 @@ class PhysicsModule : public module::Module {
     /// That of the world when there is one, else the worlds' combined in the order they were made.
     std::uint64_t hash() const override;
 
+    /// Every world, bit for bit.
+    property::Memory save(property::ByteWriter& to) const override;
+    std::function<void()> restore(property::ByteReader& from,
+                                  const property::Memory& memory) override;
+
     // From an instance to what it stands for, for C++ that wants to go on without the tree. What is
     // returned is good until the instance is deleted or moved to another world. Throws
     // property::Error for a deleted instance or one of another class.

@@ -1,0 +1,186 @@
+// Nodes in snapshots: the table as it is, so that whoever is made later gets the slot it would have
+// got; names are looked up again where the process is another one.
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+
+#include "nodes.h"
+
+namespace fettle::property {
+namespace {
+
+/// Symbols are numbers of this process: the texts of those that are used go along.
+class Names {
+  public:
+    void use(Symbol name) {
+        if (!name) return;
+        if (name.id() >= used_.size()) used_.resize(name.id() + 1, false);
+        if (used_[name.id()]) return;
+        used_[name.id()] = true;
+        order_.push_back(name);
+    }
+    void save(ByteWriter& to) const {
+        to.put(std::uint64_t{order_.size()});
+        for (const Symbol name : order_) {
+            to.put(name.id());
+            to.put(name.text());
+        }
+    }
+
+  private:
+    std::vector<bool> used_;
+    std::vector<Symbol> order_;
+};
+
+/// What the numbers mean here.
+class NameMap {
+  public:
+    explicit NameMap(ByteReader& from) {
+        for (std::size_t n = from.count(12); n > 0; --n) {
+            const auto id = from.get<std::uint32_t>();
+            const Symbol here(from.text());
+            from.require(id != 0, "a name without a number");
+            map_[id] = here;
+        }
+    }
+    Symbol operator()(Symbol there, const ByteReader& from) const {
+        if (!there) return there;
+        const auto found = map_.find(there.id());
+        from.require(found != map_.end(), "a name that it does not tell");
+        return found->second;
+    }
+
+  private:
+    std::unordered_map<std::uint32_t, Symbol> map_;
+};
+
+}  // namespace
+
+void Nodes::save(ByteWriter& to) const {
+    Names names;
+    for (std::uint32_t i = 1; i < end(); ++i)
+        if (nodes_[i].alive) names.use(nodes_[i].name.base);
+    // Sorted: a hash table has no order of its own.
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> counters(counters_.begin(),
+                                                                  counters_.end());
+    std::sort(counters.begin(), counters.end());
+    for (const auto& [key, last] : counters) {
+        const auto stem = std::bit_cast<Symbol>(static_cast<std::uint32_t>(key));
+        names.use(stem);
+    }
+    names.save(to);
+    to.put(std::uint32_t{sizeof(Node)});
+    to.put(std::uint64_t{end()});
+    to.raw(nodes_.data(), end() * sizeof(Node));
+    to.put(free_);
+    to.put(std::uint64_t{counters.size()});
+    for (const auto& [key, last] : counters) {
+        to.put(key);
+        to.put(last);
+    }
+}
+
+Nodes Nodes::load(ByteReader& from, const std::vector<std::uint16_t>& classes) {
+    const NameMap names(from);
+    from.require(from.get<std::uint32_t>() == sizeof(Node), "it is of another version of Fettle");
+    Nodes read;
+    read.nodes_ = from.list<Node>();
+    read.count_ = static_cast<std::uint32_t>(read.nodes_.size());
+    read.free_ = from.list<std::uint32_t>();
+    from.require(!read.nodes_.empty() && read.nodes_.size() < UINT32_MAX, "it has no instances");
+    for (std::uint32_t i = 1; i < read.end(); ++i) {
+        Node& node = read.nodes_[i];
+        if (!node.alive) continue;
+        ++read.alive_;
+        from.require(node.class_id < classes.size(), "an instance of no class");
+        node.class_id = classes[node.class_id];
+        node.name.base = names(node.name.base, from);
+    }
+    for (const std::uint32_t index : read.free_)
+        from.require(index != 0 && index < read.end() && !read.nodes_[index].alive,
+                     "a free place that is taken");
+    for (std::size_t n = from.count(12); n > 0; --n) {
+        const auto key = from.get<std::uint64_t>();
+        const auto stem = std::bit_cast<Symbol>(static_cast<std::uint32_t>(key));
+        read.counters_[key >> 32 << 32 | names(stem, from).id()] = from.get<std::uint32_t>();
+    }
+    from.require(read.links_hold(), "parents and children do not agree");
+    read.index_names();
+    return read;
+}
+
+/// Every child is in the list of its parent, once, and everybody hangs somewhere or nowhere.
+bool Nodes::links_hold() const {
+    const auto inside = [this](std::uint32_t index) {
+        return index < end() && nodes_[index].alive;
+    };
+    std::size_t listed = 0, hanging = 0;
+    for (std::uint32_t parent = 1; parent < end(); ++parent) {
+        const Node& above = nodes_[parent];
+        if (!above.alive) continue;
+        if (above.parent != 0) {
+            ++hanging;
+            if (!inside(above.parent) || above.parent == parent) return false;
+        }
+        std::uint32_t before = 0;
+        for (std::uint32_t i = above.first_child; i != 0; i = nodes_[i].next) {
+            if (!inside(i) || nodes_[i].parent != parent || ++listed > alive_) return false;
+            if (before != 0 && nodes_[i].previous != before) return false;
+            before = i;
+        }
+        if (before != 0 && nodes_[above.first_child].previous != before) return false;
+    }
+    if (listed != hanging) return false;
+    // No circle: everybody is reached from those who hang nowhere.
+    std::size_t reached = 0;
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t i = 1; i < end(); ++i)
+        if (nodes_[i].alive && nodes_[i].parent == 0) open.push_back(i);
+    while (!open.empty()) {
+        const std::uint32_t index = open.back();
+        open.pop_back();
+        ++reached;
+        for (std::uint32_t i = nodes_[index].first_child; i != 0; i = nodes_[i].next)
+            open.push_back(i);
+    }
+    return reached == alive_;
+}
+
+void Nodes::index_names() {
+    std::size_t size = 64;
+    while (size * 2 < alive_ * 3 + 3) size *= 2;
+    index_.assign(size, 0);
+    indexed_ = 0;
+    for (std::uint32_t i = 1; i < end(); ++i)
+        if (nodes_[i].alive && nodes_[i].parent != 0) index_insert(i);
+}
+
+void Nodes::replace(Nodes&& other) {
+    const std::uint32_t room = std::max(end(), other.end());
+    const std::uint32_t count = end();
+    const auto present = std::move(nodes_);
+    auto issued = std::move(issued_);
+    for (std::uint32_t i = 1; i < room; ++i) {
+        // The last generation that was given in this slot, here or in a future left before.
+        std::uint32_t last = 0;
+        if (i < count) last = present[i].alive ? present[i].generation : present[i].generation - 1;
+        if (const auto found = issued.find(i); found != issued.end())
+            last = std::max(last, found->second);
+        if (i >= other.end()) {
+            other.issued_[i] = last;
+        } else if (Node& node = other.nodes_[i]; node.alive || node.kept) {
+            if (last >= node.generation) other.issued_[i] = last;
+        } else {
+            node.generation = std::max(node.generation, last + 1);
+        }
+    }
+    *this = std::move(other);
+}
+
+void Nodes::free_all_kept() {
+    for (std::uint32_t i = 1; i < end(); ++i)
+        if (nodes_[i].kept) free_kept({i, nodes_[i].generation - 1});
+}
+
+}  // namespace fettle::property

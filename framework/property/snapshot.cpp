@@ -1,0 +1,194 @@
+// Snapshots of a tree: its own image and its parts', one block each.
+
+#include <fettle/property/snapshot.h>
+
+#include <algorithm>
+#include <array>
+
+#include <fettle/property/error.h>
+#include <fettle/property/tree.h>
+
+#include "state.h"
+#include "transition.h"
+#include "tree_image.h"
+
+namespace fettle::property {
+namespace {
+
+constexpr std::array<char, 8> magic = {'F', 'e', 't', 't', 'l', 'e', 's', '1'};
+constexpr std::uint32_t version = 1;
+
+struct FileHeader {
+    std::array<char, 8> magic = property::magic;
+    std::uint32_t version = property::version;
+    std::uint32_t reserved = 0;
+    std::uint64_t size = 0;
+    std::uint64_t checksum = 0;
+};
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw Error(ErrorKind::damaged, "the snapshot cannot be read: " + why);
+}
+
+const Memory* find(const Snapshot::Memories& memories, std::string_view name) {
+    for (const auto& [of, memory] : memories)
+        if (of == name) return &memory;
+    return nullptr;
+}
+
+constexpr std::string_view tree_block = "tree";
+
+}  // namespace
+
+Snapshot::Snapshot(std::vector<std::byte> payload, Memories memories)
+    : data_(std::make_shared<const Data>(Data{std::move(payload), std::move(memories)})) {}
+
+std::span<const std::byte> Snapshot::payload() const {
+    return data_->payload;
+}
+
+std::uint64_t Snapshot::step() const {
+    return ByteReader(payload()).get<std::uint64_t>();
+}
+
+std::vector<std::byte> Snapshot::to_bytes() const {
+    FileHeader header;
+    header.size = data_->payload.size();
+    header.checksum = checksum(data_->payload);
+    std::vector<std::byte> out;
+    out.reserve(sizeof header + data_->payload.size());
+    ByteWriter to(out);
+    to.put(header);
+    to.raw(data_->payload.data(), data_->payload.size());
+    return out;
+}
+
+Snapshot Snapshot::from_bytes(std::span<const std::byte> bytes) {
+    FileHeader header;
+    if (bytes.size() < sizeof header) refuse("it ends too early");
+    std::memcpy(&header, bytes.data(), sizeof header);
+    if (header.magic != magic) refuse("it is none");
+    if (header.version != version)
+        refuse("it is of format " + std::to_string(header.version) + ", and this Fettle reads " +
+               std::to_string(version));
+    const auto payload = bytes.subspan(sizeof header);
+    if (payload.size() < header.size) refuse("it ends too early");
+    if (payload.size() > header.size) refuse("there is something behind its end");
+    if (checksum(payload) != header.checksum) refuse("it is damaged: the checksum is another");
+    return {std::vector<std::byte>(payload.begin(), payload.end()), {}};
+}
+
+// --- Of a tree
+// --------------------------------------------------------------------------------------------------------
+
+void Tree::add_part(SnapshotPart& part) {
+    for (const SnapshotPart* other : state_->parts)
+        if (other->part_name() == part.part_name() || part.part_name() == tree_block)
+            throw Error(ErrorKind::bad_name, "a part of snapshots is called \"" +
+                                                 std::string(part.part_name()) + "\" already");
+    state_->parts.push_back(&part);
+}
+
+void Tree::remove_part(SnapshotPart& part) {
+    std::erase(state_->parts, &part);
+}
+
+const std::vector<SnapshotPart*>& Tree::parts() const {
+    return state_->parts;
+}
+
+Snapshot Tree::snapshot() const {
+    std::vector<std::byte> payload;
+    payload.reserve(state_->snapshot_size + state_->snapshot_size / 8);
+    Snapshot::Memories memories;
+    ByteWriter to(payload);
+    to.put(state_->step);
+    to.put(std::uint64_t{state_->parts.size() + 1});
+    const auto block = [&](std::string_view name, const auto& save) {
+        to.put(name);
+        const std::size_t begin = to.begin_block();
+        memories.emplace_back(name, save());
+        to.end_block(begin);
+    };
+    block(tree_block, [&] { return TreeImage::save(*state_, to); });
+    for (const SnapshotPart* part : state_->parts)
+        block(part->part_name(), [&] { return part->save(to); });
+    state_->snapshot_size = payload.size();
+    return {std::move(payload), std::move(memories)};
+}
+
+void Tree::restore(const Snapshot& snapshot) {
+    restore(snapshot, {});
+}
+
+namespace {
+
+/// Everything of a snapshot, read and checked.
+struct Prepared {
+    std::unique_ptr<TreeImage> image;
+    std::vector<std::function<void()>> parts;
+};
+
+Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
+    ByteReader from(snapshot.payload());
+    from.get<std::uint64_t>();
+    Prepared prepared;
+    std::vector<std::string> found;
+    const auto memory_of = [&](std::string_view name) {
+        const Memory* memory = find(snapshot.memories(), name);
+        return memory == nullptr ? Memory() : *memory;
+    };
+    for (std::size_t n = from.count(16); n > 0; --n) {
+        const std::string name(from.text());
+        ByteReader block = from.block("snapshot of \"" + name + "\"");
+        found.push_back(name);
+        if (name == tree_block) {
+            prepared.image = std::make_unique<TreeImage>(state, block, memory_of(name));
+        } else {
+            const auto part =
+                std::find_if(state.parts.begin(), state.parts.end(),
+                             [&](const SnapshotPart* p) { return p->part_name() == name; });
+            if (part == state.parts.end())
+                throw Error(ErrorKind::unknown_name,
+                            "the snapshot holds \"" + name + "\", which this game does not have");
+            prepared.parts.push_back((*part)->restore(block, memory_of(name)));
+        }
+        block.finish();
+    }
+    from.finish();
+    from.require(prepared.image != nullptr, "it holds no tree");
+    for (const SnapshotPart* part : state.parts)
+        if (std::find(found.begin(), found.end(), part->part_name()) == found.end())
+            throw Error(ErrorKind::unknown_name, "the snapshot holds nothing of \"" +
+                                                     std::string(part->part_name()) +
+                                                     "\": it is of another game");
+    return prepared;
+}
+
+}  // namespace
+
+void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on) {
+    State& s = *state_;
+    s.forbid_in_formula("restore a snapshot");
+    if (s.in_barrier || s.replaying)
+        throw Error(ErrorKind::bad_structure,
+                    "a snapshot cannot be restored in a handler: wait for the next barrier");
+    if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
+    Prepared prepared = prepare(s, snapshot);
+    Transition transition(s);
+    {
+        struct Silence {
+            bool& replaying;
+            explicit Silence(bool& r) : replaying(r) { replaying = true; }
+            ~Silence() { replaying = false; }
+        } silence(s.replaying);
+        prepared.image->end_rows();
+        prepared.image->put_nodes();
+        for (const auto& put : prepared.parts) put();
+        prepared.image->put_values();
+        if (go_on) go_on();
+    }
+    transition.finish();
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,26 @@
+#pragma once
+// What of a runtime belongs to a snapshot: the random numbers to come, timers, who is stepped. The
+// game's own variables and its running coroutines do not: they stay as they are.
+
+#include <fettle/property/snapshot.h>
+
+namespace fettle::script {
+
+struct Machine;
+
+class RuntimePart : public property::SnapshotPart {
+  public:
+    explicit RuntimePart(Machine& machine) : machine_(machine) {}
+
+    std::string_view part_name() const override { return "scripts"; }
+    property::Memory save(property::ByteWriter& to) const override;
+    std::function<void()> restore(property::ByteReader& from,
+                                  const property::Memory& memory) override;
+    property::Memory changes() override;
+    void redo(const property::Memory& changes) override;
+
+  private:
+    Machine& machine_;
+};
+
+}  // namespace fettle::script

@@ -1,0 +1,130 @@
+// snapshot()  restore(s)  rewind(seconds): all three act at the next barrier between steps, in the
+// order they were called. The tree is the state; variables of Lua are not part of it.
+
+#include "time_functions.h"
+
+#include <cmath>
+#include <memory>
+#include <new>
+
+#include <fettle/property/error.h>
+#include <fettle/property/snapshot.h>
+
+#include "guard.h"
+#include "machine.h"
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Snapshot;
+
+namespace {
+
+// A snapshot holds a whole game; what a script forgets to let go of must not fill the memory.
+constexpr std::size_t most_snapshots = 64;
+
+struct Held {
+    Snapshot snapshot;  // empty until the barrier
+    std::shared_ptr<lua_State*> alive;
+    Machine* machine;
+
+    explicit Held(Machine& of) : alive(of.alive), machine(&of) { ++of.snapshots; }
+    ~Held() {
+        if (*alive != nullptr) --machine->snapshots;
+    }
+    Held(const Held&) = delete;
+};
+
+struct SnapshotBox {
+    Tag tag;
+    std::shared_ptr<Held>* held;
+};
+
+int release(lua_State* L) {
+    auto* box = static_cast<SnapshotBox*>(lua_touserdata(L, 1));
+    if (box != nullptr && box->tag == Tag::snapshot) delete std::exchange(box->held, nullptr);
+    return 0;
+}
+
+int describe(lua_State* L) {
+    const auto* box = box_at<SnapshotBox>(L, 1, Tag::snapshot);
+    if (box == nullptr || box->held == nullptr) return 0;
+    const Snapshot& taken = (*box->held)->snapshot;
+    const std::string text =
+        taken.empty() ? std::string("snapshot (taken at the next barrier)")
+                      : "snapshot of step " + std::to_string(taken.step()) + ", " +
+                            std::to_string((taken.payload().size() + 1023) / 1024) + " KiB";
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+void forbid_in_formula(Machine& machine, const char* what) {
+    if (machine.tree.in_formula())
+        throw Error(ErrorKind::formula,
+                    std::string("a formula computes a value: it cannot ") + what);
+}
+
+int snapshot(lua_State* L) {
+    Machine& machine = machine_of(L);
+    forbid_in_formula(machine, "take a snapshot");
+    if (machine.snapshots >= most_snapshots) lua_gc(L, LUA_GCCOLLECT);
+    if (machine.snapshots >= most_snapshots)
+        throw Error(ErrorKind::rejected, "snapshot: " + std::to_string(most_snapshots) +
+                                             " are held already; let go of some");
+    auto* box = static_cast<SnapshotBox*>(lua_newuserdatauv(L, sizeof(SnapshotBox), 0));
+    *box = {Tag::snapshot, nullptr};
+    push_registry(L, machine.snapshot_meta);
+    lua_setmetatable(L, -2);
+    box->held = new std::shared_ptr<Held>(std::make_shared<Held>(machine));
+    machine.tree.at_barrier([&tree = machine.tree, held = std::weak_ptr<Held>(*box->held)] {
+        if (const auto wanted = held.lock()) wanted->snapshot = tree.snapshot();
+    });
+    return 1;
+}
+
+int restore(lua_State* L) {
+    Machine& machine = machine_of(L);
+    forbid_in_formula(machine, "restore a snapshot");
+    const auto* box = box_at<SnapshotBox>(L, 1, Tag::snapshot);
+    if (box == nullptr)
+        throw Error(ErrorKind::wrong_type,
+                    "restore: needs what snapshot() returned, not " + describe_type(L, 1));
+    machine.tree.at_barrier(
+        [&tree = machine.tree, held = *box->held] { tree.restore(held->snapshot); });
+    return 0;
+}
+
+int rewind(lua_State* L) {
+    Machine& machine = machine_of(L);
+    forbid_in_formula(machine, "rewind");
+    const double seconds = check_number(L, 1, "rewind");
+    if (!(seconds >= 0) || std::isinf(seconds))
+        throw Error(ErrorKind::out_of_range, "rewind: " + property::number_text(seconds) +
+                                                 " s; a time is finite and not negative");
+    if (!machine.rewind)
+        throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
+    machine.tree.at_barrier([&machine, alive = machine.alive, seconds] {
+        if (*alive != nullptr && machine.rewind) machine.rewind(seconds);
+    });
+    return 0;
+}
+
+}  // namespace
+
+void open_time(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_newtable(L);
+    add_function<release>(L, "__gc");
+    add_function<describe>(L, "__tostring");
+    lua_pushliteral(L, "snapshot");
+    lua_setfield(L, -2, "__name");
+    lua_pushliteral(L, "snapshot");
+    lua_setfield(L, -2, "__metatable");
+    machine.snapshot_meta = luaL_ref(L, LUA_REGISTRYINDEX);
+    add_function<snapshot>(L, "snapshot");
+    add_function<restore>(L, "restore");
+    add_function<rewind>(L, "rewind");
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,152 @@
+// Snapshots of a tree with physics: in place, handles and all, bit for bit.
+
+#include "catch.h"
+#include "game.h"
+
+using namespace fettle::physics_module::testing;
+namespace property = fettle::property;
+
+namespace {
+
+void pile(Game& game, int count) {
+    game.floor();
+    const char* const shapes[] = {"Box", "Circle", "Polygon", "Capsule"};
+    for (int i = 0; i < count; ++i) {
+        const Handle body = game.body(shapes[i % 4], Vec2(0.9 * (i % 8) - 3.5, 1 + 1.1 * (i / 8)));
+        if (i % 5 == 0) game.make("Circle", body, {{"radius", 0.3}, {"center", Vec2(0.5, 0)}});
+    }
+}
+
+std::vector<std::uint64_t> hashes(Game& game, int steps) {
+    std::vector<std::uint64_t> all;
+    for (int i = 0; i < steps; ++i) {
+        game.step();
+        all.push_back(game.physics.hash());
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a restored game goes on bit for bit") {
+    Game game;
+    pile(game, 40);
+    const Handle drum = game.body("Box", Vec2(8, 5));
+    game.make("RevoluteJoint", game.world(),
+              {{"body_b", drum},
+               {"motor_speed", 3},
+               {"max_motor_torque", 1e5},
+               {"anchor_a", Vec2(8, 5)}});
+    game.step(60);
+    const property::Snapshot snapshot = game.tree.snapshot();
+    const auto expected = hashes(game, 150);
+    game.tree.restore(snapshot);
+    REQUIRE(hashes(game, 150) == expected);
+    game.tree.restore(property::Snapshot::from_bytes(snapshot.to_bytes()));
+    REQUIRE(hashes(game, 150) == expected);
+}
+
+TEST_CASE("bodies deleted and made since do not disturb a restored game") {
+    Game game;
+    pile(game, 30);
+    game.step(30);
+    const Handle ball = game.body("Circle", Vec2(0, 20));
+    const Handle shape = game.shape_of(ball);
+    const property::Snapshot snapshot = game.tree.snapshot();
+    const auto expected = hashes(game, 120);
+
+    game.tree.destroy(ball);
+    const Handle other = game.body("Box", Vec2(0, 30));
+    const Handle world = game.make("World", game.tree.root(), "second");
+    const Handle inside = game.make("Body", world);
+    game.tree.destroy(game.tree.children(game.world())[4]);
+    game.set(game.world(), "gravity", Vec2(4, 0));
+    game.step(20);
+    game.tree.restore(snapshot);
+    for (const Handle gone : {other, world, inside}) REQUIRE_FALSE(game.tree.alive(gone));
+    REQUIRE(game.y(ball) == 20.0);
+    REQUIRE(game.get(shape, "radius") == Value(0.5));
+    REQUIRE(hashes(game, 120) == expected);
+    // Both are still one: an edit of the instance moves the body that is simulated.
+    game.set(ball, "position", Vec2(3, 40));
+    game.step();
+    REQUIRE(game.physics.body(ball).position().y() > 39);
+}
+
+TEST_CASE("a world deleted since comes back with all that was in it") {
+    Game game;
+    const Handle world = game.make("World", game.tree.root(), "second");
+    const Handle body = game.make("Body", world, {{"position", Vec2(1, 2)}});
+    game.make("Circle", body);
+    game.step(5);
+    const double y = game.y(body);
+    const property::Snapshot snapshot = game.tree.snapshot();
+    game.tree.destroy(world);
+    game.step(5);
+    game.tree.restore(snapshot);
+    REQUIRE(game.y(body) == y);
+    game.step(5);
+    REQUIRE(game.y(body) < y);
+}
+
+TEST_CASE("detached bodies, colors and looks are part of a snapshot") {
+    Game game;
+    const Handle body = game.body("Box", Vec2(0, 5));
+    const Handle loose = game.make("Body", {}, {{"velocity", Vec2(3, 0)}});
+    const Value red(property::Color{1, 0, 0, 1});
+    game.set(game.shape_of(body), "color", red);
+    game.set(body, "color", red);
+    const property::Snapshot snapshot = game.tree.snapshot();
+    game.set(game.shape_of(body), "color", Value());
+    game.set(body, "color", Value());
+    game.set(loose, "velocity", Vec2(0, 0));
+    game.tree.restore(snapshot);
+    REQUIRE(game.get(game.shape_of(body), "color") == red);
+    REQUIRE(game.get(body, "color") == red);
+    game.make("Circle", loose);
+    game.tree.move(loose, game.world());
+    REQUIRE(game.vec(loose, "velocity") == Vec2(3, 0));
+}
+
+TEST_CASE("watchers of a simulated property hear of the way back") {
+    Game game;
+    const Handle ball = game.body("Circle", Vec2(0, 20));
+    const property::Snapshot snapshot = game.tree.snapshot();
+    std::vector<std::string> heard;
+    game.tree.watch(ball, "position", [&](const property::Change& change) {
+        heard.push_back(std::string(property::writer_name(change.cause.writer)));
+    });
+    game.step(3);
+    heard.clear();
+    game.tree.restore(snapshot);
+    game.tree.barrier();
+    REQUIRE(heard == std::vector<std::string>{"restore"});
+    game.step();
+    REQUIRE(heard == std::vector<std::string>{"restore", "simulation"});
+}
+
+TEST_CASE("damaged physics in a snapshot is refused and nothing changes") {
+    Game game;
+    pile(game, 12);
+    game.step(40);
+    const property::Snapshot snapshot = game.tree.snapshot();
+    game.step(10);
+    const std::uint64_t before = game.physics.hash();
+    const auto payload = snapshot.payload();
+    int refused = 0;
+    for (std::size_t size = 0; size < payload.size(); size += 997) {
+        const auto part = payload.first(size);
+        REQUIRE_THROWS_AS(game.tree.restore(property::Snapshot({part.begin(), part.end()}, {})),
+                          property::Error);
+        ++refused;
+    }
+    REQUIRE(refused > 10);
+    REQUIRE(game.physics.hash() == before);
+}
+
+TEST_CASE("a tree without physics refuses a snapshot with it") {
+    Game game;
+    const property::Snapshot snapshot = game.tree.snapshot();
+    Tree other;
+    REQUIRE_THROWS_AS(other.restore(snapshot), property::Error);
+}
