@@ -1,5 +1,7 @@
 #include <fettle/app/clock.h>
 
+#include <stdexcept>
+
 namespace fettle::app {
 
 using property::Native;
@@ -51,6 +53,59 @@ std::vector<Property> set_by_users(Clock& clock) {
                 "dropped: the game slows down.",
          .binding = column(clock, Native::i32, 0, [](Clock& c) { return &c.max_steps; })},
     };
+}
+
+/// How much of the past is kept: the player's affair, not the saved game's.
+std::vector<Property> of_the_past(Clock& clock) {
+    return {
+        {.name = "rewind_limit",
+         .type = Type::number,
+         .default_value = 60.0,
+         .unit = "s",
+         .range = {0, 3600},
+         .doc = "How much of the past is kept, for rewind and the time bar; 0: nothing.",
+         .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.rewind_limit; }),
+         .transient = true},
+        {.name = "rewind_memory",
+         .type = Type::number,
+         .default_value = 128.0,
+         .unit = "MiB",
+         .range = {1, 65536},
+         .doc = "How much memory the past may take; where that is too little, less is kept.",
+         .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.rewind_memory; }),
+         .transient = true},
+        kept({.name = "oldest",
+              .type = Type::integer,
+              .default_value = 0,
+              .unit = "",
+              .doc = "The first step one can go back to.",
+              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.oldest; })}),
+        kept({.name = "newest",
+              .type = Type::integer,
+              .default_value = 0,
+              .doc = "The last step made; beyond `step` after going back, until a step is made "
+                     "from there.",
+              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.newest; })}),
+    };
+}
+
+std::vector<property::Method> travelling(Clock& clock) {
+    return {{.name = "go_to",
+             .parameters = {{.name = "step",
+                             .type = Type::integer,
+                             .doc = "From `oldest` to `newest`."}},
+             .required = 1,
+             .doc = "Goes to that step of the past, or back to the present, at the next barrier. "
+                    "What came later is forgotten when a step is made from there.",
+             .context = &clock,
+             .call = [](void* context, property::Tree&, property::Handle, property::Row,
+                        std::span<const property::Value> arguments) -> property::Result {
+                 const Clock& of = *static_cast<Clock*>(context);
+                 if (!of.go_to) throw std::invalid_argument("nobody keeps the past of this game");
+                 of.go_to(arguments[0].integer());
+                 return property::Value();
+             },
+             .effect = property::Effect::nothing}};
 }
 
 std::vector<Property> kept_by_the_loop(Clock& clock) {
@@ -127,42 +182,56 @@ void Clock::advance() {
     now = origin_ + static_cast<double>(step - origin_step_) * dt;
 }
 
+struct ClockPart::State {
+    std::int64_t step = 0;
+    double now = 0, origin = 0;
+    std::int64_t origin_step = 0;
+    double origin_dt = 0;
+};
+
+ClockPart::State ClockPart::state() const {
+    return {clock_.step, clock_.now, clock_.origin_, clock_.origin_step_, clock_.origin_dt_};
+}
+
+void ClockPart::set(const State& state) {
+    clock_.step = state.step;
+    clock_.now = state.now;
+    clock_.origin_ = state.origin;
+    clock_.origin_step_ = state.origin_step;
+    clock_.origin_dt_ = state.origin_dt;
+}
+
 property::Memory ClockPart::save(property::ByteWriter& to) const {
-    to.put(clock_.step);
-    to.put(clock_.now);
-    to.put(clock_.origin_);
-    to.put(clock_.origin_step_);
-    to.put(clock_.origin_dt_);
+    to.put(state());
     return {};
 }
 
 std::function<void()> ClockPart::restore(property::ByteReader& from, const property::Memory&) {
-    Clock read;
-    read.step = from.get<std::int64_t>();
-    read.now = from.get<double>();
-    read.origin_ = from.get<double>();
-    read.origin_step_ = from.get<std::int64_t>();
-    read.origin_dt_ = from.get<double>();
-    for (const double time : {read.now, read.origin_, read.origin_dt_})
+    const auto read = from.get<State>();
+    for (const double time : {read.now, read.origin, read.origin_dt})
         from.require(time >= 0 && time < 1e15, "a time that is none");
-    from.require(read.step >= 0 && read.origin_step_ <= read.step, "a step that is none");
-    return [this, read] {
-        clock_.step = read.step;
-        clock_.now = read.now;
-        clock_.origin_ = read.origin_;
-        clock_.origin_step_ = read.origin_step_;
-        clock_.origin_dt_ = read.origin_dt_;
-    };
+    from.require(read.step >= 0 && read.origin_step <= read.step, "a step that is none");
+    return [this, read] { set(read); };
+}
+
+property::Memory ClockPart::changes() {
+    return std::make_shared<const State>(state());
+}
+
+void ClockPart::redo(const property::Memory& changes) {
+    set(*static_cast<const State*>(changes.get()));
 }
 
 property::Handle define_clock(property::Tree& tree, Clock& clock) {
     std::vector<Property> properties = set_by_users(clock);
     for (Property& property : kept_by_the_loop(clock)) properties.push_back(std::move(property));
+    for (Property& property : of_the_past(clock)) properties.push_back(std::move(property));
     const property::Class& time =
         tree.define({.name = "Time",
                      .doc = "Simulation time: how fast it passes, and how far it is.",
                      .creatable = false,
-                     .properties = std::move(properties)});
+                     .properties = std::move(properties),
+                     .methods = travelling(clock)});
     const property::Class& timings =
         tree.define({.name = "Timings",
                      .doc = "Where a frame's time goes, smoothed over about half a second.",

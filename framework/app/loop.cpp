@@ -31,10 +31,43 @@ void smooth(double& average, double sample, double seconds) {
     average += (sample - average) * (1 - std::exp(-seconds / 0.5));
 }
 
+class Witnessed {
+  public:
+    template <class Begin>
+    Witnessed(Witness* witness, Begin begin) : witness_(witness) {
+        if (witness_ != nullptr) begin(*witness_);
+    }
+    ~Witnessed() {
+        if (witness_ != nullptr) witness_->frame_ends();
+    }
+    Witnessed(const Witnessed&) = delete;
+
+  private:
+    Witness* witness_;
+};
+
 }  // namespace
 
 Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
-    : tree_(tree), runtime_(runtime), services_(services), time_(tree.child(tree.root(), "time")) {}
+    : tree_(tree),
+      runtime_(runtime),
+      services_(services),
+      time_(tree.child(tree.root(), "time")),
+      timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
+    runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
+    services_.clock.go_to = [this](std::int64_t step) {
+        tree_.at_barrier([this, step] { timeline_.go_to(step); });
+    };
+}
+
+Loop::~Loop() {
+    runtime_.on_rewind({});
+    services_.clock.go_to = {};
+}
+
+void Loop::step_modules(double dt) {
+    for (const SteppedModule& module : modules_) module.step(dt);
+}
 
 void Loop::add(SteppedModule module) {
     modules_.push_back(std::move(module));
@@ -50,10 +83,15 @@ void Loop::between_frames(std::function<void()> hook) {
 }
 
 void Loop::handle(const InputEvent& event) {
-    if (event.kind == EventKind::closing) closing_ = true;
     bool taken = false;
     for (auto layer = layers_.rbegin(); layer != layers_.rend() && !taken; ++layer)
         taken = (*layer)->handle(event);
+    feed(event, taken);
+}
+
+void Loop::feed(const InputEvent& event, bool taken) {
+    if (witness_ != nullptr) witness_->event(event, taken);
+    if (event.kind == EventKind::closing) closing_ = true;
     if (taken)
         services_.input.observe(event);
     else
@@ -118,6 +156,7 @@ bool Loop::prelude(double dt, Stopwatch& watch) {
 bool Loop::make_step(Stopwatch& watch) {
     Clock& clock = services_.clock;
     const double dt = clock.dt;
+    timeline_.begin_step();
     clock.advance();
     tree_.set_step(static_cast<std::uint64_t>(clock.step));
     runtime_.step(clock.now, dt);
@@ -128,12 +167,16 @@ bool Loop::make_step(Stopwatch& watch) {
     if (stopped()) return false;
     {
         const property::Tree::CauseScope cause(tree_, property::Writer::simulation);
-        for (const SteppedModule& module : modules_) module.step(dt);
+        timeline_.modules_step(dt);
+        step_modules(dt);
         for (const SteppedModule& module : modules_)
             if (module.report) module.report();
         tree_.stepped();
     }
     watch.lap(watch.phases.modules);
+    barrier(false);
+    timeline_.end_step();
+    if (witness_ != nullptr) witness_->stepped();
     barrier();
     watch.lap(watch.phases.handlers);
     return !stopped();
@@ -141,6 +184,7 @@ bool Loop::make_step(Stopwatch& watch) {
 
 void Loop::frame(double seconds, std::int64_t step_limit) {
     if (between_frames_) between_frames_();
+    const Witnessed witnessed(witness_, [&](Witness& w) { w.frame_begins(seconds, step_limit); });
     Stopwatch watch;
     Clock& clock = services_.clock;
     seconds = std::max(0.0, seconds);
@@ -190,6 +234,7 @@ void Loop::catch_up(std::int64_t step_limit, Stopwatch& watch) {
 
 void Loop::turn() {
     if (between_frames_) between_frames_();
+    const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
     Stopwatch watch;
     Clock& clock = services_.clock;
     announce(++turns_);
@@ -234,6 +279,18 @@ std::uint64_t Loop::hash() const {
         if (module.hash) hash.add(module.hash());
     }
     return hash.result();
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> Loop::hashes() const {
+    std::vector<std::pair<std::string, std::uint64_t>> all;
+    StateHash time, values;
+    time.add(services_.clock.now);
+    values.add_stored_values(tree_);
+    all.emplace_back("time", time.result());
+    all.emplace_back("values", values.result());
+    for (const SteppedModule& module : modules_)
+        if (module.hash) all.emplace_back(module.name, module.hash());
+    return all;
 }
 
 }  // namespace fettle::app

@@ -102,7 +102,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
                                                  "\"" + suggestion(descriptor.base, names()));
     std::unique_ptr<Class> made(new Class());
     made->base_ = base;
-    made->snapshots_ = made->descriptor_.snapshots;
+    made->snapshots_ = descriptor.snapshots;
     if (base != nullptr && made->snapshots_ == Snapshots::by_value)
         made->snapshots_ = base->snapshots_;
     made->id_ = size();

@@ -63,6 +63,7 @@ class History {
     /// While an instance is deleted whose slots are kept.
     bool keeps_slots() const { return keep_slots_; }
     void watchers_lost(std::size_t count) { lost_watchers_ += count; }
+    void keep_slots(bool keep) { keep_slots_ = keep; }
     void deletion_done() { keep_slots_ = false; }
 
     UndoResult undo();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 
 namespace fettle::property {
 namespace {
@@ -89,7 +90,19 @@ void Nodes::release(std::uint32_t index, bool keep) {
 }
 
 void Nodes::revive(Handle handle) {
+    while (handle.index >= end()) {
+        nodes_.emplace_back();
+        free_.push_back(count_++);
+    }
     Node& node = nodes_[handle.index];
+    if (!node.kept) {
+        // Nearly always the last: what is done again takes the slots it took.
+        const auto found = std::find(free_.rbegin(), free_.rend(), handle.index);
+        if (found != free_.rend()) free_.erase(std::next(found).base());
+        // What was given in this slot since stays given.
+        if (const std::uint32_t last = node.generation - 1; last > handle.generation)
+            issued_[handle.index] = std::max(issued_[handle.index], last);
+    }
     node = Node{};
     node.generation = handle.generation;
     node.alive = true;

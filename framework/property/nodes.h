@@ -71,6 +71,7 @@ class Nodes {
     std::uint32_t allocate();
     /// `keep`: the slot stays free for the same instance to come back (`revive`) until `free_kept`.
     void release(std::uint32_t index, bool keep = false);
+    /// The slot, with that generation: for an instance that comes back.
     void revive(Handle handle);
     void free_kept(Handle handle);
     /// Whether a dead instance could come back.

@@ -76,6 +76,7 @@ struct Tree::State {
     std::vector<std::function<void()>> at_barrier;  // when it is between steps
     std::vector<SnapshotPart*> parts;
     mutable std::size_t snapshot_size = 0;  // of the last one
+    std::vector<Handle> to_come;  // of whom is made again inside of what is done again
     bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
 
     std::uint64_t step = 0;
@@ -126,6 +127,7 @@ struct Tree::State {
     void write(std::uint32_t index, const Node& node, const Property& property, const Value& value);
     void written(Handle handle, const Node& node, const Property& property, const Value& old_value);
     const Property& ad_hoc_property(Symbol name);
+    void put_ad_hoc(Handle instance, const Property& added, const Value& value);
     const Property& add_ad_hoc(Handle instance, std::string_view name, const Value& value);
     void drop_formula(Handle instance, const Property& property);
     std::string cell_path(Handle handle, const Property& property) const;

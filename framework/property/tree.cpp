@@ -146,6 +146,10 @@ void Tree::State::check_child_name(Handle parent, std::string_view name) const {
 
 std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                                 Handle again) {
+    if (!again && !to_come.empty()) {
+        again = to_come.front();
+        to_come.erase(to_come.begin());
+    }
     if (again) nodes.revive(again);
     const std::uint32_t index = again ? again.index : nodes.allocate();
     nodes[index].class_id = static_cast<std::uint16_t>(of.id_);

@@ -345,6 +345,13 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
     return *slot;
 }
 
+void Tree::State::put_ad_hoc(Handle instance, const Property& added, const Value& value) {
+    Node& node = require(instance);
+    ad_hoc[instance.index].emplace(added.name, std::pair(&added, value));
+    node.has_ad_hoc = true;
+    written(instance, node, added, Value());
+}
+
 const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
                                         const Value& value) {
     forbid_in_formula("write");
@@ -363,10 +370,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
                                              " (did you mean \"" + declared + "\"?)");
     const Property& added = ad_hoc_property(Symbol(name));
     const Value next = tree.coerce(instance, added, value);
-    ad_hoc[instance.index].emplace(added.name, std::pair(&added, next));
-    Node& node = require(instance);
-    node.has_ad_hoc = true;
-    written(instance, node, added, Value());
+    put_ad_hoc(instance, added, next);
     tell([&](Observer& o) { o.wrote(instance, added, next); });
     if (history.recording()) history.edited(instance, added, {});
     return added;

@@ -217,8 +217,13 @@ void TreeImage::end_rows() {
         const Handle gone = s.nodes.handle(i);
         const Class& of = s.classes[s.nodes[i].class_id];
         const Lifecycle& lifecycle = of.lifecycle();
-        if (nodes_.find(gone) == nullptr && by_value(of) && lifecycle.destroy)
-            lifecycle.destroy(lifecycle.context, s.tree, gone, s.nodes[i].row);
+        if (nodes_.find(gone) == nullptr && by_value(of) && lifecycle.destroy) {
+            try {
+                lifecycle.destroy(lifecycle.context, s.tree, gone, s.nodes[i].row);
+            } catch (const std::exception&) {
+                // Its module knows nothing of it; nothing is left to end.
+            }
+        }
         if (nodes_.find(gone) == nullptr && of.snapshots() == Snapshots::never &&
             s.stored[of.id()] != nullptr)
             s.stored[of.id()]->remove(s.nodes[i].stored_row);

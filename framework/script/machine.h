@@ -67,6 +67,7 @@ struct Machine {
     std::unique_ptr<Subscriptions> subscriptions;
     std::unique_ptr<ScriptClasses> classes;
     RuntimePart part{*this};
+    std::function<void(std::string_view)> command_sink;
     std::function<void(double)> rewind;  // by seconds; empty: there is no timeline
     std::size_t snapshots = 0;           // that scripts hold
     Recording recording;

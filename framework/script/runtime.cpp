@@ -133,6 +133,7 @@ bool Runtime::step(double now, double dt) {
 // --- Console
 
 Evaluation Runtime::evaluate(std::string_view command) {
+    if (state_->command_sink) state_->command_sink(command);
     return script::evaluate(*state_, command);
 }
 
@@ -160,6 +161,10 @@ void Runtime::on_print(std::function<void(std::string_view)> sink) {
 
 void Runtime::on_rewind(std::function<void(double)> rewind) {
     state_->rewind = std::move(rewind);
+}
+
+void Runtime::on_command(std::function<void(std::string_view)> sink) {
+    state_->command_sink = std::move(sink);
 }
 
 std::optional<int> Runtime::quit_status() const {

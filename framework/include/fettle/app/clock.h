@@ -2,6 +2,7 @@
 // The clock: how simulation time passes. Seen in the tree as `time`.
 
 #include <cstdint>
+#include <functional>
 
 #include <fettle/app/export.h>
 #include <fettle/property/tree.h>
@@ -28,6 +29,8 @@ struct Clock {
     bool paused = false;         // no steps are made
     bool step_once = false;      // one step although paused; false again when it is made
     std::int32_t max_steps = 5;  // steps one frame may make to catch up
+    double rewind_limit = 60;    // s of the past that are kept; 0: none
+    double rewind_memory = 128;  // MiB that may take
 
     // Kept by the loop.
     std::int64_t step = 0;           // fixed steps made
@@ -36,7 +39,10 @@ struct Clock {
     std::int64_t dropped_steps = 0;  // steps that were due but given up since the game was too slow
     double alpha = 1;                // how far drawing is between the last two steps, 0 to 1
     double fps = 0;                  // frames a second, smoothed
+    std::int64_t oldest = 0;         // steps one can go back to
+    std::int64_t newest = 0;
     Timings timings{};
+    std::function<void(std::int64_t step)> go_to{};  // where one can
 
     /// One fixed step passes.
     void advance();
@@ -58,8 +64,14 @@ class ClockPart : public property::SnapshotPart {
     property::Memory save(property::ByteWriter& to) const override;
     std::function<void()> restore(property::ByteReader& from,
                                   const property::Memory& memory) override;
+    property::Memory changes() override;
+    void redo(const property::Memory& changes) override;
 
   private:
+    struct State;
+    State state() const;
+    void set(const State& state);
+
     Clock& clock_;
 };
 

@@ -8,12 +8,14 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fettle/app/event.h>
 #include <fettle/app/export.h>
 #include <fettle/app/layer.h>
 #include <fettle/app/services.h>
+#include <fettle/app/timeline.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
 
@@ -31,9 +33,25 @@ struct SteppedModule {
     std::function<std::uint64_t()> hash{};
 };
 
+/// Told of everything that comes into a loop, in order: what a recording holds.
+class Witness {
+  public:
+    virtual ~Witness() = default;
+    /// `taken`: by a layer, so that the game itself does not get it.
+    virtual void event(const InputEvent& event, bool taken) = 0;
+    /// A frame or a turn begins, and ends.
+    virtual void frame_begins(double seconds, std::int64_t step_limit) = 0;
+    virtual void turn_begins() = 0;
+    virtual void frame_ends() = 0;
+    /// A step was made.
+    virtual void stepped() = 0;
+};
+
 class Loop {
   public:
     Loop(property::Tree& tree, script::Runtime& runtime, Services& services);
+    ~Loop();
+    Loop(const Loop&) = delete;
 
     void add(SteppedModule module);
     /// Layers get events last added first, and are drawn last added last. Not owned.
@@ -54,6 +72,10 @@ class Loop {
     /// An event from the window: layers first, then the tree. The game's callbacks follow in the
     /// next frame.
     void handle(const InputEvent& event);
+    /// The same with the layers' answer given.
+    void feed(const InputEvent& event, bool taken);
+    /// Not owned; null: nobody.
+    void witness(Witness* witness) { witness_ = witness; }
     /// A frame, `seconds` of real time after the last. Steps that are due are made,
     /// `time.max_steps` at most; `step_limit`: none beyond this step.
     void frame(double seconds, std::int64_t step_limit = INT64_MAX);
@@ -71,15 +93,20 @@ class Loop {
     /// The window was asked to close.
     bool closing() const { return closing_; }
 
+    Timeline& timeline() { return timeline_; }
+
     /// Of everything that influences later steps: modules, the clock, and the values the tree
     /// keeps.
     std::uint64_t hash() const;
+    /// The same, part by part: what a difference can be named by.
+    std::vector<std::pair<std::string, std::uint64_t>> hashes() const;
 
   private:
     class Stopwatch;
     void announce(std::uint64_t step);
     bool prelude(double dt, Stopwatch& watch);
     bool make_step(Stopwatch& watch);
+    void step_modules(double dt);
     void catch_up(std::int64_t step_limit, Stopwatch& watch);
     void barrier(bool between_steps = true);
     void end_frame(const Stopwatch& watch, double seconds);
@@ -94,6 +121,8 @@ class Loop {
     std::function<void()> after_barrier_;
     std::function<void()> between_frames_;
     std::function<void(const script::ScriptError&)> on_error_;
+    Timeline timeline_;
+    Witness* witness_ = nullptr;
     double owed_ = 0;  // s of simulation time not yet stepped
     std::uint64_t announced_ = 0;
     std::uint64_t turns_ = 0;

@@ -110,6 +110,8 @@ class Runtime {
     void on_print(std::function<void(std::string_view)> sink);
     /// What rewind(seconds) does, at a barrier between steps. Without it rewind is refused.
     void on_rewind(std::function<void(double seconds)> rewind);
+    /// Told of every console command before it runs.
+    void on_command(std::function<void(std::string_view)> sink);
     /// Status given to quit(), once it was called.
     std::optional<int> quit_status() const;
     /// Whether the game defines a global function of that name.

@@ -1,0 +1,11 @@
+# Packs what is kept of a game's past.
+if(NOT TARGET fettle_zstd)
+  find_package(PkgConfig REQUIRED)
+  pkg_search_module(FETTLE_ZSTD IMPORTED_TARGET GLOBAL libzstd)
+  if(FETTLE_ZSTD_FOUND)
+    add_library(fettle_zstd INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(fettle_zstd INTERFACE PkgConfig::FETTLE_ZSTD)
+  else()
+    set(FETTLE_MISSING "zstd (Debian: libzstd-dev) is needed")
+  endif()
+endif()

@@ -1,0 +1,145 @@
+// Writing a recording. A line is complete or it is not there: a reader leaves out a last line
+// without an end.
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <fettle/app/recording.h>
+#include <fettle/property/bytes.h>
+
+#include "recording_text.h"
+
+namespace fettle::app {
+namespace {
+
+/// Folders that are no part of the game: what it writes while it runs.
+bool is_hidden(const std::filesystem::path& path) {
+    return path.filename().string().starts_with(".");
+}
+
+}  // namespace
+
+std::uint64_t hash_of_game(const std::filesystem::path& game) {
+    namespace fs = std::filesystem;
+    std::vector<fs::path> files;
+    if (fs::is_directory(game)) {
+        for (const auto& entry : fs::recursive_directory_iterator(game))
+            if (entry.is_regular_file() && !is_hidden(entry.path()) &&
+                entry.path().extension() == ".lua")
+                files.push_back(entry.path());
+    } else {
+        files.push_back(game);
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<std::byte> all;
+    property::ByteWriter to(all);
+    for (const fs::path& file : files) {
+        std::ifstream in(file, std::ios::binary);
+        to.put(fs::is_directory(game) ? fs::relative(file, game).generic_string()
+                                      : file.filename().string());
+        to.put(std::string(std::istreambuf_iterator<char>(in), {}));
+    }
+    return property::checksum(all);
+}
+
+Recorder::Recorder(const std::filesystem::path& file, const RunStart& start) : file_(file) {
+    out_ = std::fopen(file.c_str(), "wb");
+    if (out_ == nullptr)
+        throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
+    line("fettle-recording 1");
+    line("game " + quoted(start.game.string()) + " " + hex(start.game_hash));
+    line("seed " + hex(start.seed));
+    line("screen " + exact(start.width) + " " + exact(start.height));
+    for (const std::string& chunk : start.evals) line("eval " + quoted(chunk));
+    for (const auto& [step, chunk] : start.at)
+        line("at " + std::to_string(step) + " " + quoted(chunk));
+    line("begin");
+    flush();
+    if (!problem_.empty()) {
+        std::fclose(std::exchange(out_, nullptr));
+        throw RecordingError(problem_);
+    }
+}
+
+Recorder::~Recorder() {
+    if (loop_ != nullptr) loop_->witness(nullptr);
+    if (tree_ != nullptr) tree_->unobserve(*this);
+    if (out_ != nullptr) std::fclose(out_);
+}
+
+void Recorder::begin(property::Tree& tree, Loop& loop) {
+    tree_ = &tree;
+    loop_ = &loop;
+    tree.observe(*this);
+    loop.witness(this);
+}
+
+void Recorder::line(const std::string& text) {
+    if (!problem_.empty()) return;
+    if (std::fwrite(text.data(), 1, text.size(), out_) != text.size() ||
+        std::fputc('\n', out_) == EOF)
+        problem_ = file_.string() + ": the recording ends here: " + std::strerror(errno);
+}
+
+void Recorder::flush() {
+    if (problem_.empty() && std::fflush(out_) != 0)
+        problem_ = file_.string() + ": the recording ends here: " + std::strerror(errno);
+}
+
+void Recorder::event(const InputEvent& event, bool taken) {
+    line(event_text(event, taken));
+    if (event.kind == EventKind::closing) flush();
+}
+
+void Recorder::command(std::string_view command) {
+    line("command " + quoted(command));
+    flush();
+}
+
+void Recorder::frame_begins(double seconds, std::int64_t step_limit) {
+    line("frame " + exact(seconds) + " " + std::to_string(step_limit));
+    inside_ = true;
+}
+
+void Recorder::turn_begins() {
+    line("turn");
+    inside_ = true;
+}
+
+void Recorder::frame_ends() {
+    inside_ = false;
+    flush();
+}
+
+void Recorder::stepped() {
+    std::string text = "step " + std::to_string(tree_->step());
+    for (const auto& [part, hash] : loop_->hashes()) text += " " + part + " " + hex(hash);
+    line(text);
+}
+
+// What is written between frames by no command and no event, which do it again: by the inspector,
+// or by another layer.
+bool Recorder::writes_alone() const {
+    const property::Cause cause = tree_->cause();
+    return !inside_ && cause.writer != property::Writer::console && cause.where != "window";
+}
+
+void Recorder::wrote(property::Handle instance, const property::Property& property,
+                     const property::Value& now) {
+    if (!writes_alone()) return;
+    line("write " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
+         encoded(property::Value(instance)) + " " + quoted(property.name) + " " + encoded(now));
+}
+
+void Recorder::was_reset(property::Handle instance, const property::Property& property) {
+    if (!writes_alone()) return;
+    line("reset " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
+         encoded(property::Value(instance)) + " " + quoted(property.name));
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,41 @@
+#pragma once
+// The words of a recording: one thing a line, texts in quotes, numbers exact.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fettle/app/event.h>
+#include <fettle/property/value.h>
+
+namespace fettle::app {
+
+/// In double quotes; line breaks, quotes, backslashes and control characters escaped.
+std::string quoted(std::string_view text);
+/// Exact: hexadecimal.
+std::string exact(double number);
+std::string hex(std::uint64_t bits);
+std::string encoded(const property::Value& value);
+
+/// Takes words off the front of a line. Each gives nothing where there is no such word.
+class Words {
+  public:
+    explicit Words(std::string_view line) : rest_(line) {}
+    std::optional<std::string> word();
+    std::optional<std::string> text();
+    std::optional<double> number();
+    std::optional<std::int64_t> integer();
+    std::optional<std::uint64_t> bits();
+    std::optional<property::Value> value();
+    bool at_end();
+
+  private:
+    void skip();
+    std::string_view rest_;
+};
+
+std::string event_text(const InputEvent& event, bool taken);
+std::optional<std::pair<InputEvent, bool>> parse_event(Words& words);
+
+}  // namespace fettle::app

@@ -1,0 +1,252 @@
+#include <fettle/app/timeline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fettle/property/error.h>
+
+#include "packing.h"
+
+namespace fettle::app {
+
+using property::LoggedWrites;
+using property::Snapshot;
+
+namespace {
+
+constexpr std::int64_t least_spacing = 60, most_spacing = 480;  // steps
+
+}  // namespace
+
+/// Snapshots that somebody else restores: time has jumped.
+class Timeline::Jumps : public property::Observer {
+  public:
+    explicit Jumps(property::Tree& tree) : tree_(tree) { tree_.observe(*this); }
+    ~Jumps() override { tree_.unobserve(*this); }
+    void restored() override { jumped = !travelling; }
+
+    bool jumped = false;
+    bool travelling = false;
+
+  private:
+    property::Tree& tree_;
+};
+
+Timeline::Timeline(property::Tree& tree, Clock& clock, std::function<void(double)> step_modules)
+    : tree_(tree),
+      clock_(clock),
+      step_modules_(std::move(step_modules)),
+      jumps_(std::make_unique<Jumps>(tree)),
+      spacing_(least_spacing) {}
+
+Timeline::~Timeline() = default;
+
+// --- Keeping
+// ----------------------------------------------------------------------------------------------------------
+
+bool Timeline::on() const {
+    return clock_.rewind_limit > 0;
+}
+
+void Timeline::clear() {
+    log_.reset();
+    keyframes_.clear();
+    steps_.clear();
+    tail_ = {};
+    logged_ = 0;
+    spacing_ = least_spacing;
+    clock_.oldest = clock_.newest = clock_.step;
+}
+
+void Timeline::begin_step() {
+    stepping_ = on();
+    if (!stepping_) {
+        if (log_ != nullptr) clear();
+        clock_.oldest = clock_.newest = clock_.step;
+        return;
+    }
+    note_jump();
+    if (log_ == nullptr) {
+        log_ = std::make_unique<property::WriteLog>(tree_);
+        Step begun;
+        note_changes(begun);
+    }
+    if (keyframes_.empty()) {
+        here_ = clock_.step;
+        take_keyframe();
+    }
+    // From here on this is what has been.
+    if (here_ < newest()) {
+        drop_after(here_);
+        tail_ = {};
+    }
+    open_ = {};
+}
+
+void Timeline::modules_step(double dt) {
+    if (!stepping_) return;
+    open_.dt = dt;
+    open_.before = std::move(tail_.before);
+    open_.changes = std::move(tail_.changes);
+    tail_ = {};
+    open_.before.push_back(log_->take());
+}
+
+void Timeline::end_step() {
+    if (!std::exchange(stepping_, false)) return;
+    open_.number = here_ = clock_.step;
+    open_.after = log_->take();
+    note_changes(open_);
+    logged_ += open_.after.memory();
+    for (const LoggedWrites& piece : open_.before) logged_ += piece.memory();
+    steps_.push_back(std::move(open_));
+    if (here_ - keyframes_.back().step >= spacing_) take_keyframe();
+    trim();
+    clock_.oldest = oldest();
+    clock_.newest = newest();
+}
+
+void Timeline::note_changes(Step& of) {
+    for (property::SnapshotPart* part : tree_.parts())
+        if (property::Memory changes = part->changes())
+            of.changes.emplace_back(part, std::move(changes));
+}
+
+void Timeline::take_keyframe() {
+    Snapshot taken = tree_.snapshot();
+    (void)log_->take();  // it is in the snapshot
+    if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
+    const std::span<const std::byte> payload = taken.payload();
+    Keyframe frame{here_, std::make_shared<Packed>(std::vector(payload.begin(), payload.end())),
+                   taken.memories()};
+    packer_->pack(frame.payload);
+    keyframes_.push_back(std::move(frame));
+}
+
+// A snapshot was restored by somebody else. What comes next starts from there; what was before the
+// step it was taken at may still be gone back to.
+void Timeline::note_jump() {
+    if (!std::exchange(jumps_->jumped, false) || log_ == nullptr) return;
+    const std::int64_t step = clock_.step;
+    if (keyframes_.empty() || step < oldest() || step > newest())
+        clear();
+    else
+        drop_after(step - 1);
+    if (log_ == nullptr) log_ = std::make_unique<property::WriteLog>(tree_);
+    tail_ = {};
+    here_ = step;
+    take_keyframe();
+}
+
+void Timeline::drop_after(std::int64_t step) {
+    while (!keyframes_.empty() && keyframes_.back().step > step) keyframes_.pop_back();
+    while (!steps_.empty() && steps_.back().number > step) {
+        logged_ -= steps_.back().after.memory();
+        for (const LoggedWrites& piece : steps_.back().before) logged_ -= piece.memory();
+        steps_.pop_back();
+    }
+}
+
+void Timeline::drop_oldest() {
+    keyframes_.pop_front();
+    while (!steps_.empty() && steps_.front().number <= keyframes_.front().step) {
+        logged_ -= steps_.front().after.memory();
+        for (const LoggedWrites& piece : steps_.front().before) logged_ -= piece.memory();
+        steps_.pop_front();
+    }
+}
+
+/// Half as many keyframes: going somewhere takes longer, and the past is as long.
+void Timeline::thin_out() {
+    spacing_ *= 2;
+    std::deque<Keyframe> kept;
+    for (Keyframe& frame : keyframes_)
+        if (kept.empty() || frame.step - kept.back().step >= spacing_)
+            kept.push_back(std::move(frame));
+    keyframes_ = std::move(kept);
+}
+
+void Timeline::trim() {
+    const auto limit = static_cast<std::int64_t>(std::ceil(clock_.rewind_limit / clock_.dt));
+    while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit) drop_oldest();
+    const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
+    // The latest keyframe is not packed yet: what it is going to be is not known.
+    while (keyframes_.size() > 2 && memory() - keyframes_.back().payload->size() > room) {
+        if (spacing_ < most_spacing && logged_ < room / 2)
+            thin_out();
+        else
+            drop_oldest();
+    }
+}
+
+std::int64_t Timeline::oldest() const {
+    return keyframes_.empty() ? clock_.step : keyframes_.front().step;
+}
+
+std::int64_t Timeline::newest() const {
+    if (!steps_.empty()) return steps_.back().number;
+    return keyframes_.empty() ? clock_.step : keyframes_.back().step;
+}
+
+std::size_t Timeline::memory() const {
+    std::size_t sum = logged_;
+    for (const Keyframe& frame : keyframes_) sum += frame.payload->size();
+    return sum + steps_.size() * (sizeof(Step) + 512);
+}
+
+// --- Travelling
+// -------------------------------------------------------------------------------------------------------
+
+void Timeline::rewind(double seconds) {
+    const double steps = std::min(std::round(seconds / clock_.dt), 1e15);
+    go_to(std::max(oldest(), clock_.step - static_cast<std::int64_t>(steps)));
+}
+
+void Timeline::redo_writes(const Step& step) {
+    for (const LoggedWrites& piece : step.before) log_->play(piece);
+    for (const auto& [part, changes] : step.changes) part->redo(changes);
+}
+
+void Timeline::redo(const Step& step) {
+    for (const LoggedWrites& piece : step.before) log_->play(piece);
+    tree_.set_step(static_cast<std::uint64_t>(step.number));
+    step_modules_(step.dt);
+    log_->play(step.after);
+    for (const auto& [part, changes] : step.changes) part->redo(changes);
+}
+
+void Timeline::go_to(std::int64_t step) {
+    note_jump();
+    if (log_ == nullptr || step < oldest() || step > newest())
+        throw property::Error(
+            property::ErrorKind::out_of_range,
+            log_ == nullptr ? "there is no past to go to: no step was made, or time.rewind_limit "
+                              "is 0"
+                            : "step " + std::to_string(step) + ": the past is kept from step " +
+                                  std::to_string(oldest()) + " to " + std::to_string(newest()));
+    if (here_ == newest()) {
+        tail_.before.push_back(log_->take());
+        note_changes(tail_);
+    }
+    const auto frame =
+        std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
+                                   [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
+    const Snapshot from(frame->payload->bytes(), frame->memories);
+    jumps_->travelling = true;
+    struct Arrive {
+        bool& travelling;
+        ~Arrive() { travelling = false; }
+    } arrive{jumps_->travelling};
+    tree_.restore(from, [&] {
+        for (const Step& each : steps_)
+            if (each.number > frame->step && each.number <= step) redo(each);
+        if (step == newest()) redo_writes(tail_);
+    });
+    here_ = step;
+    clock_.step = step;
+    Step arrived;
+    note_changes(arrived);
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,103 @@
+#pragma once
+// The timeline: the past of a running game. Every so often the whole state is kept as a keyframe,
+// and in between everything that was done from outside the simulation. Going to a moment is
+// restoring the keyframe before it and stepping the modules again, with scripts, handlers and
+// formulas off and what they did taken from the log; the result is the state as it was, bit for
+// bit. docs/design/time.md.
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fettle/app/clock.h>
+#include <fettle/property/snapshot.h>
+#include <fettle/property/tree.h>
+#include <fettle/property/write_log.h>
+
+#include <fettle/app/export.h>
+
+FETTLE_APP_BEGIN
+
+namespace fettle::app {
+
+class Packer;
+
+class Timeline {
+  public:
+    /// `step_modules`: what a step is besides what is done from outside.
+    Timeline(property::Tree& tree, Clock& clock, std::function<void(double dt)> step_modules);
+    ~Timeline();
+    Timeline(const Timeline&) = delete;
+
+    // --- Told by the loop
+    void begin_step();
+    /// Right before the modules step.
+    void modules_step(double dt);
+    /// The modules have stepped, and all of it is delivered.
+    void end_step();
+
+    // --- Travelling, between steps
+    /// Nothing of the past is forgotten until a step is made from here: then what came later is.
+    /// Throws Error(out_of_range) outside `oldest` and `newest`.
+    void go_to(std::int64_t step);
+    /// By simulation time from now, as far back as the past is kept.
+    void rewind(double seconds);
+
+    bool keeps() const { return !keyframes_.empty(); }
+    std::int64_t oldest() const;
+    std::int64_t newest() const;
+    /// Bytes it takes, about.
+    std::size_t memory() const;
+    /// How many whole states are kept.
+    std::size_t keyframes() const { return keyframes_.size(); }
+    void clear();
+
+  private:
+    struct Step {
+        std::int64_t number = 0;
+        double dt = 0;
+        std::vector<property::LoggedWrites> before;  // the modules stepped
+        property::LoggedWrites after;
+        std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
+    };
+    struct Packed;
+    struct Keyframe {
+        std::int64_t step = 0;
+        std::shared_ptr<Packed> payload;
+        property::Snapshot::Memories memories;
+    };
+    class Jumps;
+
+    bool on() const;
+    void take_keyframe();
+    void note_jump();
+    void drop_after(std::int64_t step);
+    void drop_oldest();
+    void trim();
+    void thin_out();
+    void note_changes(Step& of);
+    void redo(const Step& step);
+    void redo_writes(const Step& step);
+
+    property::Tree& tree_;
+    Clock& clock_;
+    std::function<void(double)> step_modules_;
+    std::unique_ptr<Jumps> jumps_;
+    std::unique_ptr<property::WriteLog> log_;
+    std::unique_ptr<Packer> packer_;
+    std::deque<Keyframe> keyframes_;
+    std::deque<Step> steps_;
+    Step tail_;  // done since the newest step, while one is earlier; `before` and `changes` only
+    Step open_;
+    bool stepping_ = false;
+    std::int64_t here_ = 0;     // the step that the tree is at
+    std::int64_t spacing_ = 0;  // steps from one keyframe to the next
+    std::size_t logged_ = 0;    // bytes of `steps_`
+};
+
+}  // namespace fettle::app
+
+FETTLE_APP_END

@@ -1,0 +1,71 @@
+#pragma once
+// A log of everything that is done to a tree from outside the simulation, so that it can be done
+// again: between two states of the modules it says what scripts, formulas, handlers and people did.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <fettle/property/observer.h>
+#include <fettle/property/tree.h>
+
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+/// A piece of the log. Only of use in the process, and the tree, that made it.
+struct LoggedWrites {
+    std::vector<std::byte> bytes;
+    std::vector<Formula> formulas;  // that the bytes speak of, by number
+    Memory history;                 // of edits, as it was at the end, where it has changed
+    bool empty() const { return bytes.empty() && history == nullptr; }
+    std::size_t memory() const;  // bytes it takes, about
+};
+
+/// Notes what is done while it lives. Costs a write about as much as copying what was written.
+class WriteLog : public Observer {
+  public:
+    explicit WriteLog(Tree& tree);
+    ~WriteLog() override;
+    WriteLog(const WriteLog&) = delete;
+
+    /// What was noted since the last call.
+    LoggedWrites take();
+    /// Whether there is something to take.
+    bool any() const { return !bytes_.empty(); }
+    /// Does a piece again: in the `go_on` of `Tree::restore`, in the state it was noted in.
+    void play(const LoggedWrites& piece);
+
+    void wrote(Handle instance, const Property& property, const Value& now) override;
+    void wrote_plain(std::span<const PlainWrite> writes) override;
+    void was_reset(Handle instance, const Property& property) override;
+    void removed(Handle instance, const Property& property) override;
+    void formula_changed(Handle instance, const Property& property) override;
+    void created(Handle instance) override;
+    void destroying(Handle instance) override;
+    void moved(Handle instance) override;
+    void call_begins(Handle instance, const Method& method,
+                     std::span<const Value> arguments) override;
+    void call_ends(Handle instance, const Method& method) override;
+    void restored() override;
+
+  private:
+    enum class Did : std::uint8_t;
+    class Player;
+    void note(Did what, Handle instance, const Property& property);
+
+    Tree& tree_;
+    std::vector<std::byte> bytes_;
+    std::vector<Formula> formulas_;
+    std::uint64_t history_version_ = 0;
+    int calls_ = 0;             // that run; what they do to the tree is done by them again
+    std::vector<Handle> made_;  // by the outermost of them
+};
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

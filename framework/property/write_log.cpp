@@ -1,0 +1,302 @@
+#include <fettle/property/write_log.h>
+
+#include <bit>
+#include <exception>
+#include <utility>
+
+#include "state.h"
+
+namespace fettle::property {
+
+enum class WriteLog::Did : std::uint8_t {
+    number,    // handle, property, double
+    vector,    // handle, property, two doubles
+    value,     // handle, property, value
+    computed,  // the same, by the formula of the property
+    reset,     // handle, property
+    removed,
+    formula,        // handle, property, which of the formulas
+    formula_ended,  // handle, property
+    created,        // handle, class, parent, name, named
+    destroyed,      // handle, whether its slot was kept for it
+    moved,          // handle, parent, sibling in front, name, named
+    called          // handle, method, arguments, handles made meanwhile
+};
+
+std::size_t LoggedWrites::memory() const {
+    return bytes.capacity() + formulas.size() * (sizeof(Formula) + 64);
+}
+
+// --- Noting
+// -----------------------------------------------------------------------------------------------------------
+
+WriteLog::WriteLog(Tree& tree) : tree_(tree) {
+    tree_.observe(*this);
+    history_version_ = tree_.state().history.version();
+}
+
+WriteLog::~WriteLog() {
+    tree_.unobserve(*this);
+}
+
+LoggedWrites WriteLog::take() {
+    tree_.state().tell_plain_writes();
+    LoggedWrites piece;
+    // The buffer stays, so that a step's worth of writes is one allocation of the right size.
+    piece.bytes.assign(bytes_.begin(), bytes_.end());
+    bytes_.clear();
+    piece.formulas = std::exchange(formulas_, {});
+    const History& history = tree_.state().history;
+    if (history.version() != history_version_) {
+        history_version_ = history.version();
+        piece.history = history.image();
+    }
+    return piece;
+}
+
+void WriteLog::note(Did what, Handle instance, const Property& property) {
+    ByteWriter to(bytes_);
+    to.put(what);
+    to.put(instance);
+    to.put(property.symbol.id());
+}
+
+// What scripts write most: one copy into the log for each.
+void WriteLog::wrote_plain(std::span<const PlainWrite> writes) {
+    if (calls_ > 0) return;
+    std::byte note[sizeof(Did) + sizeof(Handle) + sizeof(std::uint32_t) + 2 * sizeof(double)];
+    for (const PlainWrite& write : writes) {
+        const bool vector = write.property->type == Type::vec2;
+        std::size_t size = 0;
+        const auto add = [&](const auto& field) {
+            std::memcpy(note + size, &field, sizeof field);
+            size += sizeof field;
+        };
+        add(vector ? Did::vector : Did::number);
+        add(write.instance);
+        add(write.property->symbol);
+        add(write.x);
+        if (vector) add(write.y);
+        bytes_.insert(bytes_.end(), note, note + size);
+    }
+}
+
+void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
+    // A name or a parent that is written is told as a move.
+    if (calls_ > 0 || property.binding.kind == BindingKind::node) return;
+    const bool computed = tree_.state().writer == Writer::formula;
+    note(computed ? Did::computed : Did::value, instance, property);
+    ByteWriter(bytes_).put(now);
+}
+
+void WriteLog::was_reset(Handle instance, const Property& property) {
+    if (calls_ == 0) note(Did::reset, instance, property);
+}
+
+void WriteLog::removed(Handle instance, const Property& property) {
+    if (calls_ == 0) note(Did::removed, instance, property);
+}
+
+void WriteLog::formula_changed(Handle instance, const Property& property) {
+    if (calls_ > 0) return;
+    const Formula* formula = tree_.formula(instance, property);
+    note(formula != nullptr ? Did::formula : Did::formula_ended, instance, property);
+    if (formula == nullptr) return;
+    ByteWriter(bytes_).put(static_cast<std::uint32_t>(formulas_.size()));
+    formulas_.push_back(*formula);
+}
+
+void WriteLog::created(Handle instance) {
+    if (calls_ > 0) {
+        made_.push_back(instance);
+        return;
+    }
+    const Tree::State& s = tree_.state();
+    const Node& node = s.nodes[instance.index];
+    ByteWriter to(bytes_);
+    to.put(Did::created);
+    to.put(instance);
+    to.put(node.class_id);
+    to.put(s.nodes.handle(node.parent));
+    to.put(node.name);
+    to.put(std::uint8_t{node.named});
+}
+
+void WriteLog::destroying(Handle instance) {
+    if (calls_ > 0) return;
+    ByteWriter to(bytes_);
+    to.put(Did::destroyed);
+    to.put(instance);
+    to.put(std::uint8_t{tree_.state().history.keeps_slots()});
+}
+
+void WriteLog::moved(Handle instance) {
+    if (calls_ > 0) return;
+    const History::Position at = tree_.state().history.position(instance);
+    ByteWriter to(bytes_);
+    to.put(Did::moved);
+    to.put(instance);
+    to.put(at.parent);
+    to.put(at.before);
+    to.put(at.name);
+    to.put(std::uint8_t{at.named});
+}
+
+void WriteLog::call_begins(Handle instance, const Method& method,
+                           std::span<const Value> arguments) {
+    if (calls_++ > 0) return;
+    made_.clear();
+    ByteWriter to(bytes_);
+    to.put(Did::called);
+    to.put(instance);
+    to.put(method.symbol.id());
+    to.put(std::uint64_t{arguments.size()});
+    for (const Value& argument : arguments) to.put(argument);
+}
+
+void WriteLog::call_ends(Handle, const Method&) {
+    if (--calls_ == 0) ByteWriter(bytes_).put(made_);
+}
+
+// What was not taken belongs to a time that is left.
+void WriteLog::restored() {
+    bytes_.clear();
+    formulas_.clear();
+    history_version_ = tree_.state().history.version();
+}
+
+// --- Doing it again
+// ---------------------------------------------------------------------------------------------------
+
+class WriteLog::Player {
+  public:
+    Player(Tree& tree, const LoggedWrites& piece)
+        : tree_(tree), s_(tree.state()), piece_(piece), from_(piece.bytes, "log of writes") {}
+
+    void play() {
+        while (!from_.at_end()) {
+            const auto did = from_.get<Did>();
+            const auto instance = from_.get<Handle>();
+            try {
+                if (did >= Did::created)
+                    structure(did, instance);
+                else
+                    value(did, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
+            } catch (const Error& error) {
+                // Whatever is refused now has changed nothing then; the log itself is sound.
+                if (error.kind() == ErrorKind::damaged) throw;
+            }
+        }
+    }
+
+  private:
+    void value(Did did, Handle instance, Symbol name);
+    void structure(Did did, Handle instance);
+    void create(Handle instance);
+    void move(Handle instance);
+    void call(Handle instance);
+    void write(Handle instance, Symbol name, const Value& now) {
+        if (const Property* property = tree_.find(instance, name))
+            tree_.set(instance, *property, now);
+        else
+            s_.put_ad_hoc(instance, s_.ad_hoc_property(name), now);
+    }
+
+    Tree& tree_;
+    Tree::State& s_;
+    const LoggedWrites& piece_;
+    ByteReader from_;
+};
+
+void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
+    const Property* property = tree_.find(instance, name);
+    switch (did) {
+        case Did::number:
+            return write(instance, name, Value(from_.get<double>()));
+        case Did::vector: {
+            const auto x = from_.get<double>(), y = from_.get<double>();
+            return write(instance, name, Value(Vec2(x, y)));
+        }
+        case Did::value:
+            return write(instance, name, from_.value());
+        case Did::computed: {
+            const Value now = from_.value();
+            if (property == nullptr) return;
+            s_.write(instance.index, s_.require(instance), *property, now);
+            return;
+        }
+        case Did::reset:
+            return property != nullptr ? tree_.reset(instance, *property) : void();
+        case Did::removed:
+            return tree_.remove_ad_hoc(instance, name.text());
+        case Did::formula: {
+            const Formula& formula = piece_.formulas.at(from_.get<std::uint32_t>());
+            return tree_.set_formula(instance, name.text(), formula);
+        }
+        case Did::formula_ended:
+            return property != nullptr ? tree_.remove_formula(instance, *property) : void();
+        default:
+            from_.fail("nobody does that");
+    }
+}
+
+void WriteLog::Player::structure(Did did, Handle instance) {
+    switch (did) {
+        case Did::created:
+            return create(instance);
+        case Did::destroyed:
+            s_.history.keep_slots(from_.boolean());
+            return tree_.destroy(instance);
+        case Did::moved:
+            return move(instance);
+        default:
+            return call(instance);
+    }
+}
+
+void WriteLog::Player::create(Handle instance) {
+    const auto class_id = from_.get<std::uint16_t>();
+    const auto parent = from_.get<Handle>();
+    const auto name = from_.get<NodeName>();
+    const bool named = from_.boolean();
+    // What a class makes below an instance is told before the instance: it is made with it.
+    if (parent && !tree_.alive(parent)) {
+        s_.to_come.push_back(instance);
+        return;
+    }
+    s_.make(s_.classes[class_id], parent.index, name, named, instance);
+}
+
+void WriteLog::Player::move(Handle instance) {
+    const auto parent = from_.get<Handle>();
+    const auto before = from_.get<Handle>();
+    const auto name = from_.get<NodeName>();
+    const bool named = from_.boolean();
+    const std::uint32_t left = s_.nodes[instance.index].parent;
+    s_.nodes.unlink(instance.index);
+    s_.nodes.link(instance.index, parent.index, name);
+    s_.nodes[instance.index].named = named;
+    s_.nodes.reorder(instance.index, before.index);
+    if (left != parent.index) s_.place_subtree(instance);
+}
+
+void WriteLog::Player::call(Handle instance) {
+    const auto name = std::bit_cast<Symbol>(from_.get<std::uint32_t>());
+    std::vector<Value> arguments(from_.count());
+    for (Value& argument : arguments) argument = from_.value();
+    for (const Handle made : from_.list<Handle>()) s_.to_come.push_back(made);
+    try {
+        if (const Method* method = tree_.class_of(instance).method(name))
+            tree_.call(instance, *method, arguments);
+    } catch (const std::exception&) {
+        // It failed then as it does now.
+    }
+    s_.to_come.clear();
+}
+
+void WriteLog::play(const LoggedWrites& piece) {
+    Player(tree_, piece).play();
+    if (piece.history != nullptr) tree_.state().history.restore(piece.history);
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,260 @@
+// The timeline: any moment of the past is what it was, bit for bit.
+
+#include "catch.h"
+
+#include <fettle/app/loop.h>
+#include <fettle/physics_module/physics_module.h>
+#include <fettle/property/path.h>
+
+using namespace fettle;
+using namespace fettle::app;
+
+namespace {
+
+/// A game with physics and scripts, and the hash after every step.
+struct Playing {
+    physics_module::PhysicsModule physics;
+    property::Tree tree;
+    Services services{tree};
+    std::unique_ptr<script::Runtime> runtime;
+    std::unique_ptr<Loop> loop;
+    std::vector<std::string> printed, errors;
+    std::vector<std::uint64_t> hashes{0};
+
+    explicit Playing(std::string_view script) {
+        physics.attach(tree);
+        runtime = std::make_unique<script::Runtime>(tree, script::Options{.seed = 5});
+        loop = std::make_unique<Loop>(tree, *runtime, services);
+        loop->add({.name = "physics",
+                   .step = [this](double dt) { physics.step(dt); },
+                   .report = [this] { physics.report(tree); },
+                   .hash = [this] { return physics.hash(); }});
+        runtime->on_print([this](std::string_view text) { printed.emplace_back(text); });
+        runtime->on_error(
+            [this](const script::ScriptError& error) { errors.push_back(error.message); });
+        runtime->run(script, "test");
+    }
+    void play(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            loop->turn();
+            hashes.resize(std::size_t(services.clock.step));
+            hashes.push_back(loop->hash());
+        }
+        CAPTURE(errors);
+        REQUIRE(errors.empty());
+    }
+    Timeline& time() { return loop->timeline(); }
+    void check(std::int64_t step) {
+        CAPTURE(step);
+        time().go_to(step);
+        REQUIRE(services.clock.step == step);
+        REQUIRE(loop->hash() == hashes[std::size_t(step)]);
+    }
+    property::Value get(std::string_view path) { return property::get(tree, path); }
+    void console(std::string_view command) { runtime->evaluate(command); }
+};
+
+constexpr const char* busy = R"(
+    world.floor = Body { type = "static", position = vec(0, -1), Box { width = 60, height = 2 } }
+    for i = 1, 25 do
+        world:add(Body { position = vec(i % 5 * 1.1 - 2, 1 + i), Box {} })
+    end
+    world.ball = Body { position = vec(0, 40), Circle { radius = 0.4, restitution = 0.5 } }
+    world.anchor = Body { type = "static", position = vec(6, 12), Circle { radius = 0.1 } }
+    world.bob = Body { position = vec(9, 12), Circle { radius = 0.5 } }
+    world.rope = DistanceJoint { body_a = world.anchor, body_b = world.bob }
+    Coin = class("Coin", Body) { worth = 1, label = "" }
+    function Coin:step(dt) self.worth = self.worth + 1 end
+    made, steps = {}, 0
+    game.shadow = Object {}
+    game.shadow.x = formula(function() return world.ball.position.x * 2 end)
+    world.ball:watch("awake", function(new) world.ball.wakes = tostring(new) end)
+    world.ball:on("contact_begin", function(contact)
+        world.ball.velocity = world.ball.velocity + vec(random() - 0.5, 3)
+    end)
+    every(0.2, function() world.bob:apply_impulse(vec(random(-3, 3), 1)) end)
+    function update(dt) game.shadow.frames = steps end
+    function step(dt)
+        steps = steps + 1
+        world.ball:apply_force(vec(math.sin(steps / 10) * 5, 0))
+        if steps % 7 == 0 then
+            local coin = Coin { position = vec(random() * 6 - 3, 15), Circle { radius = 0.3 } }
+            world:add(coin)
+            table.insert(made, coin)
+        end
+        if steps % 40 == 0 then table.remove(made, 1):delete() end
+        if steps % 31 == 0 then world.body_3.friction = random() end
+        if steps % 53 == 0 then world.body_4:move(game) end
+        if steps == 90 then world.body_5.mass = 20; world.gravity = vec(1, -9) end
+        if steps == 120 then game.second = World {}; game.second.thing = Body { Circle {} } end
+        if steps == 150 then world.body_6.name = "renamed"; world.body_7.note = "hello" end
+    end
+)";
+
+}  // namespace
+
+TEST_CASE("every step of the past is the same when one goes back to it") {
+    Playing game(busy);
+    game.play(200);
+    REQUIRE(game.time().newest() == 200);
+    REQUIRE(game.time().oldest() == 0);
+    REQUIRE(game.time().keyframes() > 2);
+    for (const int step : {199, 3, 60, 61, 59, 120, 150, 90, 1, 180, 200}) game.check(step);
+    for (int step = 1; step <= 200; step += 13) game.check(step);
+}
+
+TEST_CASE("the game goes on from the present as if nobody had looked back") {
+    Playing game(busy), other(busy);
+    game.play(150);
+    other.play(150);
+    game.check(20);
+    game.check(150);
+    game.play(60);
+    other.play(60);
+    // Its own variables aside, which a script keeps: it was never stepped meanwhile.
+    REQUIRE(game.hashes == other.hashes);
+    game.check(170);
+}
+
+TEST_CASE("edits in the past make another future and end the old one") {
+    Playing game(R"(
+        world.ball = Body { position = vec(0, 10), Circle {} }
+    )");
+    game.play(120);
+    game.console("time.paused = true");
+    const double there = game.get("world.ball.position.y").number();
+    game.check(30);
+    game.console("world.ball.gravity_scale = -1");
+    REQUIRE(game.time().newest() == 120);  // not yet
+    game.console("time.paused = false");
+    game.play(90);
+    REQUIRE(game.time().newest() == 120);
+    REQUIRE(game.get("world.ball.position.y").number() > there + 1);
+    game.check(31);
+    game.check(110);
+    game.check(10);
+}
+
+TEST_CASE("edits made while one is in the present wait there") {
+    Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
+    game.play(60);
+    game.console("world.ball.mass = 7");
+    game.check(20);
+    REQUIRE(game.get("world.ball.mass").number() != 7);
+    game.time().go_to(60);
+    REQUIRE(game.get("world.ball.mass").number() == 7);
+    game.play(10);
+    game.time().go_to(65);
+    REQUIRE(game.get("world.ball.mass").number() == 7);
+}
+
+TEST_CASE("undo knows in the past what had been edited by then") {
+    Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
+    game.play(20);
+    game.console("world.ball.mass = 7");
+    game.play(20);
+    game.console("world.ball:delete()");
+    game.play(20);
+    game.time().go_to(30);
+    REQUIRE(game.tree.history().size() == 1);
+    REQUIRE(game.tree.undo().done);
+    REQUIRE(game.get("world.ball.mass").number() != 7);
+    game.time().go_to(60);
+    REQUIRE(game.tree.history().size() == 2);
+    REQUIRE(game.tree.undo().done);
+    REQUIRE(game.get("world.ball.mass").number() == 7);
+}
+
+TEST_CASE("handles of the past are valid there and those of a left future never again") {
+    Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
+    game.play(30);
+    game.console("world.late = Body { Circle {} }");
+    const property::Handle late =
+        game.tree.child(property::resolve(game.tree, "world").instance, "late");
+    game.play(30);
+    game.time().go_to(20);
+    REQUIRE_FALSE(game.tree.alive(late));
+    game.time().go_to(50);
+    REQUIRE(game.tree.path(late) == "world.late");
+    game.time().go_to(20);
+    game.play(20);
+    game.console("world.other = Body { Circle {} }");
+    game.play(20);
+    REQUIRE_FALSE(game.tree.alive(late));
+}
+
+TEST_CASE("scripts rewind at the end of a step and hear of it") {
+    Playing game(R"(
+        world.ball = Body { position = vec(0, 10), Circle {} }
+        game:on("restored", function(e) print("restored", e.step, "left", e.left) end)
+        function step() if time.step == 90 and not done then done = true; rewind(0.5) end end
+    )");
+    game.play(100);
+    REQUIRE(game.printed == std::vector<std::string>{"restored\t60\tleft\t90"});
+    REQUIRE(game.services.clock.step == 70);
+    game.check(65);
+}
+
+TEST_CASE("snapshot and restore in scripts act at the next barrier between steps") {
+    Playing game(R"(
+        world.ball = Body { position = vec(0, 10), Circle {} }
+        function step()
+            if time.step == 20 then before = snapshot() end
+            if time.step == 50 and not done then done = true; restore(before) end
+        end
+    )");
+    game.play(20);
+    const double y = game.get("world.ball.position.y").number();
+    game.play(30);
+    REQUIRE(game.services.clock.step == 20);
+    REQUIRE(game.get("world.ball.position.y").number() == y);
+    game.play(40);
+    game.check(40);
+    game.check(10);
+    game.console("print(before)");
+}
+
+TEST_CASE("timers are in the past what they were") {
+    Playing game(R"(
+        game.o = Object {}
+        game.o.ticks = 0
+        every(0.1, function() game.o.ticks = game.o.ticks + 1 end)
+        after(1, function() every(0.05, function() game.o.ticks = game.o.ticks + 100 end) end)
+    )");
+    game.play(120);
+    const std::vector<std::uint64_t> first = game.hashes;
+    game.check(40);
+    game.play(80);  // the timers run again from there
+    REQUIRE(game.hashes == first);
+}
+
+TEST_CASE("the past is as long and as large as it may be") {
+    Playing game(busy);
+    game.console("time.rewind_limit = 2");
+    game.play(400);
+    REQUIRE(game.time().newest() - game.time().oldest() <= 120 + 60);
+    REQUIRE(game.time().oldest() <= 280);
+    REQUIRE(game.get("time.oldest").integer() == game.time().oldest());
+    REQUIRE_THROWS_AS(game.time().go_to(10), property::Error);
+    game.check(game.time().oldest());
+    game.check(399);
+    game.time().go_to(400);
+    game.console("time.rewind_limit = 0");
+    game.play(2);
+    REQUIRE(game.time().memory() == 0);
+    REQUIRE_THROWS_AS(game.time().go_to(401), property::Error);
+}
+
+TEST_CASE("keyframes get rarer before the past gets shorter") {
+    Playing game(R"(
+        for i = 1, 400 do world:add(Body { position = vec(i % 20 * 2, i), Circle {} }) end
+        world.floor = Body { type = "static", position = vec(0, -1), Box { width = 160, height = 2 } }
+        time.rewind_memory = 2
+    )");
+    game.play(700);
+    REQUIRE(game.time().memory() < (std::size_t{4} << 20));
+    REQUIRE(game.time().newest() - game.time().oldest() > 300);
+    game.check(game.time().oldest());
+    game.check(game.time().oldest() + 170);
+    game.check(699);
+}
