@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include <fettle/app/error_screen.h>
+#include <fettle/app/recording.h>
 #include <fettle/app/screen.h>
 
 #include "exit_status.h"
@@ -133,6 +134,44 @@ class WindowRun {
     bool reload_ = false;
 };
 
+/// Makes the run of a recording again, in a window or not, and sees whether it is the same.
+int run_replay(RunOptions options) {
+    const app::Recording recording(options.replay);
+    const app::RunStart& start = recording.start();
+    if (options.game.empty()) options.game = start.game;
+    require_game(options.game);
+    if (app::hash_of_game(options.game) != start.game_hash)
+        return complain(file_error, options.replay.string() +
+                                        ": was recorded of another game, or "
+                                        "of another version of " +
+                                        options.game.string());
+    options.seed = start.seed;
+    options.evals = start.evals;
+    options.at = start.at;
+    const bool seen = !options.headless || !options.screenshot.empty();
+    if (seen && !app::display_available())
+        return complain(bad_usage,
+                        "there is no display for a window: set DISPLAY, use xvfb-run, "
+                        "or replay with --headless");
+    std::unique_ptr<app::Window> window;
+    if (!options.headless) window = app::open_window({});
+    Session session(options, nullptr, {});
+    session.services().view.screen = {start.width, start.height};
+    session.start();
+    app::Replay replay(recording, session.tree(), session.runtime(), session.loop());
+    bool closed = false;
+    while (!closed && replay.frame()) {
+        if (window == nullptr) continue;
+        for (app::InputEvent event; window->poll(event);)
+            closed = closed || event.kind == app::EventKind::closing;
+        session.loop().draw(*window, 0);
+        window->present();
+    }
+    if (!replay.difference().empty()) return complain(script_error, replay.difference());
+    std::printf("%" PRIu64 " steps, each as it was recorded\n", replay.steps());
+    return finish(session, options, window.get());
+}
+
 /// "N:LUA"
 std::pair<std::uint64_t, std::string> parse_at(const std::string& text) {
     const std::size_t colon = text.find(':');
@@ -149,6 +188,7 @@ std::pair<std::uint64_t, std::string> parse_at(const std::string& text) {
 int run(const RunOptions& given) {
     RunOptions options = given;
     try {
+        if (!options.replay.empty()) return run_replay(options);
         if (options.game.empty()) options.game = showcase();
         require_game(options.game);
         std::vector<std::string> chunks = options.evals;
@@ -166,6 +206,8 @@ int run(const RunOptions& given) {
                                   "run with --headless");
         return options.headless ? run_headless(options) : WindowRun(options).play();
     } catch (const FileError& error) {
+        return complain(file_error, error.what());
+    } catch (const app::RecordingError& error) {
         return complain(file_error, error.what());
     } catch (const module::LoadError& error) {
         return complain(file_error, error.what());
@@ -205,6 +247,12 @@ void add_run(CLI::App& app, int& status) {
     command.add_option("--seed", options->seed, "Of random(); 0 unless given");
     command.add_option("--screenshot", options->screenshot,
                        "Write the last frame there (png, jpg, bmp or tga)");
+    command.add_option("--record", options->record,
+                       "Write everything that comes into the run there, to be replayed");
+    command
+        .add_option("--replay", options->replay,
+                    "Make a recorded run again; exit status 1 when it is not the same")
+        ->excludes("--record");
     command.add_flag("--hash", options->hash, "Print the state hash at the end");
     command.callback([options, &status] { status = run(*options); });
 }

@@ -24,6 +24,8 @@ struct RunOptions {
     std::vector<std::string> modules{};  // files or names, beside those of the game's manifest
     std::filesystem::path screenshot{};
     bool hash = false;
+    std::filesystem::path record{};  // written there, when given
+    std::filesystem::path replay{};  // the run of this recording instead of a new one
 };
 
 /// Adds the subcommand; when it is given, it runs and leaves its exit status in `status`.

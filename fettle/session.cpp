@@ -98,9 +98,26 @@ void Session::add_layer(app::Layer& layer) {
     loop_->add(layer);
 }
 
+/// Everything that comes into the run goes into a file.
+void Session::make_recorder() {
+    if (options_.record.empty()) return;
+    const property::Vec2 size = services_->view.screen;
+    recorder_ = std::make_unique<app::Recorder>(
+        options_.record, app::RunStart{.game = std::filesystem::absolute(options_.game),
+                                       .game_hash = app::hash_of_game(options_.game),
+                                       .seed = options_.seed,
+                                       .width = size.x(),
+                                       .height = size.y(),
+                                       .evals = options_.evals,
+                                       .at = options_.at});
+    runtime_->on_command([this](std::string_view command) { recorder_->command(command); });
+}
+
 void Session::start() {
+    make_recorder();
 #ifdef FETTLE_WITH_CONSOLE
-    loop_->add(*console_);
+    // What was typed into it then is told by the recording itself.
+    if (options_.replay.empty()) loop_->add(*console_);
 #endif
     if (!runtime_->load(options_.game)) failed_ = true;
     tweaks_->game_loaded();
@@ -112,6 +129,7 @@ void Session::start() {
         if (loop_->stopped() || failed_) return;
         if (!runtime_->run(chunk, "eval")) failed_ = true;
     }
+    if (recorder_) recorder_->begin(tree_, *loop_);
 }
 
 void Session::print(std::string_view text) {

@@ -7,6 +7,7 @@
 
 #include <fettle/app/layer.h>
 #include <fettle/app/loop.h>
+#include <fettle/app/recording.h>
 #include <fettle/app/services.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
@@ -30,6 +31,7 @@ class Session {
     /// it cannot be read.
     void start();
 
+    property::Tree& tree() { return tree_; }
     app::Loop& loop() { return *loop_; }
     app::Services& services() { return *services_; }
     script::Runtime& runtime() { return *runtime_; }
@@ -45,6 +47,7 @@ class Session {
     void print(std::string_view text);
     void run_at(std::uint64_t step);
     void make_tweaks();
+    void make_recorder();
     void note(const std::string& text);
     void fail(const script::ScriptError& error);
 
@@ -59,6 +62,7 @@ class Session {
     std::unique_ptr<app::Loop> loop_;
     struct ConsoleLayer;
     std::unique_ptr<ConsoleLayer> console_;
+    std::unique_ptr<app::Recorder> recorder_;
     std::vector<std::string> early_notes_;  // of before there was a console
     bool failed_ = false;
 };

@@ -41,7 +41,7 @@ std::vector<std::byte> pack(const std::vector<std::byte>& plain) {
 
 }  // namespace
 
-std::vector<std::byte> Timeline::Packed::bytes() const {
+std::vector<std::byte> PackedBytes::bytes() const {
     const std::lock_guard lock(mutex);
     if (packed.empty()) return plain;
     std::vector<std::byte> ranks(plain_size);
@@ -49,7 +49,7 @@ std::vector<std::byte> Timeline::Packed::bytes() const {
     return from_ranks(ranks);
 }
 
-std::size_t Timeline::Packed::size() const {
+std::size_t PackedBytes::size() const {
     const std::lock_guard lock(mutex);
     return plain.size() + packed.size();
 }
@@ -65,7 +65,7 @@ Packer::~Packer() {
     thread_.join();
 }
 
-void Packer::pack(std::shared_ptr<Timeline::Packed> what) {
+void Packer::pack(std::shared_ptr<PackedBytes> what) {
     {
         const std::lock_guard lock(mutex_);
         waiting_.push_back(std::move(what));
@@ -83,7 +83,7 @@ void Packer::work() {
     while (true) {
         wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
         if (ending_) return;
-        const std::shared_ptr<Timeline::Packed> next = waiting_.front().lock();
+        const std::shared_ptr<PackedBytes> next = waiting_.front().lock();
         waiting_.pop_front();
         busy_ = true;
         lock.unlock();

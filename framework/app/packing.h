@@ -10,13 +10,11 @@
 #include <thread>
 #include <vector>
 
-#include <fettle/app/timeline.h>
-
 namespace fettle::app {
 
 /// Bytes, and later fewer of them. Shared between the game's thread and the packing one.
-struct Timeline::Packed {
-    explicit Packed(std::vector<std::byte> payload) : plain(std::move(payload)) {}
+struct PackedBytes {
+    explicit PackedBytes(std::vector<std::byte> payload) : plain(std::move(payload)) {}
     /// What went in.
     std::vector<std::byte> bytes() const;
     std::size_t size() const;
@@ -32,7 +30,7 @@ class Packer {
     Packer();
     ~Packer();
     Packer(const Packer&) = delete;
-    void pack(std::shared_ptr<Timeline::Packed> what);
+    void pack(std::shared_ptr<PackedBytes> what);
     /// Until everything handed over is packed.
     void finish();
 
@@ -41,7 +39,7 @@ class Packer {
 
     std::mutex mutex_;
     std::condition_variable wake_, idle_;
-    std::deque<std::weak_ptr<Timeline::Packed>> waiting_;
+    std::deque<std::weak_ptr<PackedBytes>> waiting_;
     bool ending_ = false;
     bool busy_ = false;
     std::thread thread_;

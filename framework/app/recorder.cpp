@@ -52,12 +52,12 @@ Recorder::Recorder(const std::filesystem::path& file, const RunStart& start) : f
     if (out_ == nullptr)
         throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
     line("fettle-recording 1");
-    line("game " + quoted(start.game.string()) + " " + hex(start.game_hash));
+    line("game " + in_quotes(start.game.string()) + " " + hex(start.game_hash));
     line("seed " + hex(start.seed));
     line("screen " + exact(start.width) + " " + exact(start.height));
-    for (const std::string& chunk : start.evals) line("eval " + quoted(chunk));
+    for (const std::string& chunk : start.evals) line("eval " + in_quotes(chunk));
     for (const auto& [step, chunk] : start.at)
-        line("at " + std::to_string(step) + " " + quoted(chunk));
+        line("at " + std::to_string(step) + " " + in_quotes(chunk));
     line("begin");
     flush();
     if (!problem_.empty()) {
@@ -97,7 +97,7 @@ void Recorder::event(const InputEvent& event, bool taken) {
 }
 
 void Recorder::command(std::string_view command) {
-    line("command " + quoted(command));
+    line("command " + in_quotes(command));
     flush();
 }
 
@@ -133,13 +133,13 @@ void Recorder::wrote(property::Handle instance, const property::Property& proper
                      const property::Value& now) {
     if (!writes_alone()) return;
     line("write " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
-         encoded(property::Value(instance)) + " " + quoted(property.name) + " " + encoded(now));
+         encoded(property::Value(instance)) + " " + in_quotes(property.name) + " " + encoded(now));
 }
 
 void Recorder::was_reset(property::Handle instance, const property::Property& property) {
     if (!writes_alone()) return;
     line("reset " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
-         encoded(property::Value(instance)) + " " + quoted(property.name));
+         encoded(property::Value(instance)) + " " + in_quotes(property.name));
 }
 
 }  // namespace fettle::app

@@ -9,7 +9,7 @@
 
 namespace fettle::app {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         const auto code = static_cast<unsigned char>(c);
@@ -163,7 +163,7 @@ std::optional<property::Value> Words::value() {
 std::string event_text(const InputEvent& event, bool taken) {
     const int flags = event.control | event.shift << 1 | event.alt << 2 | event.repeated << 3 |
                       event.focused << 4 | taken << 5;
-    return "event " + std::to_string(static_cast<int>(event.kind)) + " " + quoted(event.name) +
+    return "event " + std::to_string(static_cast<int>(event.kind)) + " " + in_quotes(event.name) +
            " " + std::to_string(static_cast<std::uint32_t>(event.character)) + " " +
            exact(event.x) + " " + exact(event.y) + " " + exact(event.delta) + " " +
            std::to_string(event.gamepad) + " " + std::to_string(flags);

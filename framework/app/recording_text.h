@@ -12,7 +12,7 @@
 namespace fettle::app {
 
 /// In double quotes; line breaks, quotes, backslashes and control characters escaped.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 /// Exact: hexadecimal.
 std::string exact(double number);
 std::string hex(std::uint64_t bits);

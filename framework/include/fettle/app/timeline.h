@@ -24,6 +24,7 @@ FETTLE_APP_BEGIN
 namespace fettle::app {
 
 class Packer;
+struct PackedBytes;
 
 class Timeline {
   public:
@@ -63,10 +64,9 @@ class Timeline {
         property::LoggedWrites after;
         std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
     };
-    struct Packed;
     struct Keyframe {
         std::int64_t step = 0;
-        std::shared_ptr<Packed> payload;
+        std::shared_ptr<PackedBytes> payload;
         property::Snapshot::Memories memories;
     };
     class Jumps;

@@ -12,20 +12,20 @@ FETTLE_PROPERTY_BEGIN
 namespace fettle::property {
 
 enum class ErrorKind {
-    unknown_name,   // no such property, child, class, method, event
-    near_miss,      // would add an ad-hoc property whose name is nearly a declared one
-    wrong_type,     // value cannot become the property's type
-    out_of_range,   // outside the property's range
-    not_finite,     // NaN anywhere; infinity where the property does not allow it
-    read_only,      // derived or read-only property
-    deleted,        // the handle's instance was deleted
-    bad_name,       // name empty, taken, or reserved
-    bad_structure,  // a parent inside its own child, class that may not be created, ...
-    bad_path,       // path does not parse
-    formula,        // the value is a formula that failed or depends on itself
-    damaged,        // a snapshot or a saved game that is cut off, changed or another version's
-    rejected,       // the owner of the value refused it; the message says why
-    no_barrier_end  // handlers kept changing values
+    unknown_name,    // no such property, child, class, method, event
+    near_miss,       // would add an ad-hoc property whose name is nearly a declared one
+    wrong_type,      // value cannot become the property's type
+    out_of_range,    // outside the property's range
+    not_finite,      // NaN anywhere; infinity where the property does not allow it
+    read_only,       // derived or read-only property
+    deleted,         // the handle's instance was deleted
+    bad_name,        // name empty, taken, or reserved
+    bad_structure,   // a parent inside its own child, class that may not be created, ...
+    bad_path,        // path does not parse
+    formula,         // the value is a formula that failed or depends on itself
+    rejected,        // the owner of the value refused it; the message says why
+    no_barrier_end,  // handlers kept changing values
+    damaged          // a snapshot or a saved game that is cut off, changed or another version's
 };
 
 class Error : public std::runtime_error {

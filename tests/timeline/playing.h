@@ -1,0 +1,63 @@
+#pragma once
+// A game with physics, scripts and a loop, and the hash after every step.
+
+#include <fettle/app/loop.h>
+#include <fettle/physics_module/physics_module.h>
+#include <fettle/property/path.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fettle::app {
+
+struct Playing {
+    physics_module::PhysicsModule physics;
+    property::Tree tree;
+    Services services{tree};
+    std::unique_ptr<script::Runtime> runtime;
+    std::unique_ptr<Loop> loop;
+    std::vector<std::string> printed, errors;
+    std::vector<std::uint64_t> hashes{0};
+
+    explicit Playing(std::string_view script) {
+        physics.attach(tree);
+        runtime = std::make_unique<script::Runtime>(tree, options());
+        loop = std::make_unique<Loop>(tree, *runtime, services);
+        loop->add({.name = "physics",
+                   .step = [this](double dt) { physics.step(dt); },
+                   .report = [this] { physics.report(tree); },
+                   .hash = [this] { return physics.hash(); }});
+        runtime->on_print([this](std::string_view text) { printed.emplace_back(text); });
+        runtime->on_error(
+            [this](const script::ScriptError& error) { errors.push_back(error.message); });
+        runtime->run(script, "test");
+        hashes[0] = loop->hash();
+    }
+    static script::Options options() {
+        script::Options options;
+        options.seed = 5;
+        return options;
+    }
+    void play(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            loop->turn();
+            hashes.resize(std::size_t(services.clock.step));
+            hashes.push_back(loop->hash());
+        }
+        CAPTURE(errors);
+        REQUIRE(errors.empty());
+    }
+    Timeline& time() { return loop->timeline(); }
+    void check(std::int64_t step) {
+        CAPTURE(step);
+        time().go_to(step);
+        REQUIRE(services.clock.step == step);
+        REQUIRE(loop->hash() == hashes[std::size_t(step)]);
+    }
+    property::Value get(std::string_view path) { return property::get(tree, path); }
+    void console(std::string_view command) { runtime->evaluate(command); }
+};
+
+}  // namespace fettle::app

@@ -1,0 +1,129 @@
+// Recordings: what came into a run from outside, and whether the run is the same again.
+
+#include "catch.h"
+
+#include <fstream>
+#include <iterator>
+
+#include <fettle/app/recording.h>
+
+#include "playing.h"
+
+using namespace fettle;
+using namespace fettle::app;
+
+namespace {
+
+constexpr const char* game = R"(
+    world.ball = Body { position = vec(0, 10), Circle {} }
+    pressed = 0
+    function key_pressed(key) pressed = pressed + 1; world.ball.velocity = vec(random(), 5) end
+    function update(dt) world.ball.seen = dt end
+)";
+
+struct File {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() /
+        ("fettle_recording_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+    ~File() { std::filesystem::remove(path); }
+    std::string text() const {
+        std::ifstream in(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    void write(const std::string& text) const {
+        std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+    }
+};
+
+/// Frames of uneven length, events, commands and an edit of the inspector.
+void record(const File& file, int frames) {
+    Playing playing(game);
+    RunStart start;
+    start.game = "game";
+    Recorder recorder(file.path, start);
+    playing.runtime->on_command([&](std::string_view command) { recorder.command(command); });
+    recorder.begin(playing.tree, *playing.loop);
+    for (int i = 0; i < frames; ++i) {
+        if (i % 10 == 3) {
+            InputEvent event;
+            event.kind = i % 20 == 3 ? EventKind::key_pressed : EventKind::key_released;
+            event.name = "space";
+            playing.loop->handle(event);
+        }
+        if (i == 20) playing.console("world.ball.mass = 3 -- \"quoted\"");
+        if (i == 30) {
+            const property::Tree::CauseScope cause(playing.tree, property::Writer::inspector);
+            property::set(playing.tree, "world.ball.gravity_scale", 0.5);
+        }
+        playing.loop->frame(0.011 + 0.001 * (i % 13));
+    }
+}
+
+struct Result {
+    std::uint64_t steps;
+    std::string difference;
+    double y;
+};
+
+Result replay(const File& file, std::string_view script = game) {
+    const Recording recording(file.path);
+    Playing playing(script);
+    Replay replay(recording, playing.tree, *playing.runtime, *playing.loop);
+    while (replay.frame()) {
+    }
+    return {replay.steps(), replay.difference(), playing.get("world.ball.position.y").number()};
+}
+
+}  // namespace
+
+TEST_CASE("a recorded run is the same when it is made again") {
+    const File file;
+    record(file, 100);
+    const Result result = replay(file);
+    REQUIRE(result.difference.empty());
+    REQUIRE(result.steps == Recording(file.path).steps());
+    REQUIRE(result.steps > 80);
+}
+
+TEST_CASE("a replay tells the first step that differs and what") {
+    const File file;
+    record(file, 60);
+    const Result other = replay(file, std::string(game) +
+                                          "function step() if time.step == 33 then "
+                                          "world.ball.position = vec(1, 1) end end");
+    REQUIRE(other.difference.find("step 33: physics differs") == 0);
+    REQUIRE(other.steps == 32);
+    const Result value = replay(
+        file, std::string(game) + "function step() if time.step == 20 then game.extra = 1 end end");
+    REQUIRE(value.difference.find("step 20: values differs") == 0);
+}
+
+TEST_CASE("a recording that was cut off is one of the run so far") {
+    const File file;
+    record(file, 50);
+    const std::string text = file.text();
+    const std::size_t begin = text.find("begin\n") + 6;
+    for (std::size_t size = begin; size < text.size(); size += 97) {
+        file.write(text.substr(0, size));
+        REQUIRE(replay(file).difference.empty());
+    }
+}
+
+TEST_CASE("files that are no recordings are refused with a reason") {
+    const File file;
+    record(file, 5);
+    const std::string text = file.text();
+    const auto refused = [&](const std::string& content, const char* reason) {
+        file.write(content);
+        REQUIRE_THROWS_WITH(Recording(file.path), Catch::Contains(reason));
+    };
+    refused("", "ends before the run begins");
+    refused("hello\nworld\n", "is no recording");
+    refused("fettle-recording 2\n", "of format 2");
+    refused(text.substr(0, 30), "ends before the run begins");
+    refused(text + "nonsense 1 2 3\n", "is nothing known");
+    refused(text + "step x\n", "is nothing known");
+    refused(text + "write 99 00 \"mass\" 00\n", "is nothing known");
+    REQUIRE_THROWS_AS(Recording("/nowhere/at all"), RecordingError);
+    REQUIRE_THROWS_AS(Recorder("/nowhere/at all", RunStart{}), RecordingError);
+}
