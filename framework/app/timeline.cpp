@@ -118,7 +118,8 @@ void Timeline::take_keyframe() {
     (void)log_->take();  // it is in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
     const std::span<const std::byte> payload = taken.payload();
-    Keyframe frame{here_, std::make_shared<PackedBytes>(std::vector(payload.begin(), payload.end())),
+    Keyframe frame{here_,
+                   std::make_shared<PackedBytes>(std::vector(payload.begin(), payload.end())),
                    taken.memories()};
     packer_->pack(frame.payload);
     keyframes_.push_back(std::move(frame));

@@ -76,7 +76,7 @@ struct Tree::State {
     std::vector<std::function<void()>> at_barrier;  // when it is between steps
     std::vector<SnapshotPart*> parts;
     mutable std::size_t snapshot_size = 0;  // of the last one
-    std::vector<Handle> to_come;  // of whom is made again inside of what is done again
+    std::vector<Handle> to_come;            // of whom is made again inside of what is done again
     bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
 
     std::uint64_t step = 0;
