@@ -69,6 +69,7 @@ void Console::State::follow_settings() {
         ui.release_all();
         fed_button = fed_key = fed_text = false;
         panel_rect = inspector_rect = {};
+        time_bar.hide();
         inspector.editor().end_drag();
         popup_open = false;
     }

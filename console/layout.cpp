@@ -40,6 +40,7 @@ void Console::State::frame(double seconds) {
         inspector.editor().end_drag();
     }
     draw_panel(width - 2 * margin - right, panel_height(), cell);
+    draw_time_bar(inspector_rect.empty() ? 0 : right);
     prompt_view.draw_menu(cell, ui.bold());
     popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ui.end_frame();
@@ -49,6 +50,15 @@ void Console::State::frame(double seconds) {
 
 float Console::State::panel_height() {
     return std::max(1.0f, std::min(settings.number("height") * height, height - 2 * margin));
+}
+
+/// Along the lower edge, beside the inspector where that reaches down to it.
+void Console::State::draw_time_bar(float right) {
+    if (!settings.flag("time_bar") || !time_bar.available()) return time_bar.hide();
+    const float low = height - margin;
+    if (inspector_rect.high.y < low - TimeBar::height()) right = 0;
+    time_bar.draw(ImVec2(margin, low), width - 2 * margin - right, settings.number("opacity"),
+                  ui.bold());
 }
 
 // --- The panel

@@ -45,6 +45,8 @@ property::ClassDescriptor console_class() {
     list.push_back(
         flag_property("pauses", false, "Whether time stands still while the console is open."));
     list.push_back(flag_property("inspector", true, "Whether the inspector is shown with it."));
+    list.push_back(flag_property("time_bar", true,
+                                 "Whether the time bar is shown with it: pause, step, back."));
     list.push_back(
         flag_property("tweaks", false, "Whether tweaks are listed in place of the log."));
     list.push_back(flag_property(

@@ -16,6 +16,7 @@
 #include "prompt_view.h"
 #include "rect.h"
 #include "settings.h"
+#include "time_bar.h"
 #include "tweak_list.h"
 
 namespace fettle::console {
@@ -64,6 +65,7 @@ struct Console::State {
     void draw_title(float cell);
     bool title_button(const char* label, bool lit, float& right);
     void draw_height_handle();
+    void draw_time_bar(float right);
     void draw_inspector(float left, float width);
     void draw_width_handle();
 
@@ -80,6 +82,7 @@ struct Console::State {
     LogView log_view;
     PromptView prompt_view;
     Inspector inspector;
+    TimeBar time_bar{tree, interpreter};
     TweakList tweak_list;
 
     HeldKeys keys, buttons;
