@@ -26,6 +26,14 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
+/// Above the bar, which it would cover.
+void tip(const Rect& bar, const std::string& text) {
+    const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
+    const float x = std::max(ImGui::GetIO().MousePos.x, bar.low.x + half);
+    ImGui::SetNextWindowPos(ImVec2(x, bar.low.y - 4), ImGuiCond_Always, ImVec2(0.5f, 1));
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
 }  // namespace
 
 // --- What it knows and does
@@ -118,9 +126,9 @@ void TimeBar::draw_play(const Times& now) {
                                ImVec2(c.x + side * r * 0.55f + r * 0.3f, c.y + r), palette::text);
     }
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", now.in_past() ? "go on from here: what came later is forgotten"
-                                : now.paused  ? "go on"
-                                              : "pause");
+        tip(rect_, now.in_past() ? "go on from here: what came later is forgotten"
+                   : now.paused  ? "go on"
+                                 : "pause");
     if (!pressed) return;
     asked_ = -1;
     set("paused", !now.paused);
@@ -135,8 +143,7 @@ void TimeBar::draw_step(const Times& now) {
     list.AddTriangleFilled(ImVec2(c.x - r, c.y - r), ImVec2(c.x - r, c.y + r),
                            ImVec2(c.x + r * 0.5f, c.y), color);
     list.AddRectFilled(ImVec2(c.x + r * 0.65f, c.y - r), ImVec2(c.x + r * 1.1f, c.y + r), color);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", now.in_past() ? "one step on, as it was" : "one step");
+    if (ImGui::IsItemHovered()) tip(rect_, now.in_past() ? "one step on, as it was" : "one step");
     if (!pressed) return;
     if (now.in_past()) {
         go_to(now.step + 1);
@@ -183,9 +190,9 @@ void TimeBar::draw_track(const Times& now, float width) {
     }
     if (hovered || held) {
         const double back = static_cast<double>(now.newest - under) * now.dt;
-        ImGui::SetTooltip(
-            "step %lld, %s", static_cast<long long>(under),
-            back > 0 ? (seconds_text(back) + " before the present").c_str() : "the present");
+        tip(rect_, "step " + std::to_string(under) +
+                       (back > 0 ? ", " + seconds_text(back) + " before the present"
+                                 : std::string(", the present")));
     }
 }
 
