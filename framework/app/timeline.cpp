@@ -98,6 +98,7 @@ void Timeline::end_step() {
     open_.number = here_ = clock_.step;
     open_.after = log_->take();
     note_changes(open_);
+    if (too_much(open_)) return begin_anew();
     logged_ += open_.after.memory();
     for (const LoggedWrites& piece : open_.before) logged_ += piece.memory();
     steps_.push_back(std::move(open_));
@@ -111,6 +112,21 @@ void Timeline::note_changes(Step& of) {
     for (property::SnapshotPart* part : tree_.parts())
         if (property::Memory changes = part->changes())
             of.changes.emplace_back(part, std::move(changes));
+}
+
+bool Timeline::too_much(const Step& step) {
+    return step.after.too_much || std::any_of(step.before.begin(), step.before.end(),
+                                              [](const LoggedWrites& w) { return w.too_much; });
+}
+
+/// What cannot be done again cannot be gone back over.
+void Timeline::begin_anew() {
+    const std::int64_t step = here_;
+    clear();
+    log_ = std::make_unique<property::WriteLog>(tree_);
+    here_ = step;
+    take_keyframe();
+    clock_.oldest = clock_.newest = step;
 }
 
 void Timeline::take_keyframe() {
@@ -219,6 +235,11 @@ void Timeline::redo(const Step& step) {
 
 void Timeline::go_to(std::int64_t step) {
     note_jump();
+    if (log_ != nullptr && here_ == newest()) {
+        tail_.before.push_back(log_->take());
+        note_changes(tail_);
+        if (too_much(tail_)) begin_anew();
+    }
     if (log_ == nullptr || step < oldest() || step > newest())
         throw property::Error(
             property::ErrorKind::out_of_range,
@@ -226,10 +247,6 @@ void Timeline::go_to(std::int64_t step) {
                               "is 0"
                             : "step " + std::to_string(step) + ": the past is kept from step " +
                                   std::to_string(oldest()) + " to " + std::to_string(newest()));
-    if (here_ == newest()) {
-        tail_.before.push_back(log_->take());
-        note_changes(tail_);
-    }
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));

@@ -173,6 +173,7 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
     if (s.in_barrier || s.replaying)
         throw Error(ErrorKind::bad_structure,
                     "a snapshot cannot be restored in a handler: wait for the next barrier");
+    s.tell_plain_writes();  // what was done before it was done in the time that is left
     if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
     Prepared prepared = prepare(s, snapshot);
     Transition transition(s);

@@ -62,7 +62,7 @@ bool Tree::State::may_write(const Node& node, const Property& property) const {
 void Tree::State::note_typed(Handle instance, const Property& property, double x, double y) {
     note_edit();
     writes.note(instance, property.symbol, writer, step);
-    if (observers.empty()) return;
+    if (observers.empty() || replaying) return;
     untold.push_back({instance, &property, x, y});
     if (untold.size() >= most_untold) tell_untold();
 }

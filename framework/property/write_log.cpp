@@ -46,12 +46,23 @@ LoggedWrites WriteLog::take() {
     piece.bytes.assign(bytes_.begin(), bytes_.end());
     bytes_.clear();
     piece.formulas = std::exchange(formulas_, {});
+    piece.too_much = std::exchange(too_much_, false);
     const History& history = tree_.state().history;
     if (history.version() != history_version_) {
         history_version_ = history.version();
         piece.history = history.image();
     }
     return piece;
+}
+
+bool WriteLog::notes() {
+    if (bytes_.size() > most) {
+        too_much_ = true;
+        bytes_.clear();
+        bytes_.shrink_to_fit();
+        formulas_.clear();
+    }
+    return calls_ == 0 && !too_much_;
 }
 
 void WriteLog::note(Did what, Handle instance, const Property& property) {
@@ -63,7 +74,7 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
 
 // What scripts write most: one copy into the log for each.
 void WriteLog::wrote_plain(std::span<const PlainWrite> writes) {
-    if (calls_ > 0) return;
+    if (!notes()) return;
     std::byte note[sizeof(Did) + sizeof(Handle) + sizeof(std::uint32_t) + 2 * sizeof(double)];
     for (const PlainWrite& write : writes) {
         const bool vector = write.property->type == Type::vec2;
@@ -83,22 +94,22 @@ void WriteLog::wrote_plain(std::span<const PlainWrite> writes) {
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
     // A name or a parent that is written is told as a move.
-    if (calls_ > 0 || property.binding.kind == BindingKind::node) return;
+    if (property.binding.kind == BindingKind::node || !notes()) return;
     const bool computed = tree_.state().writer == Writer::formula;
     note(computed ? Did::computed : Did::value, instance, property);
     ByteWriter(bytes_).put(now);
 }
 
 void WriteLog::was_reset(Handle instance, const Property& property) {
-    if (calls_ == 0) note(Did::reset, instance, property);
+    if (notes()) note(Did::reset, instance, property);
 }
 
 void WriteLog::removed(Handle instance, const Property& property) {
-    if (calls_ == 0) note(Did::removed, instance, property);
+    if (notes()) note(Did::removed, instance, property);
 }
 
 void WriteLog::formula_changed(Handle instance, const Property& property) {
-    if (calls_ > 0) return;
+    if (!notes()) return;
     const Formula* formula = tree_.formula(instance, property);
     note(formula != nullptr ? Did::formula : Did::formula_ended, instance, property);
     if (formula == nullptr) return;
@@ -111,6 +122,7 @@ void WriteLog::created(Handle instance) {
         made_.push_back(instance);
         return;
     }
+    if (!notes()) return;
     const Tree::State& s = tree_.state();
     const Node& node = s.nodes[instance.index];
     ByteWriter to(bytes_);
@@ -123,7 +135,7 @@ void WriteLog::created(Handle instance) {
 }
 
 void WriteLog::destroying(Handle instance) {
-    if (calls_ > 0) return;
+    if (!notes()) return;
     ByteWriter to(bytes_);
     to.put(Did::destroyed);
     to.put(instance);
@@ -131,7 +143,7 @@ void WriteLog::destroying(Handle instance) {
 }
 
 void WriteLog::moved(Handle instance) {
-    if (calls_ > 0) return;
+    if (!notes()) return;
     const History::Position at = tree_.state().history.position(instance);
     ByteWriter to(bytes_);
     to.put(Did::moved);
@@ -144,8 +156,11 @@ void WriteLog::moved(Handle instance) {
 
 void WriteLog::call_begins(Handle instance, const Method& method,
                            std::span<const Value> arguments) {
+    const bool outermost = notes();
     if (calls_++ > 0) return;
     made_.clear();
+    call_noted_ = outermost;
+    if (!outermost) return;
     ByteWriter to(bytes_);
     to.put(Did::called);
     to.put(instance);
@@ -155,13 +170,14 @@ void WriteLog::call_begins(Handle instance, const Method& method,
 }
 
 void WriteLog::call_ends(Handle, const Method&) {
-    if (--calls_ == 0) ByteWriter(bytes_).put(made_);
+    if (--calls_ == 0 && call_noted_) ByteWriter(bytes_).put(made_);
 }
 
 // What was not taken belongs to a time that is left.
 void WriteLog::restored() {
     bytes_.clear();
     formulas_.clear();
+    too_much_ = false;
     history_version_ = tree_.state().history.version();
 }
 

@@ -215,3 +215,43 @@ TEST_CASE("keyframes get rarer before the past gets shorter") {
     game.check(game.time().oldest() + 170);
     game.check(699);
 }
+
+TEST_CASE("a step that does more than a log should hold is a new beginning") {
+    Playing game(R"(
+        game.o = Object {}
+        game.o.text = ""
+        long = ("x"):rep(100000)
+        function step()
+            if time.step == 50 then
+                for i = 1, 400 do game.o.text = long .. i end
+            end
+        end
+    )");
+    game.play(49);
+    REQUIRE(game.time().oldest() == 0);
+    game.play(1);
+    REQUIRE(game.time().oldest() == 50);
+    game.play(60);
+    REQUIRE(game.time().memory() < (std::size_t{16} << 20));
+    game.check(50);
+    game.check(99);
+}
+
+TEST_CASE("what is written while one looks at the past is not of the present") {
+    Playing game(R"(
+        game.o = Object {}
+        game.o.n = 0.5
+        world.ball = Body { position = vec(0, 10), Circle {} }
+        function step() game.o.n = game.o.n + 1; world.ball.gravity_scale = random() end
+    )");
+    game.play(80);
+    game.check(30);
+    // By the short way, told to nobody yet.
+    const property::Handle o = game.tree.child(game.tree.root(), "o");
+    const property::Property& n = game.tree.property(o, "n");
+    game.tree.set(o, n, property::Value(1000.25));
+    game.check(80);
+    game.check(30);
+    game.play(20);
+    game.check(45);
+}

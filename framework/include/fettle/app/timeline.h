@@ -73,6 +73,8 @@ class Timeline {
 
     bool on() const;
     void take_keyframe();
+    static bool too_much(const Step& step);
+    void begin_anew();
     void note_jump();
     void drop_after(std::int64_t step);
     void drop_oldest();

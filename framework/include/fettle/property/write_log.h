@@ -22,6 +22,7 @@ struct LoggedWrites {
     std::vector<std::byte> bytes;
     std::vector<Formula> formulas;  // that the bytes speak of, by number
     Memory history;                 // of edits, as it was at the end, where it has changed
+    bool too_much = false;          // more was done than a log should hold: it cannot be done again
     bool empty() const { return bytes.empty() && history == nullptr; }
     std::size_t memory() const;  // bytes it takes, about
 };
@@ -53,15 +54,23 @@ class WriteLog : public Observer {
     void call_ends(Handle instance, const Method& method) override;
     void restored() override;
 
+    /// Bytes one piece may take.
+    static constexpr std::size_t most = std::size_t{32} << 20;
+
   private:
     enum class Did : std::uint8_t;
     class Player;
     void note(Did what, Handle instance, const Property& property);
 
+    /// Whether what is done now is to be noted.
+    bool notes();
+
     Tree& tree_;
+    bool too_much_ = false;
     std::vector<std::byte> bytes_;
     std::vector<Formula> formulas_;
     std::uint64_t history_version_ = 0;
+    bool call_noted_ = false;
     int calls_ = 0;             // that run; what they do to the tree is done by them again
     std::vector<Handle> made_;  // by the outermost of them
 };
