@@ -62,6 +62,12 @@ int run_headless(const RunOptions& options) {
     return finish(session, options, picture.get());
 }
 
+/// For a saved game, as wide as a list of them shows it.
+property::Thumbnail thumbnail(app::Pixels pixels) {
+    constexpr std::uint32_t widest = 256;
+    return property::scaled_down({pixels.width, pixels.height, std::move(pixels.rgba)}, widest);
+}
+
 /// Plays in a window until it is closed, the game quits or its steps are made. R on the error
 /// screen starts the game anew in the same window.
 class WindowRun {
@@ -119,9 +125,11 @@ class WindowRun {
             options_.steps && (loop.halted() || static_cast<double>(clock.step) + idle_steps_ >=
                                                     static_cast<double>(*options_.steps));
         const bool last = made || loop.closing() || session_->runtime().quit_status().has_value();
-        if (last && !options_.screenshot.empty()) window_->keep_frame();
+        const bool saves = session_->saves().waits();
+        if (saves || (last && !options_.screenshot.empty())) window_->keep_frame();
         loop.draw(*window_, seconds);
         window_->present();
+        if (saves) session_->saves().finish(thumbnail(window_->pixels()));
         return last;
     }
 

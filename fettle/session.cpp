@@ -36,9 +36,11 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         if (!error.where.empty()) told.context += " (" + error.where + ")";
         fail(told);
     });
-    make_tweaks();
-    runtime_ = std::make_unique<script::Runtime>(
-        tree_, script::Options{.seed = options.seed, .assets = assets(), .tweaks = tweaks_.get()});
+    make_storage();
+    runtime_ = std::make_unique<script::Runtime>(tree_, script::Options{.seed = options.seed,
+                                                                        .assets = assets(),
+                                                                        .saves = saves_.get(),
+                                                                        .tweaks = tweaks_.get()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
     runtime_->on_print([this](std::string_view text) { print(text); });
     loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
@@ -51,9 +53,20 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
 
 Session::~Session() = default;
 
-void Session::make_tweaks() {
+void Session::make_storage() {
     tweaks_ = std::make_unique<property::Tweaks>(
         tree_, options_.game, [this](const std::string& warning) { note(warning); });
+    // What a replay does was done before: it leaves no tweaks and overwrites no save.
+    const bool replay = !options_.replay.empty();
+    if (replay) tree_.observe_edits(nullptr);
+    const std::filesystem::path folder = property::user_folder(options_.game);
+    saves_ = std::make_unique<property::GameSaves>(
+        tree_,
+        property::Saves(folder.empty() ? folder : folder / "saves",
+                        property::game_title(options_.game), FETTLE_VERSION),
+        property::GameSaves::Options{.writes = !replay,
+                                     .pictures = !options_.headless,
+                                     .warn = [this](const std::string& text) { note(text); }});
 }
 
 /// Something a person should know and that is no error of the game.

@@ -9,6 +9,7 @@
 #include <fettle/app/loop.h>
 #include <fettle/app/recording.h>
 #include <fettle/app/services.h>
+#include <fettle/property/storage/game_saves.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
@@ -35,6 +36,7 @@ class Session {
     app::Loop& loop() { return *loop_; }
     app::Services& services() { return *services_; }
     script::Runtime& runtime() { return *runtime_; }
+    property::GameSaves& saves() { return *saves_; }
     /// Puts a layer under the console.
     void add_layer(app::Layer& layer);
     /// By errors and quit().
@@ -46,7 +48,7 @@ class Session {
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);
     void run_at(std::uint64_t step);
-    void make_tweaks();
+    void make_storage();
     void make_recorder();
     void note(const std::string& text);
     void fail(const script::ScriptError& error);
@@ -58,6 +60,7 @@ class Session {
     property::Tree tree_;
     std::unique_ptr<app::Services> services_;
     std::unique_ptr<property::Tweaks> tweaks_;
+    std::unique_ptr<property::GameSaves> saves_;
     std::unique_ptr<script::Runtime> runtime_;
     std::unique_ptr<app::Loop> loop_;
     struct ConsoleLayer;

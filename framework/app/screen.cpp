@@ -49,6 +49,14 @@ void write_image(const sf::Image& image, const std::filesystem::path& file) {
                                  ".tga)");
 }
 
+Pixels pixels_of(const sf::Texture& texture) {
+    const sf::Image image = texture.copyToImage();
+    Pixels pixels{image.getSize().x, image.getSize().y, {}};
+    const std::size_t bytes = std::size_t{pixels.width} * pixels.height * 4;
+    if (bytes > 0) pixels.rgba.assign(image.getPixelsPtr(), image.getPixelsPtr() + bytes);
+    return pixels;
+}
+
 /// Of a picture: nobody else to share it with.
 class OwnClipboard : public Clipboard {
   public:
@@ -83,6 +91,7 @@ class Picture : public Screen {
     void save(const std::filesystem::path& file) override {
         write_image(target_.getTexture().copyToImage(), file);
     }
+    Pixels pixels() const override { return pixels_of(target_.getTexture()); }
     void release_textures() override { canvas_->release_textures(); }
     Clipboard& clipboard() override { return clipboard_; }
 
@@ -147,6 +156,7 @@ class SfmlWindow : public Window {
             if (frame_->getSize() != window_.getSize())
                 (void)sfml::create(*frame_, window_.getSize().x, window_.getSize().y);
             frame_->update(window_);
+            keep_frame_ = false;
         }
         window_.display();
         pacer_.wait(vsync_);
@@ -155,6 +165,7 @@ class SfmlWindow : public Window {
         if (!frame_) throw std::runtime_error(file.string() + ": no frame was kept for a picture");
         write_image(frame_->copyToImage(), file);
     }
+    Pixels pixels() const override { return frame_ ? pixels_of(*frame_) : Pixels{}; }
     void keep_frame() override { keep_frame_ = true; }
     void release_textures() override { canvas_->release_textures(); }
     Clipboard& clipboard() override { return clipboard_; }

@@ -28,7 +28,7 @@ const std::vector<std::string>& callback_names() {
 }
 
 const std::vector<std::string>& later_names() {
-    static const std::vector<std::string> names = {"load_game", "save_game", "tween"};
+    static const std::vector<std::string> names = {"tween"};
     return names;
 }
 

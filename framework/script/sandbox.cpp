@@ -102,6 +102,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_formulas(L);
     open_history(L);
     open_tweaks(L);
+    open_saves(L);
     open_time(L);
     open_help(L);
     open_vec(L, machine);

@@ -22,6 +22,7 @@ void open_globals(lua_State* L, Machine& machine);
 void open_require(lua_State* L);
 void open_scenes(lua_State* L);
 void open_formulas(lua_State* L);
+void open_saves(lua_State* L);
 void open_tweaks(lua_State* L);
 void open_history(lua_State* L);
 void open_pen(lua_State* L, Machine& machine);

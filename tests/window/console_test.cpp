@@ -129,3 +129,16 @@ TEST_CASE("the showcase runs in a window") {
     CHECK_FALSE(contains(game.printed(), ".lua:"));  // no script error
     CHECK(game.running());
 }
+
+TEST_CASE("a game saved in a window has a picture of it") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    open_console(game);
+    game.type("save_game('a')");
+    game.key("Return");
+    game.type("after(0, function() local s = saves()[1] print('saved', s.picture, s.problem) end)");
+    game.key("Return");
+    INFO(game.printed());
+    CHECK(game.prints("saved\ttrue\tnil"));
+}

@@ -32,9 +32,13 @@ GameWindow::GameWindow(const fs::path& game) {
     folder_ = ::mkdtemp(pattern.data());
     start_display();
     environment_["XDG_STATE_HOME"] = (folder_ / "state").string();
+    environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
     environment_["WAYLAND_DISPLAY"] = "";
     environment_["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    program_ = Process({FETTLE_PROGRAM, "run", game.string()}, environment_, folder_ / "printed");
+    // A copy: what is tweaked in a test is journaled beside the game.
+    fs::copy(game, folder_ / "game", fs::copy_options::recursive);
+    program_ = Process({FETTLE_PROGRAM, "run", (folder_ / "game").string()}, environment_,
+                       folder_ / "printed");
     fs::path found = folder_ / "windows";
     bool shown = eventually([&] {
         fs::remove(found);

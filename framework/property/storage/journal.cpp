@@ -17,6 +17,7 @@ namespace {
 
 constexpr FileFormat format{.application = 0x4654574b, .version = 1};  // "FTWK"
 constexpr int most_files = 9;
+constexpr int io_error = 10;  // a code of SQLite: not the fault of the file
 // A frame must not wait; opening a file may.
 constexpr int commit_patience = 20, open_patience = 2000;  // ms
 
@@ -75,7 +76,7 @@ std::string Journal::open(const fs::path& file, Access access) {
         if (database->read_only()) throw std::runtime_error("it can only be read");
         database->run("PRAGMA synchronous = OFF");
         if (database->text("PRAGMA journal_mode = WAL") != "wal")
-            throw std::runtime_error("its file system allows no write-ahead log");
+            throw DatabaseError(io_error, "its file system allows no write-ahead log");
         if (!made) make_tables(*database);
         database->run("PRAGMA wal_autocheckpoint = 0");
         database->wait_for_others(commit_patience);

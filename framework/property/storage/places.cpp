@@ -41,16 +41,20 @@ std::string game_name(const fs::path& game) {
     return fs::is_directory(game, error) ? "main" : game.stem().string();
 }
 
+std::string game_title(const fs::path& game) {
+    const std::string name = game_name(game);
+    return name == "main" ? game_folder(game).filename().string() : name;
+}
+
 fs::path user_folder(const fs::path& game) {
     const fs::path data = user_data();
     if (data.empty()) return {};
-    const fs::path folder = game_folder(game);
-    const std::string name = game_name(game);
     std::string readable;
-    for (const char c : name == "main" ? folder.filename().string() : name)
+    for (const char c : game_title(game))
         readable += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
     char hash[9];
-    std::snprintf(hash, sizeof hash, "%08x", hash_of((folder / name).string()));
+    std::snprintf(hash, sizeof hash, "%08x",
+                  hash_of((game_folder(game) / game_name(game)).string()));
     return data / "fettle" / (readable + "-" + hash);
 }
 

@@ -2,9 +2,11 @@
 // What a frame is drawn on: a window, or a picture in memory. Both need a display; a headless run
 // makes neither.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fettle/app/event.h>
 #include <fettle/app/export.h>
@@ -17,6 +19,12 @@
 FETTLE_APP_BEGIN
 
 namespace fettle::app {
+
+/// Rows from the top, four bytes a pixel: red, green, blue, opacity.
+struct Pixels {
+    unsigned width = 0, height = 0;
+    std::vector<std::uint8_t> rgba{};
+};
 
 class Screen {
   public:
@@ -35,6 +43,8 @@ class Screen {
     /// Writes the last frame kept. The ending of the name says the format: png, jpg, bmp or
     /// tga. Throws std::runtime_error that names file and reason.
     virtual void save(const std::filesystem::path& file) = 0;
+    /// Of the last frame kept; none when there was none.
+    virtual Pixels pixels() const = 0;
     /// Forgets every texture a layer made on the surface: its maker is gone.
     virtual void release_textures() = 0;
     virtual Clipboard& clipboard() = 0;

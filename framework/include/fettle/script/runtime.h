@@ -19,8 +19,9 @@
 FETTLE_SCRIPT_BEGIN
 
 namespace fettle::property {
+class GameSaves;
 class Tweaks;
-}
+}  // namespace fettle::property
 
 namespace fettle::script {
 
@@ -29,8 +30,10 @@ struct Options {
     std::size_t memory_limit = std::size_t{512} << 20;    // bytes, whole Lua state
     std::size_t console_memory = std::size_t{128} << 20;  // bytes one console command may add
     std::uint64_t console_budget = 50'000'000;            // Lua instructions of one console command
-    std::filesystem::path assets;        // where files are looked for that the game's folder lacks
-    property::Tweaks* tweaks = nullptr;  // not owned; of this game, which has none without it
+    std::filesystem::path assets;  // where files are looked for that the game's folder lacks
+    // Not owned; a game has none of what is missing.
+    property::GameSaves* saves = nullptr;
+    property::Tweaks* tweaks = nullptr;
 };
 
 /// A script went wrong: what the error screen and stderr show.

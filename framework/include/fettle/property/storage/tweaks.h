@@ -24,6 +24,9 @@ namespace fettle::property {
 /// the user has no such place. `game`: a folder, or a .lua file.
 std::filesystem::path user_folder(const std::filesystem::path& game);
 
+/// What it is called: its folder, or its file where that is not main.lua.
+std::string game_title(const std::filesystem::path& game);
+
 struct Tweak {
     std::string path;      // "world.ball.mass"; of an instance that was created, deleted or moved
     std::string was, now;  // as printed, with units; "is ..." for a formula

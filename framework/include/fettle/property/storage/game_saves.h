@@ -1,0 +1,63 @@
+#pragma once
+// Saving and loading a running game: its tree's snapshot, in slots.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fettle/property/storage/export.h>
+#include <fettle/property/storage/saves.h>
+#include <fettle/property/tree.h>
+
+FETTLE_STORAGE_BEGIN
+
+namespace fettle::property {
+
+class GameSaves {
+  public:
+    struct Options {
+        /// False: `save` checks the slot and does nothing else, as in a replay.
+        bool writes = true;
+        /// Somebody shows the game and gives a picture of it to `finish`, after the next barrier.
+        /// Without, saves have none and are made at the barrier.
+        bool pictures = false;
+        /// Told of a save that could not be written, or a snapshot that this game cannot restore:
+        /// both happen at a barrier, where nobody can catch.
+        std::function<void(const std::string&)> warn{};
+    };
+    GameSaves(Tree& tree, Saves saves, Options options);
+    /// Writes what waits for a picture.
+    ~GameSaves();
+    GameSaves(const GameSaves&) = delete;
+    GameSaves& operator=(const GameSaves&) = delete;
+
+    /// At the next barrier. Throws Error(bad_name) for a slot that cannot be.
+    void save(const std::string& slot);
+    /// Reads and checks at once, restores at the next barrier. Throws as `Saves::load` does, and
+    /// Error(damaged) for a state that is none; the game goes on as it was.
+    void load(const std::string& slot);
+    const Saves& slots() const { return saves_; }
+
+    /// A save waits for a picture.
+    bool waits() const { return !waiting_.empty(); }
+    void finish(const Thumbnail& picture);
+
+  private:
+    struct Waiting {
+        std::string slot;
+        std::uint64_t step;
+        std::vector<std::byte> state;
+    };
+    void take(const std::string& slot);
+    Tree& tree_;
+    Saves saves_;
+    Options options_;
+    std::vector<Waiting> waiting_;
+    /// What was asked for at a barrier may come when this is gone.
+    std::shared_ptr<GameSaves*> alive_;
+};
+
+}  // namespace fettle::property
+
+FETTLE_STORAGE_END

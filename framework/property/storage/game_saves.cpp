@@ -1,0 +1,60 @@
+#include <fettle/property/storage/game_saves.h>
+
+#include <utility>
+
+#include <fettle/property/snapshot.h>
+
+namespace fettle::property {
+
+GameSaves::GameSaves(Tree& tree, Saves saves, Options options)
+    : tree_(tree),
+      saves_(std::move(saves)),
+      options_(std::move(options)),
+      alive_(std::make_shared<GameSaves*>(this)) {}
+
+GameSaves::~GameSaves() {
+    *alive_ = nullptr;
+    finish({});
+}
+
+void GameSaves::save(const std::string& slot) {
+    Saves::check_slot(slot);
+    if (!options_.writes) return;
+    tree_.at_barrier([alive = alive_, slot] {
+        if (*alive != nullptr) (*alive)->take(slot);
+    });
+}
+
+void GameSaves::take(const std::string& slot) {
+    waiting_.push_back({slot, tree_.step(), tree_.snapshot().to_bytes()});
+    if (!options_.pictures) finish({});
+}
+
+void GameSaves::finish(const Thumbnail& picture) {
+    for (const Waiting& each : std::exchange(waiting_, {})) {
+        try {
+            saves_.save(each.slot, each.step, each.state, picture);
+        } catch (const Error& error) {
+            if (options_.warn)
+                options_.warn("the game was not saved: " + std::string(error.what()));
+        }
+    }
+}
+
+void GameSaves::load(const std::string& slot) {
+    const SavedGame saved = saves_.load(slot);
+    const Snapshot state = Snapshot::from_bytes(saved.state);
+    tree_.at_barrier([alive = alive_, slot, state] {
+        if (*alive == nullptr) return;
+        GameSaves& self = **alive;
+        try {
+            self.tree_.restore(state);
+        } catch (const Error& error) {
+            if (self.options_.warn)
+                self.options_.warn("the saved game \"" + slot +
+                                   "\" was not loaded: " + error.what());
+        }
+    });
+}
+
+}  // namespace fettle::property

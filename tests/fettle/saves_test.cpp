@@ -1,0 +1,122 @@
+// Saved games, with the real program: what one run saved another one loads and plays on.
+
+#include <catch.h>
+
+#include <fstream>
+
+#include "program.h"
+
+using namespace program_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* const game = R"lua(
+world.floor = Body { type = "static", position = vec(0, -1), Box { width = 40, height = 2 } }
+for i = 1, 12 do
+    world["ball" .. i] = Body { position = vec(random() * 4 - 2, 2 * i), angular_velocity = i,
+        Circle { radius = 0.4, restitution = 0.5, friction = 0.3 } }
+end
+world.score = 0
+world.double = formula(function() return world.score * 2 end)
+function step() world.score = world.score + 1 end
+)lua";
+
+/// The only file whose name ends so, anywhere below.
+fs::path file_of(const Folder& folder, const std::string& ending) {
+    fs::path found;
+    for (const auto& each : fs::recursive_directory_iterator(folder / ""))
+        if (each.path().string().ends_with(ending)) {
+            CHECK(found.empty());
+            found = each.path();
+        }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("a game that was saved goes on in another run as if it had never stopped") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", game);
+    const Outcome whole = fettle(folder, {"run", file, "--headless", "--steps", "180", "--hash",
+                                          "--at", "61:save_game('half way')"});
+    INFO(whole.err);
+    REQUIRE(whole.status == 0);
+    REQUIRE(whole.out.size() == 17);
+    const Outcome rest =
+        fettle(folder, {"run", file, "--headless", "--steps", "120", "--seed", "99", "--hash",
+                        "--eval", "world.floor.position = vec(5, 5) load_game('half way')", "--at",
+                        "2:print(time.step, world.score, world.double, world.floor.position.x)"});
+    INFO(rest.err);
+    CHECK(rest.status == 0);
+    CHECK(rest.out == "61\t61\t122\t0.0\n" + whole.out);
+}
+
+TEST_CASE("saved games are listed and deleted by their slots") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", game);
+    const Outcome run = fettle(
+        folder,
+        {"run", file, "--headless", "--steps", "9", "--at", "2:save_game('b') save_game('a')",
+         "--at", "4:for _, s in ipairs(saves()) do print(s.slot, s.step, s.picture, s.problem) end",
+         "--at", "5:delete_save('a') print(#saves(), saves()[1].slot)", "--at",
+         "6:print(pcall(load_game, 'bb'))", "--at", "7:print(pcall(save_game, '../b'))"});
+    INFO(run.err);
+    CHECK(run.status == 0);
+    CHECK(contains(run.out, "a\t1\tfalse\tnil\nb\t1\tfalse\tnil\n1\tb\n"));
+    CHECK(contains(run.out, "there is no saved game \"bb\" (did you mean \"b\"?)"));
+    CHECK(contains(run.out, "no name of a slot"));
+}
+
+TEST_CASE("a saved game that is damaged is refused and the game goes on") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", game);
+    REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "9", "--at", "2:save_game('a')"})
+                .status == 0);
+    const fs::path save = file_of(folder, "a.sqlite");
+    REQUIRE_FALSE(save.empty());
+    std::ifstream in(save, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    bytes[bytes.size() / 2] ^= 1;
+    std::ofstream(save, std::ios::binary) << bytes;
+    const Outcome run = fettle(folder, {"run", file, "--headless", "--steps", "20", "--at",
+                                        "5:print(pcall(load_game, 'a')) print(saves()[1].problem)",
+                                        "--at", "20:print(world.score)"});
+    INFO(run.err);
+    CHECK(run.status == 0);
+    CHECK(contains(run.out, "a.sqlite: cannot be loaded: it is damaged"));
+    CHECK(run.out.ends_with("\n19\n"));
+}
+
+TEST_CASE("a save of other classes is refused and the game goes on") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", game);
+    REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "5", "--eval",
+                            "Lamp = class('Lamp', Object) { on = true } world.lamp = Lamp {}",
+                            "--at", "2:save_game('a')"})
+                .status == 0);
+    const Outcome run = fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                                        "3:load_game('a')", "--at", "9:print(world.score)"});
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK(run.out == "8\n");
+    CHECK(contains(run.err, "the saved game \"a\" was not loaded: "));
+    CHECK(contains(run.err, "Lamp"));
+}
+
+TEST_CASE("a save that cannot be written is told and the older one stays") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", game);
+    REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "5", "--at", "4:save_game('a')"})
+                .status == 0);
+    const Outcome full =
+        fettle(folder,
+               {"run", file, "--headless", "--steps", "9", "--at", "2:save_game('a')", "--at",
+                "9:print(saves()[1].step, world.score)"},
+               "trap '' XFSZ; ulimit -f 8; ");
+    INFO(full.err);
+    CHECK(full.status == 0);
+    CHECK(full.out == "3\t8\n");
+    CHECK(contains(full.err, "the game was not saved: "));
+    CHECK(contains(full.err, "could not be written"));
+}

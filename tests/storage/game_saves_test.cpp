@@ -1,0 +1,102 @@
+// Saving and loading a tree in slots.
+
+#include <fettle/property/storage/game_saves.h>
+
+#include <memory>
+
+#include "catch.h"
+#include "file_faults.h"
+#include "game_folder.h"
+#include "scene_world.h"
+
+using namespace scene_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Game : SceneWorld {
+    explicit Game(const GameFolder& folder, bool pictures = false)
+        : saves(std::make_unique<GameSaves>(
+              tree, Saves(folder.user() / "saves", "ball game", "0.1.0"),
+              GameSaves::Options{.pictures = pictures, .warn = [this](const std::string& text) {
+                                     told.push_back(text);
+                                 }})) {}
+    std::vector<std::string> told;
+    std::unique_ptr<GameSaves> saves;
+};
+
+}  // namespace
+
+TEST_CASE("a saved tree comes back in another run and in the same one") {
+    const GameFolder folder;
+    Game game(folder);
+    const Handle a = game.add("Thing", "a");
+    game.tree.set(a, "number", -0.0);
+    game.tree.set_or_add(a, "lives", 3);
+    game.saves->save("one");
+    CHECK(game.saves->slots().list().empty());
+    game.tree.barrier();
+    CHECK(game.saves->slots().list().size() == 1);
+    const std::string then = game.everything();
+    game.tree.set(a, "number", 7.0);
+    game.tree.destroy(a);
+    game.add("Note", "later");
+    game.saves->load("one");
+    game.tree.barrier();
+    CHECK(game.told.empty());
+    CHECK(game.everything() == then);
+    CHECK(game.tree.alive(a));
+
+    Game other(folder);
+    other.saves->load("one");
+    other.tree.barrier();
+    CHECK(other.told.empty());
+    CHECK(other.everything() == then);
+}
+
+TEST_CASE("a load that is refused leaves the running game as it was") {
+    const GameFolder folder;
+    Game game(folder);
+    game.add("Thing", "a");
+    const std::string then = game.everything();
+    CHECK_THROWS_AS(game.saves->load("none"), Error);
+    game.saves->slots().save("no state", 1, std::vector<std::byte>(100));
+    CHECK_THROWS_AS(game.saves->load("no state"), Error);
+    CHECK_THROWS_AS(game.saves->save("a/b"), Error);
+    game.tree.barrier();
+    CHECK(game.everything() == then);
+    CHECK(game.told.empty());
+}
+
+TEST_CASE("a save waits for its picture where there is one and is made without at the end") {
+    const GameFolder folder;
+    {
+        Game game(folder, true);
+        game.saves->save("one");
+        game.tree.barrier();
+        CHECK(game.saves->waits());
+        CHECK(game.saves->slots().list().empty());
+        game.saves->finish({1, 1, {1, 2, 3, 4}});
+        CHECK_FALSE(game.saves->waits());
+        CHECK(game.saves->slots().load("one").thumbnail.pixels ==
+              std::vector<std::uint8_t>{1, 2, 3, 4});
+        game.saves->save("two");
+        game.tree.barrier();
+    }
+    CHECK(Game(folder).saves->slots().load("two").thumbnail.empty());
+}
+
+TEST_CASE("a save that cannot be written is told and the game goes on") {
+    const GameFolder folder;
+    Game game(folder);
+    game.saves->save("one");
+    game.tree.barrier();
+    {
+        const SmallFiles full(10);
+        game.saves->save("one");
+        game.tree.barrier();
+    }
+    REQUIRE(game.told.size() == 1);
+    CHECK(game.told[0].find("the game was not saved: ") == 0);
+    CHECK(game.saves->slots().load("one").info.problem.empty());
+}
