@@ -13,21 +13,32 @@ namespace fettle::bench {
 int run_tree(const TreeOptions& options) {
     CostTable costs;
     add_tree_costs(costs);
+    add_formula_costs(costs);
+    add_pattern_costs(costs);
     add_lua_costs(costs);
     if (!options.only.empty()) costs.keep(options.only);
     const std::vector<Cost> rows = costs.run(options.repetitions);
-    Table table({"cost", "ns", "ratio", "against"});
+    Table table({"cost", "ns", "ratio", "at most", "against"});
     Chart chart{.title = "What the property tree costs", .unit = "ns", .series = {"fettle"}};
     for (const Cost& row : rows) {
-        const bool compared = row.ratio > 0;
-        if (options.output.json) {
-            std::cout << json_line({{"name", row.name},
-                                    {"ns", row.ns},
-                                    {"ratio", compared ? JsonField(row.ratio) : JsonField()},
-                                    {"against", compared ? JsonField(row.against) : JsonField()}})
-                      << "\n";
+        std::vector<Comparison> comparisons = row.comparisons;
+        if (comparisons.empty()) comparisons.emplace_back();
+        bool first = true;  // a row that is compared twice says only once what it is
+        for (const Comparison& beside : comparisons) {
+            const bool compared = !beside.against.empty();
+            if (options.output.json) {
+                std::cout << json_line(
+                                 {{"name", row.name},
+                                  {"ns", row.ns},
+                                  {"ratio", compared ? JsonField(beside.ratio) : JsonField()},
+                                  {"against", compared ? JsonField(beside.against) : JsonField()}})
+                          << "\n";
+            }
+            table.add({first ? row.name : "", first ? figure(row.ns) : "",
+                       compared ? figure(beside.ratio) : "",
+                       beside.at_most > 0 ? figure(beside.at_most) : "", beside.against});
+            first = false;
         }
-        table.add({row.name, figure(row.ns), compared ? figure(row.ratio) : "", row.against});
         chart.groups.push_back({row.name, {row.ns}});
     }
     if (!options.output.json) std::cout << table.text();

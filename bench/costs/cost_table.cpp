@@ -15,7 +15,9 @@ class Collector : public benchmark::BenchmarkReporter {
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs) {
             if (run.run_type == Run::RT_Iteration)
-                times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
+                times[run.run_name.function_name].push_back(run.run_name.time_type == "manual_time"
+                                                                ? run.GetAdjustedRealTime()
+                                                                : run.GetAdjustedCPUTime());
         }
     }
     std::map<std::string, std::vector<double>> times;  // ns an iteration
@@ -23,23 +25,39 @@ class Collector : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
+void CostTable::add(Row row) {
+    rows_.push_back(std::move(row));
+}
+
 void CostTable::add(std::string name, std::string against, double operations, CostLoop loop) {
-    entries_.push_back({std::move(name), std::move(against), operations, std::move(loop)});
+    Row row{.name = std::move(name), .operations = operations, .loop = std::move(loop)};
+    if (!against.empty()) row.against.push_back({std::move(against)});
+    add(std::move(row));
 }
 
 void CostTable::keep(const std::string& text) {
-    const auto meant = [&](const Entry& entry) {
-        return entry.name.find(text) != std::string::npos;
+    const auto meant = [&](const Row& row) { return row.name.find(text) != std::string::npos; };
+    const auto needs = [&](const Row& row, const std::string& name) {
+        const auto same = [&](const Against& against) { return against.row == name; };
+        return std::ranges::any_of(row.against, same) ||
+               std::ranges::find(row.without, name) != row.without.end();
     };
-    std::vector<Entry> kept;
-    for (const Entry& entry : entries_) {
-        const bool is_base = std::ranges::any_of(entries_, [&](const Entry& other) {
-            return meant(other) && other.against == entry.name;
-        });
-        if (meant(entry) || is_base) kept.push_back(entry);
+    std::vector<bool> kept(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) kept[i] = meant(rows_[i]);
+    if (std::ranges::find(kept, true) == kept.end())
+        throw std::invalid_argument("no row has \"" + text + "\" in its name");
+    // A row that is needed may need another.
+    for (bool more = true; more;) {
+        more = false;
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            for (std::size_t k = 0; k < rows_.size() && !kept[i]; ++k)
+                if (kept[k] && needs(rows_[k], rows_[i].name)) kept[i] = more = true;
+        }
     }
-    if (kept.empty()) throw std::invalid_argument("no row has \"" + text + "\" in its name");
-    entries_ = std::move(kept);
+    std::vector<Row> left;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (kept[i]) left.push_back(std::move(rows_[i]));
+    rows_ = std::move(left);
 }
 
 std::vector<Cost> CostTable::run(int repetitions) const {
@@ -49,26 +67,33 @@ std::vector<Cost> CostTable::run(int repetitions) const {
     char* arguments[] = {own_words[0].data(), own_words[1].data(), nullptr};
     int count = 2;
     benchmark::Initialize(&count, arguments);
-    for (const Entry& entry : entries_) {
-        benchmark::RegisterBenchmark(entry.name.c_str(), entry.loop)
-            ->Unit(benchmark::kNanosecond)
-            ->Repetitions(repetitions)
-            ->MinTime(0.03);
+    for (const Row& row : rows_) {
+        auto* registered = benchmark::RegisterBenchmark(row.name.c_str(), row.loop)
+                               ->Unit(benchmark::kNanosecond)
+                               ->Repetitions(repetitions)
+                               ->MinTime(0.03);
+        if (row.own_clock) registered->UseManualTime();
     }
     Collector collector;
     benchmark::RunSpecifiedBenchmarks(&collector);
     benchmark::Shutdown();
 
-    std::vector<Cost> costs;
-    for (const Entry& entry : entries_) {
-        const auto found = collector.times.find(entry.name);
+    std::map<std::string, double> ns;
+    for (const Row& row : rows_) {
+        const auto found = collector.times.find(row.name);
         if (found == collector.times.end())
-            throw std::runtime_error("\"" + entry.name + "\" was not measured");
-        costs.push_back({entry.name, median(found->second) / entry.operations, entry.against});
+            throw std::runtime_error("\"" + row.name + "\" was not measured");
+        ns[row.name] = median(found->second) / row.operations;
+        for (const std::string& other : row.without) ns[row.name] -= ns.at(other);
     }
-    for (Cost& cost : costs) {
-        const auto base = std::ranges::find(costs, cost.against, &Cost::name);
-        if (base != costs.end()) cost.ratio = cost.ns / base->ns;
+    std::vector<Cost> costs;
+    for (const Row& row : rows_) {
+        if (!row.shown) continue;
+        Cost cost{row.name, ns.at(row.name)};
+        for (const Against& against : row.against)
+            if (const auto base = ns.find(against.row); base != ns.end())
+                cost.comparisons.push_back({against.row, cost.ns / base->second, against.at_most});
+        costs.push_back(std::move(cost));
     }
     return costs;
 }

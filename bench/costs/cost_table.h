@@ -10,38 +10,55 @@
 
 namespace fettle::bench {
 
+/// A row beside another.
+struct Comparison {
+    std::string against;
+    double ratio = 0;
+    double at_most = 0;  // the bound of the ratio; 0: none is set
+};
+
 struct Cost {
     std::string name;
     double ns = 0;
-    std::string against{};  // the row it is compared with; "" where there is none
-    double ratio = 0;
+    std::vector<Comparison> comparisons{};
 };
 
 using CostLoop = std::function<void(benchmark::State&)>;
 
 class CostTable {
   public:
-    /// `loop` does `operations` of what is measured in each of its iterations.
+    struct Against {
+        std::string row;
+        double at_most = 0;
+    };
+    struct Row {
+        std::string name;
+        double operations = 1;  // of what is measured, in an iteration of the loop
+        CostLoop loop;
+        std::vector<Against> against{};      // rows it is compared with, where there are such
+        std::vector<std::string> without{};  // rows whose time is taken off
+        bool own_clock = false;              // the loop says itself how long an iteration took
+        bool shown = true;
+    };
+    void add(Row row);
     void add(std::string name, std::string against, double operations, CostLoop loop);
-    /// Leaves out every row that neither has `text` in its name nor is what such a row is compared
-    /// with. Throws std::invalid_argument when no row is left.
+    /// Leaves out every row that neither has `text` in its name nor is what such a row needs.
+    /// Throws std::invalid_argument when no row is left.
     void keep(const std::string& text);
     /// Medians of processor time over the repetitions, in the order of `add`.
     std::vector<Cost> run(int repetitions) const;
 
   private:
-    struct Entry {
-        std::string name;
-        std::string against;
-        double operations;
-        CostLoop loop;
-    };
-    std::vector<Entry> entries_;
+    std::vector<Row> rows_;
 };
 
 /// Properties of instances, by every way there is in C++, and what watching them costs.
 void add_tree_costs(CostTable& table);
-/// Properties from Lua, beside the least that Lua can do.
+/// Properties from Lua, beside the least that Lua can do and beside LÖVE where it is installed.
 void add_lua_costs(CostTable& table);
+/// Formulas, beside the functions they are made of.
+void add_formula_costs(CostTable& table);
+/// Watchers of many instances at once.
+void add_pattern_costs(CostTable& table);
 
 }  // namespace fettle::bench

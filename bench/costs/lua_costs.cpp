@@ -1,11 +1,12 @@
 // What properties cost in Lua, in a function that the host calls as it calls a game's callbacks.
 
-#include <memory>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 
 #include "costs/bare_lua.h"
 #include "costs/cost_table.h"
+#include "costs/love.h"
 #include "engines/hosted_engine.h"
 
 namespace fettle::bench {
@@ -28,6 +29,11 @@ std::string function_of(const std::string& name, const std::string& ball, const 
            "\n  for i = 1, rounds do " + inside + "end\nend\n";
 }
 
+/// What every loop costs that does nothing.
+std::string empty_loop(const std::string& ball) {
+    return function_of("nothing", ball, "local x", "");
+}
+
 // Values alternate: an equal one would stop half way.
 std::string scalar_get(const std::string& ball, const std::string& property) {
     const std::string get = "x = ball." + property + " ";
@@ -44,26 +50,38 @@ std::string vec2_set(const std::string& ball, const std::string& property) {
                        repeated("ball." + property + " = a ", "ball." + property + " = b "));
 }
 
+/// The same loops over the methods of a body in LÖVE.
+std::string functions_in_love() {
+    const std::string mass = "x = ball:getMass() ", position = "x, y = ball:getPosition() ";
+    return empty_loop("ball") + function_of("getMass", "ball", "local x", repeated(mass, mass)) +
+           function_of("getPosition", "ball", "local x, y", repeated(position, position)) +
+           function_of("setAngularVelocity", "ball", "local a, b = 1.5, 2.5",
+                       repeated("ball:setAngularVelocity(a) ", "ball:setAngularVelocity(b) ")) +
+           function_of("setLinearVelocity", "ball", "local a, b = 1, 2",
+                       repeated("ball:setLinearVelocity(a, b) ", "ball:setLinearVelocity(b, a) "));
+}
+
 BareLua& bare_lua() {
-    static BareLua lua(scalar_get("ball", "mass") + scalar_set("ball", "mass"));
+    static BareLua lua(empty_loop("ball") + scalar_get("ball", "mass") +
+                       scalar_set("ball", "mass"));
     return lua;
 }
 
 HeadlessGame& game() {
     static HeadlessGame game;
-    static const bool loaded = game.runtime.run(
-        "world.ball = Body { position = vec(0, 8), Circle { radius = 0.5 } }\n" +
-            scalar_get("world.ball", "mass") + scalar_get("world.ball", "angular_velocity") +
-            scalar_get("world.ball", "position") + scalar_set("world.ball", "angular_velocity") +
-            scalar_set("world.ball", "linear_damping") + vec2_set("world.ball", "velocity"),
-        "bench");
-    if (!loaded) throw std::runtime_error("the script to be measured did not run");
-    // What a step leaves to do after an edit has been done, as in any game that runs.
     static const bool running = [] {
+        const std::string ball = "world.ball";
+        const bool loaded = game.runtime.run(
+            "world.ball = Body { position = vec(0, 8), Circle { radius = 0.5 } }\n" +
+                empty_loop(ball) + scalar_get(ball, "mass") + scalar_get(ball, "angular_velocity") +
+                scalar_get(ball, "position") + scalar_set(ball, "angular_velocity") +
+                scalar_set(ball, "linear_damping") + vec2_set(ball, "velocity"),
+            "bench");
+        // What an edit leaves to do has been done by a step, as in any game that runs.
         for (int i = 0; i < 10; ++i) game.loop.turn();
-        return true;
+        return loaded;
     }();
-    if (!running) throw std::logic_error("the game did not start");
+    if (!running) throw std::runtime_error("the script to be measured did not run");
     return game;
 }
 
@@ -83,19 +101,85 @@ CostLoop in_bare_lua(const char* function) {
     };
 }
 
+Love& love() {
+    static Love love(functions_in_love());
+    return love;
+}
+
+// Its clock ticks in microseconds: it runs longer at a time.
+constexpr int rounds_in_love = 100 * rounds;
+
+CostLoop in_love(const char* function) {
+    return [function](benchmark::State& state) {
+        for (auto _ : state) state.SetIterationTime(love().seconds(function, rounds_in_love));
+    };
+}
+
+const std::string loop_itself = "Lua: the loop itself";
+const std::string loop_in_love = "L\u00d6VE: the loop itself";
+
+void add_love_costs(CostTable& table) {
+    if (!love().running()) {
+        std::cerr << "L\u00d6VE is not installed: its rows are left out\n";
+        return;
+    }
+    const auto row = [&](const std::string& name, const char* function) {
+        table.add({.name = name,
+                   .operations = double{unrolled} * rounds_in_love,
+                   .loop = in_love(function),
+                   .without = name == loop_in_love ? std::vector<std::string>{}
+                                                   : std::vector{loop_in_love},
+                   .own_clock = true,
+                   .shown = name != loop_in_love});
+    };
+    row(loop_in_love, "nothing");
+    row("L\u00d6VE: body:getMass()", "getMass");
+    row("L\u00d6VE: body:getPosition()", "getPosition");
+    row("L\u00d6VE: body:setAngularVelocity(w)", "setAngularVelocity");
+    row("L\u00d6VE: body:setLinearVelocity(x, y)", "setLinearVelocity");
+}
+
 }  // namespace
 
 void add_lua_costs(CostTable& table) {
     const std::string get = "Lua: the barest metamethod that gets";
     const std::string set = "Lua: the barest metamethod that sets";
-    table.add(get, "", operations, in_bare_lua("get_mass"));
-    table.add("Lua: get ball.mass", get, operations, in_game("get_mass"));
-    table.add("Lua: get ball.angular_velocity", get, operations, in_game("get_angular_velocity"));
-    table.add("Lua: get ball.position", get, operations, in_game("get_position"));
-    table.add(set, "", operations, in_bare_lua("set_mass"));
-    table.add("Lua: set ball.angular_velocity", set, operations, in_game("set_angular_velocity"));
-    table.add("Lua: set ball.linear_damping", set, operations, in_game("set_linear_damping"));
-    table.add("Lua: set ball.velocity", set, operations, in_game("set_velocity"));
+    const std::string bare_loop = "Lua: the loop of the barest itself";
+    add_love_costs(table);
+    table.add({.name = bare_loop,
+               .operations = operations,
+               .loop = in_bare_lua("nothing"),
+               .shown = false});
+    table.add({.name = loop_itself,
+               .operations = operations,
+               .loop = in_game("nothing"),
+               .shown = false});
+    const auto bare = [&](const std::string& name, const char* function) {
+        table.add({.name = name,
+                   .operations = operations,
+                   .loop = in_bare_lua(function),
+                   .without = {bare_loop}});
+    };
+    const auto row = [&](const std::string& name, const char* function,
+                         std::vector<CostTable::Against> against) {
+        table.add({.name = name,
+                   .operations = operations,
+                   .loop = in_game(function),
+                   .against = std::move(against),
+                   .without = {loop_itself}});
+    };
+    // The bounds are those of the design.
+    bare(get, "get_mass");
+    row("Lua: get ball.mass", "get_mass", {{get, 1.5}, {"L\u00d6VE: body:getMass()", 1}});
+    row("Lua: get ball.angular_velocity", "get_angular_velocity", {{get, 1.5}});
+    row("Lua: get ball.position", "get_position",
+        {{get, 3}, {"L\u00d6VE: body:getPosition()", 1.5}});
+    bare(set, "set_mass");
+    row("Lua: set ball.angular_velocity", "set_angular_velocity",
+        {{set, 1.5}, {"L\u00d6VE: body:setAngularVelocity(w)", 1}});
+    row("Lua: set ball.linear_damping", "set_linear_damping", {{set, 1.5}});
+    row("Lua: set ball.velocity", "set_velocity",
+        {{set, 3}, {"L\u00d6VE: body:setLinearVelocity(x, y)", 1.5}});
 }
 
 }  // namespace fettle::bench

@@ -112,6 +112,18 @@ void add_reads(CostTable& table) {
               each_probe([](ProbeTree& t, std::size_t i) {
                   DoNotOptimize(t.tree.get(t.handles[i], *t.position));
               }));
+    table.add("C++: read a number, typed", base, probes,
+              each_probe([](ProbeTree& t, std::size_t i) {
+                  double mass = 0;
+                  if (!t.tree.read(t.handles[i], *t.mass, mass)) throw std::logic_error("no mass");
+                  DoNotOptimize(mass);
+              }));
+    table.add("C++: read a vec2, typed", base, probes, each_probe([](ProbeTree& t, std::size_t i) {
+                  Vec2 position;
+                  if (!t.tree.read(t.handles[i], *t.position, position))
+                      throw std::logic_error("no position");
+                  DoNotOptimize(position);
+              }));
     table.add("C++: get a number the tree keeps", base, probes,
               each_probe([](ProbeTree& t, std::size_t i) {
                   DoNotOptimize(t.tree.get(t.handles[i], *t.score));
@@ -160,6 +172,25 @@ void add_writes(CostTable& table) {
         for (auto _ : state) {
             position.x() = position.x() == 1 ? 2 : 1;
             for (const Handle probe : t.handles) t.tree.set(probe, *t.position, position);
+        }
+    });
+    table.add("C++: write a number, typed", base, probes, [](benchmark::State& state) {
+        ProbeTree& t = shared_probes();
+        double mass = 1;
+        for (auto _ : state) {
+            mass = mass == 1 ? 2 : 1;
+            for (const Handle probe : t.handles)
+                if (!t.tree.write(probe, *t.mass, mass)) throw std::logic_error("not written");
+        }
+    });
+    table.add("C++: write a vec2, typed", base, probes, [](benchmark::State& state) {
+        ProbeTree& t = shared_probes();
+        Vec2 position(0, 0);
+        for (auto _ : state) {
+            position.x() = position.x() == 1 ? 2 : 1;
+            for (const Handle probe : t.handles)
+                if (!t.tree.write(probe, *t.position, position))
+                    throw std::logic_error("not written");
         }
     });
     table.add("C++: set a number by path", "C++: set a number by reference", 1,

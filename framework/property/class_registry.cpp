@@ -58,16 +58,19 @@ Property::Shortcut shortcut_to(const Property& property) {
     if ((!number && property.type != Type::vec2) || property.any_type || property.nullable)
         return shortcut;
     const Binding& binding = property.binding;
+    using Way = Property::Shortcut::Way;
     if (binding.kind == BindingKind::stored) {
-        shortcut.readable = shortcut.writable = true;
+        shortcut.read = shortcut.write = number ? Way::stored_number : Way::stored_vec2;
     } else {
-        shortcut.readable = number ? binding.number.get != nullptr : binding.vec2.get != nullptr;
-        shortcut.writable = number ? binding.number.put != nullptr : binding.vec2.put != nullptr;
+        const Way called = number ? Way::number : Way::vec2;
+        if (number ? binding.number.get != nullptr : binding.vec2.get != nullptr)
+            shortcut.read = called;
         // A column's own setter may refuse.
-        if (binding.kind == BindingKind::column && binding.set != nullptr)
-            shortcut.writable = false;
+        const bool plain = binding.kind != BindingKind::column || binding.set == nullptr;
+        if (plain && (number ? binding.number.put != nullptr : binding.vec2.put != nullptr))
+            shortcut.write = called;
     }
-    if (property.read_only || binding.overridden != nullptr) shortcut.writable = false;
+    if (property.read_only || binding.overridden != nullptr) shortcut.write = Way::none;
     shortcut.narrow = property.precision() == Precision::single_precision;
     const double largest = shortcut.narrow ? static_cast<double>(std::numeric_limits<float>::max())
                                            : std::numeric_limits<double>::max();

@@ -69,12 +69,14 @@ Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::strin
     tree.state_->tell_plain_writes();
     tree.state_->writer = writer;
     tree.state_->locate = locate;
+    tree.state_->note_recording();
 }
 
 Tree::CauseScope::~CauseScope() {
     tree_.state_->tell_plain_writes();
     tree_.state_->writer = writer_;
     tree_.state_->locate = locate_;
+    tree_.state_->note_recording();
 }
 
 Cause Tree::cause() const {
@@ -105,6 +107,7 @@ void Tree::State::queue_item(QueueItem item) {
     if (replaying) return;
     item.until = watchers.last_id();
     item.trigger = delivering;
+    item.trigger_part = delivering_part;
     queue.push_back(std::move(item));
 }
 
@@ -160,8 +163,10 @@ void Tree::State::queue_farewell(Existence gone, bool only_own) {
     std::vector<WatcherId> keep;
     const std::vector<WatcherId> watching =
         watchers.of_deletion(handle.index, *gone.instance_class, only_own);
-    const std::vector<WatcherId> listening =
-        watchers.of_event(handle.index, *gone.instance_class, *deleted_event, watchers.last_id());
+    std::vector<WatcherId> listening;
+    for (const Watcher* watcher :
+         watchers.of_event(handle.index, *gone.instance_class, *deleted_event, watchers.last_id()))
+        listening.push_back(watcher->id);
     if (!watching.empty()) {
         QueueItem item;
         item.kind = QueueItem::Kind::deleted;
@@ -215,32 +220,49 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
 void Tree::State::compare_shadows() {
     const bool everything = stepped;
     if (!stepped && !edited) return;
-    const Cause simulated{.writer = Writer::simulation, .where = {}, .step = step};
-    std::vector<std::pair<Handle, Change>> found;
-    shadows.compare(tree, everything || edited,
-                    [&](Handle handle, const Property& property, const Value& old_value,
-                        const Value& new_value) {
-                        found.emplace_back(handle,
-                                           Change{.instance = handle,
-                                                  .property = &property,
-                                                  .old_value = old_value,
-                                                  .new_value = new_value,
-                                                  .cause = everything ? simulated : last_edit});
-                    });
     stepped = edited = false;
-    for (const auto& [handle, change] : found)
-        queue_change(handle, *change.property, change.old_value, change.new_value, change.cause);
+    if (shadows.empty()) return;
+    Motion motion;
+    motion.cause =
+        everything ? Cause{.writer = Writer::simulation, .where = {}, .step = step} : last_edit;
+    shadows.compare(*this, true, everything ? step : 0, motion.changes);
+    if (motion.changes.empty()) return;
+    if (!everything)
+        for (const CellChange& change : motion.changes)
+            writes.note_in_full(change.instance, change.property->symbol, last_edit);
+    if (!queued_changes.empty()) join_queued(motion);
+    QueueItem item;
+    item.kind = QueueItem::Kind::motion;
+    item.what = std::move(motion);
+    queue_item(std::move(item));
 }
 
-std::string Tree::State::describe(const QueueItem& item) const {
-    if (const auto* change = std::get_if<Change>(&item.what))
-        return nodes.find(change->instance) ? cell_path(change->instance, *change->property)
-                                            : change->property->name;
-    if (const auto* existence = std::get_if<Existence>(&item.what))
-        return existence->path.empty() && nodes.find(existence->instance)
-                   ? tree.path(existence->instance)
-                   : existence->path;
-    const auto& occurrence = std::get<Occurrence>(item.what);
+/// A cell that waits to be delivered already, because it was edited, is delivered once.
+void Tree::State::join_queued(Motion& motion) {
+    std::erase_if(motion.changes, [&](const CellChange& change) {
+        const auto place = queued_changes.find({change.instance.index, change.property->symbol});
+        if (place == queued_changes.end()) return false;
+        QueueItem& item = queue[place->second];
+        Change& waiting = std::get<Change>(item.what);
+        if (waiting.instance != change.instance) return false;
+        waiting.new_value = change.new_value;
+        waiting.cause = motion.cause;
+        item.until = watchers.last_id();
+        return true;
+    });
+}
+
+std::string Tree::State::describe(const Change& change) const {
+    return nodes.find(change.instance) ? cell_path(change.instance, *change.property)
+                                       : change.property->name;
+}
+
+std::string Tree::State::describe(const Existence& existence) const {
+    return existence.path.empty() && nodes.find(existence.instance) ? tree.path(existence.instance)
+                                                                    : existence.path;
+}
+
+std::string Tree::State::describe(const Occurrence& occurrence) const {
     const std::string where = nodes.find(occurrence.instance) ? tree.path(occurrence.instance)
                               : occurrence.record.values.empty()
                                   ? std::string("(deleted)")
@@ -248,54 +270,128 @@ std::string Tree::State::describe(const QueueItem& item) const {
     return where + " " + occurrence.event->name;
 }
 
-void Tree::State::call(const Watcher& watcher, const QueueItem& item) {
+/// In an account of what caused what; a change names its own cause.
+std::string Tree::State::describe(const QueueItem& item, std::size_t part) const {
+    const auto told = [this](const Change& change) {
+        return describe(change) + " by " + change.cause.text();
+    };
+    if (const auto* change = std::get_if<Change>(&item.what)) return told(*change);
+    if (const auto* motion = std::get_if<Motion>(&item.what)) {
+        const CellChange& moved = motion->changes[part];
+        return told({moved.instance, moved.property, {}, {}, motion->cause});
+    }
+    if (const auto* existence = std::get_if<Existence>(&item.what)) return describe(*existence);
+    return describe(std::get<Occurrence>(item.what));
+}
+
+namespace {
+
+void hand_over(const Watcher& watcher, const Change& change) {
+    watcher.on_change(change);
+}
+void hand_over(const Watcher& watcher, const Existence& existence) {
+    watcher.on_existence(existence);
+}
+void hand_over(const Watcher& watcher, const Occurrence& occurrence) {
+    watcher.on_event(occurrence);
+}
+
+}  // namespace
+
+template <class What>
+void Tree::State::call(const Watcher& watcher, const What& what) {
     try {
-        if (const auto* change = std::get_if<Change>(&item.what))
-            watcher.on_change(*change);
-        else if (const auto* existence = std::get_if<Existence>(&item.what))
-            watcher.on_existence(*existence);
-        else
-            watcher.on_event(std::get<Occurrence>(item.what));
+        hand_over(watcher, what);
     } catch (const std::exception& error) {
         if (!error_sink) throw;
-        error_sink({.path = describe(item),
+        error_sink({.path = describe(what),
                     .where = watcher.label,
                     .message = error.what(),
                     .exception = std::current_exception()});
     }
 }
 
-void Tree::State::deliver(const QueueItem& item) {
-    std::vector<WatcherId> ids = item.recipients;
-    if (item.kind == QueueItem::Kind::change) {
-        const auto& change = std::get<Change>(item.what);
-        if (nodes.find(change.instance) == nullptr || change.old_value == change.new_value) return;
-        ids = watchers.of_change(change, item.until);
-    } else if (item.kind == QueueItem::Kind::created && ids.empty()) {
-        const auto& existence = std::get<Existence>(item.what);
-        if (nodes.find(existence.instance) == nullptr) return;
-        ids = watchers.of_creation(*existence.instance_class, item.until);
-    } else if (item.kind == QueueItem::Kind::event && !item.retire) {
-        const auto& occurrence = std::get<Occurrence>(item.what);
-        if (nodes.find(occurrence.instance) == nullptr) return;
-        ids = watchers.of_event(occurrence.instance, *occurrence.event, item.until);
+/// To those who are interested now.
+void Tree::State::deliver_change(const Change& change, WatcherId until) {
+    if (nodes.find(change.instance) == nullptr || change.old_value == change.new_value) return;
+    watchers.of_change(change, until, called);
+    for (const Watcher* watcher : called)
+        if (watcher->active) call(*watcher, change);
+}
+
+/// Whoever throws, the others still hear: the first error is thrown again by the barrier.
+void Tree::State::deliver_motion(Motion& motion, WatcherId until, std::exception_ptr& error) {
+    Change change;
+    change.cause = motion.cause;
+    for (std::size_t part = 0; part < motion.changes.size(); ++part) {
+        CellChange& moved = motion.changes[part];
+        change.instance = moved.instance;
+        change.property = moved.property;
+        change.old_value.swap(moved.old_value);
+        change.new_value.swap(moved.new_value);
+        delivering_part = part;
+        try {
+            deliver_change(change, until);
+        } catch (...) {
+            if (!error) error = std::current_exception();
+        }
     }
-    for (const WatcherId id : ids) {
-        // Held, so that a handler which removes itself does not destroy its own closure while it
-        // runs.
-        const std::shared_ptr<Watcher> watcher = watchers.find(id);
-        if (watcher != nullptr && (watcher->active || item.retire)) call(*watcher, item);
-        if (item.retire && watcher != nullptr && !watcher->active) watchers.stop(id);
+    delivering_part = 0;
+}
+
+/// To the recipients it was queued for.
+template <class What>
+void Tree::State::deliver_to(const QueueItem& item, const What& what) {
+    for (const WatcherId id : item.recipients) {
+        const Watcher* watcher = watchers.find(id);
+        if (watcher == nullptr) continue;
+        if (watcher->active || item.retire) call(*watcher, what);
+        if (item.retire && !watcher->active) watchers.stop(id);
+    }
+}
+
+void Tree::State::deliver(QueueItem& item) {
+    const auto to_all = [this](const Watchers::List& list, const auto& what) {
+        for (const Watcher* watcher : list)
+            if (watcher->active) call(*watcher, what);
+    };
+    switch (item.kind) {
+        case QueueItem::Kind::change:
+            return deliver_change(std::get<Change>(item.what), item.until);
+        case QueueItem::Kind::motion:
+            return;  // deliver_motion
+        case QueueItem::Kind::initial: {
+            auto& change = std::get<Change>(item.what);
+            if (nodes.find(change.instance) == nullptr) return;
+            change.new_value = tree.peek(change.instance, *change.property);
+            return deliver_to(item, change);
+        }
+        case QueueItem::Kind::created: {
+            auto& existence = std::get<Existence>(item.what);
+            if (nodes.find(existence.instance) == nullptr) return;
+            existence.path = tree.path(existence.instance);
+            if (!item.recipients.empty()) return deliver_to(item, existence);
+            return to_all(watchers.of_creation(*existence.instance_class, item.until), existence);
+        }
+        case QueueItem::Kind::deleted:
+            return deliver_to(item, std::get<Existence>(item.what));
+        case QueueItem::Kind::event: {
+            const auto& occurrence = std::get<Occurrence>(item.what);
+            if (item.retire) return deliver_to(item, occurrence);
+            if (nodes.find(occurrence.instance) == nullptr) return;
+            return to_all(watchers.of_event(occurrence.instance, *occurrence.event, item.until),
+                          occurrence);
+        }
     }
 }
 
 void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& generations) {
     std::string chain;
     const QueueItem* item = queue.empty() ? nullptr : &queue.front();
+    std::size_t part = 0;
     for (std::size_t g = generations.size(); item != nullptr; --g) {
-        chain += "\n  " + describe(*item);
-        if (const auto* change = std::get_if<Change>(&item->what))
-            chain += " by " + change->cause.text();
+        chain += "\n  " + describe(*item, part);
+        part = item->trigger_part;
         item = g == 0 || item->trigger < 0
                    ? nullptr
                    : &generations[g - 1][static_cast<std::size_t>(item->trigger)];
@@ -359,10 +455,15 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
 
     struct Running {
         State& state;
-        explicit Running(State& st) : state(st) { state.in_barrier = true; }
+        explicit Running(State& st) : state(st) {
+            state.in_barrier = true;
+            state.watchers.handlers_begin();
+        }
         ~Running() {
             state.in_barrier = false;
             state.delivering = -1;
+            state.delivering_part = 0;
+            state.watchers.handlers_end();
         }
     } running(*this);
     std::vector<std::vector<QueueItem>> generations;
@@ -373,16 +474,11 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
         queued_changes.clear();
         for (std::size_t i = 0; i < batch.size(); ++i) {
             QueueItem& item = batch[i];
-            if (item.kind == QueueItem::Kind::initial) {
-                auto& change = std::get<Change>(item.what);
-                if (!tree.alive(change.instance)) continue;
-                change.new_value = tree.peek(change.instance, *change.property);
-            } else if (item.kind == QueueItem::Kind::created) {
-                auto& existence = std::get<Existence>(item.what);
-                if (!tree.alive(existence.instance)) continue;
-                existence.path = tree.path(existence.instance);
-            }
             delivering = static_cast<std::ptrdiff_t>(i);
+            if (auto* motion = std::get_if<Motion>(&item.what)) {
+                deliver_motion(*motion, item.until, first_error);
+                continue;
+            }
             try {
                 deliver(item);
             } catch (...) {

@@ -39,6 +39,7 @@ bool History::recording() const {
 void History::begin(std::string name, bool scripts) {
     scripts_.push_back(scripts);
     script_edits_ += scripts;
+    tree_.state().note_recording();
     if (depth_++ > 0) return;
     open_ = {};
     open_.name = std::move(name);
@@ -49,6 +50,7 @@ void History::end() {
     if (depth_ == 0) return;
     script_edits_ -= scripts_.back();
     scripts_.pop_back();
+    tree_.state().note_recording();
     if (--depth_ > 0) return;
     close();
 }

@@ -6,6 +6,8 @@
 #include <fettle/property/path.h>
 #include <fettle/property/tree.h>
 
+#include "watchers.h"
+
 namespace fettle::property {
 namespace {
 
@@ -63,7 +65,9 @@ std::vector<std::string> split(std::string_view text) {
     return segments;
 }
 
-std::vector<std::string> names_of(const Tree& tree, Handle instance) {
+}  // namespace
+
+std::vector<std::string> names_above(const Tree& tree, Handle instance) {
     std::vector<std::string> names;
     Handle at = instance;
     for (; at && at != tree.root(); at = tree.parent(at)) names.push_back(tree.name(at));
@@ -71,8 +75,6 @@ std::vector<std::string> names_of(const Tree& tree, Handle instance) {
     std::reverse(names.begin(), names.end());
     return names;
 }
-
-}  // namespace
 
 Pattern::Pattern(std::string_view text) : text_(text), segments_(split(text)) {}
 
@@ -99,15 +101,31 @@ bool Pattern::matches(const std::vector<std::string>& names) const {
 
 bool Pattern::matches(const Tree& tree, Handle instance, const Property& property) const {
     if (!may_match(property.symbol)) return false;
-    std::vector<std::string> names = names_of(tree, instance);
+    if (std::find(segments_.begin(), segments_.end(), "**") == segments_.end()) {
+        // A level is a name: most instances are turned away without looking at all of theirs.
+        std::size_t left = segments_.size() - 1;
+        Handle at = instance;
+        for (; at && at != tree.root(); at = tree.parent(at)) {
+            if (left == 0) return false;
+            const std::string& segment = segments_[--left];
+            if (segment != "*" && !fits(segment, tree.name(at))) return false;
+        }
+        return at && left == 0;
+    }
+    std::vector<std::string> names = names_above(tree, instance);
     if (names.empty() && instance != tree.root()) return false;
     names.push_back(property.name);
     return matches(names);
 }
 
 bool Pattern::matches(const Tree& tree, Handle instance) const {
-    const std::vector<std::string> names = names_of(tree, instance);
+    const std::vector<std::string> names = names_above(tree, instance);
     return !(names.empty() && instance != tree.root()) && matches(names);
+}
+
+Symbol Pattern::only_property() const {
+    const std::string& last = segments_.back();
+    return last.find('*') == std::string::npos ? Symbol(last) : Symbol();
 }
 
 bool Pattern::may_match(Symbol property) const {

@@ -1,6 +1,6 @@
 #include "shadows.h"
 
-#include <fettle/property/tree.h>
+#include "state.h"
 
 namespace fettle::property {
 namespace {
@@ -31,8 +31,40 @@ void Shadows::forget(const Tree& tree, Handle instance) {
 }
 
 void Shadows::update(Cell cell, const Value& value) {
-    if (const auto found = places_.find(cell); found != places_.end())
-        groups_[found->second.group].rows[found->second.row].last = value;
+    if (const auto found = places_.find(cell); found != places_.end()) {
+        Row& row = groups_[found->second.group].rows[found->second.row];
+        row.last = value;
+        row.step = 0;
+    }
+}
+
+std::uint64_t Shadows::simulated_at(Cell cell) const {
+    const auto found = places_.find(cell);
+    return found == places_.end() ? 0 : groups_[found->second.group].rows[found->second.row].step;
+}
+
+void Shadows::compare(Tree::State& state, bool everything, std::uint64_t step,
+                      std::vector<CellChange>& found) {
+    for (Group& group : groups_) {
+        if (group.only_stepped && !everything) continue;
+        for (Row& row : group.rows) {
+            const Property& property = *row.property;
+            const Node& node = state.nodes[row.instance.index];
+            // What most rows are, and most of them have not changed: no Value is made of these.
+            if (property.binding.vec2.get != nullptr && row.last.is(Type::vec2)) {
+                const Vec2 now = property.binding.vec2.get(property.binding, node.row);
+                if (same_bits(now, row.last.vec2())) continue;
+            } else if (property.binding.number.get != nullptr && row.last.is(Type::number)) {
+                const double now = property.binding.number.get(property.binding, node.row);
+                if (same_bits(now, row.last.number())) continue;
+            }
+            Value now = state.read(row.instance.index, node, property);
+            if (now == row.last) continue;
+            row.last.swap(now);
+            row.step = step;
+            found.push_back({row.instance, &property, std::move(now), row.last});
+        }
+    }
 }
 
 void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
@@ -46,7 +78,7 @@ void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
     }
     std::vector<Row>& rows = groups_[group].rows;
     places_[{instance.index, property.symbol}] = {group, static_cast<std::uint32_t>(rows.size())};
-    rows.push_back({instance, &property, tree.peek(instance, property)});
+    rows.push_back({instance, &property, tree.peek(instance, property), 0});
 }
 
 void Shadows::remove(Cell cell) {

@@ -7,16 +7,29 @@
 #include <vector>
 
 #include <fettle/property/change.h>
+#include <fettle/property/tree.h>
 
 #include "watchers.h"
 
 namespace fettle::property {
+
+/// One cell that changed by itself.
+struct CellChange {
+    Handle instance;
+    const Property* property = nullptr;
+    Value old_value, new_value;
+};
 
 class Shadows {
   public:
     /// Starts and stops shadowing cells of one instance, as its watchers want it now. Idempotent.
     void refresh(const Tree& tree, const Watchers& watchers, Handle instance);
     void forget(const Tree& tree, Handle instance);
+    /// Starts shadowing one cell, unless it is shadowed.
+    void keep(const Tree& tree, Handle instance, const Property& property) {
+        if (!holds({instance.index, property.symbol})) add(tree, instance, property);
+    }
+    void drop(Cell cell) { remove(cell); }
     /// After a queued change of a cell: what it holds now is known.
     void update(Cell cell, const Value& value);
     bool holds(Cell cell) const { return places_.contains(cell); }
@@ -25,16 +38,21 @@ class Shadows {
     /// Whether an edit elsewhere may change any of them.
     bool any_derived() const { return derived_ != 0; }
 
-    /// Compares, remembers, and hands over each cell that differs: (instance, property, old, new).
-    /// Cells that only a step can change are looked at when `stepped`.
-    template <class Found>
-    void compare(const Tree& tree, bool stepped, Found found);
+    /// Compares, remembers, and hands over each cell that differs. Cells that only a step can
+    /// change are looked at when `everything`. `step`: at which the simulation wrote them, 0 when
+    /// an edit did.
+    void compare(Tree::State& state, bool everything, std::uint64_t step,
+                 std::vector<CellChange>& found);
+    /// The step at which the simulation last changed the cell; 0 when it did not, or is not known
+    /// to have, or an edit came after it.
+    std::uint64_t simulated_at(Cell cell) const;
 
   private:
     struct Row {
         Handle instance;
         const Property* property;
         Value last;
+        std::uint64_t step = 0;
     };
     struct Group {  // one property name: visited in the order of first watching
         Symbol property;
@@ -51,24 +69,5 @@ class Shadows {
     std::unordered_map<Cell, Position, CellHash> places_;
     std::size_t derived_ = 0;  // cells
 };
-
-}  // namespace fettle::property
-
-#include <fettle/property/tree.h>
-
-namespace fettle::property {
-
-template <class Found>
-void Shadows::compare(const Tree& tree, bool stepped, Found found) {
-    for (Group& group : groups_) {
-        if (group.only_stepped && !stepped) continue;
-        for (Row& row : group.rows) {
-            Value now = tree.peek(row.instance, *row.property);
-            if (now == row.last) continue;
-            row.last.swap(now);
-            found(row.instance, *row.property, now, row.last);
-        }
-    }
-}
 
 }  // namespace fettle::property

@@ -25,15 +25,22 @@
 
 namespace fettle::property {
 
+/// What the simulation did to watched cells, found at one barrier.
+struct Motion {
+    std::vector<CellChange> changes;
+    Cause cause;
+};
+
 /// Something to deliver at a barrier.
 struct QueueItem {
-    enum class Kind : std::uint8_t { change, initial, created, deleted, event };
+    enum class Kind : std::uint8_t { change, motion, initial, created, deleted, event };
     Kind kind = Kind::change;
-    std::variant<Change, Existence, Occurrence> what;
+    std::variant<Change, Motion, Existence, Occurrence> what;
     WatcherId until = 0;                // watchers registered later have seen the result already
     std::vector<WatcherId> recipients;  // fixed when queued (deletions, initial values)
     bool retire = false;                // the recipients' instance is gone: they end with this
     std::ptrdiff_t trigger = -1;        // item of the generation before whose handler caused this
+    std::size_t trigger_part = 0;       // of a motion: which of its changes
 };
 
 struct Tombstone {
@@ -66,6 +73,8 @@ struct Tree::State {
     std::unordered_map<Cell, std::size_t, CellHash>
         queued_changes;  // cell -> its place in the queue
     std::ptrdiff_t delivering = -1;
+    std::size_t delivering_part = 0;
+    Watchers::List called;  // by the delivery at hand
     bool in_barrier = false;
     bool stepped = false;  // since the shadows were last compared
     bool edited = false;
@@ -81,6 +90,7 @@ struct Tree::State {
 
     std::uint64_t step = 0;
     Writer writer = Writer::module;
+    bool records = false;  // history.recording(writer), kept by note_recording
     std::function<std::string()>* locate = nullptr;
     std::vector<Observer*> observers;
     FormulaCompiler formula_compiler;
@@ -99,6 +109,8 @@ struct Tree::State {
     [[noreturn]] void throw_deleted(Handle handle) const;
     /// Formulas compute; they do not write.
     void forbid_in_formula(const char* what) const;
+    /// To be called whenever the writer is another, or an edit begins or ends.
+    void note_recording() { records = history.recording(writer); }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 
     /// Calls `what(observer)` for each observer.
@@ -133,7 +145,6 @@ struct Tree::State {
     std::string cell_path(Handle handle, const Property& property) const;
 
     // typed_ways.cpp
-    bool may_write(const Node& node, const Property& property) const;
     template <class T>
     bool write_typed(Handle instance, const Property& property, T value);
     void note_typed(Handle instance, const Property& property, double x, double y);
@@ -144,6 +155,9 @@ struct Tree::State {
     void watcher_added(const Watcher& watcher);
     void watcher_removed(const Watcher& watcher);
     void count_interest(const Watcher& watcher, int sign);
+    std::uint32_t top_of(const Pattern& pattern) const;
+    template <class Visit>
+    void each_cell_wanted(const Watcher& watcher, Visit visit);
     void refresh_shadows_below(std::uint32_t top);
     void queue_change(Handle handle, const Property& property, const Value& old_value,
                       const Value& new_value, const Cause& cause);
@@ -155,9 +169,18 @@ struct Tree::State {
     void deliver_all(std::exception_ptr& first_error);
     void run_actions(std::exception_ptr& first_error);
     void compare_shadows();
-    void deliver(const QueueItem& item);
-    void call(const Watcher& watcher, const QueueItem& item);
-    std::string describe(const QueueItem& item) const;
+    void join_queued(Motion& motion);
+    void deliver(QueueItem& item);
+    void deliver_change(const Change& change, WatcherId until);
+    void deliver_motion(Motion& motion, WatcherId until, std::exception_ptr& error);
+    template <class What>
+    void deliver_to(const QueueItem& item, const What& what);
+    template <class What>
+    void call(const Watcher& watcher, const What& what);
+    std::string describe(const Change& change) const;
+    std::string describe(const Existence& existence) const;
+    std::string describe(const Occurrence& occurrence) const;
+    std::string describe(const QueueItem& item, std::size_t part) const;
     void barrier_overrun(const std::vector<std::vector<QueueItem>>& generations);
 };
 

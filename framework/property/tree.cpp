@@ -93,7 +93,7 @@ const Class& Tree::define(ClassDescriptor descriptor) {
     state_->stored.push_back(made.stored_.empty() ? nullptr
                                                   : std::make_unique<StoredColumns>(made));
     for (const Property& property : made.own_properties_)
-        property.interest = state_->watchers.interest(property, &made);
+        property.interest = state_->watchers.interest(property);
     return made;
 }
 

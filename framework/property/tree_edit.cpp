@@ -340,7 +340,7 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
         slot->any_type = slot->infinity = true;
         slot->doc = "Added to this instance by a user.";
         slot->binding.kind = BindingKind::ad_hoc;
-        slot->interest = watchers.interest(*slot, nullptr);
+        slot->interest = watchers.interest(*slot);
     }
     return *slot;
 }

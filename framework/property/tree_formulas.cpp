@@ -101,6 +101,8 @@ void Tree::set_history_limit(std::size_t bytes) {
 
 Provenance Tree::who(Handle instance, const Property& property) const {
     state_->require(instance);
+    if (const auto step = state_->shadows.simulated_at({instance.index, property.symbol}))
+        return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
     const Provenance written = state_->writes.find(instance, property.symbol);
     if (written.known || !property.simulated) return written;
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};

@@ -12,20 +12,22 @@
 namespace fettle::property {
 namespace {
 
+using Way = Property::Shortcut::Way;
+
 constexpr std::size_t most_untold = 4096;
 
-const Typed<double>& typed_way(const Binding& binding, double) {
-    return binding.number;
-}
-const Typed<Vec2>& typed_way(const Binding& binding, const Vec2&) {
-    return binding.vec2;
-}
+/// The two ways of a type: called, and kept by the tree.
+template <class T>
+constexpr Way by_call = std::is_same_v<T, double> ? Way::number : Way::vec2;
+template <class T>
+constexpr Way in_tree = std::is_same_v<T, double> ? Way::stored_number : Way::stored_vec2;
 
-constexpr Type type_of(double) {
-    return Type::number;
-}
-Type type_of(const Vec2&) {
-    return Type::vec2;
+template <class T>
+const Typed<T>& typed_way(const Binding& binding) {
+    if constexpr (std::is_same_v<T, double>)
+        return binding.number;
+    else
+        return binding.vec2;
 }
 
 // As the property's memory holds it; false where it needs a second look. A NaN is never in range.
@@ -40,58 +42,62 @@ bool fit(const Property::Shortcut& shortcut, Vec2& v) {
 template <class T>
 bool read_typed(const Tree::State& s, Handle instance, const Property& property, T& out) {
     const Node* const node = s.nodes.find(instance);
-    if (node == nullptr || node->has_formula || !property.shortcut.readable ||
-        property.type != type_of(out) || s.formulas.tracking())
-        return false;
-    if (property.binding.kind == BindingKind::stored)
+    if (node == nullptr || node->has_formula || s.formulas.tracking()) return false;
+    if (property.shortcut.read == by_call<T>)
+        out = typed_way<T>(property.binding).get(property.binding, node->row);
+    else if (property.shortcut.read == in_tree<T>)
         out = s.stored[node->class_id]->cell<T>(property, node->stored_row);
     else
-        typed_way(property.binding, out).get(property.binding, node->row, out);
+        return false;
+    return true;
+}
+
+template <class T>
+bool put_stored(Tree::State& s, const Node& node, const Property& property, const T& value) {
+    T& cell = s.stored[node.class_id]->cell<T>(property, node.stored_row);
+    if (same_bits(cell, value)) return false;
+    cell = value;
     return true;
 }
 
 }  // namespace
 
-/// Whether nobody has to be told at once, and no other value stands for the cell's.
-bool Tree::State::may_write(const Node& node, const Property& property) const {
-    return property.shortcut.writable && property.interest == 0 &&
-           !(node.watched || node.has_formula || node.has_dependents) && !formulas.tracking() &&
-           !history.recording(writer);
-}
-
-void Tree::State::note_typed(Handle instance, const Property& property, double x, double y) {
+/// What is left to do in the less usual circumstances.
+[[gnu::noinline]] void Tree::State::note_typed(Handle instance, const Property& property, double x,
+                                               double y) {
+    // The setter may have moved nodes.
+    const Binding& binding = property.binding;
+    if (binding.invalidate != nullptr)
+        binding.invalidate(binding.context, nodes[instance.index].row);
     note_edit();
-    writes.note(instance, property.symbol, writer, step);
     if (observers.empty() || replaying) return;
     untold.push_back({instance, &property, x, y});
     if (untold.size() >= most_untold) tell_untold();
 }
 
+/// Only where nobody has to be told at once, and no other value stands for the cell's.
 template <class T>
-bool Tree::State::write_typed(Handle instance, const Property& property, T value) {
+inline bool Tree::State::write_typed(Handle instance, const Property& property, T value) {
     const Node* const node = nodes.find(instance);
-    if (node == nullptr || property.type != type_of(value) || !may_write(*node, property) ||
-        !fit(property.shortcut, value))
+    if (node == nullptr || (node->watched | node->has_formula | node->has_dependents) ||
+        property.interest != 0 || records || formulas.tracking() || !fit(property.shortcut, value))
         return false;
-    const Binding& binding = property.binding;
-    if (binding.kind == BindingKind::stored) {
-        T& cell = stored[node->class_id]->cell<T>(property, node->stored_row);
-        if (same_bits(cell, value)) return true;
-        cell = value;
+    if (property.shortcut.write == by_call<T>) {
+        if (!typed_way<T>(property.binding).put(property.binding, node->row, value)) return true;
+    } else if (property.shortcut.write == in_tree<T>) {
+        if (!put_stored(*this, *node, property, value)) return true;
     } else {
-        try {
-            if (!typed_way(binding, value).put(binding, node->row, value)) return true;
-        } catch (const std::invalid_argument& refusal) {
-            throw Error(ErrorKind::rejected, tree.path(instance, property) + ": " + refusal.what());
-        }
+        return false;
     }
-    // The setter may have moved nodes.
-    if (binding.invalidate != nullptr)
-        binding.invalidate(binding.context, nodes[instance.index].row);
-    if constexpr (std::is_same_v<T, double>)
-        note_typed(instance, property, value, 0);
-    else
-        note_typed(instance, property, value.x(), value.y());
+    writes.note(instance, property.symbol, writer, step);
+    edited = true;
+    ++epoch;
+    if (!shadows.empty() || !observers.empty() || property.binding.invalidate != nullptr) {
+        if constexpr (std::is_same_v<T, double>)
+            note_typed(instance, property, value, 0);
+        else
+            note_typed(instance, property, value.x(), value.y());
+    }
     return true;
 }
 
@@ -111,10 +117,18 @@ bool Tree::read(Handle instance, const Property& property, Vec2& vector) const {
     return read_typed(*state_, instance, property, vector);
 }
 bool Tree::write(Handle instance, const Property& property, double number) {
-    return state_->write_typed(instance, property, number);
+    try {
+        return state_->write_typed(instance, property, number);
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+    }
 }
 bool Tree::write(Handle instance, const Property& property, const Vec2& vector) {
-    return state_->write_typed(instance, property, vector);
+    try {
+        return state_->write_typed(instance, property, vector);
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+    }
 }
 
 }  // namespace fettle::property

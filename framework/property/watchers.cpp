@@ -17,7 +17,7 @@ bool Connection::active() const {
     return watchers && (*watchers)->active(id_);
 }
 
-std::vector<WatcherId>* Watchers::list_of(const Watcher& watcher) {
+Watchers::List* Watchers::list_of(const Watcher& watcher) {
     switch (watcher.kind) {
         case WatchKind::cell:
             return &cells_[{watcher.index, watcher.property}];
@@ -29,7 +29,7 @@ std::vector<WatcherId>* Watchers::list_of(const Watcher& watcher) {
             return &events_[{watcher.index, watcher.event->symbol}];
         case WatchKind::of_class:
         case WatchKind::pattern:
-            return &broad_;
+            return &broad_lists_[watcher.property];
         case WatchKind::created:
             return &created_;
         case WatchKind::class_event:
@@ -38,30 +38,48 @@ std::vector<WatcherId>* Watchers::list_of(const Watcher& watcher) {
     return nullptr;
 }
 
+namespace {
+
+bool older(const Watcher* a, const Watcher* b) {
+    return a->id < b->id;
+}
+
+// The list is in order of registration: nobody need look through all of it.
+void take_out(std::vector<Watcher*>& list, Watcher& watcher) {
+    const auto at = std::lower_bound(list.begin(), list.end(), &watcher, older);
+    if (at != list.end() && *at == &watcher) list.erase(at);
+}
+
+}  // namespace
+
 Connection Watchers::add(Watcher watcher) {
     watcher.id = ++last_id_;
-    const auto kept = std::make_shared<Watcher>(std::move(watcher));
-    all_.emplace(kept->id, kept);
-    list_of(*kept)->push_back(kept->id);
-    if (kept->index != 0) on_index_[kept->index].push_back(kept->id);
-    if (kept->event != nullptr) ++kept->event->listeners;
-    tree_.state().watcher_added(*kept);
-    return {self_, kept->id};
+    Watcher& kept =
+        *all_.emplace(watcher.id, std::make_unique<Watcher>(std::move(watcher))).first->second;
+    list_of(kept)->push_back(&kept);
+    if (kept.index != 0) on_index_[kept.index].push_back(&kept);
+    if (kept.event != nullptr) ++kept.event->listeners;
+    broad_ += kept.broad();
+    tree_.state().watcher_added(kept);
+    return {self_, kept.id};
 }
 
 void Watchers::stop(WatcherId id) {
     const auto found = all_.find(id);
     if (found == all_.end()) return;
-    const std::shared_ptr<Watcher> watcher = found->second;
+    std::unique_ptr<Watcher> watcher = std::move(found->second);
     all_.erase(found);
-    if (!watcher->active) return;  // retired before
-    watcher->active = false;
-    unlist(*watcher);
-    tree_.state().watcher_removed(*watcher);
+    if (watcher->active) {  // else it was retired before
+        watcher->active = false;
+        unlist(*watcher);
+        tree_.state().watcher_removed(*watcher);
+    }
+    if (handlers_run_) stopped_.push_back(std::move(watcher));
 }
 
-void Watchers::unlist(const Watcher& watcher) {
-    std::erase(*list_of(watcher), watcher.id);
+void Watchers::unlist(Watcher& watcher) {
+    take_out(*list_of(watcher), watcher);
+    broad_ -= watcher.broad();
     const auto drop_if_empty = [](auto& map, const auto& key) {
         const auto entry = map.find(key);
         if (entry != map.end() && entry->second.empty()) map.erase(entry);
@@ -69,12 +87,13 @@ void Watchers::unlist(const Watcher& watcher) {
     drop_if_empty(cells_, Cell{watcher.index, watcher.property});
     drop_if_empty(instances_, watcher.index);
     drop_if_empty(deleted_on_, watcher.index);
+    drop_if_empty(broad_lists_, watcher.property);
     if (watcher.event != nullptr) {
         --watcher.event->listeners;
         drop_if_empty(events_, Cell{watcher.index, watcher.event->symbol});
     }
     if (const auto on = on_index_.find(watcher.index); on != on_index_.end()) {
-        std::erase(on->second, watcher.id);
+        take_out(on->second, watcher);
         if (on->second.empty()) on_index_.erase(on);
     }
 }
@@ -82,25 +101,36 @@ void Watchers::unlist(const Watcher& watcher) {
 void Watchers::retire(std::uint32_t index, const std::vector<WatcherId>& keep) {
     const auto on = on_index_.find(index);
     if (on == on_index_.end()) return;
-    const std::vector<WatcherId> ids = on->second;
-    for (const WatcherId id : ids) {
-        const std::shared_ptr<Watcher> watcher = all_.at(id);
+    const List retired = on->second;
+    for (Watcher* watcher : retired) {
         unlist(*watcher);
         watcher->active = false;
-        if (std::find(keep.begin(), keep.end(), id) == keep.end()) all_.erase(id);
+        if (std::find(keep.begin(), keep.end(), watcher->id) != keep.end()) continue;
+        const auto found = all_.find(watcher->id);
+        if (handlers_run_) stopped_.push_back(std::move(found->second));
+        all_.erase(found);
     }
 }
 
 std::vector<std::uint32_t> Watchers::watched_slots() const {
     std::vector<std::uint32_t> slots;
-    for (const auto& [index, ids] : on_index_) slots.push_back(index);
+    for (const auto& [index, watchers] : on_index_) slots.push_back(index);
     std::sort(slots.begin(), slots.end());
     return slots;
 }
 
-std::shared_ptr<Watcher> Watchers::find(WatcherId id) const {
+Watcher* Watchers::find(WatcherId id) const {
     const auto found = all_.find(id);
-    return found == all_.end() ? nullptr : found->second;
+    return found == all_.end() ? nullptr : found->second.get();
+}
+
+// --- Who is interested
+
+bool Watchers::may_want(const Watcher& watcher, const Property& property) {
+    if (watcher.kind == WatchKind::pattern) return watcher.pattern->may_match(property.symbol);
+    return (!watcher.property || watcher.property == property.symbol) &&
+           (property.owner == nullptr || property.owner->is_a(*watcher.of) ||
+            watcher.of->is_a(*property.owner));
 }
 
 bool Watchers::wants(const Watcher& watcher, Handle instance, const Property& property) const {
@@ -110,84 +140,128 @@ bool Watchers::wants(const Watcher& watcher, Handle instance, const Property& pr
            tree_.class_of(instance).is_a(*watcher.of);
 }
 
-bool Watchers::broadly_watched(Handle instance, const Property& property) const {
-    return property.interest != 0 && std::any_of(broad_.begin(), broad_.end(), [&](WatcherId id) {
-               return wants(*all_.at(id), instance, property);
-           });
+/// Visits the broad watchers that may be about the property until one visit returns true.
+template <class Visit>
+bool Watchers::any_broad_on(const Property& property, Visit visit) const {
+    for (const Symbol name : {property.symbol, Symbol()}) {
+        const auto list = broad_lists_.find(name);
+        if (list != broad_lists_.end() &&
+            std::any_of(list->second.begin(), list->second.end(), visit))
+            return true;
+    }
+    return false;
 }
 
-std::uint32_t Watchers::interest(const Property& property, const Class* of) const {
-    std::uint32_t count = 0;
-    for (const WatcherId id : broad_) {
-        const Watcher& watcher = *all_.at(id);
-        if (watcher.kind == WatchKind::pattern)
-            count += watcher.pattern->may_match(property.symbol);
-        else
-            count += (!watcher.property || watcher.property == property.symbol) &&
-                     (of == nullptr || of->is_a(*watcher.of) || watcher.of->is_a(*of));
+namespace {
+
+// A broad watcher's interest in one instance, whose names are found once for all patterns.
+class Interest {
+  public:
+    Interest(const Tree& tree, Handle instance, const Property& property)
+        : tree_(tree), instance_(instance), property_(property) {}
+
+    bool of(const Watcher& watcher) {
+        if (watcher.kind == WatchKind::of_class) return tree_.class_of(instance_).is_a(*watcher.of);
+        if (patterns_++ == 0) return watcher.pattern->matches(tree_, instance_, property_);
+        if (patterns_ == 2) {
+            names_ = names_above(tree_, instance_);
+            hangs_ = !names_.empty() || instance_ == tree_.root();
+            names_.push_back(property_.name);
+        }
+        return hangs_ && watcher.pattern->matches(names_);
     }
+
+  private:
+    const Tree& tree_;
+    Handle instance_;
+    const Property& property_;
+    std::vector<std::string> names_;
+    int patterns_ = 0;  // asked so far; the names are worth finding from the second on
+    bool hangs_ = false;
+};
+
+}  // namespace
+
+bool Watchers::broadly_watched(Handle instance, const Property& property) const {
+    if (property.interest == 0) return false;
+    Interest interest(tree_, instance, property);
+    return any_broad_on(property, [&](const Watcher* watcher) { return interest.of(*watcher); });
+}
+
+std::uint32_t Watchers::interest(const Property& property) const {
+    std::uint32_t count = 0;
+    any_broad_on(property, [&](const Watcher* watcher) {
+        count += may_want(*watcher, property);
+        return false;
+    });
     return count;
 }
 
 namespace {
 
-// Keeps those registered up to `until`, in order of registration, once each.
-std::vector<WatcherId> in_order(std::vector<WatcherId> ids, WatcherId until) {
-    std::erase_if(ids, [until](WatcherId id) { return id > until; });
-    std::sort(ids.begin(), ids.end());
-    return ids;
+// Those registered up to `until`, in order of registration.
+void put_in_order(std::vector<Watcher*>& list, WatcherId until) {
+    std::erase_if(list, [until](const Watcher* watcher) { return watcher->id > until; });
+    if (list.size() > 1) std::sort(list.begin(), list.end(), older);
 }
 
 template <class Map, class Key>
-void append(std::vector<WatcherId>& out, const Map& map, const Key& key) {
+void append(std::vector<Watcher*>& out, const Map& map, const Key& key) {
+    if (map.empty()) return;
     if (const auto found = map.find(key); found != map.end())
         out.insert(out.end(), found->second.begin(), found->second.end());
 }
 
 }  // namespace
 
-std::vector<WatcherId> Watchers::of_change(const Change& change, WatcherId until) const {
-    std::vector<WatcherId> ids;
-    append(ids, cells_, Cell{change.instance.index, change.property->symbol});
-    append(ids, instances_, change.instance.index);
-    if (change.property->interest != 0)
-        for (const WatcherId id : broad_)
-            if (wants(*all_.at(id), change.instance, *change.property)) ids.push_back(id);
-    return in_order(std::move(ids), until);
+void Watchers::of_change(const Change& change, WatcherId until, List& out) const {
+    out.clear();
+    append(out, cells_, Cell{change.instance.index, change.property->symbol});
+    append(out, instances_, change.instance.index);
+    if (change.property->interest != 0) {
+        Interest interest(tree_, change.instance, *change.property);
+        any_broad_on(*change.property, [&](Watcher* watcher) {
+            if (interest.of(*watcher)) out.push_back(watcher);
+            return false;
+        });
+    }
+    put_in_order(out, until);
 }
 
-std::vector<WatcherId> Watchers::of_event(Handle instance, const Event& event,
-                                          WatcherId until) const {
+Watchers::List Watchers::of_event(Handle instance, const Event& event, WatcherId until) const {
     return of_event(instance.index, tree_.class_of(instance), event, until);
 }
 
-std::vector<WatcherId> Watchers::of_event(std::uint32_t index, const Class& instance_class,
-                                          const Event& event, WatcherId until) const {
-    std::vector<WatcherId> ids;
-    append(ids, events_, Cell{index, event.symbol});
-    for (const WatcherId id : class_events_) {
-        const Watcher& watcher = *all_.at(id);
-        if (watcher.event->symbol == event.symbol && instance_class.is_a(*watcher.of))
-            ids.push_back(id);
-    }
-    return in_order(std::move(ids), until);
+Watchers::List Watchers::of_event(std::uint32_t index, const Class& instance_class,
+                                  const Event& event, WatcherId until) const {
+    List out;
+    append(out, events_, Cell{index, event.symbol});
+    for (Watcher* watcher : class_events_)
+        if (watcher->event->symbol == event.symbol && instance_class.is_a(*watcher->of))
+            out.push_back(watcher);
+    put_in_order(out, until);
+    return out;
 }
 
-std::vector<WatcherId> Watchers::of_creation(const Class& instance_class, WatcherId until) const {
-    std::vector<WatcherId> ids;
-    for (const WatcherId id : created_)
-        if (instance_class.is_a(*all_.at(id)->of)) ids.push_back(id);
-    return in_order(std::move(ids), until);
+Watchers::List Watchers::of_creation(const Class& instance_class, WatcherId until) const {
+    List out;
+    for (Watcher* watcher : created_)
+        if (instance_class.is_a(*watcher->of)) out.push_back(watcher);
+    put_in_order(out, until);
+    return out;
 }
 
 std::vector<WatcherId> Watchers::of_deletion(std::uint32_t index, const Class& instance_class,
                                              bool only_own) const {
+    List out;
+    append(out, deleted_on_, index);
+    if (!only_own)
+        for (Watcher* watcher : deleted_)
+            if (instance_class.is_a(*watcher->of)) out.push_back(watcher);
+    put_in_order(out, last_id_);
     std::vector<WatcherId> ids;
-    append(ids, deleted_on_, index);
-    if (only_own) return in_order(std::move(ids), last_id_);
-    for (const WatcherId id : deleted_)
-        if (instance_class.is_a(*all_.at(id)->of)) ids.push_back(id);
-    return in_order(std::move(ids), last_id_);
+    for (const Watcher* watcher : out) ids.push_back(watcher->id);
+    return ids;
 }
 
 }  // namespace fettle::property

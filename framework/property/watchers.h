@@ -43,7 +43,7 @@ struct Watcher {
     WatcherId id = 0;
     WatchKind kind = WatchKind::cell;
     std::uint32_t index = 0;       // cell, instance, deleted, event
-    Symbol property;               // cell, of_class (empty: every one)
+    Symbol property;               // cell; of_class, pattern (empty: more than one)
     const Class* of = nullptr;     // of_class, created, deleted, class_event
     const Event* event = nullptr;  // event, class_event
     std::unique_ptr<Pattern> pattern;
@@ -56,60 +56,84 @@ struct Watcher {
     bool broad() const { return kind == WatchKind::of_class || kind == WatchKind::pattern; }
 };
 
+/// The names of a path, the root's left out; none where an instance is detached.
+std::vector<std::string> names_above(const Tree& tree, Handle instance);
+
 class Watchers {
   public:
+    using List = std::vector<Watcher*>;  // in order of registration
+
     explicit Watchers(Tree& tree) : tree_(tree), self_(std::make_shared<Watchers*>(this)) {}
 
     Connection add(Watcher watcher);
     void stop(WatcherId id);
     bool active(WatcherId id) const { return all_.contains(id); }
-    std::shared_ptr<Watcher> find(WatcherId id) const;
+    /// nullptr once it was stopped.
+    Watcher* find(WatcherId id) const;
     std::size_t size() const { return all_.size(); }
     WatcherId last_id() const { return last_id_; }
 
     // Those who want to hear, in order of registration; only those registered up to `until`.
-    std::vector<WatcherId> of_change(const Change& change, WatcherId until) const;
-    std::vector<WatcherId> of_event(Handle instance, const Event& event, WatcherId until) const;
-    std::vector<WatcherId> of_event(std::uint32_t index, const Class& instance_class,
-                                    const Event& event, WatcherId until) const;
-    std::vector<WatcherId> of_creation(const Class& instance_class, WatcherId until) const;
+    void of_change(const Change& change, WatcherId until, List& out) const;
+    List of_event(Handle instance, const Event& event, WatcherId until) const;
+    List of_event(std::uint32_t index, const Class& instance_class, const Event& event,
+                  WatcherId until) const;
+    List of_creation(const Class& instance_class, WatcherId until) const;
     std::vector<WatcherId> of_deletion(std::uint32_t index, const Class& instance_class,
                                        bool only_own) const;
 
     /// Whether any pattern or class watcher wants this property of this instance.
     bool broadly_watched(Handle instance, const Property& property) const;
+    /// Whether this one, which must be broad, wants it.
+    bool wants(const Watcher& watcher, Handle instance, const Property& property) const;
+    /// Whether it may want the property of some instance: cheap.
+    static bool may_want(const Watcher& watcher, const Property& property);
     /// Whether a watcher of this very cell or of its instance exists.
     bool directly_watched(Cell cell) const {
         return cells_.contains(cell) || instances_.contains(cell.index);
     }
     bool any_on(std::uint32_t index) const { return on_index_.contains(index); }
-    bool any_broad() const { return !broad_.empty(); }
+    bool any_broad() const { return broad_ != 0; }
     bool any_created() const { return !created_.empty(); }
     bool any_deleted() const { return !deleted_.empty(); }
     /// Slots of instances with watchers of their own.
     std::vector<std::uint32_t> watched_slots() const;
     /// How many broad watchers may want a property of that name: kept in `Property::interest`.
-    std::uint32_t interest(const Property& property, const Class* of) const;
+    std::uint32_t interest(const Property& property) const;
 
     /// The instance is gone: its watchers are no longer found by it (its slot may be somebody
     /// else's soon). Those in `keep` stay callable until they are stopped.
     void retire(std::uint32_t index, const std::vector<WatcherId>& keep);
 
+    /// While handlers run, a watcher that is stopped lives on until they are done: it may be the
+    /// one that runs.
+    void handlers_begin() { handlers_run_ = true; }
+    void handlers_end() {
+        handlers_run_ = false;
+        stopped_.clear();
+    }
+
   private:
-    bool wants(const Watcher& watcher, Handle instance, const Property& property) const;
-    std::vector<WatcherId>* list_of(const Watcher& watcher);
-    void unlist(const Watcher& watcher);
+    template <class Visit>
+    bool any_broad_on(const Property& property, Visit visit) const;
+    List* list_of(const Watcher& watcher);
+    void unlist(Watcher& watcher);
 
     Tree& tree_;
     std::shared_ptr<Watchers*> self_;
     WatcherId last_id_ = 0;
-    std::unordered_map<WatcherId, std::shared_ptr<Watcher>> all_;
-    std::unordered_map<Cell, std::vector<WatcherId>, CellHash> cells_;
-    std::unordered_map<std::uint32_t, std::vector<WatcherId>> instances_;
-    std::unordered_map<std::uint32_t, std::vector<WatcherId>> deleted_on_;
-    std::unordered_map<Cell, std::vector<WatcherId>, CellHash> events_;
-    std::unordered_map<std::uint32_t, std::vector<WatcherId>> on_index_;  // of any of these kinds
-    std::vector<WatcherId> broad_, created_, deleted_, class_events_;
+    std::unordered_map<WatcherId, std::unique_ptr<Watcher>> all_;
+    std::vector<std::unique_ptr<Watcher>> stopped_;  // while handlers run
+    bool handlers_run_ = false;
+    std::unordered_map<Cell, List, CellHash> cells_;
+    std::unordered_map<std::uint32_t, List> instances_;
+    std::unordered_map<std::uint32_t, List> deleted_on_;
+    std::unordered_map<Cell, List, CellHash> events_;
+    std::unordered_map<std::uint32_t, List> on_index_;  // of any of these kinds
+    // By the property they are about; those about several under the empty symbol.
+    std::unordered_map<Symbol, List> broad_lists_;
+    std::size_t broad_ = 0;
+    List created_, deleted_, class_events_;
 };
 
 }  // namespace fettle::property

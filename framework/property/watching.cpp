@@ -11,14 +11,8 @@ namespace fettle::property {
 
 void Tree::State::count_interest(const Watcher& watcher, int sign) {
     const auto count = [&](const Property& property) {
-        bool may = false;
-        if (watcher.kind == WatchKind::pattern)
-            may = watcher.pattern->may_match(property.symbol);
-        else
-            may = (!watcher.property || watcher.property == property.symbol) &&
-                  (property.owner == nullptr || property.owner->is_a(*watcher.of) ||
-                   watcher.of->is_a(*property.owner));
-        if (may) property.interest += static_cast<std::uint32_t>(sign);
+        if (Watchers::may_want(watcher, property))
+            property.interest += static_cast<std::uint32_t>(sign);
     };
     for (std::uint32_t i = 0; i < classes.size(); ++i)
         for (const Property& property : classes[i].own_properties_) count(property);
@@ -29,14 +23,48 @@ void Tree::State::refresh_shadows_below(std::uint32_t top) {
     visit_below(top, [this](std::uint32_t i) { shadows.refresh(tree, watchers, nodes.handle(i)); });
 }
 
+/// Visits every shadowed cell that a broad watcher wants or would want. Only what the watcher may
+/// be about is looked at, so that a pattern costs the same whatever else is watched.
+template <class Visit>
+void Tree::State::each_cell_wanted(const Watcher& watcher, Visit visit) {
+    std::vector<std::vector<const Property*>> of_class(classes.size());
+    for (std::uint32_t c = 0; c < classes.size(); ++c)
+        for (const Property* property : classes[c].observed_)
+            if (Watchers::may_want(watcher, *property)) of_class[c].push_back(property);
+    const auto look_at = [&](std::uint32_t i) {
+        for (const Property* property : of_class[nodes[i].class_id])
+            if (watchers.wants(watcher, nodes.handle(i), *property))
+                visit(nodes.handle(i), *property);
+    };
+    if (watcher.kind == WatchKind::pattern) {
+        if (const std::uint32_t top = top_of(*watcher.pattern); top != 0) visit_below(top, look_at);
+        return;
+    }
+    for (std::uint32_t i = 1; i < nodes.end(); ++i)
+        if (nodes[i].alive) look_at(i);
+}
+
+/// The instance below which everything hangs that a pattern can match: "world.crates" of
+/// "world.crates.*.position". 0 where there is none.
+std::uint32_t Tree::State::top_of(const Pattern& pattern) const {
+    std::uint32_t top = root.index;
+    for (std::size_t i = 0; i + 1 < pattern.segments().size() && top != 0; ++i) {
+        const std::string& name = pattern.segments()[i];
+        if (name.find('*') != std::string::npos) break;
+        top = nodes.child(top, NodeName::look_up(name));
+    }
+    return top;
+}
+
 void Tree::State::watcher_added(const Watcher& watcher) {
     if (watcher.index != 0) {
         nodes[watcher.index].watched = true;
         shadows.refresh(tree, watchers, nodes.handle(watcher.index));
     } else if (watcher.broad()) {
         count_interest(watcher, 1);
-        for (std::uint32_t i = 1; i < nodes.end(); ++i)
-            if (nodes[i].alive) shadows.refresh(tree, watchers, nodes.handle(i));
+        each_cell_wanted(watcher, [this](Handle instance, const Property& property) {
+            shadows.keep(tree, instance, property);
+        });
     }
 }
 
@@ -46,8 +74,11 @@ void Tree::State::watcher_removed(const Watcher& watcher) {
         shadows.refresh(tree, watchers, nodes.handle(watcher.index));
     } else if (watcher.broad()) {
         count_interest(watcher, -1);
-        for (std::uint32_t i = 1; i < nodes.end(); ++i)
-            if (nodes[i].alive) shadows.refresh(tree, watchers, nodes.handle(i));
+        each_cell_wanted(watcher, [this](Handle instance, const Property& property) {
+            const Cell cell{instance.index, property.symbol};
+            if (!watchers.directly_watched(cell) && !watchers.broadly_watched(instance, property))
+                shadows.drop(cell);
+        });
     }
 }
 
@@ -135,6 +166,7 @@ Connection Tree::watch_pattern(std::string_view pattern, ChangeHandler handler,
     Watcher watcher;
     watcher.kind = WatchKind::pattern;
     watcher.pattern = std::make_unique<Pattern>(pattern);
+    watcher.property = watcher.pattern->only_property();
     watcher.on_change = std::move(handler);
     watcher.label = std::move(options.label);
     Connection connection = s.watchers.add(std::move(watcher));

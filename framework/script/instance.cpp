@@ -85,7 +85,7 @@ void push_property(lua_State* L, Machine& machine, Handle instance, const Proper
 
 // Which way a declared property is read and written.
 Member member_for(const Property& property) {
-    if (!property.shortcut.readable) return Member::property;
+    if (property.shortcut.read == Property::Shortcut::Way::none) return Member::property;
     return property.type == Type::number ? Member::number : Member::vec2;
 }
 
@@ -194,24 +194,22 @@ int instance_index(lua_State* L) {
     if (slot.key != key || slot.instance_class != self->instance_class || machine.recording.active)
         [[unlikely]]
         return read_slowly(L, machine, *self);
-    switch (slot.member) {
-        case Member::number: {
-            double number;
-            if (!machine.tree.read(self->handle, *slot.property, number)) break;
+    if (slot.member == Member::number) {
+        double number;
+        if (machine.tree.read(self->handle, *slot.property, number)) [[likely]] {
             lua_pushnumber(L, number);
             return 1;
         }
-        case Member::vec2: {
-            Vec2 vector;
-            if (!machine.tree.read(self->handle, *slot.property, vector)) break;
+    } else if (slot.member == Member::vec2) {
+        Vec2 vector;
+        if (machine.tree.read(self->handle, *slot.property, vector)) [[likely]] {
             push_vec(L, vector, self->handle, *slot.property);
             return 1;
         }
-        case Member::property:
-            push_property(L, machine, self->handle, *slot.property);
-            return 1;
-        default:
-            break;
+    }
+    if (slot.is_property()) {
+        push_property(L, machine, self->handle, *slot.property);
+        return 1;
     }
     return read_slowly(L, machine, *self);
 }
@@ -300,22 +298,18 @@ int instance_newindex(lua_State* L) {
     if (slot.key != key || slot.instance_class != self->instance_class || machine.recording.active)
         [[unlikely]]
         return write_slowly(L, machine, *self);
-    switch (slot.member) {
-        case Member::number:
-            if (lua_type(L, 3) == LUA_TNUMBER) {
-                const auto number = static_cast<double>(lua_tonumber(L, 3));
-                // A greater integer may be none that a number can be.
-                if (std::abs(number) <= exact_in_float || !lua_isinteger(L, 3))
-                    if (machine.tree.write(self->handle, *slot.property, number)) return 0;
-            }
-            break;
-        case Member::vec2:
-            if (const auto* box = vec_at(L, 3))
-                if (machine.tree.write(self->handle, *slot.property, Vec2(box->x, box->y)))
-                    return 0;
-            break;
-        default:
-            break;
+    if (slot.member == Member::number) {
+        if (lua_type(L, 3) == LUA_TNUMBER) [[likely]] {
+            const auto number = static_cast<double>(lua_tonumber(L, 3));
+            // A greater integer may be none that a number can be.
+            const bool exact = std::abs(number) <= exact_in_float || !lua_isinteger(L, 3);
+            if (exact && machine.tree.write(self->handle, *slot.property, number)) return 0;
+        }
+    } else if (slot.member == Member::vec2) {
+        const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
+        if (box != nullptr && box->tag == Tag::vec &&
+            machine.tree.write(self->handle, *slot.property, Vec2(box->x, box->y)))
+            return 0;
     }
     if (slot.is_property() && write_simple(L, machine, self->handle, *slot.property)) return 0;
     return write_slowly(L, machine, *self);

@@ -52,8 +52,7 @@ Binding velocity(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return widen(h.velocity(row)); },
         [](Hosting& h, Row row, const Value& value) {
             const physics::Vec2 wanted = narrow(value.vec2());
-            h.set_velocity(row, wanted);
-            if (h.state(row).velocity != wanted) {
+            if (!h.set_velocity(row, wanted) && wanted != physics::Vec2::Zero()) {
                 h.set_velocity(row, physics::Vec2::Zero());
                 require_movable(h.body(row));
             }
@@ -64,10 +63,9 @@ Binding angular_velocity(Hosting& hosting) {
     return accessor(
         hosting, [](Hosting& h, Row row) { return h.state(row).angular_velocity; },
         [](Hosting& h, Row row, const Value& value) {
-            physics::Body body = h.body(row);
             const auto wanted = from_value<float>(value);
-            body.set_angular_velocity(wanted);
-            if (h.state(row).angular_velocity != wanted) require_movable(body);
+            if (!h.world(row).set_angular_velocity(slot_of(row), wanted) && wanted != 0.0f)
+                require_movable(h.body(row));
         });
 }
 
@@ -159,6 +157,16 @@ std::vector<Property> motion(Hosting& hosting) {
     };
 }
 
+/// The library's getter without its checks: scripts ask for this often.
+Binding mass(Hosting& hosting) {
+    Binding binding = overridable<&Body::mass, &Body::set_mass, &Body::mass_override>(hosting);
+    binding.number.get = [](const Binding& self, Row row) -> double {
+        auto& h = *static_cast<Hosting*>(self.context);
+        return static_cast<double>(h.world(row).mass(slot_of(row)));
+    };
+    return binding;
+}
+
 // Simulated, because the edit of a shape changes them and tells nobody.
 std::vector<Property> weight(Hosting& hosting) {
     const std::vector<std::string> sources = {"type",       "*.density", "*.radius", "*.center",
@@ -173,7 +181,7 @@ std::vector<Property> weight(Hosting& hosting) {
          .range = not_negative,
          .doc = "Area times density of its shapes, unless a mass is given; nil computes it again. "
                 "Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg.",
-         .binding = overridable<&Body::mass, &Body::set_mass, &Body::mass_override>(hosting),
+         .binding = mass(hosting),
          .simulated = true,
          .infinity = true,
          .derives_from = sources,

@@ -90,15 +90,16 @@ class Hosting {
     }
     /// Of the center of mass.
     physics::Vec2 velocity(Row row) {
-        physics::Body of = body(row);
         if (world_number(row) == limbo)
             if (const auto written = hosted(row).velocities.get(slot_of(row)))
-                of.set_velocity(*written);
-        return of.velocity();
+                world(row).set_velocity(slot_of(row), *written);
+        return world(row).velocity(slot_of(row));
     }
-    void set_velocity(Row row, const physics::Vec2& velocity) {
-        body(row).set_velocity(velocity);
+    /// False when the body does not move by itself.
+    bool set_velocity(Row row, const physics::Vec2& velocity) {
+        const bool moves = world(row).set_velocity(slot_of(row), velocity);
         if (world_number(row) == limbo) hosted(row).velocities.set(slot_of(row), velocity);
+        return moves;
     }
     HostedWorld* world_at(std::uint32_t number) { return worlds_[number].get(); }
     const HostedWorld* world_at(std::uint32_t number) const { return worlds_[number].get(); }

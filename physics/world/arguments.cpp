@@ -43,9 +43,12 @@ const char* name_of(ShapeType type) {
 
 }  // namespace
 
-float check_finite(const char* what, float value) {
-    if (!std::isfinite(value)) refuse(what, text(value), "a finite number");
-    return value;
+void refuse_infinite(const char* what, float value) {
+    refuse(what, text(value), "a finite number");
+}
+
+void refuse_infinite(const char* what, const Vec2& value) {
+    refuse(what, text(value), "two finite numbers");
 }
 
 float check_not_negative(const char* what, float value) {
@@ -57,12 +60,6 @@ float check_not_negative(const char* what, float value) {
 float check_range(const char* what, float value, float low, float high) {
     if (!(value >= low && value <= high))
         refuse(what, text(value), "a number from " + text(low) + " to " + text(high));
-    return value;
-}
-
-const Vec2& check_finite(const char* what, const Vec2& value) {
-    if (!std::isfinite(value.x()) || !std::isfinite(value.y()))
-        refuse(what, text(value), "two finite numbers");
     return value;
 }
 

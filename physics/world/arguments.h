@@ -4,15 +4,27 @@
 #include <fettle/physics/hull.h>
 #include <fettle/physics/shape.h>
 
+#include <cmath>
+
 // Checks of what callers hand in. Each returns its argument or throws std::invalid_argument with
 // the name of the value, what it was and what was expected. `what` reads like "linear_damping".
 
 namespace fettle::physics::detail {
 
-float check_finite(const char* what, float value);
+[[noreturn]] void refuse_infinite(const char* what, float value);
+[[noreturn]] void refuse_infinite(const char* what, const Vec2& value);
+inline float check_finite(const char* what, float value) {
+    if (!std::isfinite(value)) [[unlikely]]
+        refuse_infinite(what, value);
+    return value;
+}
+inline const Vec2& check_finite(const char* what, const Vec2& value) {
+    if (!std::isfinite(value.x()) || !std::isfinite(value.y())) [[unlikely]]
+        refuse_infinite(what, value);
+    return value;
+}
 float check_not_negative(const char* what, float value);  ///< finite and >= 0
 float check_range(const char* what, float value, float low, float high);
-const Vec2& check_finite(const char* what, const Vec2& value);
 const Vec2& check_coordinates(const char* what, const Vec2& value);  ///< within ±1e8
 /// Positive or infinite: mass, inertia.
 std::optional<float> check_inertial(const char* what, std::optional<float> value);

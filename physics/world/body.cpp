@@ -418,4 +418,29 @@ void Body::set_user_data(uint64_t value) {
     record.user_data = value;
 }
 
+// For hosts that keep slots: what they ask for most, without looking whether the body lives.
+
+Vec2 World::velocity(uint32_t index) const {
+    data_->refresh_mass(index);  // a center of mass that moves changes it
+    return data_->states[index].velocity;
+}
+
+bool World::set_velocity(uint32_t index, const Vec2& velocity) {
+    WorldData& data = *data_;
+    data.refresh_mass(index);
+    if (data.bodies[index].mobility == Mobility::fixed) return false;
+    data.wake_for_edit(index);
+    data.states[index].velocity = velocity;
+    return true;
+}
+
+bool World::set_angular_velocity(uint32_t index, float angular_velocity) {
+    WorldData& data = *data_;
+    data.refresh_mass(index);
+    if (data.bodies[index].mobility == Mobility::fixed) return false;
+    data.wake_for_edit(index);
+    data.states[index].angular_velocity = angular_velocity;
+    return true;
+}
+
 }  // namespace fettle::physics

@@ -90,4 +90,9 @@ uint32_t Body::rebuilds() const {
     return record.rebuilds;
 }
 
+float World::mass(uint32_t index) const {
+    data_->refresh_mass(index);
+    return data_->bodies[index].mass;
+}
+
 }  // namespace fettle::physics

@@ -62,11 +62,6 @@ void WorldData::list_moved(uint32_t shape) {
     moved_shapes.push_back(shape);
 }
 
-void WorldData::wake_for_edit(uint32_t body) {
-    wake_body(body);
-    if (bodies[body].mobility != Mobility::dynamic) wake_touching(body);
-}
-
 void WorldData::refresh() {
     // Refreshing a shape marks its body, refreshing a mass may mark a placement: shapes first,
     // bodies while there are.
@@ -169,9 +164,8 @@ void WorldData::place_shape(uint32_t shape, Rotation q) {
     boxes[shape] = grow({center + low, center + high}, form.radius);
 }
 
-void WorldData::refresh_mass(uint32_t body) {
+void WorldData::refresh_edited_mass(uint32_t body) {
     BodyRecord& record = bodies[body];
-    if (!record.listed) return;  // no edit of it or of its shapes
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) refresh_shape(s);
     if (!record.mass_dirty) return;
     record.mass_dirty = false;

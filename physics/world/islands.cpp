@@ -84,11 +84,7 @@ void WorldData::leave_island(uint32_t body) {
     --island_count;
 }
 
-void WorldData::wake_body(uint32_t body) {
-    if (!bodies[body].asleep()) {
-        bodies[body].sleep_time = 0.0f;
-        return;
-    }
+void WorldData::wake_sleeping(uint32_t body) {
     const uint32_t island = bodies[body].island;
     const std::vector<uint32_t> members = std::move(islands[island].bodies);
     islands[island].bodies.clear();

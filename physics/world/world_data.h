@@ -193,7 +193,10 @@ struct WorldData : Columns {
     void list_body(uint32_t body);
     void refresh();
     void refresh_shape(uint32_t shape);
-    void refresh_mass(uint32_t body);
+    void refresh_mass(uint32_t body) {
+        if (bodies[body].listed) refresh_edited_mass(body);  // else no edit of it or of its shapes
+    }
+    void refresh_edited_mass(uint32_t body);
     void refresh_placement(uint32_t body);
     void place_shape(uint32_t shape, Rotation q);
     void update_mobility(uint32_t body);
@@ -202,7 +205,10 @@ struct WorldData : Columns {
     void set_proxy(uint32_t shape);
     void remove_proxy(uint32_t shape);
     float fat_margin(uint32_t shape) const;
-    void wake_for_edit(uint32_t body);
+    void wake_for_edit(uint32_t body) {
+        wake_body(body);
+        if (bodies[body].mobility != Mobility::dynamic) wake_touching(body);
+    }
 
     // contacts.cpp: pairs and manifolds
     void find_pairs();
@@ -235,7 +241,13 @@ struct WorldData : Columns {
     }
 
     // islands.cpp: sleeping and waking
-    void wake_body(uint32_t body);
+    void wake_body(uint32_t body) {
+        if (bodies[body].asleep())
+            wake_sleeping(body);
+        else
+            bodies[body].sleep_time = 0.0f;
+    }
+    void wake_sleeping(uint32_t body);  ///< with its island
     void wake_touching(uint32_t body);
     void wake_all();
     void put_to_sleep(std::span<const uint32_t> group);

@@ -65,10 +65,11 @@ struct Binding;
 /// Made by the makers below; the binding is handed in so that a column knows its stride.
 template <class T>
 struct Typed {
-    void (*get)(const Binding&, Row, T& out) = nullptr;
+    using Passed = std::conditional_t<std::is_floating_point_v<T>, T, const T&>;
+    T (*get)(const Binding&, Row) = nullptr;
     /// Writes unless the cell holds these very bits; tells whether it did. May throw as
     /// `Binding::set` does.
-    bool (*put)(const Binding&, Row, const T& value) = nullptr;
+    bool (*put)(const Binding&, Row, Passed value) = nullptr;
 };
 
 struct Binding {
@@ -141,8 +142,9 @@ struct Property {
     /// Whether the typed ways of `Tree` may read and write it, and what they may write: finite, in
     /// range.
     struct Shortcut {
-        bool readable = false;
-        bool writable = false;
+        enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
+        Way read = Way::none;
+        Way write = Way::none;
         bool narrow = false;  // rounded to float
         double min = 0, max = 0;
     } shortcut{};
@@ -329,21 +331,19 @@ Typed<T> typed_column() {
         return reinterpret_cast<std::byte*>(Base{}(*static_cast<Context*>(b.context))) +
                std::size_t{row} * b.stride;
     };
-    static constexpr auto load = [](const std::byte* from, T& out) {
+    static constexpr auto load = [](const std::byte* from) {
         Kept kept[count];
         std::memcpy(kept, from, sizeof kept);
         if constexpr (count == 1)
-            out = static_cast<double>(kept[0]);
+            return static_cast<double>(kept[0]);
         else
-            out = T(static_cast<double>(kept[0]), static_cast<double>(kept[1]));
+            return T(static_cast<double>(kept[0]), static_cast<double>(kept[1]));
     };
     Typed<T> typed;
-    typed.get = [](const Binding& b, Row row, T& out) { load(at(b, row), out); };
-    typed.put = [](const Binding& b, Row row, const T& value) {
+    typed.get = [](const Binding& b, Row row) -> T { return load(at(b, row)); };
+    typed.put = [](const Binding& b, Row row, typename Typed<T>::Passed value) {
         std::byte* const cell = at(b, row);
-        T old;
-        load(cell, old);
-        if (same_bits(old, value)) return false;
+        if (same_bits(load(cell), value)) return false;
         Kept kept[count];
         if constexpr (count == 1) {
             kept[0] = static_cast<Kept>(value);
@@ -404,8 +404,8 @@ Binding accessor(Context& context, Get) {
     b.get = [](void* c, Row row) -> Value { return Value(Get{}(*static_cast<Context*>(c), row)); };
     using T = typed_result<Context, Get>;
     if constexpr (!std::is_void_v<T>)
-        typed<T>(b).get = [](const Binding& binding, Row row, T& out) {
-            out = Get{}(*static_cast<Context*>(binding.context), row);
+        typed<T>(b).get = [](const Binding& binding, Row row) -> T {
+            return Get{}(*static_cast<Context*>(binding.context), row);
         };
     return b;
 }
@@ -420,10 +420,9 @@ Binding accessor(Context& context, Get get, Set) {
     };
     using T = typed_result<Context, Get>;
     if constexpr (!std::is_void_v<T>)
-        typed<T>(b).put = [](const Binding& binding, Row row, const T& value) {
+        typed<T>(b).put = [](const Binding& binding, Row row, typename Typed<T>::Passed value) {
             Context& in = *static_cast<Context*>(binding.context);
-            const T old = Get{}(in, row);
-            if (same_bits(old, value)) return false;
+            if (same_bits(T(Get{}(in, row)), value)) return false;
             Set{}(in, row, Value(value));
             return true;
         };

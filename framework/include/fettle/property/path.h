@@ -61,12 +61,16 @@ class Pattern {
     /// Throws Error(bad_path).
     explicit Pattern(std::string_view text);
     const std::string& text() const { return text_; }
+    /// Its names, each of which may hold stars.
+    const std::vector<std::string>& segments() const { return segments_; }
     bool matches(const Tree& tree, Handle instance, const Property& property) const;
     bool matches(const Tree& tree, Handle instance) const;
     /// The names of a path, the root's left out; nothing of it need exist.
     bool matches(const std::vector<std::string>& names) const;
     /// False when no property of this name can match: cheap, for turning changes away early.
     bool may_match(Symbol property) const;
+    /// The one name of properties that can match; empty where there may be several.
+    Symbol only_property() const;
 
   private:
     std::string text_;

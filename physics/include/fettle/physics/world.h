@@ -138,6 +138,11 @@ class World {
     // Unchecked, for hosts that keep slots: `index` must be that of a live body. A reference holds
     // until the next creation of a body.
     const BodyState& state(uint32_t index) const { return columns_->states[index]; }
+    float mass(uint32_t index) const;
+    Vec2 velocity(uint32_t index) const;
+    /// False, and nothing is done, when the body does not move by itself.
+    bool set_velocity(uint32_t index, const Vec2& velocity);
+    bool set_angular_velocity(uint32_t index, float angular_velocity);
     const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
     std::span<const BodyState> states() const { return columns_->states; }
     /// Generation of what lives in a slot, 0 where nothing does. Slots 0 … `body_slots()`-1; slot 0
