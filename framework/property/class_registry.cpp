@@ -117,6 +117,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     made->descriptor_.properties.clear();
     for (Method& method : made->descriptor_.methods) {
         method.symbol = Symbol(method.name);
+        method.owner = made.get();
         std::erase_if(made->methods_, [&](const Method* m) { return m->symbol == method.symbol; });
         made->methods_.push_back(&method);
         made->method_index_[method.symbol] = &method;

@@ -12,6 +12,7 @@
 #include "guard.h"
 #include "instance.h"
 #include "machine.h"
+#include "reflection.h"
 #include "script_classes.h"
 #include "subscriptions.h"
 #include "writes.h"
@@ -160,7 +161,7 @@ int construct(lua_State* L) {
 // --- Class objects
 
 [[noreturn]] void unknown_class_member(Machine& machine, const Class& of, const std::string& name) {
-    std::vector<std::string> names = {"name", "base", "doc", "on", "watch"};
+    std::vector<std::string> names = class_fields();
     machine.classes->add_function_names(of, names);
     throw Error(ErrorKind::unknown_name,
                 of.name() + "." + name + ": no such function" + property::suggestion(name, names));
@@ -173,16 +174,8 @@ int class_index(lua_State* L) {
         throw Error(ErrorKind::bad_name, "a class has functions by name");
     const std::string name = lua_tostring(L, 2);
     if (machine.classes->push_function(L, *of)) return 1;
-    if (name == "name") {
-        lua_pushstring(L, of->name().c_str());
-    } else if (name == "base") {
-        if (of->base())
-            machine.classes->push(L, *of->base());
-        else
-            lua_pushnil(L);
-    } else if (name == "doc") {
-        lua_pushstring(L, of->doc().c_str());
-    } else if (name == "on") {
+    if (push_class_field(L, machine, *of, name)) return 1;
+    if (name == "on") {
         lua_pushcfunction(L, guarded<subscribe_event>);
     } else if (name == "watch") {
         lua_pushcfunction(L, guarded<subscribe_property>);

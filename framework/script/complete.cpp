@@ -1,27 +1,28 @@
-// What stands before the cursor is walked without running any of it: no function is called and no
-// metamethod of a script.
-
 #include "complete.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <unordered_set>
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include "description.h"
+#include "expression.h"
 #include "format.h"
 #include "fuzzy.h"
 #include "generic_methods.h"
 #include "globals.h"
 #include "help.h"
 #include "instance.h"
+#include "instance_set.h"
+#include "language.h"
 #include "machine.h"
 #include "methods.h"
 #include "protected.h"
+#include "reflection.h"
 #include "script_classes.h"
+#include "signature.h"
 
 namespace fettle::script {
 
@@ -32,10 +33,6 @@ using property::Property;
 namespace {
 
 constexpr std::size_t most_candidates = 200;
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
 
 // Groups in a list without anything typed: what an instance holds, then what it can do.
 enum class Group : int { value, function, other };
@@ -87,153 +84,6 @@ class Candidates {
     bool expected_ = false;
 };
 
-// --- What stands before the cursor
-
-struct Scan {
-    bool in_string = false;
-    std::size_t string_start = 0;     // behind the quote
-    std::vector<std::size_t> braces;  // unclosed `{` and `(`, outermost first
-};
-
-Scan scan(std::string_view text) {
-    Scan result;
-    char quote = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quote) {
-            if (c == '\\')
-                ++i;
-            else if (c == quote)
-                quote = 0;
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-            result.string_start = i + 1;
-        } else if (c == '{' || c == '(') {
-            result.braces.push_back(i);
-        } else if ((c == '}' || c == ')') && !result.braces.empty()) {
-            result.braces.pop_back();
-        }
-    }
-    result.in_string = quote != 0;
-    return result;
-}
-
-std::size_t word_start(std::string_view text, std::size_t end) {
-    while (end > 0 && is_word(text[end - 1])) --end;
-    return end;
-}
-
-std::size_t skip_blanks_back(std::string_view text, std::size_t end) {
-    while (end > 0 && std::isspace(static_cast<unsigned char>(text[end - 1]))) --end;
-    return end;
-}
-
-// Start of the path expression (names, dots, brackets) that ends at `end`.
-std::size_t path_start(std::string_view text, std::size_t end) {
-    for (;;) {
-        if (end > 0 && text[end - 1] == ']') {
-            std::size_t open = end - 1;
-            char quote = 0;
-            while (open > 0) {
-                const char c = text[--open];
-                if (quote) {
-                    if (c == quote) quote = 0;
-                } else if (c == '"' || c == '\'') {
-                    quote = c;
-                } else if (c == '[') {
-                    break;
-                }
-            }
-            if (text[open] != '[') return end;
-            end = open;
-            continue;
-        }
-        const std::size_t word = word_start(text, end);
-        if (word == end) return end;
-        end = word;
-        if (end > 0 && (text[end - 1] == '.' || text[end - 1] == ':'))
-            --end;
-        else
-            return end;
-    }
-}
-
-// One step down from the value on top; the new value replaces it. False when there is none.
-bool descend(lua_State* L, Machine& machine, std::string_view name, lua_Integer index,
-             const Property** read) {
-    *read = nullptr;
-    if (const auto* box = instance_at(L, -1)) {
-        const Handle handle = box->handle;
-        if (!machine.tree.alive(handle)) return false;
-        lua_pop(L, 1);
-        if (name.empty()) return false;
-        if (const Handle child = machine.tree.child(handle, name)) {
-            push_instance(L, child);
-            return true;
-        }
-        if (const Property* property = machine.tree.find(handle, name)) {
-            *read = property;
-            push_value(L, machine.tree.peek(handle, *property));
-            return true;
-        }
-        return false;
-    }
-    if (lua_type(L, -1) != LUA_TTABLE) return false;
-    if (name.empty())
-        lua_rawgeti(L, -1, index);
-    else {
-        lua_pushlstring(L, name.data(), name.size());
-        lua_rawget(L, -2);
-    }
-    lua_remove(L, -2);
-    return !lua_isnil(L, -1);
-}
-
-// Pushes what the path stands for; the property it ends in goes to `read`. Nothing is pushed when
-// it stands for nothing.
-bool push_path(lua_State* L, Machine& machine, std::string_view path, const Property** read) {
-    *read = nullptr;
-    std::size_t i = 0;
-    while (i < path.size() && is_word(path[i])) ++i;
-    if (i == 0) return false;
-    const std::string first(path.substr(0, i));
-    push_registry(L, machine.environment);
-    lua_pushlstring(L, first.data(), first.size());
-    lua_rawget(L, -2);
-    lua_remove(L, -2);
-    if (lua_isnil(L, -1)) {
-        lua_pop(L, 1);
-        if (first == "_")
-            push_last_result(L, machine);
-        else if (!push_known_global(L, machine, first))
-            return false;
-    }
-    while (i < path.size()) {
-        std::string name;
-        lua_Integer index = 0;
-        if (path[i] == '.' || path[i] == ':') {
-            const std::size_t start = ++i;
-            while (i < path.size() && is_word(path[i])) ++i;
-            name = std::string(path.substr(start, i - start));
-            if (name.empty()) return false;
-        } else if (path[i] == '[') {
-            const std::size_t end = path.find(']', i);
-            if (end == std::string_view::npos) return false;
-            std::string_view inside = path.substr(i + 1, end - i - 1);
-            if (inside.size() >= 2 && (inside.front() == '"' || inside.front() == '\''))
-                name = std::string(inside.substr(1, inside.size() - 2));
-            else if (std::from_chars(inside.data(), inside.data() + inside.size(), index).ec !=
-                     std::errc{})
-                return false;
-            i = end + 1;
-        } else {
-            return false;
-        }
-        if (!descend(L, machine, name, index, read)) return false;
-    }
-    return true;
-}
-
 // --- Candidates
 
 std::string facts_with_value(const Machine& machine, Handle instance, const Property& property) {
@@ -249,8 +99,7 @@ void add_functions(Machine& machine, const Class& of, Candidates& out) {
     for (const std::string& name : functions)
         out.add(name, "function of " + of.name(), {}, Group::function);
     for (const GenericMethod& method : generic_methods())
-        out.add(method.name, std::string(method.name) + "(" + method.parameters + ")", method.doc,
-                Group::function);
+        out.add(method.name, plain_signatures(method.signature), method.doc, Group::function);
 }
 
 void add_instance(Machine& machine, Handle instance, bool methods_only, std::size_t separator,
@@ -289,43 +138,86 @@ void add_table(lua_State* L, int index, std::size_t separator, Candidates& out) 
     }
 }
 
-void add_methods_of_meta(lua_State* L, int index, std::initializer_list<const char*> fields,
-                         Candidates& out) {
-    for (const char* field : fields) out.add(field, {}, {}, Group::value);
-    if (luaL_getmetafield(L, index, "methods") == LUA_TTABLE) {
-        for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
-            if (lua_type(L, -2) == LUA_TSTRING)
-                out.add(lua_tostring(L, -2), {}, {}, Group::function);
-        lua_pop(L, 1);
+// Members of a value that is no instance.
+void add_members_of_type(const TypeDoc& type, bool methods_only, Candidates& out) {
+    for (const MemberDoc& member : type.members) {
+        const bool function = member.is_function();
+        if (member.name[0] == '[' || (methods_only && !function)) continue;
+        out.add(member.name, function ? plain_signatures(member.signature) : member.signature,
+                member.doc, function ? Group::function : Group::value);
     }
 }
 
-// Members of the value on top.
-void add_members(lua_State* L, Machine& machine, bool methods_only, std::size_t separator,
-                 Candidates& out) {
+// Entries of a library such as `math`, and of the game's own tables.
+void add_documented(const std::string& library, Candidates& out) {
+    const std::string prefix = library + ".";
+    for (const auto* docs : {&global_docs(), &library_docs()})
+        for (const GlobalDoc& doc : *docs)
+            if (std::string_view(doc.name).starts_with(prefix))
+                out.add(std::string(doc.name).substr(prefix.size()), shown_name(doc), doc.doc,
+                        Group::function);
+}
+
+// What a list of descriptions has under names, or the fields of one of them.
+void add_description(lua_State* L, const DescriptionKind& kind, Candidates& out) {
+    push_described(L, -1);
+    const int table = lua_gettop(L);
+    if (is_description_list(kind)) {
+        for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+            if (lua_type(L, -2) != LUA_TSTRING) continue;
+            std::string doc;
+            if (push_described(L, -1)) {
+                lua_getfield(L, -1, "doc");
+                if (lua_type(L, -1) == LUA_TSTRING) doc = lua_tostring(L, -1);
+                lua_pop(L, 2);
+            }
+            out.add(lua_tostring(L, -2), cut(short_text(L, -1), 50), doc, Group::value);
+        }
+    }
+    for (const std::string& field : kind.fields) {
+        lua_getfield(L, table, field.c_str());
+        out.add(field, cut(short_text(L, -1), 50), {}, Group::value);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+}
+
+// The kind of the value on top, where it is neither an instance nor a table of the game's.
+const TypeDoc* type_of(lua_State* L) {
+    if (vec_at(L, -1)) return type_doc("vec");
+    if (color_at(L, -1)) return type_doc("color");
+    if (class_object_at(L, -1)) return type_doc("Class");
+    if (is_set(L, -1)) return type_doc("Set");
+    if (lua_type(L, -1) != LUA_TUSERDATA || luaL_getmetafield(L, -1, "__name") != LUA_TSTRING)
+        return nullptr;
+    const std::string name = lua_tostring(L, -1);
+    lua_pop(L, 1);
+    return name == "connection" ? type_doc("Connection")
+           : name == "pen"      ? type_doc("Pen")
+                                : nullptr;
+}
+
+// Members of the value on top, which `path` led to.
+void add_members(lua_State* L, Machine& machine, std::string_view path, bool methods_only,
+                 std::size_t separator, Candidates& out) {
     if (const auto* box = instance_at(L, -1)) {
         if (machine.tree.alive(box->handle))
             add_instance(machine, box->handle, methods_only, separator, out);
-    } else if (const Class* of = class_object_at(L, -1)) {
-        std::vector<std::string> names;
-        machine.classes->add_function_names(*of, names);
-        for (const std::string& name : names) out.add(name, {}, {}, Group::function);
-        for (const char* name : {"on", "watch"}) out.add(name, {}, {}, Group::function);
-        for (const char* name : {"name", "base", "doc"}) out.add(name, {}, {}, Group::other);
-    } else if (vec_at(L, -1)) {
-        add_methods_of_meta(L, lua_gettop(L), {"x", "y"}, out);
-    } else if (color_at(L, -1)) {
-        for (const char* name : {"r", "g", "b", "a"}) out.add(name, {}, {}, Group::value);
+    } else if (const DescriptionKind* kind = description_kind(L, -1)) {
+        add_description(L, *kind, out);
+    } else if (const TypeDoc* type = type_of(L)) {
+        add_members_of_type(*type, methods_only, out);
+        if (const Class* of = class_object_at(L, -1)) {
+            std::vector<std::string> names;
+            machine.classes->add_function_names(*of, names);
+            for (const std::string& name : names)
+                out.add(name, "function of " + of->name(), {}, Group::function);
+        }
     } else if (lua_type(L, -1) == LUA_TSTRING) {
-        push_registry(L, machine.environment);
-        lua_getfield(L, -1, "string");
-        add_table(L, -1, separator, out);
-        lua_pop(L, 2);
+        add_documented("string", out);
     } else if (lua_type(L, -1) == LUA_TTABLE) {
+        add_documented(std::string(path), out);
         add_table(L, -1, separator, out);
-        add_methods_of_meta(L, lua_gettop(L), {}, out);
-    } else if (lua_type(L, -1) == LUA_TUSERDATA) {
-        add_methods_of_meta(L, lua_gettop(L), {}, out);
     }
 }
 
@@ -333,7 +225,7 @@ void add_globals(lua_State* L, Machine& machine, Candidates& out) {
     for (const std::string& name : global_names(machine)) {
         std::string detail, text_doc;
         if (const GlobalDoc* doc = global_doc(name)) {
-            detail = doc->signature;
+            detail = shown_name(*doc);
             text_doc = doc->doc;
         } else if (const Class* of = machine.tree.find_class(name)) {
             detail = "class";
@@ -473,8 +365,9 @@ std::vector<Completion> complete(Machine& machine, std::string_view input, std::
             if ((separator == '.' && !concatenation) || separator == ':') {
                 const std::size_t start = path_start(before, token - 1);
                 const Property* read = nullptr;
-                if (push_path(L, machine, before.substr(start, token - 1 - start), &read))
-                    add_members(L, machine, separator == ':', token - 1, out);
+                const std::string_view path = before.substr(start, token - 1 - start);
+                if (push_path(L, machine, path, &read))
+                    add_members(L, machine, path, separator == ':', token - 1, out);
                 return;
             }
             out.expect(true);

@@ -6,6 +6,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 
+#include "description.h"
 #include "instance_set.h"
 #include "machine.h"
 #include "methods.h"
@@ -123,8 +124,31 @@ std::string instance_text(Machine& machine, Handle handle) {
     }
 }
 
+// A list by its length, a record by its name.
+std::string description_text(lua_State* L, int index, const DescriptionKind& kind) {
+    push_described(L, index);
+    std::string text;
+    if (is_description_list(kind)) {
+        const lua_Unsigned length = lua_rawlen(L, -1);
+        for (lua_Unsigned i = 1; i <= length && text.size() < line_width; ++i) {
+            lua_rawgeti(L, -1, static_cast<lua_Integer>(i));
+            text += (i > 1 ? ", " : "") + brief(L, -1, deepest);
+            lua_pop(L, 1);
+        }
+        text = "{" + cut(text, line_width) + "}";
+    } else {
+        lua_getfield(L, -1, "name");
+        text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "description";
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return text;
+}
+
 std::string brief(lua_State* L, int index, int depth) {
     Machine& machine = machine_of(L);
+    if (const DescriptionKind* kind = description_kind(L, index))
+        return description_text(L, index, *kind);
     if (const auto* box = instance_at(L, index)) return instance_text(machine, box->handle);
     if (const property::Class* of = class_object_at(L, index)) return of->name();
     switch (lua_type(L, index)) {
@@ -353,6 +377,42 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
     return lines;
 }
 
+// `name  value` a line; a list of records one line each, under the names of their fields.
+std::vector<std::string> description_lines(lua_State* L, int index, const DescriptionKind& kind) {
+    push_described(L, index);
+    const int table = lua_gettop(L);
+    std::vector<std::vector<std::string>> rows;
+    const auto cell = [&](int record, const std::string& field) {
+        lua_getfield(L, record, field.c_str());
+        const bool plain = lua_type(L, -1) == LUA_TSTRING;
+        std::string text = lua_isnil(L, -1) ? ""
+                           : plain          ? cut(lua_tostring(L, -1), line_width)
+                                            : short_text(L, -1);
+        lua_pop(L, 1);
+        return text;
+    };
+    if (!is_description_list(kind)) {
+        for (const std::string& field : kind.fields)
+            rows.push_back({"  " + field, cell(table, field)});
+    } else {
+        const auto length = static_cast<lua_Integer>(lua_rawlen(L, table));
+        for (lua_Integer i = 1; i <= length; ++i) {
+            lua_rawgeti(L, table, i);
+            if (push_described(L, -1)) {
+                const int record = lua_gettop(L);
+                rows.push_back({"  " + cell(record, "name"), cell(record, "type"),
+                                cell(record, "unit"), cut(cell(record, "doc"), 70)});
+                lua_pop(L, 1);
+            } else {
+                rows.push_back({"  " + short_text(L, -1)});
+            }
+            lua_pop(L, 1);
+        }
+    }
+    lua_pop(L, 1);
+    return columns(rows);
+}
+
 }  // namespace
 
 std::vector<std::string> long_text(lua_State* L, int index) {
@@ -362,6 +422,8 @@ std::vector<std::string> long_text(lua_State* L, int index) {
         return instance_lines(machine, box->handle);
     }
     if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index);
+    if (const DescriptionKind* kind = description_kind(L, index))
+        return description_lines(L, index, *kind);
     if (lua_type(L, index) == LUA_TSTRING) {
         std::size_t length = 0;
         const char* text = lua_tolstring(L, index, &length);

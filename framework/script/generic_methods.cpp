@@ -12,6 +12,7 @@
 #include "instance.h"
 #include "instance_set.h"
 #include "machine.h"
+#include "reflection.h"
 #include "script_classes.h"
 #include "subscriptions.h"
 #include "writes.h"
@@ -241,29 +242,48 @@ int clone(lua_State* L) {
 
 const std::vector<GenericMethod>& generic_methods() {
     static const std::vector<GenericMethod> methods = {
-        {"add", "instance [, name]", "Gives a new instance its place here and returns it.",
-         guarded<add>},
-        {"alive", "", "Whether it has not been deleted.", guarded<alive>},
-        {"all", "[class]", "Everything below of that class, as a set with :set and :add.",
-         guarded<all>},
-        {"children", "[class]", "What hangs directly here, as a set.", guarded<children>},
-        {"clone", "", "A detached copy of it and everything below.", guarded<clone>},
-        {"delete", "", "Deletes it and everything below.", guarded<delete_instance>},
-        {"each", "[class,] function", "Calls the function with everything below of that class.",
-         guarded<each>},
-        {"find", "class [, condition]",
+        {"add", "add(self: Object, child: Object, name?: string): Object",
+         "Gives a new instance its place here and returns it.", guarded<add>},
+        {"alive", "alive(self: Object): boolean", "Whether it has not been deleted.",
+         guarded<alive>},
+        {"all", "all(self: Object, class?: Class|string): Set",
+         "Everything below of that class, as a set with :set and :add.", guarded<all>},
+        {"children", "children(self: Object, class?: Class|string): Set",
+         "What hangs directly here, as a set.", guarded<children>},
+        {"clone", "clone(self: Object): Object", "A detached copy of it and everything below.",
+         guarded<clone>},
+        {"delete", "delete(self: Object)", "Deletes it and everything below.",
+         guarded<delete_instance>},
+        {"describe",
+         "describe(self: Object): PropertyDescription[]\n"
+         "describe(self: Object, name: string): "
+         "PropertyDescription|MethodDescription|EventDescription",
+         "What it has: all its properties, or one property, method or event by name.",
+         guarded<describe_instance>},
+        {"each",
+         "each(self: Object, class: Class|string, action: fun(instance: Object))\n"
+         "each(self: Object, action: fun(instance: Object))",
+         "Calls the function with everything below of that class.", guarded<each>},
+        {"find",
+         "find(self: Object, class: Class|string, condition?: fun(instance: Object): boolean): Set",
          "Everything below of that class for which the condition holds, as a set.", guarded<find>},
-        {"formula", "property", "The function that is the property's value, or nil.",
-         guarded<formula_of>},
-        {"has", "name", "Whether it has a property or child of that name.", guarded<has>},
-        {"is_a", "class", "Whether it is of that class or of one derived from it.", guarded<is_a>},
-        {"move", "parent [, name]", "Gives it another parent; nil detaches it.", guarded<move>},
-        {"on", "event, function", "Calls the function when the event happens to it.",
-         guarded<subscribe_event>},
-        {"problem", "property", "What is wrong with the property's formula, or nil.",
-         guarded<problem>},
-        {"watch", "[property,] function",
-         "Calls function(new, old, change) after the property has changed.",
+        {"formula", "formula(self: Object, property: string): function?",
+         "The function that is the property's value, or nil.", guarded<formula_of>},
+        {"has", "has(self: Object, name: string): boolean",
+         "Whether it has a property or child of that name.", guarded<has>},
+        {"is_a", "is_a(self: Object, class: Class|string): boolean",
+         "Whether it is of that class or of one derived from it.", guarded<is_a>},
+        {"move", "move(self: Object, parent?: Object, name?: string): Object",
+         "Gives it another parent; nil detaches it.", guarded<move>},
+        {"on", "on(self: Object, event: string, handler: fun(told: any)): Connection",
+         "Calls the function when the event happens to it.", guarded<subscribe_event>},
+        {"problem", "problem(self: Object, property: string): string?",
+         "What is wrong with the property's formula, or nil.", guarded<problem>},
+        {"watch",
+         "watch(self: Object, property: string, handler: fun(new: any, old: any, change: Change)): "
+         "Connection\n"
+         "watch(self: Object, handler: fun(new: any, old: any, change: Change)): Connection",
+         "Calls the function after that property, or any, has changed.",
          guarded<subscribe_property>},
     };
     return methods;

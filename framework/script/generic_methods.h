@@ -15,7 +15,7 @@ struct Machine;
 
 struct GenericMethod {
     const char* name;
-    const char* parameters;  // as in help: "event, function"
+    const char* signature;  // as in language.h
     const char* doc;
     lua_CFunction function;
 };

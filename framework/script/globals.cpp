@@ -9,7 +9,9 @@
 #include <fettle/property/spelling.h>
 
 #include "guard.h"
+#include "language.h"
 #include "machine.h"
+#include "reflection.h"
 #include "sandbox.h"
 #include "script_classes.h"
 
@@ -19,11 +21,11 @@ using property::Error;
 using property::ErrorKind;
 
 const std::vector<std::string>& callback_names() {
-    static const std::vector<std::string> names = {
-        "start",        "update",       "step",          "draw",
-        "key_pressed",  "key_released", "mouse_pressed", "mouse_released",
-        "mouse_moved",  "wheel",        "text_input",    "gamepad_pressed",
-        "gamepad_axis", "resized",      "focus",         "closing"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> list;
+        for (const GlobalDoc& doc : callback_docs()) list.emplace_back(doc.name);
+        return list;
+    }();
     return names;
 }
 
@@ -40,6 +42,7 @@ std::vector<std::string> global_names(Machine& machine) {
         if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
     lua_pop(L, 1);
     names.emplace_back("game");
+    names.emplace_back("classes");
     const property::Tree& tree = machine.tree;
     for (property::Handle child = tree.first_child(tree.root()); child;
          child = tree.next_sibling(child))
@@ -67,6 +70,10 @@ bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
     }
     if (const property::Class* of = machine.tree.find_class(name)) {
         machine.classes->push(L, *of);
+        return true;
+    }
+    if (name == "classes") {
+        push_classes(L, machine);
         return true;
     }
     if (name == "it" && machine.tree.alive(machine.it)) {

@@ -11,10 +11,12 @@
 #include "generic_methods.h"
 #include "guard.h"
 #include "instance.h"
+#include "language.h"
 #include "machine.h"
 #include "methods.h"
 #include "sandbox.h"
 #include "script_classes.h"
+#include "signature.h"
 
 namespace fettle::script {
 
@@ -25,47 +27,18 @@ using property::Handle;
 using property::Method;
 using property::Property;
 
-const std::vector<GlobalDoc>& global_docs() {
-    static const std::vector<GlobalDoc> docs = {
-        {"after", "after(seconds, function)",
-         "Calls the function once, that much simulation time from now. Returns a connection."},
-        {"assert", "assert(value [, message])", "Raises an error unless the value is true."},
-        {"class", "class(name [, base]) { name = default, ... }",
-         "Makes a class whose instances live in the tree."},
-        {"color", "color(name) or color(r, g, b [, a])",
-         "A color by name, as \"#rrggbb\", or from channels between 0 and 1."},
-        {"deg", "deg(degrees)", "An angle in radians."},
-        {"error", "error(message)", "Stops what runs with an error."},
-        {"every", "every(seconds, function)",
-         "Calls the function again and again at that interval of simulation time."},
-        {"find", "find(word)", "Lists every name and documentation that has the word."},
-        {"help", "help(anything)", "Explains a class, an instance, a method or a path."},
-        {"ipairs", "ipairs(table)", "Visits elements 1, 2, 3 ..."},
-        {"load", "load(text)", "Compiles a text to a function."},
-        {"pairs", "pairs(table)", "Visits all entries: numbers first, then names, in order."},
-        {"pcall", "pcall(function, ...)", "Calls the function and catches its error."},
-        {"print", "print(...)", "Prints values."},
-        {"query", "query(pattern)",
-         "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
-        {"quit", "quit([status])", "Ends the game."},
-        {"random", "random(), random(n), random(a, b)",
-         "A random number in [0, 1), from 1 to n, or from a to b; the same for the same seed."},
-        {"require", "require(name)", "Runs another file of the game once."},
-        {"tostring", "tostring(value)", "The value as text."},
-        {"vec", "vec(x, y)",
-         "A vector or point. Has + - * /, :length() :normalized() :dot() "
-         ":cross() :rotated() :lerp()."},
-        {"wait", "wait(seconds)", "Inside a coroutine: goes on that much simulation time later."},
-        {"watch", "watch(pattern, function)",
-         "Calls function(new, old, change) after a matching property changed."},
-    };
-    return docs;
-}
-
-const GlobalDoc* global_doc(std::string_view name) {
-    for (const GlobalDoc& doc : global_docs())
-        if (name == doc.name) return &doc;
-    return nullptr;
+bool has_range(const Property& property) {
+    switch (property.type) {
+        case property::Type::number:
+        case property::Type::integer:
+            return true;
+        case property::Type::vec2:
+        case property::Type::color:
+        case property::Type::list:
+            return property.range.bounded();
+        default:
+            return false;
+    }
 }
 
 std::string property_facts(const Machine& machine, const Property& property) {
@@ -181,13 +154,63 @@ std::vector<std::string> instance_help(Machine& machine, Handle instance) {
     return lines;
 }
 
+// One line a signature, and what it is for.
+std::vector<std::string> function_lines(std::string_view prefix, std::string_view signatures,
+                                        std::string_view doc) {
+    std::vector<std::string> lines;
+    for (const Signature& each : parse_signatures(signatures))
+        lines.push_back(std::string(prefix) + typed(each));
+    lines.push_back("  " + std::string(doc));
+    return lines;
+}
+
 std::vector<std::string> generic_help(const GenericMethod& method) {
-    return {":" + std::string(method.name) + "(" + method.parameters + ")",
-            "  " + std::string(method.doc)};
+    return function_lines(":", method.signature, method.doc);
+}
+
+std::vector<std::string> type_help(const TypeDoc& type) {
+    std::vector<std::string> lines = {std::string("  ") + type.doc};
+    std::vector<std::vector<std::string>> rows;
+    for (const MemberDoc& member : type.members) {
+        const std::string separator = member.is_function() && !type.by_dot ? ":" : ".";
+        rows.push_back({"  " + separator +
+                            (member.is_function() ? plain_signatures(member.signature)
+                                                  : std::string(member.name)),
+                        cut(member.doc, 70)});
+    }
+    for (std::string& line : columns(rows)) lines.push_back(std::move(line));
+    return lines;
 }
 
 std::vector<std::string> global_help(const GlobalDoc& doc) {
-    return {doc.signature, "  " + std::string(doc.doc)};
+    const bool function = std::string_view(doc.signature).find('(') != std::string_view::npos;
+    std::vector<std::string> lines =
+        function ? function_lines("", doc.signature, doc.doc)
+                 : std::vector<std::string>{std::string(doc.name) + ": " + doc.signature,
+                                            "  " + std::string(doc.doc)};
+    if (const TypeDoc* type = type_doc(doc.name))
+        for (std::string& line : type_help(*type)) lines.push_back(std::move(line));
+    return lines;
+}
+
+// "vec.rotated", "Pen.circle", "pen"
+std::vector<std::string> value_help(std::string path) {
+    if (path == "pen" || path.starts_with("pen.") || path.starts_with("pen:")) path[0] = 'P';
+    if (const TypeDoc* type = type_doc(path)) {
+        std::vector<std::string> lines = type_help(*type);
+        lines.insert(lines.begin(), type->name);
+        return lines;
+    }
+    const std::size_t cut_at = path.find_first_of(".:");
+    const TypeDoc* type = type_doc(path.substr(0, cut_at));
+    if (!type || cut_at == std::string::npos) return {};
+    for (const MemberDoc& member : type->members) {
+        if (path.compare(cut_at + 1, std::string::npos, member.name) != 0) continue;
+        if (member.is_function())
+            return function_lines(type->by_dot ? "." : ":", member.signature, member.doc);
+        return {path + ": " + member.signature, "  " + std::string(member.doc)};
+    }
+    return {};
 }
 
 // A member of an instance or class by name.
@@ -205,24 +228,31 @@ std::vector<std::string> member_help(Machine& machine, const Class& of, std::str
     return {};
 }
 
+// Pushes what a dotted name stands for in the environment, nil where there is nothing.
+void push_named(lua_State* L, std::string_view name) {
+    push_registry(L, machine_of(L).environment);
+    for (std::size_t start = 0; start <= name.size();) {
+        const std::size_t end = std::min(name.find('.', start), name.size());
+        if (!lua_istable(L, -1)) break;
+        lua_pushlstring(L, name.data() + start, end - start);
+        lua_rawget(L, -2);
+        lua_remove(L, -2);
+        start = end + 1;
+    }
+}
+
 std::vector<std::string> function_help(lua_State* L, int index) {
     if (const Method* method = method_of(L, index)) return method_help(*method);
-    const lua_CFunction function = lua_tocfunction(L, index);
-    if (function) {
+    if (const lua_CFunction function = lua_tocfunction(L, index))
         for (const GenericMethod& method : generic_methods())
             if (method.function == function) return generic_help(method);
-        push_registry(L, machine_of(L).environment);
-        for (const GlobalDoc& doc : global_docs()) {
-            lua_pushstring(L, doc.name);
-            lua_rawget(L, -2);
+    for (const auto* docs : {&global_docs(), &library_docs()}) {
+        for (const GlobalDoc& doc : *docs) {
+            push_named(L, doc.name);
             const bool same = lua_rawequal(L, -1, index) != 0;
             lua_pop(L, 1);
-            if (same) {
-                lua_pop(L, 1);
-                return global_help(doc);
-            }
+            if (same) return global_help(doc);
         }
-        lua_pop(L, 1);
     }
     return {short_text(L, index)};
 }
@@ -261,7 +291,7 @@ std::vector<std::string> help_for(Machine& machine, const std::string& path) {
         if (!place.property) return instance_help(machine, place.instance);
         return property_help(machine, *place.property);
     } catch (const Error&) {
-        return {};
+        return value_help(path);
     }
 }
 
@@ -272,6 +302,8 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
         return instance_help(machine, box->handle);
     }
     if (const Class* of = class_object_at(L, index)) return class_help(machine, *of);
+    if (vec_at(L, index)) return value_help("vec");
+    if (color_at(L, index)) return value_help("color");
     if (lua_type(L, index) == LUA_TFUNCTION) return function_help(L, lua_absindex(L, index));
     if (lua_type(L, index) == LUA_TSTRING) {
         auto lines = help_for(machine, lua_tostring(L, index));
@@ -329,17 +361,19 @@ std::vector<std::string> find_lines(Machine& machine, std::string_view word) {
             if (property->owner == of && !property->hidden)
                 search.look(property->name, of->name() + "." + property->name, property->doc);
         for (const Method* method : of->methods())
-            if (!of->base() || of->base()->method(method->symbol) != method)
+            if (method->owner == of)
                 search.look(method->name, of->name() + ":" + signature(*method), method->doc);
         for (const property::Event* event : of->events())
             if (event->owner == of)
                 search.look(event->name, of->name() + " event " + event->name, event->doc);
     }
     for (const GenericMethod& method : generic_methods())
-        search.look(method.name,
-                    "any instance:" + std::string(method.name) + "(" + method.parameters + ")",
-                    method.doc);
-    for (const GlobalDoc& doc : global_docs()) search.look(doc.name, doc.signature, doc.doc);
+        search.look(method.name, "any instance:" + plain_signatures(method.signature), method.doc);
+    for (const auto* docs : {&global_docs(), &library_docs(), &callback_docs(), &variable_docs()})
+        for (const GlobalDoc& doc : *docs) search.look(doc.name, shown_name(doc), doc.doc);
+    for (const TypeDoc& type : type_docs())
+        for (const MemberDoc& member : type.members)
+            search.look(member.name, std::string(type.name) + "." + member.name, member.doc);
     std::size_t instances = 0;
     machine.tree.each_below(machine.tree.root(), [&](Handle handle) {
         if (handle == machine.tree.root() || instances >= 200) return;
@@ -363,7 +397,7 @@ int help(lua_State* L) {
                    "the same; find(\"word\") searches.");
         std::vector<std::vector<std::string>> rows;
         for (const GlobalDoc& doc : global_docs())
-            rows.push_back({"  " + std::string(doc.signature), doc.doc});
+            rows.push_back({"  " + shown_name(doc), doc.doc});
         for (std::string& line : columns(rows)) print_line(machine, std::move(line));
         std::string classes = "classes:";
         for (const Class* of : machine.tree.classes())

@@ -13,16 +13,8 @@ namespace fettle::script {
 
 struct Machine;
 
-struct GlobalDoc {
-    const char* name;
-    const char* signature;
-    const char* doc;
-};
-
-/// Functions of the environment, sorted by name.
-const std::vector<GlobalDoc>& global_docs();
-const GlobalDoc* global_doc(std::string_view name);
-
+/// Whether values of the property lie between a minimum and a maximum, be they infinite.
+bool has_range(const property::Property& property);
 /// "number · kg · 0 to inf · default 1 · read-only"
 std::string property_facts(const Machine& machine, const property::Property& property);
 std::vector<std::string> property_help(const Machine& machine, const property::Property& property);

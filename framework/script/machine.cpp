@@ -4,6 +4,7 @@
 
 #include <fettle/property/error.h>
 
+#include "description.h"
 #include "guard.h"
 #include "instance.h"
 #include "instance_set.h"
@@ -52,6 +53,7 @@ int open_all(lua_State* L) {
     open_records(L, machine);
     open_subscriptions(L, machine);
     open_classes(L, machine);
+    open_descriptions(L, machine);
     open_pen(L, machine);
     open_environment(L, machine);
     // Games make many short-lived vectors over a small heap: with the default pause of 200 % most

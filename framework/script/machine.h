@@ -78,6 +78,7 @@ struct Machine {
     // References into Lua's registry.
     int vec_meta = 0, color_meta = 0, instance_meta = 0, list_meta = 0, set_meta = 0;
     int record_meta = 0, connection_meta = 0, class_meta = 0, snapshot_meta = 0;
+    int description_meta = 0;
     int proxies = 0;      // weak: handle -> proxy
     int environment = 0;  // globals of game and console
     int declared = 0;     // names of globals ever assigned

@@ -9,6 +9,7 @@
 #include "machine.h"
 #include "methods.h"
 #include "protected.h"
+#include "reflection.h"
 #include "subscriptions.h"
 
 namespace fettle::script {
@@ -101,6 +102,9 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
     };
     if (of.property(name)) refuse("is a property already");
     if (of.method(name)) refuse("is a method already");
+    const auto& fields = class_fields();
+    if (std::find(fields.begin(), fields.end(), name) != fields.end())
+        refuse("every class has that");
     const bool is_event = of.event(name) != nullptr || name == "deleted";
     if (is_callback(name) && !is_event && !scripted(of))
         refuse("only classes made with class(...) have it; derive one from " + of.name());

@@ -7,6 +7,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 
+#include "description.h"
 #include "guard.h"
 #include "machine.h"
 #include "script_classes.h"
@@ -199,6 +200,7 @@ std::string describe_type(lua_State* L, int index) {
     if (color_at(L, index)) return "a color";
     if (list_at(L, index)) return "a list";
     if (class_object_at(L, index)) return "a class";
+    if (const DescriptionKind* kind = description_kind(L, index)) return kind->noun;
     switch (lua_type(L, index)) {
         case LUA_TNONE:
         case LUA_TNIL:

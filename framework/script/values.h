@@ -25,7 +25,8 @@ enum class Tag : std::uint32_t {
     connection,
     pen,
     formula,
-    snapshot
+    snapshot,
+    description
 };
 
 /// Where a value was read: a property, or a place inside a list that is its value. Assigning a

@@ -162,12 +162,15 @@ struct Property {
     int enumerator_index(std::string_view text) const;
 };
 
-/// A named field of an event's or a method's result.
+/// A parameter of a method, or a named field of what a method or an event tells.
 struct Field {
     std::string name;
     Type type = Type::number;
     std::string unit{};
     std::string doc{};
+    std::string reference_class{};  // class of a reference, or of the references in a list
+    Type element = Type::nil;       // type of a list's elements; nil: any
+    bool nullable = false;          // of what is told: may be nil
 };
 
 /// Values under the names of their fields: what an event tells, what a query finds.
@@ -190,6 +193,7 @@ struct Method {
     std::vector<Field> parameters{};
     std::size_t required = 0;      // how many of the parameters must be given
     std::vector<Field> returns{};  // fields of the record(s), or one entry for a plain value
+    bool many = false;             // returns a list of such records
     std::string doc{};
     void* context = nullptr;
     /// Arguments are coerced to the parameters' types before the call; missing optional ones are
@@ -197,7 +201,9 @@ struct Method {
     Result (*call)(void* context, Tree& tree, Handle self, Row row,
                    std::span<const Value> arguments) = nullptr;
     Effect effect = Effect::memory;
+    // Filled in by registration.
     Symbol symbol{};
+    const Class* owner = nullptr;
 };
 
 struct Event {

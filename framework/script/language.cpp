@@ -1,0 +1,149 @@
+#include "language.h"
+
+#include <cstring>
+
+#include "signature.h"
+
+namespace fettle::script {
+
+const std::vector<GlobalDoc>& global_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"after", "after(seconds: number, action: fun()): Connection",
+         "Calls the function once, that much simulation time from now. It may wait()."},
+        {"class", "class(name: string, base?: Class|string): fun(members: table): Class",
+         "Makes a class whose instances live in the tree: Ball = class(\"Ball\", Body) { lives = 3 "
+         "}. Values are properties with their defaults; `doc` explains the class, or its "
+         "properties by name."},
+        {"color",
+         "color(name: string): color\n"
+         "color(r: number, g: number, b: number, a?: number): color",
+         "A color by name, as \"#rrggbb\", or from channels between 0 and 1."},
+        {"deg", "deg(degrees: number): number", "An angle in radians."},
+        {"edit", "edit(name: string, action: fun())",
+         "What the function writes is one step of undo under that name."},
+        {"every", "every(seconds: number, action: fun()): Connection",
+         "Calls the function again and again at that interval of simulation time; 0 is every "
+         "step."},
+        {"find", "find(word: string)", "Lists every name and documentation that has the word."},
+        {"formula", "formula(value: fun(): any): Formula",
+         "Assigned to a property, the function is its value from then on: it is called again "
+         "whenever something it reads has changed."},
+        {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
+        {"history", "history()", "Lists what was edited, the latest first."},
+        {"query", "query(pattern: string): Set|table<string, any>",
+         "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
+        {"quit", "quit(status?: integer|boolean)",
+         "Ends the game with that exit status, 0 to 255; 0 without one."},
+        {"random",
+         "random(): number\n"
+         "random(n: integer): integer\n"
+         "random(from: integer, to: integer): integer\n"
+         "random(from: number, to: number): number",
+         "A random number in [0, 1), from 1 to n, or from one to the other; the same for the same "
+         "seed."},
+        {"redo", "redo()", "Does again what undo took back."},
+        {"require", "require(name: string): any",
+         "Runs another file of the game once, and returns what it returned."},
+        {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
+         "The instances of a scene file, placed below the parent; detached without one."},
+        {"scene.save", "scene.save(file: string, instance: Object)",
+         "Writes an instance and everything below it to a scene file of the game."},
+        {"undo", "undo()", "Takes the latest edit back."},
+        {"vec",
+         "vec(x: number, y: number): vec\n"
+         "vec(other: vec): vec\n"
+         "vec(): vec",
+         "A vector or point; a copy of one; the zero vector."},
+        {"wait", "wait(seconds: number)",
+         "Inside a coroutine: goes on that much simulation time later."},
+        {"watch",
+         "watch(pattern: string, handler: fun(new: any, old: any, change: Change)): Connection",
+         "Calls the function after a property that matches has changed: "
+         "watch(\"world.*.velocity\", handler)."},
+        {"who", "who(path: string)", "Tells who wrote a property last, and at which step."},
+        {"why", "why(path: string)",
+         "Tells where the value of a property comes from: its formula, and what that reads."},
+    };
+    return docs;
+}
+
+const std::vector<GlobalDoc>& variable_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"_", "any", "The result of the console's last command."},
+        {"_G", "table", "The table of all globals."},
+        {"_VERSION", "string", "The version of Lua."},
+        {"classes", "Class[]",
+         "All classes, by number and by name: classes.Body.properties. Read-only."},
+        {"game", "Game", "The root of the tree."},
+        {"it", "Object", "In the console: the instance that is selected."},
+    };
+    return docs;
+}
+
+const std::vector<GlobalDoc>& callback_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"start", "start()", "Called once, when main.lua has run."},
+        {"update", "update(dt: number)",
+         "Called every frame; dt is the real time since the last one in seconds."},
+        {"step", "step(dt: number)",
+         "Called before every fixed step of the simulation, time.dt seconds long."},
+        {"draw", "draw(pen: Pen)", "Called for every picture, over what draws itself."},
+        {"key_pressed", "key_pressed(key: string)", "A key went down: \"space\", \"a\", \"left\"."},
+        {"key_released", "key_released(key: string)", "A key came up."},
+        {"text_input", "text_input(text: string)", "A character was typed, by whatever keys."},
+        {"mouse_pressed", "mouse_pressed(button: string, position: vec, screen: vec)",
+         "A button went down, at a position in the world and on the screen in pixels."},
+        {"mouse_released", "mouse_released(button: string, position: vec, screen: vec)",
+         "A button came up, at a position in the world and on the screen in pixels."},
+        {"mouse_moved", "mouse_moved(position: vec, screen: vec)",
+         "The mouse moved to a position in the world and on the screen in pixels."},
+        {"wheel", "wheel(notches: number, position: vec)",
+         "The wheel was turned, away from the user positive, over a position in the world."},
+        {"gamepad_pressed", "gamepad_pressed(gamepad: integer, button: string)",
+         "A button of a gamepad, counted from 1, went down."},
+        {"gamepad_axis", "gamepad_axis(gamepad: integer, axis: string, value: number)",
+         "A stick or trigger of a gamepad, counted from 1, moved to a value from -1 to 1."},
+        {"resized", "resized(width: number, height: number)",
+         "The window got another size, in pixels."},
+        {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},
+        {"closing", "closing()", "The window is about to close."},
+    };
+    return docs;
+}
+
+const std::vector<GlobalDoc>& class_callback_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"ready", "ready(self: Object)",
+         "Called when the instance has found its place in the tree, children first."},
+        {"step", "step(self: Object, dt: number)",
+         "Called before every fixed step of the simulation, time.dt seconds long."},
+        {"draw", "draw(self: Object, pen: Pen)", "Called for every picture."},
+    };
+    return docs;
+}
+
+const GlobalDoc* global_doc(std::string_view name) {
+    for (const auto* docs : {&global_docs(), &library_docs(), &variable_docs(), &callback_docs()})
+        for (const GlobalDoc& doc : *docs)
+            if (name == doc.name) return &doc;
+    return nullptr;
+}
+
+std::string shown_name(const GlobalDoc& doc) {
+    return std::string_view(doc.signature).find('(') == std::string_view::npos
+               ? doc.name
+               : plain_signatures(doc.signature);
+}
+
+bool MemberDoc::is_function() const {
+    const std::size_t length = std::strlen(name);
+    return std::strncmp(signature, name, length) == 0 && signature[length] == '(';
+}
+
+const TypeDoc* type_doc(std::string_view name) {
+    for (const TypeDoc& doc : type_docs())
+        if (name == doc.name) return &doc;
+    return nullptr;
+}
+
+}  // namespace fettle::script
