@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "docs.h"
 #include "exit_status.h"
 #include "run.h"
 
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     int status = success;
     add_run(app, status);
+    add_docs(app, status);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -158,7 +158,8 @@ void Input::State::define() {
                                              }),
                          .read_only = true,
                          .transient = true,
-                         .element = Type::reference}}});
+                         .element = Type::reference,
+                         .reference_class = "Gamepad"}}});
     const Handle input = tree.create(input_class, tree.root(), "input");
     define_keys(input);
     define_mouse(input);

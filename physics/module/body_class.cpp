@@ -124,8 +124,9 @@ std::vector<Property> motion(Hosting& hosting) {
         {.name = "type",
          .type = Type::text,
          .default_value = "dynamic",
-         .doc = "\"static\" never moves by itself, \"kinematic\" moves by its velocity and nothing "
-                "pushes it, \"dynamic\" is moved by forces, contacts and joints.",
+         .doc =
+             "What moves it. \"static\": nothing; \"kinematic\": its velocity, and nothing pushes "
+             "it; \"dynamic\": forces, contacts and joints.",
          .binding = type(hosting),
          .enumerators = {"static", "kinematic", "dynamic"}},
         {.name = "position",

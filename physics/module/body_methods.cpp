@@ -63,7 +63,7 @@ std::vector<Method> body_methods(Hosting& hosting) {
                {.name = "velocity_at",
                 .parameters = {vec2("point", "m", "In the world.")},
                 .required = 1,
-                .returns = {vec2("velocity", "m/s", "")},
+                .returns = {vec2("velocity", "m/s", "Of that point, in the world.")},
                 .doc = "How fast that point of the body moves.",
                 .effect = Effect::nothing},
                [](const physics::Body& body, Arguments a) -> Result {
@@ -71,7 +71,8 @@ std::vector<Method> body_methods(Hosting& hosting) {
                }),
         method(hosting,
                {.name = "apply_impulse",
-                .parameters = {vec2("impulse", "N s", ""), world_point},
+                .parameters = {vec2("impulse", "N s", "Mass times the change of velocity."),
+                               world_point},
                 .required = 1,
                 .doc = "Changes its velocity at once: a kick."},
                [](physics::Body body, Arguments a) -> Result {
@@ -83,7 +84,10 @@ std::vector<Method> body_methods(Hosting& hosting) {
                }),
         method(hosting,
                {.name = "apply_angular_impulse",
-                .parameters = {{.name = "impulse", .unit = "N m s"}},
+                .parameters = {{.name = "impulse",
+                                .unit = "N m s",
+                                .doc = "Inertia times the change of angular velocity, "
+                                       "counter-clockwise."}},
                 .required = 1,
                 .doc = "Changes its angular velocity at once."},
                [](physics::Body body, Arguments a) -> Result {
@@ -92,7 +96,7 @@ std::vector<Method> body_methods(Hosting& hosting) {
                }),
         method(hosting,
                {.name = "apply_force",
-                .parameters = {vec2("force", "N", ""), world_point},
+                .parameters = {vec2("force", "N", "In the world."), world_point},
                 .required = 1,
                 .doc = "Pushes it during the next step only; the property `force` stays."},
                [](physics::Body body, Arguments a) -> Result {
@@ -104,7 +108,7 @@ std::vector<Method> body_methods(Hosting& hosting) {
                }),
         method(hosting,
                {.name = "apply_torque",
-                .parameters = {{.name = "torque", .unit = "N m"}},
+                .parameters = {{.name = "torque", .unit = "N m", .doc = "Counter-clockwise."}},
                 .required = 1,
                 .doc = "Turns it during the next step only; the property `torque` stays."},
                [](physics::Body body, Arguments a) -> Result {

@@ -16,13 +16,17 @@ using property::Field;
 std::vector<Field> contact_fields(bool full) {
     std::vector<Field> fields = {
         {"other", Type::reference, "", "The other body; the world itself for its bounds."},
-        {"shape", Type::reference, "", "The shape of this body."},
-        {"other_shape", Type::reference, "", "The shape of the other; nil for the bounds."},
+        {"shape", Type::reference, "", "The shape of this body.", "Shape"},
+        {.name = "other_shape",
+         .type = Type::reference,
+         .doc = "The shape of the other; nil for the bounds.",
+         .reference_class = "Shape",
+         .nullable = true},
     };
     if (!full) return fields;
     const std::vector<Field> rest = {
         {"point", Type::vec2, "m", "Where, in the world."},
-        {"normal", Type::vec2, "", "From this body to the other."},
+        {"normal", Type::vec2, "", "From this body to the other; its length is 1."},
         {"impulse", Type::number, "N s", "How hard they met."},
         {"speed", Type::number, "m/s", "How fast they approached each other."},
         {"friction", Type::number, "", "Mixed from both surfaces."},

@@ -18,20 +18,28 @@ const Field from{"from", Type::vec2, "m", "Where the ray starts."};
 const Field to{"to", Type::vec2, "m", "Where it ends."};
 const Field mask{"mask", Type::integer, "", "Categories to look for, as bits; all when left out."};
 
+Field shape_field(std::string name, std::string doc) {
+    return {.name = std::move(name),
+            .type = Type::reference,
+            .doc = std::move(doc),
+            .reference_class = "Shape",
+            .nullable = true};
+}
+
 const std::vector<Field> hit_fields = {
-    {"shape", Type::reference, "", "What was hit; nil for the bounds of the world."},
+    shape_field("shape", "What was hit; nil for the bounds of the world."),
     {"body", Type::reference, "", "Its body; the world itself for its bounds."},
     {"point", Type::vec2, "m", "Where, in the world."},
-    {"normal", Type::vec2, "", "Of the surface there, outward."},
+    {"normal", Type::vec2, "", "Of the surface there, outward; its length is 1."},
     {"fraction", Type::number, "", "How far along the ray, 0 to 1."},
 };
 const std::vector<Field> contact_fields = {
-    {"body_a", Type::reference, "", ""},
-    {"body_b", Type::reference, "", "The world itself for its bounds."},
-    {"shape_a", Type::reference, "", ""},
-    {"shape_b", Type::reference, "", "Nil for the bounds."},
+    {"body_a", Type::reference, "", "One of the two bodies.", "Body"},
+    {"body_b", Type::reference, "", "The other; the world itself for its bounds."},
+    shape_field("shape_a", "The shape of body_a."),
+    shape_field("shape_b", "The shape of body_b; nil for the bounds."),
     {"point", Type::vec2, "m", "Where, in the world."},
-    {"normal", Type::vec2, "", "From a to b."},
+    {"normal", Type::vec2, "", "From a to b; its length is 1."},
     {"separation", Type::number, "m", "Below 0: how deep they overlap."},
     {"force", Type::number, "N", "That presses them apart."},
 };
@@ -155,20 +163,30 @@ std::vector<Method> world_methods(Hosting& hosting) {
                                       .parameters = {from, to, mask},
                                       .required = 2,
                                       .returns = hit_fields,
+                                      .many = true,
                                       .doc = "Every shape a ray meets, nearest first."}),
         method<at>(hosting, {.name = "at",
                              .parameters = {{"point", Type::vec2, "m", "In the world."}, mask},
                              .required = 1,
-                             .returns = {{"body", Type::reference, "", ""}},
+                             .returns = {{.name = "body",
+                                          .type = Type::reference,
+                                          .doc = "The body, or nil.",
+                                          .reference_class = "Body",
+                                          .nullable = true}},
                              .doc = "The body at a point, that with the smallest shape there "
                                     "where there are several, or nil."}),
         method<overlap_box>(hosting, {.name = "overlap_box",
                                       .parameters = {corner, opposite, mask},
                                       .required = 2,
-                                      .returns = {{"bodies", Type::list, "", ""}},
+                                      .returns = {{.name = "bodies",
+                                                   .type = Type::list,
+                                                   .doc = "Each once, in no special order.",
+                                                   .reference_class = "Body",
+                                                   .element = Type::reference}},
                                       .doc = "The bodies that reach into a box."}),
         method<contacts>(hosting, {.name = "contacts",
                                    .returns = contact_fields,
+                                   .many = true,
                                    .doc = "Every point where two bodies touch now."}),
     };
 }

@@ -1,0 +1,24 @@
+#pragma once
+// The reference of everything a game can use, from the class descriptors of a tree and those of the
+// language: annotations for editors, and pages for people. Nothing in them is written by hand.
+
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::script {
+
+/// One file of LuaCATS annotations (`---@meta`, as lua-language-server reads them). `tree`: with all
+/// modules and services attached; what hangs under its root is global.
+std::string annotations(const property::Tree& tree);
+
+struct ReferencePage {
+    std::string file;  // "README.md", "classes/Body.md"
+    std::string text;  // Markdown
+};
+
+/// An index, one page a class, functions, callbacks and values.
+std::vector<ReferencePage> reference_pages(const property::Tree& tree);
+
+}  // namespace fettle::script

@@ -1,0 +1,38 @@
+#pragma once
+// What descriptors say, in the words of the reference.
+
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::script {
+
+/// "kg", "–" where there is none.
+std::string unit_text(const std::string& unit);
+/// "0 to inf", "any number", "true or false", "\"a\", \"b\"": what values there can be. Never
+/// empty.
+std::string range_text(const property::Property& property);
+/// "1", "computed" for what is read only, "nil".
+std::string default_text(const property::Tree& tree, const property::Property& property);
+/// "read-only, simulated, not saved"; "" where nothing is special.
+std::string flags_text(const property::Property& property);
+
+/// The type as editors' annotations have it: `number`, `vec`, `Body?`, `"a"|"b"`, `Shape[]`.
+std::string annotated_type(const property::Property& property);
+std::string annotated_type(const property::Field& field);
+/// What a method returns: `nil`, a type, or a record named `World.raycast.result`.
+std::string annotated_result(const property::Method& method);
+bool returns_record(const property::Method& method);
+std::string result_name(const property::Method& method);
+
+// What the class declares itself, sorted by name; what it inherits is told where it is declared.
+std::vector<const property::Property*> own_properties(const property::Class& of);
+std::vector<const property::Method*> own_methods(const property::Class& of);
+std::vector<const property::Event*> own_events(const property::Class& of);
+
+/// Instances that are there from the beginning below one of the class, by name: `world.step`.
+std::vector<std::pair<std::string, const property::Class*>> fixed_children(
+    const property::Tree& tree, const property::Class& of);
+
+}  // namespace fettle::script
