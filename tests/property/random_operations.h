@@ -1,0 +1,107 @@
+#pragma once
+// Random operations on a tree and on a naive world side by side; after each barrier both must be
+// the same, formulas settled, and every watcher must know what it watches.
+
+#include <array>
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fixture.h"
+#include "naive_world.h"
+
+namespace fettle::property::testing {
+
+/// Numbers that a failing run prints, and that make the same run again.
+struct Operation {
+    enum Kind {
+        create,
+        destroy,
+        move,
+        set,
+        set_formula,
+        clear,
+        read,
+        barrier,
+        simulate,
+        begin_edit,
+        end_edit,
+        undo,
+        redo,
+        watch,
+        stop,
+        rename,
+        explain,
+        kinds
+    };
+    Kind kind = barrier;
+    std::array<int, 4> numbers{};  // each 0 to 9999; what they mean depends on the kind
+};
+std::ostream& operator<<(std::ostream& out, const Operation& operation);
+
+/// A difference between tree and naive world.
+class Difference : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class RandomRun {
+  public:
+    /// `people`: all edits are a person's and can be undone; else scripts write, and handlers
+    /// create, delete and edit as well.
+    explicit RandomRun(bool people);
+    ~RandomRun();
+    /// Throws Difference.
+    void run(const Operation& operation);
+    /// A barrier, and a look at everything.
+    void settle();
+
+  private:
+    struct Watcher;
+
+    std::optional<int> pick(int number) const;
+    Handle handle(int instance) const { return handles_[static_cast<std::size_t>(instance)]; }
+    NaiveInstance& naive(int instance) {
+        return world_.instances[static_cast<std::size_t>(instance)];
+    }
+    bool present(int instance, const std::string& property) const;
+
+    void create(const std::string& name);
+    void destroy(int instance);
+    void move(int instance, int parent);
+    void set(int instance, const std::string& property, double value);
+    void set_formula(int instance, const std::string& property, const Recipe& recipe);
+    void clear(int instance, const std::string& property);
+    void simulate(int number);
+    void step_in_history(bool back);
+    void watch(int instance, const std::string& property, int action, int number);
+    void told(Watcher& watcher, const Change& change);
+    void act(Watcher& watcher);
+    void explain(int instance, const std::string& property);
+
+    /// Runs what may be an edit of its own, and notes the world before it where it was one.
+    template <class Edit>
+    void edit(Edit edit);
+    void note(NaiveWorld before);
+
+    void check_cell(int instance, const std::string& property);
+    void check_everything();
+    void check(bool holds, const std::string& what) const;
+
+    Tree tree_;
+    BallModule module_{tree_};
+    Handle root_ = tree_.create(tree_.object_class(), tree_.root(), "world");
+    NaiveWorld world_;
+    std::vector<Handle> handles_;
+    std::vector<std::unique_ptr<Watcher>> watchers_;
+    std::vector<NaiveWorld> done_, undone_;
+    bool people_, in_edit_ = false, wrote_ = false, in_barrier_ = false;
+    NaiveWorld before_edit_;
+    std::size_t entries_before_edit_ = 0;
+    std::uint64_t steps_ = 0;
+    std::map<std::pair<int, std::string>, int> runs_;  // of formulas, since the last barrier began
+};
+
+}  // namespace fettle::property::testing
