@@ -288,9 +288,12 @@ void History::set_cell(Handle instance, Symbol name, const CellState& state, Und
             property = tree_.find(instance, name);
         }
         if (property == nullptr) return;
-        if (!state.overridden && tree_.overridden(instance, *property))
+        // A formula that is in error leaves the default where it was, and is to go all the same.
+        const bool stands =
+            tree_.overridden(instance, *property) || tree_.formula(instance, *property) != nullptr;
+        if (!state.overridden && stands)
             tree_.reset(instance, *property);
-        else if (state.overridden)
+        else if (state.overridden && !(state.formula && state.value.is_nil()))
             tree_.set(instance, *property, state.value);
         if (state.formula) tree_.set_formula(instance, *property, *state.formula);
     } catch (const std::exception& error) {
@@ -381,6 +384,8 @@ void History::revive(Existence& existence, UndoResult& result) {
             set_cell(image.handle, symbol, state, result);
     place(existence.top, existence.images.front().position, result);
     if (observer_ != nullptr) observer_->born(existence.top);
+    // Whoever buries them next has newer images, and the slots to give back.
+    existence.images.clear();
     if (existence.lost_watchers > 0)
         result.notes.push_back("watchers of " + tree_.path(existence.top) +
                                " ended when it was deleted; they are not brought back");

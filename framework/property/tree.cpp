@@ -286,6 +286,8 @@ void Tree::require(Handle instance) const {
 }
 
 void Tree::State::throw_deleted(Handle handle) const {
+    // Undo may bring it back: a formula that looks for it is asked again then.
+    if (formulas.tracking()) tree.state().formulas.note_structure();
     if (!handle) throw Error(ErrorKind::deleted, "no instance: the reference is empty");
     for (auto t = tombstones.rbegin(); t != tombstones.rend(); ++t)
         if (t->handle == handle)

@@ -1,5 +1,6 @@
 // Formulas as the tree's users see them; how they settle is formulas.cpp.
 
+#include <fettle/property/path.h>
 #include <fettle/property/tree.h>
 
 #include <optional>
@@ -32,9 +33,15 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
 }
 
 void Tree::set_formula(Handle instance, std::string_view name, Formula formula) {
-    const Property* found = find(instance, name);
-    set_formula(instance, found != nullptr ? *found : state_->add_ad_hoc(instance, name, Value()),
-                std::move(formula));
+    if (const Property* found = find(instance, name))
+        return set_formula(instance, *found, std::move(formula));
+    // The property and its formula come, and go again by undo, as one.
+    state_->history.begin(path(instance) + path_suffix(name) + ": a formula", false);
+    struct End {
+        History& history;
+        ~End() { history.end(); }
+    } end{state_->history};
+    set_formula(instance, state_->add_ad_hoc(instance, name, Value()), std::move(formula));
 }
 
 const Formula* Tree::formula(Handle instance, const Property& property) const {

@@ -126,7 +126,9 @@ class Reader {
             if (number == 1) {
                 line.expect("---@meta fettle");
             } else if (text.empty()) {
-                if (pending_) line.fail("a comment that belongs to nothing");
+                if (!pending_) continue;
+                if (pending_->class_name.empty()) line.fail("a comment that belongs to nothing");
+                (void)define_class(line);  // a class without a table
             } else {
                 read(line);
             }

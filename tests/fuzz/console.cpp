@@ -35,6 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             game.tree.barrier();
             game.module.step(1.0 / 60);
             game.tree.set_step(static_cast<std::uint64_t>(command) + 1);
+            game.tree.stepped();
             game.tree.barrier();
         } catch (const property::Error&) {
             // handlers that answer each other for ever

@@ -29,6 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     game.tree.destroy(loaded);
     game.module.step(1.0 / 60);
     game.tree.set_step(1);
+    game.tree.stepped();
     game.tree.barrier();
     if (!game.tree.alive(again)) std::abort();
     return 0;

@@ -256,3 +256,53 @@ TEST_CASE_METHOD(Fixture, "who wrote last is known by writer and step and for ed
     REQUIRE(next.index == ball.index);
     CHECK_FALSE(tree.who(next, p).known);
 }
+
+TEST_CASE_METHOD(Fixture, "a formula that never had a value is taken back by undo") {
+    console([&] {
+        tree.set_formula(ball, "mass", {[&](const Tree& t) { return t.get(ball, "mass"); }});
+    });
+    CHECK_FALSE(tree.problem(ball, tree.property(ball, "mass")).empty());
+    tree.undo();
+    CHECK(tree.formula_count() == 0);
+    CHECK(mass() == 1);
+}
+
+TEST_CASE_METHOD(Fixture, "a formula that makes its property is one step of undo") {
+    const auto fails = [](const Tree&) -> Value { throw std::runtime_error("no"); };
+    console([&] { tree.set_formula(ball, "score", {fails}); });
+    tree.barrier();
+    console([&] { tree.set_formula(ball, "score", {[](const Tree&) { return Value(3); }}); });
+    tree.undo();  // to a property that has a formula and never had a value
+    REQUIRE(tree.find(ball, "score") != nullptr);
+    CHECK_FALSE(tree.problem(ball, tree.property(ball, "score")).empty());
+    tree.undo();
+    CHECK(tree.find(ball, "score") == nullptr);
+    CHECK(tree.formula_count() == 0);
+    tree.redo();
+    tree.redo();
+    CHECK(tree.get(ball, "score") == Value(3));
+}
+
+TEST_CASE_METHOD(Fixture, "an instance made and deleted and revived and unmade frees one slot") {
+    Handle other;
+    console([&] { other = tree.create(*module.type, world, "other"); });
+    console([&] { tree.destroy(other); });
+    tree.undo();
+    tree.undo();
+    console([&] { tree.set(ball, "mass", 2); });  // what was undone is forgotten
+    const Handle first = tree.create(*module.type, world, "first");
+    const Handle second = tree.create(*module.type, world, "second");
+    CHECK(first.index != second.index);
+    CHECK(child_names() == Names{"ball", "first", "second"});
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "a formula that follows a handle recovers when undo revives the instance") {
+    const Handle source = tree.create(*module.type, world, "source");
+    tree.set_formula(ball, "mass", {[&](const Tree& t) { return t.get(source, "radius"); }});
+    console([&] { tree.destroy(source); });
+    tree.barrier();
+    CHECK_THAT(tree.problem(ball, tree.property(ball, "mass")), contains("was deleted"));
+    tree.undo();
+    CHECK(mass() == 0.5);
+}

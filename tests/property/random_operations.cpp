@@ -67,6 +67,26 @@ bool RandomRun::present(int instance, const std::string& property) const {
 // --- One operation on both
 
 void RandomRun::run(const Operation& operation) {
+    run_alone(operation);
+    check_lists();
+}
+
+// A list of children that has no end would hang whatever walks it.
+void RandomRun::check_lists() const {
+    const auto walk = [this](Handle parent) {
+        std::size_t count = 0;
+        for (Handle child = tree_.first_child(parent); child; child = tree_.next_sibling(child)) {
+            check(tree_.alive(child) && tree_.parent(child) == parent, "a child of another");
+            check(++count <= tree_.size(), "a list of children without an end");
+        }
+        check(count == tree_.child_count(parent), "children are counted wrongly");
+    };
+    walk(root_);
+    for (const int instance : world_.alive())
+        if (tree_.alive(handle(instance))) walk(handle(instance));
+}
+
+void RandomRun::run_alone(const Operation& operation) {
     const auto& [a, b, c, d] = operation.numbers;
     Tree::CauseScope scope(tree_, people_ ? Writer::console : Writer::script);
     const auto some = pick(a), other = pick(b);
@@ -253,6 +273,7 @@ void RandomRun::simulate(int number) {
         naive(instance).values["speed"] = static_cast<double>(speed);
     }
     tree_.set_step(++steps_);
+    tree_.stepped();
     settle();
 }
 
@@ -347,12 +368,18 @@ void RandomRun::settle() {
     const NaiveWorld before = world_;
     tree_.barrier();
     in_barrier_ = false;
-    // Nothing is computed twice, unless handlers wrote in between.
+    // Nothing is computed twice, unless handlers wrote in between. Only circles tied into each
+    // other take a few rounds until all of them have the same error.
+    const auto runs = runs_;
     if (before == world_)
-        for (const auto& [cell, count] : runs_)
-            check(count == 1, "n" + std::to_string(cell.first) + "." + cell.second +
-                                  " was computed " + std::to_string(count) +
-                                  " times in one barrier");
+        for (const auto& [cell, count] : runs) {
+            const Handle of = handle(cell.first);
+            const bool in_error = !tree_.problem(of, tree_.property(of, cell.second)).empty();
+            check(count <= (in_error ? 8 : 1), "n" + std::to_string(cell.first) + "." +
+                                                   cell.second + " was computed " +
+                                                   std::to_string(count) + " times in one barrier" +
+                                                   (in_error ? ", in error" : ""));
+        }
     check_everything();
 }
 

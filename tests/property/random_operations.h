@@ -61,6 +61,7 @@ class RandomRun {
   private:
     struct Watcher;
 
+    void run_alone(const Operation& operation);
     std::optional<int> pick(int number) const;
     Handle handle(int instance) const { return handles_[static_cast<std::size_t>(instance)]; }
     NaiveInstance& naive(int instance) {
@@ -87,6 +88,7 @@ class RandomRun {
     void note(NaiveWorld before);
 
     void check_cell(int instance, const std::string& property);
+    void check_lists() const;
     void check_everything();
     void check(bool holds, const std::string& what) const;
 

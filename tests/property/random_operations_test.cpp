@@ -53,9 +53,14 @@ bool agree(bool people, std::uint64_t operations, std::uint64_t seed) {
     const auto holds = [&] {
         const auto list = *rc::gen::resize(
             longest, rc::gen::container<std::vector<Operation>>(rc::gen::resize(100, operation())));
-        RandomRun run(people);
-        for (const Operation& each : list) run.run(each);
-        run.settle();
+        auto run = std::make_unique<RandomRun>(people);
+        try {
+            for (const Operation& each : list) run->run(each);
+            run->settle();
+        } catch (...) {
+            (void)run.release();  // a broken tree may not even end
+            throw;
+        }
         made += list.size();
     };
     rc::detail::TestParams params;

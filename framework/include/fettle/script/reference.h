@@ -6,6 +6,9 @@
 #include <vector>
 
 #include <fettle/property/tree.h>
+#include <fettle/script/export.h>
+
+FETTLE_SCRIPT_BEGIN
 
 namespace fettle::script {
 
@@ -22,3 +25,5 @@ struct ReferencePage {
 std::vector<ReferencePage> reference_pages(const property::Tree& tree);
 
 }  // namespace fettle::script
+
+FETTLE_SCRIPT_END

@@ -1,0 +1,1876 @@
+---@meta fettle
+-- Written by `fettle docs`.
+
+---A vector or point in the plane. One that was read from a property writes back when a component is assigned: ball.velocity.x = 3.
+---@class vec
+---@field x number To the right.
+---@field y number Up.
+---@operator add(vec): vec
+---@operator sub(vec): vec
+---@operator mul(number): vec
+---@operator div(number): vec
+---@operator unm: vec
+local fettle_vec = {}
+
+---Its direction in radians, counter-clockwise from the x axis.
+---@return number
+function fettle_vec:angle() end
+
+---Cross product: above 0 when the other lies counter-clockwise.
+---@param other vec
+---@return number
+function fettle_vec:cross(other) end
+
+---Scalar product.
+---@param other vec
+---@return number
+function fettle_vec:dot(other) end
+
+---How long it is.
+---@return number
+function fettle_vec:length() end
+
+---The point on the way to the other: 0 is here, 1 is there.
+---@param to vec
+---@param share number
+---@return vec
+function fettle_vec:lerp(to, share) end
+
+---The same direction with length 1; the zero vector stays what it is.
+---@return vec
+function fettle_vec:normalized() end
+
+---Turned counter-clockwise by an angle in radians.
+---@param angle number
+---@return vec
+function fettle_vec:rotated(angle) end
+
+---A color with opacity. One that was read from a property writes back when a channel is assigned.
+---@class color
+---@field r number Red, 0 to 1.
+---@field g number Green, 0 to 1.
+---@field b number Blue, 0 to 1.
+---@field a number Opacity, 0 to 1.
+local fettle_color = {}
+
+---A color between the two: 0 is this one, 1 the other.
+---@param to color
+---@param share number
+---@return color
+function fettle_color:lerp(to, share) end
+
+---Instances in order: what find, all, children and query return. Its functions work on all of them at once.
+---@class Set
+---@field [integer] Object The instances, from 1.
+local fettle_Set = {}
+
+---Adds the value to that property of each.
+---@param property string
+---@param value any
+---@return Set
+function fettle_Set:add(property, value) end
+
+---Deletes them, with everything below.
+function fettle_Set:delete() end
+
+---Calls the function with each.
+---@param action fun(instance: Object)
+---@return Set
+function fettle_Set:each(action) end
+
+---Writes that property of each; nil restores the default.
+---@param property string
+---@param value any
+---@return Set
+function fettle_Set:set(property, value) end
+
+---What watch, on, after and every return.
+---@class Connection
+local fettle_Connection = {}
+
+---Whether the function can still be called.
+---@return boolean
+function fettle_Connection:active() end
+
+---The function is not called again.
+function fettle_Connection:stop() end
+
+---What a watcher is told, besides the new and the old value.
+---@class Change
+---@field cause string Who wrote it: "console", "main.lua:12", "simulation".
+---@field instance Object Whose property it is.
+---@field path string "world.ball.mass".
+---@field property string Its name.
+---@field step integer The fixed step in which it was written.
+local fettle_Change = {}
+
+---What handlers of the events "created" and "deleted" are told.
+---@class Existence
+---@field cause string Who did it.
+---@field instance Object The instance; after its deletion nothing of it can be read.
+---@field last table<string, any> After a deletion: its last values by name.
+---@field path string Where it is, or was.
+---@field step integer The fixed step in which it happened.
+local fettle_Existence = {}
+
+---What formula(...) makes: assign it to a property.
+---@class Formula
+local fettle_Formula = {}
+
+---What draw(pen) draws with: world units, y up; inside pen.screen(...) pixels, y down. Colors are values or names; nil or false is no fill, no border. Borders and lines are measured in pixels.
+---@class Pen
+local fettle_Pen = {}
+
+---A rectangle, turned by an angle in radians.
+---@param center vec
+---@param width number
+---@param height number
+---@param fill? color|string|false
+---@param border? color|string|false
+---@param border_width? number
+---@param angle? number
+function fettle_Pen.box(center, width, height, fill, border, border_width, angle) end
+
+---A circle.
+---@param center vec
+---@param radius number
+---@param fill? color|string|false
+---@param border? color|string|false
+---@param border_width? number
+function fettle_Pen.circle(center, radius, fill, border, border_width) end
+
+---A line.
+---@param from vec
+---@param to vec
+---@param stroke? color|string
+---@param width? number
+function fettle_Pen.line(from, to, stroke, width) end
+
+---A dot as many pixels wide as its size says.
+---@param position vec
+---@param fill? color|string
+---@param size? number
+function fettle_Pen.point(position, fill, size) end
+
+---A convex polygon of three or more vertices.
+---@param vertices vec[]
+---@param fill? color|string|false
+---@param border? color|string|false
+---@param border_width? number
+function fettle_Pen.polygon(vertices, fill, border, border_width) end
+
+---What the function draws is measured in pixels from the upper left corner.
+---@param action fun(pen: Pen)
+function fettle_Pen.screen(action) end
+
+---A text, half a meter high unless a height is given.
+---@param position vec
+---@param text any
+---@param height? number
+---@param fill? color|string
+---@param align? "middle"|"left"|"right"
+function fettle_Pen.text(position, text, height, fill, align) end
+
+---A class: Body { ... } makes an instance. What it has can be read, and changed by nobody.
+---@class Class
+---@field base Class? The class it derives from; nil for Object.
+---@field creatable boolean Whether instances can be made; there is one `time` only.
+---@field derived Class[] The classes that derive from it directly.
+---@field doc string What it is for.
+---@field events EventDescription[] Its events, by number and by name.
+---@field methods MethodDescription[] Its methods, by number and by name.
+---@field name string What it is called.
+---@field properties PropertyDescription[] Its properties, inherited ones included, by number and by name: Body.properties.mass.unit.
+local fettle_Class = {}
+
+---Calls the function when the event happens to any instance; "created" and "deleted" are events too.
+---@param event string
+---@param handler fun(told: any)
+---@return Connection
+function fettle_Class:on(event, handler) end
+
+---Calls the function after that property, or any, of any instance has changed.
+---@param property string
+---@param handler fun(new: any, old: any, change: Change)
+---@return Connection
+---@overload fun(self: Class, handler: fun(new: any, old: any, change: Change)): Connection
+function fettle_Class:watch(property, handler) end
+
+---What a property is. Read-only.
+---@class PropertyDescription
+---@field class Class? The class that a reference, or a list of them, takes.
+---@field clamp boolean Whether what is out of range is clamped instead of refused.
+---@field default any Nil for what is computed.
+---@field derives_from string[] What it is computed from, as paths from its instance.
+---@field doc string What it means.
+---@field element string? Type of a list's elements.
+---@field enumerators string[] The only texts it takes; empty when it takes any.
+---@field inf boolean Whether it may be infinite.
+---@field max number? Greatest value.
+---@field min number? Least value.
+---@field name string What it is called.
+---@field nullable boolean Whether nil is a value of its own.
+---@field owner Class? The class that declares it; nil for one added to an instance.
+---@field read_only boolean Whether it can only be read.
+---@field simulated boolean Whether the simulation changes it.
+---@field transient boolean Whether scene files leave it out.
+---@field type string "number", "vec2", "text" ...
+---@field unit string "kg", "m/s"; "" where it has none.
+local fettle_PropertyDescription = {}
+
+---What a method is. Read-only.
+---@class MethodDescription
+---@field doc string What it does.
+---@field many boolean Whether it returns a list of records.
+---@field name string What it is called.
+---@field owner Class? The class that declares it.
+---@field parameters FieldDescription[] What it takes.
+---@field returns FieldDescription[] What it returns: fields of a record, or one entry for a plain value.
+---@field signature string As help shows it.
+local fettle_MethodDescription = {}
+
+---What an event is. Read-only.
+---@class EventDescription
+---@field doc string When it happens.
+---@field fields FieldDescription[] What handlers are told.
+---@field name string What it is called.
+---@field owner Class? The class that declares it.
+local fettle_EventDescription = {}
+
+---What a parameter, or a field of a result, is. Read-only.
+---@class FieldDescription
+---@field class Class? The class of a reference, or of a list of them.
+---@field doc string What it means.
+---@field element string? Type of a list's elements.
+---@field name string What it is called.
+---@field nullable boolean Whether it may be nil.
+---@field optional boolean Whether a parameter may be left out.
+---@field type string "number", "vec2", "text" ...
+---@field unit string "m", "N s"; "" where it has none.
+local fettle_FieldDescription = {}
+
+---It has been made, with all its properties and children.
+---@class Object.ready
+---@field instance Object To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A plain node: a place for children and for properties of your own.
+---@class Object
+---@field class string The name of its class. · any text · read-only
+---@field name string What its parent calls it: the last part of its path. · any text · default computed · not saved
+---@field parent Object? The instance it hangs under. · any instance · default computed · not saved
+local fettle_Object = {}
+
+---Gives a new instance its place here and returns it.
+---@param child Object
+---@param name? string
+---@return Object
+function fettle_Object:add(child, name) end
+
+---Whether it has not been deleted.
+---@return boolean
+function fettle_Object:alive() end
+
+---Everything below of that class, as a set with :set and :add.
+---@param class? Class|string
+---@return Set
+function fettle_Object:all(class) end
+
+---What hangs directly here, as a set.
+---@param class? Class|string
+---@return Set
+function fettle_Object:children(class) end
+
+---A detached copy of it and everything below.
+---@return Object
+function fettle_Object:clone() end
+
+---Deletes it and everything below.
+function fettle_Object:delete() end
+
+---What it has: all its properties, or one property, method or event by name.
+---@return PropertyDescription[]
+---@overload fun(self: Object, name: string): PropertyDescription|MethodDescription|EventDescription
+function fettle_Object:describe() end
+
+---Calls the function with everything below of that class.
+---@param class Class|string
+---@param action fun(instance: Object)
+---@overload fun(self: Object, action: fun(instance: Object))
+function fettle_Object:each(class, action) end
+
+---Everything below of that class for which the condition holds, as a set.
+---@param class Class|string
+---@param condition? fun(instance: Object): boolean
+---@return Set
+function fettle_Object:find(class, condition) end
+
+---The function that is the property's value, or nil.
+---@param property string
+---@return function?
+function fettle_Object:formula(property) end
+
+---Whether it has a property or child of that name.
+---@param name string
+---@return boolean
+function fettle_Object:has(name) end
+
+---Whether it is of that class or of one derived from it.
+---@param class Class|string
+---@return boolean
+function fettle_Object:is_a(class) end
+
+---Gives it another parent; nil detaches it.
+---@param parent? Object
+---@param name? string
+---@return Object
+function fettle_Object:move(parent, name) end
+
+---Calls the function when the event happens to it.
+---@param event string
+---@param handler fun(told: any)
+---@return Connection
+---@overload fun(self: Object, event: "ready", handler: fun(told: Object.ready)): Connection
+---@overload fun(self: Object, event: "deleted", handler: fun(told: Existence)): Connection
+function fettle_Object:on(event, handler) end
+
+---What is wrong with the property's formula, or nil.
+---@param property string
+---@return string?
+function fettle_Object:problem(property) end
+
+---Calls the function after that property, or any, has changed.
+---@param property string
+---@param handler fun(new: any, old: any, change: Change)
+---@return Connection
+---@overload fun(self: Object, handler: fun(new: any, old: any, change: Change)): Connection
+function fettle_Object:watch(property, handler) end
+
+---A plain node: a place for children and for properties of your own.
+---@class Class.Object : Class
+---@overload fun(members?: table): Object
+Object = {}
+
+---The root of the tree: its children are the services and whatever a game puts beside them.
+---@class Game : Object
+---@field audio Audio Everything that is heard.
+---@field console Console The in-game console and inspector.
+---@field input Input What the player does: keys, mouse, gamepads.
+---@field time Time Simulation time: how fast it passes, and how far it is.
+---@field view View Which part of the world is seen, and what lies over it.
+---@field world World Bodies below it are simulated together. Its child `step` tells about the last step.
+local fettle_Game = {}
+
+---The root of the tree: its children are the services and whatever a game puts beside them.
+---@class Class.Game : Class
+Game = {}
+
+---What the last step of a world did, and how long that took.
+---@class StepStatistics : Object
+---@field awake_bodies integer That took part in the step. · any integer · read-only, simulated
+---@field awake_contacts integer Of these, with a body that is awake. · any integer · read-only, simulated
+---@field bodies integer In the world. · any integer · read-only, simulated
+---@field contacts integer Pairs of shapes near each other. · any integer · read-only, simulated
+---@field edits_ms number Bringing what was edited up to date. · ms · any finite number · read-only, simulated
+---@field finish_ms number Poses, boxes, continuous collision. · ms · any finite number · read-only, simulated
+---@field islands integer Groups of bodies that sleep together. · any integer · read-only, simulated
+---@field joints integer That act on a body. · any integer · read-only, simulated
+---@field moved_proxies integer Shapes that left their box in the tree. · any integer · read-only, simulated
+---@field narrow_ms number Manifolds. · ms · any finite number · read-only, simulated
+---@field pairs_ms number Broad phase. · ms · any finite number · read-only, simulated
+---@field shapes integer Of all bodies. · any integer · read-only, simulated
+---@field sleep_ms number Finding what rests. · ms · any finite number · read-only, simulated
+---@field solve_ms number Forces, contacts and joints. · ms · any finite number · read-only, simulated
+---@field steps integer Since the world was made. · any integer · read-only, simulated
+---@field total_ms number The whole step. · ms · any finite number · read-only, simulated
+---@field touching integer Of these, near enough to be solved. · any integer · read-only, simulated
+local fettle_StepStatistics = {}
+
+---What the last step of a world did, and how long that took.
+---@class Class.StepStatistics : Class
+StepStatistics = {}
+
+---Every point where two bodies touch now.
+---@class World.contacts.result
+---@field body_a Body One of the two bodies.
+---@field body_b Object The other; the world itself for its bounds.
+---@field shape_a Shape? The shape of body_a.
+---@field shape_b Shape? The shape of body_b; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From a to b; its length is 1.
+---@field separation number Below 0: how deep they overlap. · m
+---@field force number That presses them apart. · N
+
+---The first shape a ray meets, or nil. Sensors do not stop it.
+---@class World.raycast.result
+---@field shape Shape? What was hit; nil for the bounds of the world.
+---@field body Object Its body; the world itself for its bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec Of the surface there, outward; its length is 1.
+---@field fraction number How far along the ray, 0 to 1.
+
+---Every shape a ray meets, nearest first.
+---@class World.raycast_all.result
+---@field shape Shape? What was hit; nil for the bounds of the world.
+---@field body Object Its body; the world itself for its bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec Of the surface there, outward; its length is 1.
+---@field fraction number How far along the ray, 0 to 1.
+
+---Bodies below it are simulated together. Its child `step` tells about the last step.
+---@class World : Object
+---@field bounds vec[]? Walls round the world, given by their lower left and upper right corner; nil: none. · m · any length · default nil · may be nil
+---@field bounds_friction number Of the walls of the bounds. · 0 to inf · default 0.6
+---@field bounds_restitution number How much of its speed what hits the walls gets back. · 0 to 1 · default 0
+---@field contact_damping number Damping ratio of contacts. · 0 to inf · default 10
+---@field contact_hertz number Stiffness of contacts, at most a quarter of the rate of sub-steps. · Hz · 0 to inf · default 60
+---@field continuous boolean However fast, bodies do not pass through static ones. · true or false · default true
+---@field gravity vec Pulls every dynamic body, as far as its gravity_scale lets it. · m/s² · any finite vec · default vec(0, -10)
+---@field hit_threshold number Slower impacts make no contact_hit. · m/s · 0 to inf · default 1
+---@field push_speed number The fastest that an overlap is pushed apart. · m/s · 0 to inf · default 3
+---@field restitution_threshold number Slower impacts do not bounce. · m/s · 0 to inf · default 1
+---@field sleep_delay number How long something rests before it falls asleep. · s · 0 to inf · default 0.5
+---@field sleep_speed number What is slower than this rests. · m/s · 0 to inf · default 0.05
+---@field sleeping boolean What rests falls asleep and costs nothing until it is disturbed. · true or false · default true
+---@field substeps integer Parts a step is solved in: more is stiffer and slower. · 1 to 64 · default 4
+---@field step StepStatistics What the last step of a world did, and how long that took.
+local fettle_World = {}
+
+---The body at a point, that with the smallest shape there where there are several, or nil.
+---@param point vec In the world. · m
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@return Body? body The body, or nil.
+function fettle_World:at(point, mask) end
+
+---Every point where two bodies touch now.
+---@return World.contacts.result[]
+function fettle_World:contacts() end
+
+---The bodies that reach into a box.
+---@param corner vec Of the box. · m
+---@param opposite vec The corner across. · m
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@return Body[] bodies Each once, in no special order.
+function fettle_World:overlap_box(corner, opposite, mask) end
+
+---The first shape a ray meets, or nil. Sensors do not stop it.
+---@param from vec Where the ray starts. · m
+---@param to vec Where it ends. · m
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@return World.raycast.result?
+function fettle_World:raycast(from, to, mask) end
+
+---Every shape a ray meets, nearest first.
+---@param from vec Where the ray starts. · m
+---@param to vec Where it ends. · m
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@return World.raycast_all.result[]
+function fettle_World:raycast_all(from, to, mask) end
+
+---Bodies below it are simulated together. Its child `step` tells about the last step.
+---@class Class.World : Class
+---@overload fun(members?: table): World
+World = {}
+
+---The body began to touch another.
+---@class Body.contact_begin
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The body stopped touching another.
+---@class Body.contact_end
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The body was hit faster than the world's hit_threshold.
+---@class Body.contact_hit
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The body came into a sensor, or as a sensor was come into.
+---@class Body.sensor_begin
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The body left a sensor, or as a sensor was left.
+---@class Body.sensor_end
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---It rested long enough and fell asleep.
+---@class Body.slept
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Something disturbed its sleep.
+---@class Body.woke
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A rigid body: its shapes are its children. It is simulated while it hangs below a World.
+---@class Body : Object
+---@field angle number How far it is turned, counter-clockwise; not wrapped after a full turn. · rad · any finite number · default 0 · simulated
+---@field angular_damping number Share of its angular velocity it loses in a second, for small values. · 1/s · 0 to inf · default 0
+---@field angular_velocity number How fast it turns, counter-clockwise. · rad/s · any finite number · default 0 · simulated
+---@field awake boolean Whether it takes part in the step. What rests for a while sleeps, together with what it touches, until something disturbs it. · true or false · default true · simulated
+---@field bullet boolean However fast, it does not pass through other moving bodies either. · true or false · default false
+---@field can_sleep boolean Whether it may fall asleep. · true or false · default true
+---@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · any finite vec · default vec(0, 0) · simulated
+---@field color color? Fills its shapes that have no color of their own; nil goes by its type. · channels 0 to 1 · default nil · may be nil
+---@field contacts Object[] The bodies it touches now; the world itself where it touches the bounds. Sensors do not count. · any length · read-only, simulated
+---@field force vec Pushes its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
+---@field gravity_scale number How much of the world's gravity it feels: 0 floats, -1 falls upwards. · any finite number · default 1
+---@field inertia number Rotational inertia about the center of mass, from the shapes unless one is given; nil computes it again. Infinite: nothing turns it. · kg m² · 0 to inf · default 0 · simulated, may be infinite
+---@field linear_damping number Share of its velocity it loses in a second, for small values. · 1/s · 0 to inf · default 0
+---@field locked_rotation boolean Nothing turns it. · true or false · default false
+---@field locked_x boolean Nothing moves it along x. · true or false · default false
+---@field locked_y boolean Nothing moves it along y. · true or false · default false
+---@field mass number Area times density of its shapes, unless a mass is given; nil computes it again. Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg. · kg · 0 to inf · default 1 · simulated, may be infinite
+---@field position vec Where its origin is in the world. Writing it teleports. · m · any finite vec · default vec(0, 0) · simulated
+---@field torque number Turns it in every step until it is changed. · N m · any finite number · default 0
+---@field type "static"|"kinematic"|"dynamic" What moves it. "static": nothing; "kinematic": its velocity, and nothing pushes it; "dynamic": forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
+---@field velocity vec Of its center of mass. · m/s · any finite vec · default vec(0, 0) · simulated
+local fettle_Body = {}
+
+---Changes its angular velocity at once.
+---@param impulse number Inertia times the change of angular velocity, counter-clockwise. · N m s
+function fettle_Body:apply_angular_impulse(impulse) end
+
+---Pushes it during the next step only; the property `force` stays.
+---@param force vec In the world. · N
+---@param point? vec In the world; the center of mass when left out. · m
+function fettle_Body:apply_force(force, point) end
+
+---Changes its velocity at once: a kick.
+---@param impulse vec Mass times the change of velocity. · N s
+---@param point? vec In the world; the center of mass when left out. · m
+function fettle_Body:apply_impulse(impulse, point) end
+
+---Turns it during the next step only; the property `torque` stays.
+---@param torque number Counter-clockwise. · N m
+function fettle_Body:apply_torque(torque) end
+
+---Where a point of the world is as seen from the body.
+---@param point vec In the world. · m
+---@return vec point In the body's coordinates. · m
+function fettle_Body:to_local(point) end
+
+---Where a point of the body is in the world.
+---@param point vec In the body's coordinates. · m
+---@return vec point In the world. · m
+function fettle_Body:to_world(point) end
+
+---How fast that point of the body moves.
+---@param point vec In the world. · m
+---@return vec velocity Of that point, in the world. · m/s
+function fettle_Body:velocity_at(point) end
+
+---Calls the function when the event happens to it.
+---@param event string
+---@param handler fun(told: any)
+---@return Connection
+---@overload fun(self: Body, event: "ready", handler: fun(told: Object.ready)): Connection
+---@overload fun(self: Body, event: "deleted", handler: fun(told: Existence)): Connection
+---@overload fun(self: Body, event: "contact_begin", handler: fun(told: Body.contact_begin)): Connection
+---@overload fun(self: Body, event: "contact_end", handler: fun(told: Body.contact_end)): Connection
+---@overload fun(self: Body, event: "contact_hit", handler: fun(told: Body.contact_hit)): Connection
+---@overload fun(self: Body, event: "sensor_begin", handler: fun(told: Body.sensor_begin)): Connection
+---@overload fun(self: Body, event: "sensor_end", handler: fun(told: Body.sensor_end)): Connection
+---@overload fun(self: Body, event: "woke", handler: fun(told: Body.woke)): Connection
+---@overload fun(self: Body, event: "slept", handler: fun(told: Body.slept)): Connection
+function fettle_Body:on(event, handler) end
+
+---A rigid body: its shapes are its children. It is simulated while it hangs below a World.
+---@class Class.Body : Class
+---@overload fun(members?: table): Body
+Body = {}
+
+---The shape began to touch another.
+---@class Shape.contact_begin
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field instance Shape To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The shape stopped touching another.
+---@class Shape.contact_end
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field instance Shape To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The shape was hit faster than the world's hit_threshold.
+---@class Shape.contact_hit
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field instance Shape To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The shape came into a sensor, or as a sensor was come into.
+---@class Shape.sensor_begin
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field instance Shape To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The shape left a sensor, or as a sensor was left.
+---@class Shape.sensor_end
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field instance Shape To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A part of a body: where it is solid, how heavy and how slippery it is there.
+---@class Shape : Object
+---@field aabb vec[] Lower left and upper right corner of the box round it, in the world. · m · any length · read-only, simulated
+---@field area number Of the shape, rounding included. · m² · any finite number · read-only
+---@field border color Of its outline; darker than its color unless one is given. · channels 0 to 1 · default color("#2c476a")
+---@field category integer What it is, as bits. Two shapes collide when each one's mask has a bit of the other's category. · any integer · default 1
+---@field color color Fills it. Without one of its own it has its body's, or goes by the body's type. · channels 0 to 1 · default color("#619eeb")
+---@field density number Mass per area. · kg/m² · 0 to inf · default 1
+---@field friction number Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the geometric mean of theirs. · 0 to inf · default 0.6
+---@field group integer Shapes of one group, when it is not 0, always collide (above 0) or never do (below), whatever their masks. · -2147483648 to 2147483647 · default 0
+---@field mask integer What it collides with, as bits of categories; -1 is everything. · any integer · default -1
+---@field restitution number How much of the approaching speed comes back. Two shapes in contact use the greater of theirs. · 0 to 1 · default 0
+---@field rolling_resistance number Brakes rolling: lever of the resisting torque as a share of the radius. · 0 to inf · default 0
+---@field sensor boolean Tells what overlaps it, and pushes nothing. · true or false · default false
+---@field surface_speed number A conveyor belt: how fast the surface runs, counter-clockwise round the shape. · m/s · any finite number · default 0
+---@field visible boolean Whether it is drawn; it collides all the same. · true or false · default true
+---@field world_vertices vec[] Its corners in the world, without rounding; a circle has none. · m · any length · read-only, simulated
+local fettle_Shape = {}
+
+---Calls the function when the event happens to it.
+---@param event string
+---@param handler fun(told: any)
+---@return Connection
+---@overload fun(self: Shape, event: "ready", handler: fun(told: Object.ready)): Connection
+---@overload fun(self: Shape, event: "deleted", handler: fun(told: Existence)): Connection
+---@overload fun(self: Shape, event: "contact_begin", handler: fun(told: Shape.contact_begin)): Connection
+---@overload fun(self: Shape, event: "contact_end", handler: fun(told: Shape.contact_end)): Connection
+---@overload fun(self: Shape, event: "contact_hit", handler: fun(told: Shape.contact_hit)): Connection
+---@overload fun(self: Shape, event: "sensor_begin", handler: fun(told: Shape.sensor_begin)): Connection
+---@overload fun(self: Shape, event: "sensor_end", handler: fun(told: Shape.sensor_end)): Connection
+function fettle_Shape:on(event, handler) end
+
+---A part of a body: where it is solid, how heavy and how slippery it is there.
+---@class Class.Shape : Class
+Shape = {}
+
+---A disc.
+---@class Circle : Shape
+---@field center vec Its middle, in the body's coordinates. · m · any finite vec · default vec(0, 0)
+---@field radius number From its center to its rim. · m · 0.00001 to 1000000 · default 0.5
+local fettle_Circle = {}
+
+---A disc.
+---@class Class.Circle : Class
+---@overload fun(members?: table): Circle
+Circle = {}
+
+---A rectangle.
+---@class Box : Shape
+---@field angle number How far it is turned on its body, counter-clockwise. · rad · any finite number · default 0
+---@field center vec Its middle, in the body's coordinates. · m · any finite vec · default vec(0, 0)
+---@field height number From bottom to top, rounding included. · m · 0.00001 to 1000000 · default 1
+---@field rounding number Radius of its corners, at most half the smaller side. · m · 0 to 1000000 · default 0
+---@field width number From its left to its right side, rounding included. · m · 0.00001 to 1000000 · default 1
+local fettle_Box = {}
+
+---A rectangle.
+---@class Class.Box : Class
+---@overload fun(members?: table): Box
+Box = {}
+
+---A straight line without thickness; it weighs nothing.
+---@class Segment : Shape
+---@field from vec One end, in the body's coordinates. · m · any finite vec · default vec(-0.5, 0)
+---@field to vec The other end, in the body's coordinates. · m · any finite vec · default vec(0.5, 0)
+local fettle_Segment = {}
+
+---A straight line without thickness; it weighs nothing.
+---@class Class.Segment : Class
+---@overload fun(members?: table): Segment
+Segment = {}
+
+---A straight line with round ends and a thickness.
+---@class Capsule : Shape
+---@field from vec One end, in the body's coordinates. · m · any finite vec · default vec(-0.25, 0)
+---@field radius number Around the line between its ends. · m · 0.00001 to 1000000 · default 0.25
+---@field to vec The other end, in the body's coordinates. · m · any finite vec · default vec(0.25, 0)
+local fettle_Capsule = {}
+
+---A straight line with round ends and a thickness.
+---@class Class.Capsule : Class
+---@overload fun(members?: table): Capsule
+Capsule = {}
+
+---A convex polygon.
+---@class Polygon : Shape
+---@field rounding number Radius that is added all round it. · m · 0 to 1000000 · default 0
+---@field vertices vec[] Its corners in the body's coordinates, counter-clockwise. What is written is made convex: the hull of the points becomes the shape. · m · any length · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0, 0.5)}
+local fettle_Polygon = {}
+
+---Makes the polygon reach as far as that point; one inside changes nothing.
+---@param point vec In the body's coordinates. · m
+function fettle_Polygon:add_vertex(point) end
+
+---A convex polygon.
+---@class Class.Polygon : Class
+---@overload fun(members?: table): Polygon
+Polygon = {}
+
+---Ties bodies together or to the world. It acts while it and its bodies are in the same world.
+---@class Joint : Object
+---@field enabled boolean Whether it acts. · true or false · default true
+---@field force vec What it pulled its body, or body_b, with in the last step. · N · any finite vec · read-only, simulated
+---@field torque number What it turned body_b with in the last step, besides what its force does. · N m · any finite number · read-only, simulated
+local fettle_Joint = {}
+
+---Ties bodies together or to the world. It acts while it and its bodies are in the same world.
+---@class Class.Joint : Class
+Joint = {}
+
+---Pulls a point of a body softly towards a target: how a mouse drags.
+---@class MouseJoint : Joint
+---@field anchor vec The point of the body that is pulled, in its coordinates. Unless one is given, the point that was at the target when the joint began to act. · m · any finite vec · default vec(0, 0) · simulated
+---@field body Body? What is pulled; nil: nothing. · any Body · default nil
+---@field damping_ratio number 1 comes to rest without swinging. · 0 to inf · default 0.7
+---@field frequency number How stiff it is; 0 is slack. · Hz · 0 to inf · default 5
+---@field max_force number It never pulls harder. · N · 0 to inf · default inf · may be infinite
+---@field target vec Where it is pulled to, in the world. · m · any finite vec · default vec(0, 0)
+local fettle_MouseJoint = {}
+
+---Pulls a point of a body softly towards a target: how a mouse drags.
+---@class Class.MouseJoint : Class
+---@overload fun(members?: table): MouseJoint
+MouseJoint = {}
+
+---Ties two bodies, or one to the world. While both are the same, it does not act.
+---@class PairJoint : Joint
+---@field anchor_a vec The point where that body is held, in its coordinates, or in those of the world. · m · any finite vec · default vec(0, 0)
+---@field anchor_b vec The point where that body is held, in its coordinates, or in those of the world. · m · any finite vec · default vec(0, 0)
+---@field body_a Body? One of the two that are tied; nil: the world. When it is deleted, the joint does not act until it is given another, or nil. · any Body · default nil
+---@field body_b Body? One of the two that are tied; nil: the world. When it is deleted, the joint does not act until it is given another, or nil. · any Body · default nil
+---@field collide boolean Whether the two bodies collide with each other. · true or false · default false
+local fettle_PairJoint = {}
+
+---Ties two bodies, or one to the world. While both are the same, it does not act.
+---@class Class.PairJoint : Class
+PairJoint = {}
+
+---Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a max_length a rope.
+---@class DistanceJoint : PairJoint
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
+---@field hertz number How stiff the spring is; infinite is a rod, 0 is slack between the limits. · Hz · 0 to inf · default inf · may be infinite
+---@field length number Of the rod, or of the spring at rest. Unless one is given, the distance when the joint began to act. · m · 0 to inf · default 0 · simulated
+---@field max_length number The anchors go no farther apart. Where min_length is above it, this counts. · m · 0 to inf · default inf · may be infinite
+---@field min_length number The anchors come no nearer. · m · 0 to inf · default 0
+local fettle_DistanceJoint = {}
+
+---Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a max_length a rope.
+---@class Class.DistanceJoint : Class
+---@overload fun(members?: table): DistanceJoint
+DistanceJoint = {}
+
+---A pin through two bodies, about which they turn.
+---@class RevoluteJoint : PairJoint
+---@field angle number Of body_b against body_a, less the reference_angle. · rad · any finite number · read-only, simulated
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
+---@field hertz number Stiffness of a spring to the target_angle; 0: none. · Hz · 0 to inf · default 0
+---@field lower_angle number It turns no further back. · rad · any number, infinite too · default -inf · may be infinite
+---@field max_motor_torque number The motor is no stronger; 0: there is none. · N m · 0 to inf · default 0 · may be infinite
+---@field motor_speed number What the motor turns body_b with. · rad/s · any finite number · default 0
+---@field motor_torque number What the motor gave in the last step. · N m · any finite number · read-only, simulated
+---@field reference_angle number The angle that counts as 0. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field target_angle number What the spring turns it to. · rad · any finite number · default 0
+---@field upper_angle number It turns no further on. Where lower_angle is above it, this counts. · rad · any number, infinite too · default inf · may be infinite
+local fettle_RevoluteJoint = {}
+
+---A pin through two bodies, about which they turn.
+---@class Class.RevoluteJoint : Class
+---@overload fun(members?: table): RevoluteJoint
+RevoluteJoint = {}
+
+---Simulation time: how fast it passes, and how far it is.
+---@class Time : Object
+---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
+---@field dropped_steps integer Steps that were due but given up, since frames took too long. · any integer · read-only, simulated
+---@field dt number Length of a fixed step. Smaller steps are more exact and cost more. · s · 0.00001 to 1 · default 0.016666666666666666
+---@field fps number Frames a second, smoothed. 0 in a headless run. · 1/s · any finite number · read-only, simulated
+---@field frame integer Frames made since the game started. · any integer · read-only, simulated
+---@field max_steps integer How many steps a slow frame may make to catch up. What is due beyond that is dropped: the game slows down. · 1 to 1000 · default 5
+---@field now number Simulation time since the game started. · s · any finite number · read-only, simulated
+---@field paused boolean Whether simulation time stands still. update and draw are still called. · true or false · default false
+---@field scale number Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it. · 0 to 100 · default 1
+---@field step integer Fixed steps made since the game started. · any integer · read-only, simulated
+---@field step_once boolean Set it to make one step while paused; it is false again when the step is made. · true or false · default false · not saved
+---@field timings Timings Where a frame's time goes, smoothed over about half a second.
+local fettle_Time = {}
+
+---Simulation time: how fast it passes, and how far it is.
+---@class Class.Time : Class
+Time = {}
+
+---Where a frame's time goes, smoothed over about half a second.
+---@class Timings : Object
+---@field draw number Drawing, layers included. · ms · any finite number · read-only, simulated
+---@field frame number The whole frame, waiting for the screen included. · ms · any finite number · read-only, simulated
+---@field handlers number Barriers: watchers and event handlers. · ms · any finite number · read-only, simulated
+---@field input number Delivering input to the game. · ms · any finite number · read-only, simulated
+---@field modules number Steps of the modules: the physics. · ms · any finite number · read-only, simulated
+---@field scripts number Timers, coroutines and step(dt). · ms · any finite number · read-only, simulated
+---@field update number The game's update(dt). · ms · any finite number · read-only, simulated
+local fettle_Timings = {}
+
+---Where a frame's time goes, smoothed over about half a second.
+---@class Class.Timings : Class
+Timings = {}
+
+---Which part of the world is seen, and what lies over it.
+---@class View : Object
+---@field background color The color behind everything. · 0 to 1 · default color("#1b1f27")
+---@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1000000 · default 20
+---@field lower vec The corner of the world seen at the bottom left. · m · any finite vec · read-only
+---@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
+---@field title string Title of the window. · any text · default "Fettle"
+---@field upper vec The corner of the world seen at the top right. · m · any finite vec · read-only
+---@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true
+---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
+---@field zoom number Pixels a metre. Setting it changes the height. · px/m · 0.001 to 1000000 · default 40 · simulated, not saved
+---@field show Show What is shown over the picture, for looking into a game.
+local fettle_View = {}
+
+---Where a point of the world is on the screen, from the top left corner, y down.
+---@param point vec In the world. · m
+---@return vec pixels From the top left corner, y down. · px
+function fettle_View:to_screen(point) end
+
+---The point of the world that is seen at a point of the screen.
+---@param pixels vec From the top left corner, y down. · px
+---@return vec point In the world. · m
+function fettle_View:to_world(pixels) end
+
+---Which part of the world is seen, and what lies over it.
+---@class Class.View : Class
+View = {}
+
+---What is shown over the picture, for looking into a game.
+---@class Show : Object
+---@field aabbs boolean Axis-aligned bounding boxes of shapes. · true or false · default false
+---@field centers boolean Centers of mass. · true or false · default false
+---@field contacts boolean Contact points, their normals and impulses. · true or false · default false
+---@field grid boolean A grid of metres. · true or false · default false
+---@field islands boolean Islands: bodies that sleep and wake together. · true or false · default false
+---@field joints boolean Joints and their anchors. · true or false · default false
+---@field names boolean Names of bodies. · true or false · default false
+---@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false
+---@field velocities boolean Velocities of bodies, as lines. · true or false · default false
+local fettle_Show = {}
+
+---What is shown over the picture, for looking into a game.
+---@class Class.Show : Class
+Show = {}
+
+---Everything that is heard.
+---@class Audio : Object
+---@field muted boolean Silences everything and leaves the volume as it is. · true or false · default false
+---@field volume number Loudness of everything, 1 being that of the recordings. · 0 to 1 · default 1
+local fettle_Audio = {}
+
+---Everything that is heard.
+---@class Class.Audio : Class
+Audio = {}
+
+---What the player does: keys, mouse, gamepads.
+---@class Input : Object
+---@field gamepads Gamepad[] All gamepads, connected or not: input.gamepads[1].left. · any length · read-only
+---@field gamepad_1 Gamepad A gamepad.
+---@field gamepad_2 Gamepad A gamepad.
+---@field gamepad_3 Gamepad A gamepad.
+---@field gamepad_4 Gamepad A gamepad.
+---@field keys Keys Which keys are held down. Setting one presses or releases it.
+---@field mouse Mouse The mouse. Setting a button presses or releases it.
+local fettle_Input = {}
+
+---What the player does: keys, mouse, gamepads.
+---@class Class.Input : Class
+Input = {}
+
+---Which keys are held down. Setting one presses or releases it.
+---@class Keys : Object
+---@field ["0"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["1"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["2"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["3"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["4"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["5"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["6"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["7"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["8"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["9"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field a boolean Whether the key is held down. · true or false · default false · not saved
+---@field apostrophe boolean Whether the key is held down. · true or false · default false · not saved
+---@field b boolean Whether the key is held down. · true or false · default false · not saved
+---@field backslash boolean Whether the key is held down. · true or false · default false · not saved
+---@field backspace boolean Whether the key is held down. · true or false · default false · not saved
+---@field c boolean Whether the key is held down. · true or false · default false · not saved
+---@field comma boolean Whether the key is held down. · true or false · default false · not saved
+---@field d boolean Whether the key is held down. · true or false · default false · not saved
+---@field delete boolean Whether the key is held down. · true or false · default false · not saved
+---@field down boolean Whether the key is held down. · true or false · default false · not saved
+---@field e boolean Whether the key is held down. · true or false · default false · not saved
+---@field ["end"] boolean Whether the key is held down. · true or false · default false · not saved
+---@field enter boolean Whether the key is held down. · true or false · default false · not saved
+---@field equal boolean Whether the key is held down. · true or false · default false · not saved
+---@field escape boolean Whether the key is held down. · true or false · default false · not saved
+---@field f boolean Whether the key is held down. · true or false · default false · not saved
+---@field f1 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f10 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f11 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f12 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f13 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f14 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f15 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f2 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f3 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f4 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f5 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f6 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f7 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f8 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f9 boolean Whether the key is held down. · true or false · default false · not saved
+---@field g boolean Whether the key is held down. · true or false · default false · not saved
+---@field grave boolean Whether the key is held down. · true or false · default false · not saved
+---@field h boolean Whether the key is held down. · true or false · default false · not saved
+---@field home boolean Whether the key is held down. · true or false · default false · not saved
+---@field i boolean Whether the key is held down. · true or false · default false · not saved
+---@field insert boolean Whether the key is held down. · true or false · default false · not saved
+---@field j boolean Whether the key is held down. · true or false · default false · not saved
+---@field k boolean Whether the key is held down. · true or false · default false · not saved
+---@field l boolean Whether the key is held down. · true or false · default false · not saved
+---@field left boolean Whether the key is held down. · true or false · default false · not saved
+---@field left_alt boolean Whether the key is held down. · true or false · default false · not saved
+---@field left_bracket boolean Whether the key is held down. · true or false · default false · not saved
+---@field left_control boolean Whether the key is held down. · true or false · default false · not saved
+---@field left_shift boolean Whether the key is held down. · true or false · default false · not saved
+---@field left_system boolean Whether the key is held down. · true or false · default false · not saved
+---@field m boolean Whether the key is held down. · true or false · default false · not saved
+---@field menu boolean Whether the key is held down. · true or false · default false · not saved
+---@field minus boolean Whether the key is held down. · true or false · default false · not saved
+---@field n boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_0 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_1 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_2 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_3 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_4 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_5 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_6 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_7 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_8 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_9 boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_add boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_divide boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_multiply boolean Whether the key is held down. · true or false · default false · not saved
+---@field numpad_subtract boolean Whether the key is held down. · true or false · default false · not saved
+---@field o boolean Whether the key is held down. · true or false · default false · not saved
+---@field p boolean Whether the key is held down. · true or false · default false · not saved
+---@field page_down boolean Whether the key is held down. · true or false · default false · not saved
+---@field page_up boolean Whether the key is held down. · true or false · default false · not saved
+---@field pause boolean Whether the key is held down. · true or false · default false · not saved
+---@field period boolean Whether the key is held down. · true or false · default false · not saved
+---@field q boolean Whether the key is held down. · true or false · default false · not saved
+---@field r boolean Whether the key is held down. · true or false · default false · not saved
+---@field right boolean Whether the key is held down. · true or false · default false · not saved
+---@field right_alt boolean Whether the key is held down. · true or false · default false · not saved
+---@field right_bracket boolean Whether the key is held down. · true or false · default false · not saved
+---@field right_control boolean Whether the key is held down. · true or false · default false · not saved
+---@field right_shift boolean Whether the key is held down. · true or false · default false · not saved
+---@field right_system boolean Whether the key is held down. · true or false · default false · not saved
+---@field s boolean Whether the key is held down. · true or false · default false · not saved
+---@field semicolon boolean Whether the key is held down. · true or false · default false · not saved
+---@field slash boolean Whether the key is held down. · true or false · default false · not saved
+---@field space boolean Whether the key is held down. · true or false · default false · not saved
+---@field t boolean Whether the key is held down. · true or false · default false · not saved
+---@field tab boolean Whether the key is held down. · true or false · default false · not saved
+---@field u boolean Whether the key is held down. · true or false · default false · not saved
+---@field up boolean Whether the key is held down. · true or false · default false · not saved
+---@field v boolean Whether the key is held down. · true or false · default false · not saved
+---@field w boolean Whether the key is held down. · true or false · default false · not saved
+---@field x boolean Whether the key is held down. · true or false · default false · not saved
+---@field y boolean Whether the key is held down. · true or false · default false · not saved
+---@field z boolean Whether the key is held down. · true or false · default false · not saved
+local fettle_Keys = {}
+
+---Which keys are held down. Setting one presses or releases it.
+---@class Class.Keys : Class
+Keys = {}
+
+---The mouse. Setting a button presses or releases it.
+---@class Mouse : Object
+---@field extra_1 boolean Whether the button is held down. · true or false · default false · not saved
+---@field extra_2 boolean Whether the button is held down. · true or false · default false · not saved
+---@field left boolean Whether the button is held down. · true or false · default false · not saved
+---@field middle boolean Whether the button is held down. · true or false · default false · not saved
+---@field right boolean Whether the button is held down. · true or false · default false · not saved
+---@field screen vec Where the mouse is on the screen, from the top left corner, y down. · px · any finite vec · default vec(0, 0) · simulated, not saved
+---@field wheel number Notches the wheel was turned in this frame, away from the user positive. · any finite number · default 0 · simulated, not saved
+---@field world vec Where the mouse is in the world. Setting it moves the mouse for the game. · m · any finite vec · default vec(0, 0) · simulated, not saved
+local fettle_Mouse = {}
+
+---The mouse. Setting a button presses or releases it.
+---@class Class.Mouse : Class
+Mouse = {}
+
+---A gamepad.
+---@class Gamepad : Object
+---@field button_1 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_10 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_11 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_12 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_13 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_14 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_15 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_16 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_2 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_3 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_4 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_5 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_6 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_7 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_8 boolean Whether the button is held down. · true or false · default false · not saved
+---@field button_9 boolean Whether the button is held down. · true or false · default false · not saved
+---@field connected boolean Whether there is such a gamepad. · true or false · default false · not saved
+---@field left vec The left stick, right and up positive. · -1 to 1 · default vec(0, 0) · not saved
+---@field left_trigger number How far the left trigger is pulled. · 0 to 1 · default 0 · not saved
+---@field pad vec The directional pad, right and up positive. · -1 to 1 · default vec(0, 0) · not saved
+---@field right vec The right stick, right and up positive. · -1 to 1 · default vec(0, 0) · not saved
+---@field right_trigger number How far the right trigger is pulled. · 0 to 1 · default 0 · not saved
+local fettle_Gamepad = {}
+
+---A gamepad.
+---@class Class.Gamepad : Class
+Gamepad = {}
+
+---The in-game console and inspector.
+---@class Console : Object
+---@field font_size number Height of the text. · px · 8 to 48 · default 15 · not saved
+---@field height number Height of the console as a share of the window. · 0.15 to 1 · default 0.45 · not saved
+---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
+---@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
+---@field key string The key that opens and closes the console. · any text · default "grave" · not saved
+---@field opacity number Of the background. · 0.3 to 1 · default 0.94 · not saved
+---@field open boolean Whether the console is shown. · true or false · default false · not saved
+---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
+---@field picks boolean Whether a click on a body selects it while the console is open. · true or false · default true · not saved
+local fettle_Console = {}
+
+---The in-game console and inspector.
+---@class Class.Console : Class
+Console = {}
+
+---The result of the console's last command.
+---@type any
+_ = nil
+
+---The table of all globals.
+---@type table
+_G = nil
+
+---The version of Lua.
+---@type string
+_VERSION = nil
+
+---All classes, by number and by name: classes.Body.properties. Read-only.
+---@type Class[]
+classes = nil
+
+---The root of the tree.
+---@type Game
+game = nil
+
+---In the console: the instance that is selected.
+---@type Object
+it = nil
+
+---Everything that is heard.
+---@type Audio
+audio = nil
+
+---The in-game console and inspector.
+---@type Console
+console = nil
+
+---What the player does: keys, mouse, gamepads.
+---@type Input
+input = nil
+
+---Simulation time: how fast it passes, and how far it is.
+---@type Time
+time = nil
+
+---Which part of the world is seen, and what lies over it.
+---@type View
+view = nil
+
+---Bodies below it are simulated together. Its child `step` tells about the last step.
+---@type World
+world = nil
+
+coroutine = {}
+
+math = {}
+
+os = {}
+
+scene = {}
+
+string = {}
+
+table = {}
+
+utf8 = {}
+
+---Calls the function once, that much simulation time from now. It may wait().
+---@param seconds number
+---@param action fun()
+---@return Connection
+function after(seconds, action) end
+
+---Makes a class whose instances live in the tree: Ball = class("Ball", Body) { lives = 3 }. Values are properties with their defaults; `doc` explains the class, or its properties by name.
+---@param name string
+---@param base? Class|string
+---@return fun(members: table): Class
+function class(name, base) end
+
+---A color by name, as "#rrggbb", or from channels between 0 and 1.
+---@param name string
+---@return color
+---@overload fun(r: number, g: number, b: number, a?: number): color
+function color(name) end
+
+---An angle in radians.
+---@param degrees number
+---@return number
+function deg(degrees) end
+
+---What the function writes is one step of undo under that name.
+---@param name string
+---@param action fun()
+function edit(name, action) end
+
+---Calls the function again and again at that interval of simulation time; 0 is every step.
+---@param seconds number
+---@param action fun()
+---@return Connection
+function every(seconds, action) end
+
+---Lists every name and documentation that has the word.
+---@param word string
+function find(word) end
+
+---Assigned to a property, the function is its value from then on: it is called again whenever something it reads has changed.
+---@param value fun(): any
+---@return Formula
+function formula(value) end
+
+---Explains a class, an instance, a method or a path.
+---@param anything? any
+function help(anything) end
+
+---Lists what was edited, the latest first.
+function history() end
+
+---Instances, or values by path, that match a pattern: query("world.*.mass").
+---@param pattern string
+---@return Set|table<string, any>
+function query(pattern) end
+
+---Ends the game with that exit status, 0 to 255; 0 without one.
+---@param status? integer|boolean
+function quit(status) end
+
+---A random number in [0, 1), from 1 to n, or from one to the other; the same for the same seed.
+---@return number
+---@overload fun(n: integer): integer
+---@overload fun(from: integer, to: integer): integer
+---@overload fun(from: number, to: number): number
+function random() end
+
+---Does again what undo took back.
+function redo() end
+
+---Runs another file of the game once, and returns what it returned.
+---@param name string
+---@return any
+function require(name) end
+
+---The instances of a scene file, placed below the parent; detached without one.
+---@param file string
+---@param parent? Object
+---@param name? string
+---@return Object
+function scene.load(file, parent, name) end
+
+---Writes an instance and everything below it to a scene file of the game.
+---@param file string
+---@param instance Object
+function scene.save(file, instance) end
+
+---Takes the latest edit back.
+function undo() end
+
+---A vector or point; a copy of one; the zero vector.
+---@param x number
+---@param y number
+---@return vec
+---@overload fun(other: vec): vec
+---@overload fun(): vec
+function vec(x, y) end
+
+---Inside a coroutine: goes on that much simulation time later.
+---@param seconds number
+function wait(seconds) end
+
+---Calls the function after a property that matches has changed: watch("world.*.velocity", handler).
+---@param pattern string
+---@param handler fun(new: any, old: any, change: Change)
+---@return Connection
+function watch(pattern, handler) end
+
+---Tells who wrote a property last, and at which step.
+---@param path string
+function who(path) end
+
+---Tells where the value of a property comes from: its formula, and what that reads.
+---@param path string
+function why(path) end
+
+---Raises an error unless the value is true; returns its arguments.
+---@param value any
+---@param message? any
+---@param ... any
+---@return any
+function assert(value, message, ...) end
+
+---Collects what nobody uses, or tells how many KiB of memory scripts use.
+---@param option? "collect"|"step"|"count"
+---@return number
+function collectgarbage(option) end
+
+---Ends a coroutine that is suspended.
+---@param thread thread
+---@return boolean
+---@return any
+function coroutine.close(thread) end
+
+---A coroutine that runs the function.
+---@param action function
+---@return thread
+function coroutine.create(action) end
+
+---Whether what runs can yield.
+---@return boolean
+function coroutine.isyieldable() end
+
+---Starts or continues a coroutine.
+---@param thread thread
+---@param ... any
+---@return boolean
+---@return any
+function coroutine.resume(thread, ...) end
+
+---The coroutine that runs, and whether it is the main one.
+---@return thread
+---@return boolean
+function coroutine.running() end
+
+---What state a coroutine is in.
+---@param thread thread
+---@return "running"|"suspended"|"normal"|"dead"
+function coroutine.status(thread) end
+
+---A function that starts or continues a coroutine of its own.
+---@param action function
+---@return function
+function coroutine.wrap(action) end
+
+---Suspends the coroutine; its arguments are what resume returns.
+---@param ... any
+---@return any
+function coroutine.yield(...) end
+
+---Stops what runs with an error.
+---@param message any
+---@param level? integer
+function error(message, level) end
+
+---The metatable of a value, or what it shows instead.
+---@param value any
+---@return any
+function getmetatable(value) end
+
+---Visits elements 1, 2, 3 ...: for i, value in ipairs(list) do.
+---@param list table
+---@return function
+---@return table
+---@return integer
+function ipairs(list) end
+
+---Compiles a text to a function; nil and a message when it is malformed.
+---@param chunk string|function
+---@param name? string
+---@param mode? string
+---@param env? table
+---@return function?
+---@return string?
+function load(chunk, name, mode, env) end
+
+---The distance from 0.
+---@param x number
+---@return number
+function math.abs(x) end
+
+---Arc cosine, in radians.
+---@param x number
+---@return number
+function math.acos(x) end
+
+---Arc sine, in radians.
+---@param x number
+---@return number
+function math.asin(x) end
+
+---Arc tangent of y/x in radians; the signs of both find the quadrant.
+---@param y number
+---@param x? number
+---@return number
+function math.atan(y, x) end
+
+---The least integer that is not below x.
+---@param x number
+---@return integer
+function math.ceil(x) end
+
+---Cosine of an angle in radians.
+---@param x number
+---@return number
+function math.cos(x) end
+
+---An angle in degrees, from radians.
+---@param x number
+---@return number
+function math.deg(x) end
+
+---e to the power of x.
+---@param x number
+---@return number
+function math.exp(x) end
+
+---The greatest integer that is not above x.
+---@param x number
+---@return integer
+function math.floor(x) end
+
+---The remainder of x/y, rounded towards 0.
+---@param x number
+---@param y number
+---@return number
+function math.fmod(x, y) end
+
+---Infinity: a body of that mass cannot be moved.
+---@type number
+math.huge = nil
+
+---Logarithm; natural without a base.
+---@param x number
+---@param base? number
+---@return number
+function math.log(x, base) end
+
+---The greatest argument.
+---@param x number
+---@param ... number
+---@return number
+function math.max(x, ...) end
+
+---The greatest integer.
+---@type integer
+math.maxinteger = nil
+
+---The least argument.
+---@param x number
+---@param ... number
+---@return number
+function math.min(x, ...) end
+
+---The least integer.
+---@type integer
+math.mininteger = nil
+
+---The integral part and the fraction.
+---@param x number
+---@return number
+---@return number
+function math.modf(x) end
+
+---Half a turn in radians.
+---@type number
+math.pi = nil
+
+---An angle in radians, from degrees.
+---@param x number
+---@return number
+function math.rad(x) end
+
+---As in Lua, from the game's own generator; random() is shorter.
+---@return number
+---@overload fun(n: integer): integer
+---@overload fun(from: integer, to: integer): integer
+function math.random() end
+
+---Starts the game's generator anew.
+---@param seed? number
+---@param more? integer
+function math.randomseed(seed, more) end
+
+---Sine of an angle in radians.
+---@param x number
+---@return number
+function math.sin(x) end
+
+---Square root.
+---@param x number
+---@return number
+function math.sqrt(x) end
+
+---Tangent of an angle in radians.
+---@param x number
+---@return number
+function math.tan(x) end
+
+---The number as an integer; nil when it is not integral.
+---@param x any
+---@return integer?
+function math.tointeger(x) end
+
+---Which kind of number it is; nil for what is none.
+---@param x any
+---@return "integer"|"float"|nil
+function math.type(x) end
+
+---Whether a is below b, both without a sign.
+---@param a integer
+---@param b integer
+---@return boolean
+function math.ult(a, b) end
+
+---Some next entry of a table; pairs visits them in order.
+---@param table table
+---@param key? any
+---@return any
+---@return any
+function next(table, key) end
+
+---Processor time used, in seconds.
+---@return number
+function os.clock() end
+
+---Date and time of day.
+---@param format? string
+---@param time? integer
+---@return string|table
+function os.date(format, time) end
+
+---Seconds between two times.
+---@param later integer
+---@param earlier integer
+---@return number
+function os.difftime(later, earlier) end
+
+---Seconds since 1970.
+---@param date? table
+---@return integer
+function os.time(date) end
+
+---Visits all entries: numbers first, then names, in order.
+---@param table table
+---@return function
+---@return table
+---@return nil
+function pairs(table) end
+
+---Calls the function; false and the error when it raises one.
+---@param action function
+---@param ... any
+---@return boolean
+---@return any
+function pcall(action, ...) end
+
+---Prints values: to the console, and to the terminal.
+---@param ... any
+function print(...) end
+
+---Whether both are the same, without ==.
+---@param a any
+---@param b any
+---@return boolean
+function rawequal(a, b) end
+
+---An entry, without metatables.
+---@param table table
+---@param key any
+---@return any
+function rawget(table, key) end
+
+---The length, without metatables.
+---@param value table|string
+---@return integer
+function rawlen(value) end
+
+---Sets an entry, without metatables.
+---@param table table
+---@param key any
+---@param value any
+---@return table
+function rawset(table, key, value) end
+
+---The arguments from a place on, or how many there are.
+---@param from integer|"#"
+---@param ... any
+---@return any
+function select(from, ...) end
+
+---Gives a table a metatable; finalizers (__gc) are refused.
+---@param table table
+---@param metatable? table
+---@return table
+function setmetatable(table, metatable) end
+
+---Bytes of a text as numbers.
+---@param text string
+---@param from? integer
+---@param to? integer
+---@return integer
+function string.byte(text, from, to) end
+
+---A text from bytes.
+---@param ... integer
+---@return string
+function string.char(...) end
+
+---Where a pattern matches first, and what it captured.
+---@param text string
+---@param pattern string
+---@param from? integer
+---@param plain? boolean
+---@return integer?
+---@return integer?
+---@return any
+function string.find(text, pattern, from, plain) end
+
+---Values put into a text: "%d", "%.2f", "%s".
+---@param format string
+---@param ... any
+---@return string
+function string.format(format, ...) end
+
+---Visits all matches of a pattern.
+---@param text string
+---@param pattern string
+---@param from? integer
+---@return function
+function string.gmatch(text, pattern, from) end
+
+---Replaces what matches a pattern, and tells how often.
+---@param text string
+---@param pattern string
+---@param replacement string|table|function
+---@param most? integer
+---@return string
+---@return integer
+function string.gsub(text, pattern, replacement, most) end
+
+---How many bytes it has.
+---@param text string
+---@return integer
+function string.len(text) end
+
+---In lower case.
+---@param text string
+---@return string
+function string.lower(text) end
+
+---What a pattern captures where it matches first.
+---@param text string
+---@param pattern string
+---@param from? integer
+---@return string?
+---@return any
+function string.match(text, pattern, from) end
+
+---Values as bytes in a text.
+---@param format string
+---@param ... any
+---@return string
+function string.pack(format, ...) end
+
+---How many bytes pack would make.
+---@param format string
+---@return integer
+function string.packsize(format) end
+
+---The text so many times.
+---@param text string
+---@param count integer
+---@param separator? string
+---@return string
+function string.rep(text, count, separator) end
+
+---Its bytes backwards.
+---@param text string
+---@return string
+function string.reverse(text) end
+
+---A part of it; negative places count from the end.
+---@param text string
+---@param from integer
+---@param to? integer
+---@return string
+function string.sub(text, from, to) end
+
+---What pack made into bytes.
+---@param format string
+---@param text string
+---@param from? integer
+---@return any
+function string.unpack(format, text, from) end
+
+---In upper case.
+---@param text string
+---@return string
+function string.upper(text) end
+
+---The elements joined to a text.
+---@param list table
+---@param separator? string
+---@param from? integer
+---@param to? integer
+---@return string
+function table.concat(list, separator, from, to) end
+
+---Puts an element at the end, or at a place.
+---@param list table
+---@param value any
+---@overload fun(list: table, place: integer, value: any)
+function table.insert(list, value) end
+
+---Copies elements to a place of the same or another table.
+---@param from table
+---@param first integer
+---@param last integer
+---@param place integer
+---@param to? table
+---@return table
+function table.move(from, first, last, place, to) end
+
+---The arguments as a list, with `n`.
+---@param ... any
+---@return table
+function table.pack(...) end
+
+---Takes out the last element, or that at a place.
+---@param list table
+---@param place? integer
+---@return any
+function table.remove(list, place) end
+
+---Sorts the elements in place.
+---@param list table
+---@param before? fun(a: any, b: any): boolean
+function table.sort(list, before) end
+
+---The elements, as results.
+---@param list table
+---@param from? integer
+---@param to? integer
+---@return any
+function table.unpack(list, from, to) end
+
+---A text as a number; nil when it is none.
+---@param value any
+---@param base? integer
+---@return number?
+function tonumber(value, base) end
+
+---The value as text; no addresses.
+---@param value any
+---@return string
+function tostring(value) end
+
+---"number", "table", "userdata" ...
+---@param value any
+---@return string
+function type(value) end
+
+---A text from characters' codes.
+---@param ... integer
+---@return string
+function utf8.char(...) end
+
+---The pattern that matches one character.
+---@type string
+utf8.charpattern = nil
+
+---Codes of the characters of a text.
+---@param text string
+---@param from? integer
+---@param to? integer
+---@return integer
+function utf8.codepoint(text, from, to) end
+
+---Visits places and codes of all characters.
+---@param text string
+---@return function
+---@return string
+---@return integer
+function utf8.codes(text) end
+
+---How many characters it has; nil and the place where it is malformed.
+---@param text string
+---@param from? integer
+---@param to? integer
+---@return integer?
+---@return integer?
+function utf8.len(text, from, to) end
+
+---At which byte the n-th character begins.
+---@param text string
+---@param n integer
+---@param from? integer
+---@return integer?
+function utf8.offset(text, n, from) end
+
+---Calls the function; the handler sees an error where it arises.
+---@param action function
+---@param handler fun(error: any): any
+---@param ... any
+---@return boolean
+---@return any
+function xpcall(action, handler, ...) end
+
+---Called once, when main.lua has run.
+function start() end
+
+---Called every frame; dt is the real time since the last one in seconds.
+---@param dt number
+function update(dt) end
+
+---Called before every fixed step of the simulation, time.dt seconds long.
+---@param dt number
+function step(dt) end
+
+---Called for every picture, over what draws itself.
+---@param pen Pen
+function draw(pen) end
+
+---A key went down: "space", "a", "left".
+---@param key string
+function key_pressed(key) end
+
+---A key came up.
+---@param key string
+function key_released(key) end
+
+---A character was typed, by whatever keys.
+---@param text string
+function text_input(text) end
+
+---A button went down, at a position in the world and on the screen in pixels.
+---@param button string
+---@param position vec
+---@param screen vec
+function mouse_pressed(button, position, screen) end
+
+---A button came up, at a position in the world and on the screen in pixels.
+---@param button string
+---@param position vec
+---@param screen vec
+function mouse_released(button, position, screen) end
+
+---The mouse moved to a position in the world and on the screen in pixels.
+---@param position vec
+---@param screen vec
+function mouse_moved(position, screen) end
+
+---The wheel was turned, away from the user positive, over a position in the world.
+---@param notches number
+---@param position vec
+function wheel(notches, position) end
+
+---A button of a gamepad, counted from 1, went down.
+---@param gamepad integer
+---@param button string
+function gamepad_pressed(gamepad, button) end
+
+---A stick or trigger of a gamepad, counted from 1, moved to a value from -1 to 1.
+---@param gamepad integer
+---@param axis string
+---@param value number
+function gamepad_axis(gamepad, axis, value) end
+
+---The window got another size, in pixels.
+---@param width number
+---@param height number
+function resized(width, height) end
+
+---The window got the keyboard, or lost it.
+---@param focused boolean
+function focus(focused) end
+
+---The window is about to close.
+function closing() end
