@@ -6,6 +6,7 @@
 // Steps 1 and 2 are coerce.cpp. Step 4 is the place of the history: it will be told (cell, old,
 // new, cause) between `coerce` and `write` below, when the writer is a person.
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <stdexcept>
@@ -364,10 +365,12 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     if (of.method(name) != nullptr)
         refuse(ErrorKind::bad_name, quoted + " is a method of " + of.name());
     if (tree.child(instance, name)) refuse(ErrorKind::bad_name, quoted + " is a child here");
-    for (const std::string& declared : of.member_names())
-        if (near_miss(name, declared))
-            refuse(ErrorKind::near_miss, of.name() + " has no property " + quoted +
-                                             " (did you mean \"" + declared + "\"?)");
+    const std::vector<std::string> members = of.member_names();
+    const auto near = std::ranges::find_if(
+        members, [name](const std::string& declared) { return near_miss(name, declared); });
+    if (near != members.end())
+        refuse(ErrorKind::near_miss,
+               of.name() + " has no property " + quoted + " (did you mean \"" + *near + "\"?)");
     const Property& added = ad_hoc_property(Symbol(name));
     const Value next = tree.coerce(instance, added, value);
     put_ad_hoc(instance, added, next);
@@ -392,7 +395,8 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     const auto found = own.find(std::string(name));
     if (found == own.end()) return;
     s.forbid_in_formula("write");
-    const auto [property, old] = found->second;
+    const Property* const property = found->second.first;
+    const Value old = found->second.second;
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, *property);
     if (node.has_formula) s.drop_formula(instance, *property);

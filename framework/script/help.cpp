@@ -128,6 +128,7 @@ void add_members(Machine& machine, const Class& of, std::vector<std::string>& li
     std::vector<std::string> functions;
     machine.classes->add_function_names(of, functions);
     std::vector<std::vector<std::string>> own;
+    own.reserve(functions.size());
     for (const std::string& name : functions) own.push_back({"  :" + name + "(...)"});
     add("functions", own);
 }

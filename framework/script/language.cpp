@@ -19,6 +19,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "color(r: number, g: number, b: number, a?: number): color",
          "A color by name, as \"#rrggbb\", or from channels between 0 and 1."},
         {"deg", "deg(degrees: number): number", "An angle in radians."},
+        {"drop_tweaks", "drop_tweaks(pattern: string)",
+         "Forgets the tweaks that match: they are neither listed nor made again."},
         {"edit", "edit(name: string, action: fun())",
          "What the function writes is one step of undo under that name."},
         {"every", "every(seconds: number, action: fun()): Connection",
@@ -30,6 +32,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "whenever something it reads has changed."},
         {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
         {"history", "history()", "Lists what was edited, the latest first."},
+        {"keep", "keep(pattern: string)",
+         "Writes the tweaks that match into the files their instances came from: "
+         "keep(\"world.ball.*\")."},
         {"query", "query(pattern: string): Set|table<string, any>",
          "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
         {"quit", "quit(status?: integer|boolean)",
@@ -41,6 +46,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "random(from: number, to: number): number",
          "A random number in [0, 1), from 1 to n, or from one to the other; the same for the same "
          "seed."},
+        {"reapply_tweaks", "reapply_tweaks(pattern: string)",
+         "Makes the tweaks of earlier runs that match again."},
         {"redo", "redo()", "Does again what undo took back."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},
@@ -48,6 +55,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "The instances of a scene file, placed below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",
          "Writes an instance and everything below it to a scene file of the game."},
+        {"tweaks", "tweaks()",
+         "Lists what people edited while the game ran, in this run and in earlier ones, and what "
+         "of "
+         "it is kept."},
         {"undo", "undo()", "Takes the latest edit back."},
         {"vec",
          "vec(x: number, y: number): vec\n"

@@ -143,6 +143,9 @@ TEST_CASE("the committed reference is what the program writes") {
                 differing += name.string() + "\n";
         }
     }
+    for (const auto& entry : fs::directory_iterator(folder.path))
+        CHECK((entry.path() == written || entry.path().filename() == "out" ||
+               entry.path().filename() == "err"));
     INFO("write them anew with: build/release/bin/fettle docs docs/reference");
     CHECK(differing == "");
 }

@@ -134,7 +134,9 @@ class SceneWriter {
         members.key(key);
         Members inside(out_, indent);
         for (const Property* property : written) value(handle, *property, inside, indent + 2);
-        for (const Document::Node* node : unknown) inside.raw(kept->key(*node), kept->raw(*node));
+        if (kept != nullptr)
+            for (const Document::Node* node : unknown)
+                inside.raw(kept->key(*node), kept->raw(*node));
         inside.close();
     }
 
