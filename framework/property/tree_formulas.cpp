@@ -1,6 +1,7 @@
 // Formulas as the tree's users see them; how they settle is formulas.cpp.
 
 #include <fettle/property/path.h>
+#include <fettle/property/question.h>
 #include <fettle/property/tree.h>
 
 #include <optional>
@@ -13,6 +14,11 @@ void Tree::State::forbid_in_formula(const char* what) const {
     if (formulas.tracking())
         throw Error(ErrorKind::formula,
                     std::string("a formula computes a value: it cannot ") + what);
+    if (const Question* question = Question::current())
+        throw Error(ErrorKind::rejected,
+                    question->event().name +
+                        " is asked inside a step: a handler changes what it is told, it cannot " +
+                        what);
 }
 
 void Tree::State::drop_formula(Handle instance, const Property& property) {

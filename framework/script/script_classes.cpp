@@ -143,10 +143,12 @@ void ScriptClasses::connect(const Class& of, const std::string& name) {
     const auto run = [this, here, name](const Class& actual, Handle instance, auto push) {
         if (definer(actual, name) != here) return;
         protected_run(machine_, Context(actual.name() + ":" + name, instance), [&](lua_State* L) {
+            push(L);
             if (!push_function(L, actual, name.c_str())) return;
             push_instance(L, instance);
-            push(L);
+            lua_pushvalue(L, -3);
             lua_call(L, 2, 0);
+            if (property::Question* asked = property::Question::current()) take_answer(L, *asked);
         });
     };
     if (name == "deleted") {

@@ -4,6 +4,7 @@
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
+#include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
 
 #include "format.h"
@@ -178,6 +179,16 @@ void push_occurrence(lua_State* L, const Occurrence& occurrence) {
     lua_rawset(L, -3);
 }
 
+void take_answer(lua_State* L, property::Question& question) {
+    const auto& fields = question.event().fields;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        lua_pushlstring(L, fields[i].name.data(), fields[i].name.size());
+        lua_rawget(L, -2);
+        question.answer(i, to_value(L, lua_gettop(L)));
+        lua_pop(L, 1);
+    }
+}
+
 void push_existence(lua_State* L, const Existence& existence) {
     lua_createtable(L, 0, 5);
     push_instance(L, existence.instance);
@@ -268,9 +279,11 @@ Connection connect_event(lua_State* L, Machine& machine, Handle instance, const 
     auto handler = [&machine, function, &event](const Occurrence& occurrence) {
         const Context context("handler of " + event.name, occurrence.instance);
         protected_run(machine, context, [&](lua_State* M) {
-            function->push(M);
             push_occurrence(M, occurrence);
+            function->push(M);
+            lua_pushvalue(M, -2);
             lua_call(M, 1, 0);
+            if (property::Question* asked = property::Question::current()) take_answer(M, *asked);
         });
     };
     return whole_class ? tree.on(of, event, handler, options)

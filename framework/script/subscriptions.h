@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 
+#include <fettle/property/question.h>
 #include <fettle/property/tree.h>
 
 #include "lua_api.h"
@@ -62,6 +63,8 @@ int subscribe_event(lua_State* L);
 
 /// Pushes the record handlers of events get.
 void push_occurrence(lua_State* L, const property::Occurrence& occurrence);
+/// What a handler left in the record, which is on top of the stack, of an event that asks.
+void take_answer(lua_State* L, property::Question& question);
 void push_existence(lua_State* L, const property::Existence& existence);
 /// A handler for `on` over a whole class.
 property::Connection connect_event(lua_State* L, Machine& machine, property::Handle instance,

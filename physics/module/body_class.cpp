@@ -105,6 +105,13 @@ Value touching(Hosting& hosting, Row row) {
     return others;
 }
 
+Value pressed(Hosting& hosting, Row row) {
+    float sum = 0.0f;
+    for (const physics::Contact& contact : hosting.body(row).contacts())
+        sum += contact.normal_force;
+    return to_value(sum);
+}
+
 Binding color(Hosting& hosting) {
     return accessor(
         hosting,
@@ -287,6 +294,14 @@ std::vector<Property> switches(Hosting& hosting) {
          .transient = true,
          .simulated = true,
          .element = Type::reference},
+        {.name = "contact_force",
+         .unit = "N",
+         .doc = "How hard what it touches presses on it, all together.",
+         .binding = accessor(hosting, [](Hosting& h, Row row) { return pressed(h, row); }),
+         .read_only = true,
+         .transient = true,
+         .simulated = true,
+         .single_precision = true},
     };
 }
 
@@ -319,6 +334,8 @@ void define_body(Hosting& hosting) {
     hosting.woke = defined.event("woke");
     hosting.slept = defined.event("slept");
     hosting.contact_begin.of_body = defined.event("contact_begin");
+    hosting.contact_persist.of_body = defined.event("contact_persist");
+    hosting.before_solve.of_body = defined.event("before_solve");
     hosting.contact_end.of_body = defined.event("contact_end");
     hosting.contact_hit.of_body = defined.event("contact_hit");
     hosting.sensor_begin.of_body = defined.event("sensor_begin");

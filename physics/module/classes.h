@@ -14,9 +14,11 @@ void define_body(Hosting& hosting);
 void define_shape(Hosting& hosting);
 void define_shapes(Hosting& hosting);  // Shape and all that derive from it
 void define_joints(Hosting& hosting);  // Joint and all that derive from it
+void define_fields(Hosting& hosting);  // Field and all that derive from it
 
 property::Lifecycle shape_lifecycle(ShapeKind& kind);
 std::vector<property::Method> world_methods(Hosting& hosting);
+std::vector<property::Event> world_events();
 std::vector<property::Method> body_methods(Hosting& hosting);
 std::vector<property::Event> contact_events(std::string_view of);  // "body" or "shape"
 

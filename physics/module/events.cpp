@@ -36,6 +36,12 @@ std::vector<Field> contact_fields(bool full) {
     return fields;
 }
 
+std::vector<Field> questioned_fields() {
+    std::vector<Field> fields = contact_fields(true);
+    fields.push_back({"enabled", Type::boolean, "", "Whether it acts in this step."});
+    return fields;
+}
+
 /// What only the contact itself knows; nothing when it is over already.
 struct Mixed {
     float friction = 0.0f, restitution = 0.0f;
@@ -68,6 +74,14 @@ std::vector<Event> contact_events(std::string_view of) {
         {.name = "contact_begin",
          .fields = contact_fields(true),
          .doc = "The " + self + " began to touch another."},
+        {.name = "contact_persist",
+         .fields = contact_fields(true),
+         .doc = "The " + self + " still touches another: every step after the first."},
+        {.name = "before_solve",
+         .fields = questioned_fields(),
+         .doc = "Asked in the step, before a contact of the " + self +
+                " acts: its friction and restitution may be changed, and enabled false lets both "
+                "pass through each other in this step. The handler cannot write anything else."},
         {.name = "contact_end",
          .fields = contact_fields(false),
          .doc = "The " + self + " stopped touching another."},
@@ -81,16 +95,6 @@ std::vector<Event> contact_events(std::string_view of) {
          .fields = contact_fields(false),
          .doc = "The " + self + " left a sensor, or as a sensor was left."},
     };
-}
-
-/// The library looks for hits only where it is told to, and telling it wakes nobody.
-void Hosting::follow_listeners() {
-    const bool wanted = contact_hit.heard();
-    if (wanted == hits_wanted_) return;
-    hits_wanted_ = wanted;
-    for (const auto& hosted : worlds_)
-        if (hosted != nullptr)
-            for (physics::Shape& shape : hosted->world.shapes()) shape.set_hit_events(wanted);
 }
 
 Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
@@ -148,6 +152,7 @@ void Hosting::report(HostedWorld& hosted) {
     };
     pair(contact_end, events.contact_end, nothing);
     pair(contact_begin, events.contact_begin, all);
+    pair(contact_persist, events.contact_persist, all);
     pair(contact_hit, events.contact_hit, all);
     sensed(sensor_end, events.sensor_end);
     sensed(sensor_begin, events.sensor_begin);
@@ -160,6 +165,12 @@ void Hosting::report(HostedWorld& hosted) {
     };
     each(*woke, events.woke);
     each(*slept, events.slept);
+    for (const physics::JointBreakEvent& e : events.joint_broke) {
+        // What broke is broken in the tree too, whether anyone listens or not.
+        const Handle self = joints.broke(e.joint, hosted.world);
+        if (self && tree.listens(self, *broke))
+            tree.emit(self, *broke, {to_value(e.force), to_value(e.torque)});
+    }
     hosted.departed_bodies.clear();
     hosted.departed_shapes.clear();
 }

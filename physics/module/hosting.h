@@ -88,6 +88,7 @@ class Hosting {
         physics::World& in = world(row);
         return in.shape({slot_of(row), in.shape_generation(slot_of(row))});
     }
+    physics::Field field(Row row);
     /// Of the center of mass.
     physics::Vec2 velocity(Row row) {
         if (world_number(row) == limbo)
@@ -120,6 +121,8 @@ class Hosting {
     Row create_shape(Handle self, const physics::Geometry& geometry);
     Row place_shape(Handle self, Row row);
     void destroy_shape(Row row);
+    Row create_field(Handle self, const physics::FieldDef& def);  // field_classes.cpp
+    Row place_field(Handle self, Row row);
 
     // --- Events (events.cpp)
     void follow_listeners();
@@ -143,9 +146,13 @@ class Hosting {
     const property::Class* statistics_class = nullptr;
     std::array<property::Value, 3> type_names;  // by physics::BodyType
 
-    PairEvent contact_begin, contact_end, contact_hit, sensor_begin, sensor_end;
+    PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
+    PairEvent before_solve;
+    const property::Event* mix_surfaces = nullptr;  // of worlds, as the next
+    const property::Event* filter_pair = nullptr;
     const property::Event* woke = nullptr;
     const property::Event* slept = nullptr;
+    const property::Event* broke = nullptr;
 
   private:
     Row migrate_body(Row row, std::uint32_t to);
@@ -161,7 +168,16 @@ class Hosting {
               const std::vector<property::Value>& rest);
 
     std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;
-    bool hits_wanted_ = false;
+    /// What the libraries are asked to tell, since somebody listens.
+    struct Wanted {
+        bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;
+        bool operator==(const Wanted&) const = default;
+    };
+    void listen(HostedWorld& hosted, const Wanted& before);
+    void ask_before_solve(HostedWorld& hosted, physics::ContactEdit& contact);
+    void ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact);
+    bool ask_filter(HostedWorld& hosted, const physics::Shape& a, const physics::Shape& b);
+    Wanted wanted_;
 };
 
 }  // namespace fettle::physics_module

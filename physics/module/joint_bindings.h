@@ -64,7 +64,7 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
     lifecycle.context = &hosting;
     lifecycle.create = [](void* context, property::Tree&, Handle self) {
         auto& h = *static_cast<Hosting*>(context);
-        return h.joints.create<Of>(h.world_above(self));
+        return h.joints.create<Of>(h.world_above(self), self);
     };
     lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
         auto& h = *static_cast<Hosting*>(context);
@@ -80,12 +80,48 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
 /// A number of a joint that is no less than zero.
 Property joint_number(std::string name, double default_value, std::string unit, std::string doc,
                       Binding binding);
+/// Any number.
+Property free_number(std::string name, double default_value, std::string unit, std::string doc,
+                     Binding binding);
+/// The same, where infinity is none at all.
+Property limit_number(std::string name, double default_value, std::string unit, std::string doc,
+                      Binding binding);
+Property joint_vector(std::string name, const property::Vec2& default_value, std::string unit,
+                      std::string doc, Binding binding);
 /// What a joint found, or was given.
 Property found_number(std::string name, std::string unit, std::string doc, Binding binding);
 /// A number that is only told.
 Property joint_figure(std::string name, std::string unit, std::string doc, Binding binding);
 
+/// A figure of a native joint; 0 while there is none.
+template <class Native, auto Ask>
+Binding told(Hosting& hosting) {
+    return accessor(hosting, [](Hosting& h, Row row) {
+        const Native joint = h.joints.native<Native>(row);
+        return to_value(joint ? (joint.*Ask)() : 0.0f);
+    });
+}
+
+/// The angle of b against a now, and where the anchors are.
+float angle_between(const Joints& joints, const JointRecord& record);
+
+template <class Of>
+property::ClassDescriptor pair_joint(Hosting& hosting, std::string name, std::string stem,
+                                     std::string doc, std::vector<Property> properties) {
+    property::ClassDescriptor of;
+    of.name = std::move(name);
+    of.base = "PairJoint";
+    of.stem = std::move(stem);
+    of.doc = std::move(doc);
+    of.lifecycle = joint_lifecycle<Of>(hosting);
+    of.properties = std::move(properties);
+    return of;
+}
+
 void define_distance_joint(Hosting& hosting);
 void define_revolute_joint(Hosting& hosting);
+void define_sliding_joints(Hosting& hosting);
+void define_wheel_joint(Hosting& hosting);
+void define_coupling_joints(Hosting& hosting);
 
 }  // namespace fettle::physics_module

@@ -89,6 +89,19 @@ void define_joint(Hosting& hosting) {
          .default_value = true,
          .doc = "Whether it acts.",
          .binding = common_setting<&JointRecord::enabled, &physics::Joint::set_enabled>(hosting)},
+        joint_number(
+            "break_force", physics::infinity, "N",
+            "It breaks when it has to bear more, in the mean over a step; infinite: never.",
+            common_setting<&JointRecord::break_force, &physics::Joint::set_break_force>(hosting)),
+        joint_number(
+            "break_torque", physics::infinity, "N m",
+            "It breaks when it has to bear more, besides the torque of its force.",
+            common_setting<&JointRecord::break_torque, &physics::Joint::set_break_torque>(hosting)),
+        {.name = "broken",
+         .type = Type::boolean,
+         .doc = "It bore too much and does not act; false mends it.",
+         .binding = common_setting<&JointRecord::broken, &physics::Joint::set_broken>(hosting),
+         .simulated = true},
         {.name = "force",
          .type = Type::vec2,
          .unit = "N",
@@ -101,7 +114,12 @@ void define_joint(Hosting& hosting) {
         joint_figure("torque", "N m",
                      "What it turned body_b with in the last step, besides what its force does.",
                      torque(hosting))};
-    hosting.tree.define(std::move(joint));
+    joint.properties[1].infinity = joint.properties[2].infinity = true;
+    joint.events = {{.name = "broke",
+                     .fields = {{"force", Type::vec2, "N", "That it had to bear."},
+                                {"torque", Type::number, "N m", "Besides that of the force."}},
+                     .doc = "It bore more than its break_force or break_torque."}};
+    hosting.broke = hosting.tree.define(std::move(joint)).event("broke");
 }
 
 template <std::size_t Side>
@@ -201,6 +219,39 @@ Property joint_number(std::string name, double default_value, std::string unit, 
             .single_precision = true};
 }
 
+Property free_number(std::string name, double default_value, std::string unit, std::string doc,
+                     Binding binding) {
+    return {.name = std::move(name),
+            .default_value = default_value,
+            .unit = std::move(unit),
+            .doc = std::move(doc),
+            .binding = binding,
+            .single_precision = true};
+}
+
+Property limit_number(std::string name, double default_value, std::string unit, std::string doc,
+                      Binding binding) {
+    Property property =
+        free_number(std::move(name), default_value, std::move(unit), std::move(doc), binding);
+    property.infinity = true;
+    return property;
+}
+
+Property joint_vector(std::string name, const property::Vec2& default_value, std::string unit,
+                      std::string doc, Binding binding) {
+    return {.name = std::move(name),
+            .type = Type::vec2,
+            .default_value = default_value,
+            .unit = std::move(unit),
+            .doc = std::move(doc),
+            .binding = binding,
+            .single_precision = true};
+}
+
+float angle_between(const Joints& joints, const JointRecord& record) {
+    return joints.angle_of(record, 1) - joints.angle_of(record, 0);
+}
+
 Property found_number(std::string name, std::string unit, std::string doc, Binding binding) {
     return {.name = std::move(name),
             .unit = std::move(unit),
@@ -228,6 +279,9 @@ void define_joints(Hosting& hosting) {
     define_pair_joint(hosting);
     define_distance_joint(hosting);
     define_revolute_joint(hosting);
+    define_sliding_joints(hosting);
+    define_wheel_joint(hosting);
+    define_coupling_joints(hosting);
 }
 
 }  // namespace fettle::physics_module

@@ -3,8 +3,27 @@
 #include "hosting.h"
 
 namespace fettle::physics_module {
+namespace {
 
-std::uint32_t Joints::create(std::uint32_t world) {
+/// Tells a native joint what it is set to, in the order in which `each` names it; what is to be
+/// found, and was not, is asked of it.
+template <class Native, class Settings>
+Native adjust(Native made, Settings& settings) {
+    Settings::each([&](auto field, auto set, auto... ask) {
+        auto& value = settings.*field;
+        if constexpr (sizeof...(ask) == 0) {
+            (made.*set)(value);
+        } else {
+            if (!value.value) value.value = (..., (made.*ask)());
+            (made.*set)(*value.value);
+        }
+    });
+    return made;
+}
+
+}  // namespace
+
+std::uint32_t Joints::create(std::uint32_t world, property::Handle self) {
     std::uint32_t row = 0;
     if (free_.empty()) {
         row = static_cast<std::uint32_t>(records_.size());
@@ -16,6 +35,7 @@ std::uint32_t Joints::create(std::uint32_t world) {
     records_[row] = {};
     records_[row].used = true;
     records_[row].world = world;
+    records_[row].self = self;
     loosen();
     return row;
 }
@@ -46,11 +66,11 @@ property::Handle Joints::body(std::uint32_t row, std::size_t side) const {
 void Joints::set_body(std::uint32_t row, std::size_t side, property::Handle body) {
     JointRecord& record = records_[row];
     record.bodies[side] = body;
-    struct {
-        void operator()(MouseSettings& s) const { s.anchor.look_again(); }
-        void operator()(DistanceSettings& s) const { s.length.look_again(); }
-        void operator()(RevoluteSettings& s) const { s.reference_angle.look_again(); }
-    } look_again;
+    const auto look_again = [](auto& settings) {
+        std::remove_cvref_t<decltype(settings)>::each([&](auto field, auto, auto... ask) {
+            if constexpr (sizeof...(ask) != 0) (settings.*field).look_again();
+        });
+    };
     std::visit(look_again, record.settings);
     remake(row);
 }
@@ -105,38 +125,14 @@ physics::JointId Joints::connect(JointRecord& record, MouseSettings& settings) {
     def.body = body_id(record.bodies[1]);
     def.target = settings.target;
     def.anchor = settings.anchor.value;
-    def.hertz = settings.frequency;
-    def.damping_ratio = settings.damping_ratio;
-    def.max_force = settings.max_force;
     def.enabled = record.enabled;
     const physics::MouseJoint made = world_of(record).create_mouse_joint(def);
-    settings.anchor.value = made.anchor();
-    return made.id();
+    return adjust(made, settings).id();
 }
 
-physics::JointId Joints::connect(JointRecord& record, DistanceSettings& settings) {
-    physics::DistanceJoint made = world_of(record).create_distance_joint(description(record));
-    if (settings.length.value) made.set_length(*settings.length.value);
-    settings.length.value = made.length();
-    made.set_min_length(settings.min_length);
-    made.set_max_length(settings.max_length);
-    made.set_hertz(settings.hertz);
-    made.set_damping_ratio(settings.damping_ratio);
-    return made.id();
-}
-
-physics::JointId Joints::connect(JointRecord& record, RevoluteSettings& settings) {
-    physics::RevoluteJoint made = world_of(record).create_revolute_joint(description(record));
-    if (settings.reference_angle.value) made.set_reference_angle(*settings.reference_angle.value);
-    settings.reference_angle.value = made.reference_angle();
-    made.set_lower_angle(settings.lower_angle);
-    made.set_upper_angle(settings.upper_angle);
-    made.set_motor_speed(settings.motor_speed);
-    made.set_max_motor_torque(settings.max_motor_torque);
-    made.set_hertz(settings.hertz);
-    made.set_damping_ratio(settings.damping_ratio);
-    made.set_target_angle(settings.target_angle);
-    return made.id();
+template <class Settings>
+physics::JointId Joints::connect(JointRecord& record, Settings& settings) {
+    return adjust(Settings::make(world_of(record), description(record)), settings).id();
 }
 
 bool Joints::can_act(const JointRecord& record) const {
@@ -149,6 +145,14 @@ bool Joints::can_act(const JointRecord& record) const {
     return true;
 }
 
+property::Handle Joints::broke(physics::JointId native, physics::World& world) {
+    if (!world.is_valid(native)) return {};
+    const property::Handle self = unpack(world.joint(native).user_data());
+    if (!hosting_.tree.alive(self)) return {};
+    records_[hosting_.tree.row(self)].broken = world.joint(native).broken();
+    return self;
+}
+
 void Joints::tighten() {
     if (!loose_) return;
     loose_ = false;
@@ -159,6 +163,11 @@ void Joints::tighten() {
         if (wanted && !acts) {
             record.native = std::visit([&](auto& settings) { return connect(record, settings); },
                                        record.settings);
+            physics::Joint made = world_of(record).joint(record.native);
+            made.set_user_data(pack(record.self));
+            made.set_break_force(record.break_force);
+            made.set_break_torque(record.break_torque);
+            made.set_broken(record.broken);
         }
         if (!wanted && acts) disconnect(record);
     }

@@ -7,59 +7,25 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include <fettle/physics/world.h>
 #include <fettle/property/bytes.h>
 
+#include "joint_settings.h"
+
 namespace fettle::physics_module {
 
 class Hosting;
-
-/// A value that is found when the joint begins to act, unless one is given.
-template <class T>
-struct Found {
-    std::optional<T> value;
-    bool given = false;  // by a user: stays when the joint takes other bodies
-
-    void give(std::optional<T> wanted) {
-        value = wanted;
-        given = wanted.has_value();
-    }
-    void look_again() {
-        if (!given) value.reset();
-    }
-};
-
-// What a type adds.
-
-struct MouseSettings {
-    using Native = physics::MouseJoint;
-    Found<physics::Vec2> anchor;  // the point that is at the target
-    physics::Vec2 target = physics::Vec2::Zero();
-    float frequency = 5.0f, damping_ratio = 0.7f, max_force = physics::infinity;
-};
-struct DistanceSettings {
-    using Native = physics::DistanceJoint;
-    Found<float> length;
-    float min_length = 0.0f, max_length = physics::infinity;
-    float hertz = physics::infinity, damping_ratio = 0.0f;
-};
-struct RevoluteSettings {
-    using Native = physics::RevoluteJoint;
-    Found<float> reference_angle;
-    float lower_angle = -physics::infinity, upper_angle = physics::infinity;
-    float motor_speed = 0.0f, max_motor_torque = 0.0f;
-    float hertz = 0.0f, damping_ratio = 0.0f, target_angle = 0.0f;
-};
 
 struct JointRecord {
     bool used = false;
     std::array<property::Handle, 2> bodies;  // null: the world. A mouse has only b
     std::array<physics::Vec2, 2> anchors = {physics::Vec2::Zero(), physics::Vec2::Zero()};
-    bool collide = false, enabled = true;
-    std::variant<MouseSettings, DistanceSettings, RevoluteSettings> settings;
+    bool collide = false, enabled = true, broken = false;
+    float break_force = physics::infinity, break_torque = physics::infinity;
+    AnySettings settings;
+    property::Handle self;
     std::uint32_t world = 0;  // the nearest above
     physics::JointId native;  // in that world; dangling when a body took it along
 };
@@ -69,8 +35,8 @@ class Joints {
     explicit Joints(Hosting& hosting) : hosting_(hosting) {}
 
     template <class Settings>
-    std::uint32_t create(std::uint32_t world) {
-        const std::uint32_t row = create(world);
+    std::uint32_t create(std::uint32_t world, property::Handle self) {
+        const std::uint32_t row = create(world, self);
         records_[row].settings = Settings{};
         return row;
     }
@@ -97,6 +63,8 @@ class Joints {
     /// Where the anchor is in the world now.
     physics::Vec2 world_anchor(const JointRecord& record, std::size_t side) const;
     float angle_of(const JointRecord& record, std::size_t side) const;
+    /// What the library broke in a step is broken here too; the instance it stands for.
+    property::Handle broke(physics::JointId native, physics::World& world);
     /// Made anew before the next step: for what only the making of a joint finds.
     void remake(std::uint32_t row);
 
@@ -110,14 +78,14 @@ class Joints {
     std::function<void()> restore(property::ByteReader& from);
 
   private:
-    std::uint32_t create(std::uint32_t world);
+    std::uint32_t create(std::uint32_t world, property::Handle self);
     physics::World& world_of(const JointRecord& record) const;
     bool can_act(const JointRecord& record) const;
     physics::BodyId body_id(property::Handle body) const;
     void disconnect(JointRecord& record);
     physics::JointId connect(JointRecord& record, MouseSettings& settings);
-    physics::JointId connect(JointRecord& record, DistanceSettings& settings);
-    physics::JointId connect(JointRecord& record, RevoluteSettings& settings);
+    template <class Settings>
+    physics::JointId connect(JointRecord& record, Settings& settings);
     physics::JointDef description(const JointRecord& record) const;
 
     Hosting& hosting_;

@@ -68,6 +68,9 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     fresh.set_angular_velocity(def.angular_velocity);
     set_velocity(row, def.velocity);
     if (!awake) fresh.set_awake(false);
+    // Forces that wait for the next step act in it, wherever that is.
+    if (const physics::Vec2 force = old.applied_force(); !force.isZero(0)) fresh.apply_force(force);
+    if (const float torque = old.applied_torque(); torque != 0) fresh.apply_torque(torque);
     hosted(from).velocities.forget(slot_of(from));
     const auto color = hosted(from).body_colors.take(slot_of(from));
     if (color) target.body_colors.set(fresh.index(), color);

@@ -34,6 +34,7 @@ void PhysicsModule::attach(property::Tree& tree) {
     define_body(*hosting_);
     define_shapes(*hosting_);
     define_joints(*hosting_);
+    define_fields(*hosting_);
     tree.create(*hosting_->world_class, tree.root(), "world");
 }
 

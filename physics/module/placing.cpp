@@ -33,6 +33,7 @@ Row Hosting::create_world(Handle self) {
         no_room("there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");
     worlds_[number] = std::make_unique<HostedWorld>();
     worlds_[number]->self = self;
+    listen(*worlds_[number], {});
     const Row row = make_row(number, 0);
     tree.set_row(tree.create(*statistics_class, self, "step"), row);
     return row;
@@ -76,7 +77,7 @@ Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
     const Handle owner = body_above(self);
     const Row owner_row = owner ? tree.row(owner) : make_row(limbo, 0);
     HostedWorld& in = hosted(owner_row);
-    const physics::ShapeDef def{.hit_events = hits_wanted_, .user_data = pack(self)};
+    const physics::ShapeDef def{.hit_events = wanted_.hits, .user_data = pack(self)};
     physics::Shape made =
         std::visit([&](const auto& form) { return in.world.create_shape(form, def); }, geometry);
     if (owner) made.attach(body(owner_row));

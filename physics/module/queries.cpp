@@ -44,9 +44,26 @@ const std::vector<Field> contact_fields = {
     {"force", Type::number, "N", "That presses them apart."},
 };
 
-physics::QueryFilter filter(const Value& categories) {
+const Field group{"group", Type::integer, "",
+                  "Shapes of this group are seen if it is positive, and not if it is negative."};
+const std::vector<Field> near_fields = {
+    {"shape", Type::reference, "", "The one that is nearest."},
+    {"body", Type::reference, "", "Its body."},
+    {"point", Type::vec2, "m", "On its surface, in the world."},
+    {"normal", Type::vec2, "", "Of the surface there, outward; none inside of it."},
+    {"distance", Type::number, "m", "0 inside."},
+};
+const std::vector<Field> separation_fields = {
+    {"distance", Type::number, "m", "0 where they overlap."},
+    {"point_a", Type::vec2, "m", "Of the first, nearest to the second."},
+    {"point_b", Type::vec2, "m", "Of the second, nearest to the first."},
+    {"normal", Type::vec2, "", "From the first to the second; none where they overlap."},
+};
+
+physics::QueryFilter filter(const Value& categories, const Value& of_group = {}) {
     physics::QueryFilter filter;
     if (!categories.is_nil()) filter.mask = from_value<std::uint64_t>(categories);
+    if (!of_group.is_nil()) filter.group = static_cast<std::int32_t>(of_group.integer());
     return filter;
 }
 
@@ -72,7 +89,8 @@ Record hit_record(const Instances& instances, const physics::RayHit& hit) {
 }
 
 Result raycast(HostedWorld& hosted, Arguments a) {
-    const auto hit = hosted.world.cast_ray(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2]));
+    const auto hit =
+        hosted.world.cast_ray(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3]));
     if (!hit) return Value();
     return hit_record(Instances(hosted), *hit);
 }
@@ -80,7 +98,7 @@ Result raycast(HostedWorld& hosted, Arguments a) {
 Result raycast_all(HostedWorld& hosted, Arguments a) {
     std::vector<Record> records;
     for (const physics::RayHit& hit :
-         hosted.world.cast_ray_all(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2])))
+         hosted.world.cast_ray_all(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3])))
         records.push_back(hit_record(Instances(hosted), hit));
     return records;
 }
@@ -88,7 +106,7 @@ Result raycast_all(HostedWorld& hosted, Arguments a) {
 /// The smallest one: what lies in front of a large one is the one meant. Sensors count, so that
 /// they can be pointed at too.
 Result at(HostedWorld& hosted, Arguments a) {
-    physics::QueryFilter all = filter(a[1]);
+    physics::QueryFilter all = filter(a[1], a[2]);
     all.sensors = true;
     const auto found = hosted.world.query_point(vec2_argument(a[0]), all);
     const auto least = std::min_element(
@@ -97,18 +115,84 @@ Result at(HostedWorld& hosted, Arguments a) {
     return found.empty() ? Value() : Value(Instances(hosted).of(least->body()));
 }
 
-Result overlap_box(HostedWorld& hosted, Arguments a) {
-    const physics::Vec2 p = vec2_argument(a[0]), q = vec2_argument(a[1]);
-    physics::QueryFilter all = filter(a[2]);
-    all.sensors = true;
-    const Instances instances(hosted);
+/// By their bodies, each once.
+Value bodies_of(const Instances& instances, const std::vector<physics::Shape>& shapes) {
     property::List bodies;
-    for (const physics::Shape& shape :
-         hosted.world.query_aabb({p.cwiseMin(q), p.cwiseMax(q)}, all)) {
+    for (const physics::Shape& shape : shapes) {
         const Value body(instances.of(shape.body()));
         if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) bodies.push_back(body);
     }
     return Value(std::move(bodies));
+}
+
+Result overlap_box(HostedWorld& hosted, Arguments a) {
+    const physics::Vec2 p = vec2_argument(a[0]), q = vec2_argument(a[1]);
+    physics::QueryFilter all = filter(a[2], a[3]);
+    all.sensors = true;
+    return bodies_of(Instances(hosted),
+                     hosted.world.query_aabb({p.cwiseMin(q), p.cwiseMax(q)}, all));
+}
+
+/// The shapes that a reference to a shape or to a body means.
+std::vector<physics::Shape> shapes_of(Hosting& hosting, const Value& value, const char* what) {
+    const Handle instance = value.reference();
+    const property::Class& is = hosting.tree.class_of(instance);
+    const Row row = hosting.tree.row(instance);
+    if (is.is_a(*hosting.shape_class)) return {hosting.shape(row)};
+    if (is.is_a(*hosting.body_class)) return hosting.body(row).shapes();
+    throw std::invalid_argument(std::string(what) + ": expected a shape or a body, got a " +
+                                is.name());
+}
+
+Result overlap(Hosting& hosting, HostedWorld& hosted, Arguments a) {
+    std::vector<physics::Shape> found;
+    physics::QueryFilter seen = filter(a[1], a[2]);
+    seen.sensors = true;
+    for (const physics::Shape& shape : shapes_of(hosting, a[0], "shape")) {
+        const auto some = hosted.world.query_overlap(shape, seen);
+        found.insert(found.end(), some.begin(), some.end());
+    }
+    return bodies_of(Instances(hosted), found);
+}
+
+Result shapecast(Hosting& hosting, HostedWorld& hosted, Arguments a) {
+    std::optional<physics::RayHit> first;
+    for (const physics::Shape& shape : shapes_of(hosting, a[0], "shape")) {
+        const auto hit = hosted.world.cast_shape(shape, vec2_argument(a[1]), filter(a[2], a[3]));
+        if (hit && (!first || hit->fraction < first->fraction)) first = hit;
+    }
+    if (!first) return Value();
+    return hit_record(Instances(hosted), *first);
+}
+
+Result closest(Hosting&, HostedWorld& hosted, Arguments a) {
+    const float reach = a[1].is_nil() ? physics::infinity : static_cast<float>(a[1].number());
+    const auto hit = hosted.world.closest(vec2_argument(a[0]), reach, filter(a[2], a[3]));
+    if (!hit) return Value();
+    const Instances instances(hosted);
+    return Record{&near_fields,
+                  {instances.of(hit->shape), instances.of(hit->shape.body()), to_value(hit->point),
+                   to_value(hit->normal), to_value(hit->distance)}};
+}
+
+Result distance(Hosting& hosting, HostedWorld&, Arguments a) {
+    std::optional<physics::Separation> least;
+    for (const physics::Shape& one : shapes_of(hosting, a[0], "a")) {
+        for (const physics::Shape& other : shapes_of(hosting, a[1], "b")) {
+            const physics::Separation gap = physics::distance(one, other);
+            if (!least || gap.distance < least->distance) least = gap;
+        }
+    }
+    if (!least) return Value();
+    return Record{&separation_fields,
+                  {to_value(least->distance), to_value(least->point_a), to_value(least->point_b),
+                   to_value(least->normal)}};
+}
+
+Result explode(Hosting&, HostedWorld& hosted, Arguments a) {
+    hosted.world.explode(vec2_argument(a[0]), float_argument(a[1]), float_argument(a[2]),
+                         filter(a[3]));
+    return Value();
 }
 
 Result contacts(HostedWorld& hosted, Arguments) {
@@ -147,36 +231,48 @@ Method method(Hosting& hosting, Method described) {
     return described;
 }
 
+template <Result (*Run)(Hosting&, HostedWorld&, Arguments)>
+Method method(Hosting& hosting, Method described) {
+    described.context = &hosting;
+    described.call = [](void* context, property::Tree&, Handle, Row row, Arguments arguments) {
+        Hosting& h = *static_cast<Hosting*>(context);
+        return Run(h, h.hosted(row), arguments);
+    };
+    return described;
+}
+
 }  // namespace
 
 std::vector<Method> world_methods(Hosting& hosting) {
+    const Field probe{"shape", Type::reference, "", "A shape or a body, of any world or of none."};
     const Field corner{"corner", Type::vec2, "m", "Of the box."};
     const Field opposite{"opposite", Type::vec2, "m", "The corner across."};
     return {
         method<raycast>(hosting, {.name = "raycast",
-                                  .parameters = {from, to, mask},
+                                  .parameters = {from, to, mask, group},
                                   .required = 2,
                                   .returns = hit_fields,
                                   .doc = "The first shape a ray meets, or nil. Sensors do not "
                                          "stop it."}),
         method<raycast_all>(hosting, {.name = "raycast_all",
-                                      .parameters = {from, to, mask},
+                                      .parameters = {from, to, mask, group},
                                       .required = 2,
                                       .returns = hit_fields,
                                       .many = true,
                                       .doc = "Every shape a ray meets, nearest first."}),
-        method<at>(hosting, {.name = "at",
-                             .parameters = {{"point", Type::vec2, "m", "In the world."}, mask},
-                             .required = 1,
-                             .returns = {{.name = "body",
-                                          .type = Type::reference,
-                                          .doc = "The body, or nil.",
-                                          .reference_class = "Body",
-                                          .nullable = true}},
-                             .doc = "The body at a point, that with the smallest shape there "
-                                    "where there are several, or nil."}),
+        method<at>(hosting,
+                   {.name = "at",
+                    .parameters = {{"point", Type::vec2, "m", "In the world."}, mask, group},
+                    .required = 1,
+                    .returns = {{.name = "body",
+                                 .type = Type::reference,
+                                 .doc = "The body, or nil.",
+                                 .reference_class = "Body",
+                                 .nullable = true}},
+                    .doc = "The body at a point, that with the smallest shape there "
+                           "where there are several, or nil."}),
         method<overlap_box>(hosting, {.name = "overlap_box",
-                                      .parameters = {corner, opposite, mask},
+                                      .parameters = {corner, opposite, mask, group},
                                       .required = 2,
                                       .returns = {{.name = "bodies",
                                                    .type = Type::list,
@@ -184,6 +280,51 @@ std::vector<Method> world_methods(Hosting& hosting) {
                                                    .reference_class = "Body",
                                                    .element = Type::reference}},
                                       .doc = "The bodies that reach into a box."}),
+        method<overlap>(hosting, {.name = "overlap",
+                                  .parameters = {probe, mask, group},
+                                  .required = 1,
+                                  .returns = {{.name = "bodies",
+                                               .type = Type::list,
+                                               .doc = "Each once, in no special order.",
+                                               .reference_class = "Body",
+                                               .element = Type::reference}},
+                                  .doc = "The bodies that overlap a shape, or a body, where it is; "
+                                         "not its own. A shape of no body is at its coordinates.",
+                                  .effect = property::Effect::nothing}),
+        method<shapecast>(
+            hosting,
+            {.name = "shapecast",
+             .parameters = {probe, {"motion", Type::vec2, "m", "How far it goes."}, mask, group},
+             .required = 2,
+             .returns = hit_fields,
+             .doc = "The first shape that a shape, or a body, would meet on its way, or nil.",
+             .effect = property::Effect::nothing}),
+        method<closest>(hosting,
+                        {.name = "closest",
+                         .parameters = {{"point", Type::vec2, "m", "In the world."},
+                                        {"reach", Type::number, "m", "No farther than this."},
+                                        mask,
+                                        group},
+                         .required = 1,
+                         .returns = near_fields,
+                         .doc = "The shape nearest to a point, or nil. The bounds do not count.",
+                         .effect = property::Effect::nothing}),
+        method<distance>(hosting, {.name = "distance",
+                                   .parameters = {{"a", Type::reference, "", "A shape or a body."},
+                                                  {"b", Type::reference, "", "Another."}},
+                                   .required = 2,
+                                   .returns = separation_fields,
+                                   .doc = "How far two shapes or bodies are from each other.",
+                                   .effect = property::Effect::nothing}),
+        method<explode>(
+            hosting,
+            {.name = "explode",
+             .parameters = {{"point", Type::vec2, "m", "In the world."},
+                            {"radius", Type::number, "m", "It reaches this far."},
+                            {"impulse", Type::number, "N s", "What a body at the point gets."},
+                            mask},
+             .required = 3,
+             .doc = "Pushes bodies away from a point: the farther, the less."}),
         method<contacts>(hosting, {.name = "contacts",
                                    .returns = contact_fields,
                                    .many = true,

@@ -199,6 +199,8 @@ void define_shape(Hosting& hosting) {
     const property::Class& defined = hosting.tree.define(std::move(shape));
     hosting.shape_class = &defined;
     hosting.contact_begin.of_shape = defined.event("contact_begin");
+    hosting.contact_persist.of_shape = defined.event("contact_persist");
+    hosting.before_solve.of_shape = defined.event("before_solve");
     hosting.contact_end.of_shape = defined.event("contact_end");
     hosting.contact_hit.of_shape = defined.event("contact_hit");
     hosting.sensor_begin.of_shape = defined.event("sensor_begin");

@@ -1,6 +1,7 @@
 // World: how everything in it is simulated, and what the last step did.
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "bindings.h"
@@ -15,6 +16,28 @@ using physics::World;
 Value bounds(Hosting& hosting, Row row) {
     const auto& bounds = hosting.world(row).bounds();
     return bounds ? to_value(*bounds) : Value();
+}
+
+constexpr std::array<const char*, 5> mix_rules = {"average", "minimum", "maximum", "multiply",
+                                                  "geometric"};
+
+template <auto Get, auto Set>
+Property mix_rule(Hosting& hosting, const char* name, const char* default_value, const char* doc) {
+    return {.name = name,
+            .type = Type::text,
+            .default_value = default_value,
+            .doc = doc,
+            .binding = accessor(
+                hosting,
+                [](Hosting& h, Row row) {
+                    return Value(mix_rules[static_cast<std::size_t>((h.world(row).*Get)())]);
+                },
+                [](Hosting& h, Row row, const Value& value) {
+                    for (std::size_t i = 0; i < mix_rules.size(); ++i)
+                        if (value.text() == mix_rules[i])
+                            (h.world(row).*Set)(static_cast<physics::MixRule>(i));
+                }),
+            .enumerators = {mix_rules.begin(), mix_rules.end()}};
 }
 
 void set_bounds(Hosting& hosting, Row row, const Value& value) {
@@ -79,6 +102,18 @@ std::vector<Property> simulation(Hosting& hosting) {
          .default_value = defaults.continuous,
          .doc = "However fast, bodies do not pass through static ones.",
          .binding = bound<&World::continuous, &World::set_continuous>(hosting)},
+    };
+}
+
+std::vector<Property> mixing(Hosting& hosting) {
+    return {
+        mix_rule<&World::friction_mix, &World::set_friction_mix>(
+            hosting, "friction_mix", "geometric",
+            "How the friction of two surfaces makes that of their contact: \"geometric\" is the "
+            "root of their product."),
+        mix_rule<&World::restitution_mix, &World::set_restitution_mix>(
+            hosting, "restitution_mix", "maximum",
+            "How the restitution of two surfaces makes that of their contact."),
     };
 }
 
@@ -178,9 +213,10 @@ void define_world(Hosting& hosting) {
     world.doc =
         "Bodies below it are simulated together. Its child `step` tells about the last "
         "step.";
-    for (const auto& group : {simulation(hosting), tuning(hosting)})
+    for (const auto& group : {simulation(hosting), mixing(hosting), tuning(hosting)})
         world.properties.insert(world.properties.end(), group.begin(), group.end());
     world.methods = world_methods(hosting);
+    world.events = world_events();
     world.lifecycle.context = &hosting;
     world.lifecycle.create = [](void* context, property::Tree&, Handle self) {
         return static_cast<Hosting*>(context)->create_world(self);
@@ -194,6 +230,8 @@ void define_world(Hosting& hosting) {
     };
     world.lifecycle.draw_over = draw_world_overlays;
     hosting.world_class = &hosting.tree.define(std::move(world));
+    hosting.mix_surfaces = hosting.world_class->event("mix_surfaces");
+    hosting.filter_pair = hosting.world_class->event("filter_pair");
 }
 
 }  // namespace fettle::physics_module

@@ -66,11 +66,13 @@ struct ContactConstraint {
     uint32_t contact;       ///< record to store into
     uint32_t extra;         ///< index + 1 of what only special contacts need; 0: none
     uint16_t count;         ///< points
+    bool anisotropic;       ///< a body is locked along one axis: solved one at a time
     uint16_t fixed;         ///< 1: one side does not move: stiffer
     float coupling_normal;  ///< change of the normal velocity of point 2 for a unit impulse at
                             ///< point 1
     float coupling_tangent;
     Softness soft;
+    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: none along a locked axis
     ConstraintPoint points[2];
 };
 

@@ -15,25 +15,26 @@ namespace {
 struct Pair {
     V2 va, vb;
     float wa, wb;
-    float ma, mb, ia, ib;
+    V2 ma, mb;
+    float ia, ib;
 
-    Pair(const SolverBody& a, const SolverBody& b)
+    Pair(const ContactConstraint& c, const SolverBody& a, const SolverBody& b)
         : va(a.velocity),
           vb(b.velocity),
           wa(a.angular_velocity),
           wb(b.angular_velocity),
-          ma(a.inverse_mass),
-          mb(b.inverse_mass),
+          ma(c.inverse_a),
+          mb(c.inverse_b),
           ia(a.inverse_inertia),
           ib(b.inverse_inertia) {}
 
     /// Impulse `p` along `direction`, with the angular impulses it makes through the lever arms.
     void apply(V2 direction, float p, float angular_a, float angular_b) {
-        va.x -= ma * p * direction.x;
-        va.y -= ma * p * direction.y;
+        va.x -= ma.x * p * direction.x;
+        va.y -= ma.y * p * direction.y;
         wa -= ia * angular_a;
-        vb.x += mb * p * direction.x;
-        vb.y += mb * p * direction.y;
+        vb.x += mb.x * p * direction.x;
+        vb.y += mb.y * p * direction.y;
         wb += ib * angular_b;
     }
     void store(SolverBody& a, SolverBody& b) const {
@@ -172,7 +173,7 @@ void ContactSolver::warm_start() {
     for (const ContactConstraint& c : constraints) {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
-        Pair pair(a, b);
+        Pair pair(c, a, b);
         const V2 t = right_perp(c.normal);
         const ConstraintPoint& p = c.points[0];
         float pn = p.normal_impulse, pt = p.tangent_impulse;
@@ -206,7 +207,7 @@ void ContactSolver::solve_biased() {
     for (ContactConstraint& c : constraints) {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
-        Pair pair(a, b);
+        Pair pair(c, a, b);
         solve_normals<true>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         pair.store(a, b);
     }
@@ -216,7 +217,7 @@ void ContactSolver::relax() {
     for (ContactConstraint& c : constraints) {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
-        Pair pair(a, b);
+        Pair pair(c, a, b);
         solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         if (c.extra == 0) {
             solve_friction(c, pair, 0.0f);
@@ -237,7 +238,7 @@ void ContactSolver::restitute() {
         ContactExtra& extra = extras[c.extra - 1];
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
-        Pair pair(a, b);
+        Pair pair(c, a, b);
         for (int k = 0; k < c.count; ++k) {
             ConstraintPoint& p = c.points[k];
             if (extra.approach[k] > -restitution_threshold || !(extra.greatest[k] > 0.0f)) continue;

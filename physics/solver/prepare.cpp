@@ -12,18 +12,27 @@ float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
-void prepare_point(const ManifoldPoint& m, V2 n, V2 t, const SolverBody& a, const SolverBody& b,
-                   float impulse_ratio, ConstraintPoint& p) {
+/// d·(M_a⁻¹ + M_b⁻¹)·d: along a locked axis a body is infinitely heavy.
+float inverse_along(const ContactConstraint& c, V2 d, const SolverBody& a, const SolverBody& b) {
+    if (!c.anisotropic) return a.inverse_mass + b.inverse_mass;
+    return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
+           d.y * d.y * (c.inverse_a.y + c.inverse_b.y);
+}
+
+void prepare_point(const ManifoldPoint& m, const ContactConstraint& c, V2 t, const SolverBody& a,
+                   const SolverBody& b, float impulse_ratio, ConstraintPoint& p) {
+    const V2 n = c.normal;
     p.normal_lever_a = cross(m.anchor_a, n);
     p.normal_lever_b = cross(m.anchor_b, n);
     p.tangent_lever_a = cross(m.anchor_a, t);
     p.tangent_lever_b = cross(m.anchor_b, t);
     p.separation = m.separation;
-    const float k = a.inverse_mass + b.inverse_mass;
-    p.normal_mass = inverse_or_zero(k + a.inverse_inertia * p.normal_lever_a * p.normal_lever_a +
+    const float k_n = inverse_along(c, n, a, b), k_t = inverse_along(c, t, a, b);
+    p.normal_mass = inverse_or_zero(k_n + a.inverse_inertia * p.normal_lever_a * p.normal_lever_a +
                                     b.inverse_inertia * p.normal_lever_b * p.normal_lever_b);
-    p.tangent_mass = inverse_or_zero(k + a.inverse_inertia * p.tangent_lever_a * p.tangent_lever_a +
-                                     b.inverse_inertia * p.tangent_lever_b * p.tangent_lever_b);
+    p.tangent_mass =
+        inverse_or_zero(k_t + a.inverse_inertia * p.tangent_lever_a * p.tangent_lever_a +
+                        b.inverse_inertia * p.tangent_lever_b * p.tangent_lever_b);
     p.normal_impulse = m.normal_impulse * impulse_ratio;
     p.tangent_impulse = m.tangent_impulse * impulse_ratio;
 }
@@ -53,7 +62,7 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
     c.extra = 0;
     const V2 t = right_perp(m.normal);
     for (int k = 0; k < m.count; ++k) {
-        prepare_point(m.points[k], m.normal, t, a, b, impulse_ratio, c.points[k]);
+        prepare_point(m.points[k], c, t, a, b, impulse_ratio, c.points[k]);
     }
     if (m.count < 2) {
         // A second point of no mass: whoever solves both alike adds nothing for it.
@@ -62,10 +71,11 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
         return;
     }
     const ConstraintPoint &p = c.points[0], &q = c.points[1];
-    const float inverse = a.inverse_mass + b.inverse_mass;
-    c.coupling_normal = inverse + a.inverse_inertia * p.normal_lever_a * q.normal_lever_a +
+    c.coupling_normal = inverse_along(c, m.normal, a, b) +
+                        a.inverse_inertia * p.normal_lever_a * q.normal_lever_a +
                         b.inverse_inertia * p.normal_lever_b * q.normal_lever_b;
-    c.coupling_tangent = inverse + a.inverse_inertia * p.tangent_lever_a * q.tangent_lever_a +
+    c.coupling_tangent = inverse_along(c, t, a, b) +
+                         a.inverse_inertia * p.tangent_lever_a * q.tangent_lever_a +
                          b.inverse_inertia * p.tangent_lever_b * q.tangent_lever_b;
 }
 
@@ -105,6 +115,10 @@ Corner corner_of(const ContactRecord& record, const ShapeForm& form_a, const Sha
             cross(point.anchor_b, t) - form_b.radius - half_gap};
 }
 
+V2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
+    return {record.locked_x ? 0.0f : body.inverse_mass, record.locked_y ? 0.0f : body.inverse_mass};
+}
+
 /// Colors of contacts between two that move, then those with something fixed: solved last, they
 /// have the last word.
 constexpr int moving_colors = 48;
@@ -131,6 +145,13 @@ bool WorldData::passes_corner(const ContactRecord& record, float dt) const {
     return u * u > 2.0f * corner.distance * negligible_bend;
 }
 
+/// Of a body that is locked along one axis. Most worlds have none: their records are not touched.
+bool WorldData::on_locked_axis(const ContactRecord& contact) const {
+    if (!axes_locked) return false;
+    const BodyRecord &a = bodies[contact.body_a], &b = bodies[contact.body_b];
+    return a.locked_x || a.locked_y || b.locked_x || b.locked_y;
+}
+
 /// Greedy coloring, anew in every step: the lowest color that neither body has yet. What finds
 /// none, and what needs more than a plain contact, is solved one at a time.
 void WorldData::color_contacts(float dt) {
@@ -140,7 +161,7 @@ void WorldData::color_contacts(float dt) {
     serial_contacts.clear();
     for (uint32_t slot : awake_contacts) {
         const ContactRecord& record = contacts[slot];
-        if (record.manifold.count == 0 || record.sensor) continue;
+        if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
         const uint32_t end_a = solver_ends[record.body_a], end_b = solver_ends[record.body_b];
         const uint32_t a = end_a >> 1, b = end_b >> 1;
         const bool moves_a = end_a & 1, moves_b = end_b & 1;
@@ -148,7 +169,7 @@ void WorldData::color_contacts(float dt) {
             (moves_a ? colors_of_body[a] : 0) | (moves_b ? colors_of_body[b] : 0);
         const int first = moves_a && moves_b ? 0 : moving_colors;
         const int color = first + std::countr_one(taken >> first);
-        if (record.special || passes_corner(record, dt) ||
+        if (record.special || on_locked_axis(record) || passes_corner(record, dt) ||
             color >= (first == 0 ? moving_colors : color_count)) {
             serial_contacts.push_back(slot);
             continue;
@@ -177,6 +198,13 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
         c.a = solver_ends[record.body_a] >> 1;
         c.b = solver_ends[record.body_b] >> 1;
         const SolverBody &a = solver_bodies[c.a], &b = solver_bodies[c.b];
+        c.inverse_a = {a.inverse_mass, a.inverse_mass};
+        c.inverse_b = {b.inverse_mass, b.inverse_mass};
+        c.anisotropic = on_locked_axis(record);
+        if (c.anisotropic) {
+            c.inverse_a = inverse_masses(bodies[record.body_a], a);
+            c.inverse_b = inverse_masses(bodies[record.body_b], b);
+        }
         prepare_constraint(record, a, b, ratio, c);
         c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
                               max(a.inverse_mass, b.inverse_mass));

@@ -40,8 +40,8 @@ struct Header {
 
 template <class Io, class Happened>
 void event_members(Io& io, Happened& e) {
-    static_assert(sizeof(Events) == 8 * sizeof(std::vector<int>), "list the new member here");
-    io(e.contact_begin), io(e.contact_end), io(e.contact_hit);
+    static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
+    io(e.contact_begin), io(e.contact_persist), io(e.contact_end), io(e.contact_hit);
     io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke);
     io(e.slept), io(e.woke);
 }
@@ -54,6 +54,7 @@ void world_members(Io& io, World& w) {
     io(w.states), io(w.previous);
     io(w.body_generations), io(w.shape_generations), io(w.joint_generations);
     io(w.bodies), io(w.shapes), io(w.contacts), io(w.joints), io(w.joint_lists), io(w.islands);
+    io(w.fields), io(w.free_field), io(w.field_count);
     io(w.free_body), io(w.free_shape), io(w.free_contact), io(w.free_joint), io(w.free_island);
     io(w.body_count), io(w.shape_count), io(w.contact_count), io(w.joint_count), io(w.island_count);
     io(w.next_generation);
@@ -106,6 +107,7 @@ void World::take(World&& other) {
 void WorldData::take(WorldData&& other) {
     const uint32_t issued = std::max(next_generation, other.next_generation);
     const bool baseline = baseline_kernels;
+    other.callbacks = std::move(callbacks);
     *this = std::move(other);
     next_generation = issued;
     baseline_kernels = baseline;

@@ -146,10 +146,22 @@ void Body::set_torque(float torque) {
     data.wake_body(id_.index);
 }
 
+namespace {
+
+/// Awake from now on; false where a force would only wait for the day it can move something.
+bool moved_by_forces(WorldData& data, uint32_t body) {
+    data.refresh_mass(body);
+    if (data.bodies[body].mobility != Mobility::dynamic) return false;
+    data.wake_body(body);
+    return true;
+}
+
+}  // namespace
+
 void Body::apply_force(const Vec2& force) {
     FETTLE_LIVE_BODY
     check_finite("force", force);
-    data.wake_body(id_.index);
+    if (!moved_by_forces(data, id_.index)) return;
     record.step_force = record.step_force + to_v2(force);
 }
 
@@ -157,8 +169,7 @@ void Body::apply_force(const Vec2& force, const Vec2& world_point) {
     FETTLE_LIVE_BODY
     check_finite("force", force);
     check_finite("world_point", world_point);
-    data.refresh_mass(id_.index);
-    data.wake_body(id_.index);
+    if (!moved_by_forces(data, id_.index)) return;
     record.step_force = record.step_force + to_v2(force);
     record.step_torque += cross(to_v2(world_point) - record.center, to_v2(force));
 }
@@ -166,8 +177,17 @@ void Body::apply_force(const Vec2& force, const Vec2& world_point) {
 void Body::apply_torque(float torque) {
     FETTLE_LIVE_BODY
     check_finite("torque", torque);
-    data.wake_body(id_.index);
+    if (!moved_by_forces(data, id_.index)) return;
     record.step_torque += torque;
+}
+
+Vec2 Body::applied_force() const {
+    FETTLE_LIVE_BODY
+    return to_vec2(record.step_force);
+}
+float Body::applied_torque() const {
+    FETTLE_LIVE_BODY
+    return record.step_torque;
 }
 
 void Body::apply_impulse(const Vec2& impulse) {

@@ -22,7 +22,9 @@ bool WorldData::filters_agree(uint32_t a, uint32_t b) const {
 }
 
 bool WorldData::may_collide(uint32_t a, uint32_t b) const {
-    return filters_agree(a, b) && !joint_forbids_contact(forms[a].body, forms[b].body);
+    if (!filters_agree(a, b) || joint_forbids_contact(forms[a].body, forms[b].body)) return false;
+    return !callbacks.filter || callbacks.filter({callbacks.world, shape_id(std::min(a, b))},
+                                                 {callbacks.world, shape_id(std::max(a, b))});
 }
 
 /// Of two whose fat boxes overlap, and of which one moved.
@@ -61,11 +63,30 @@ void WorldData::find_pairs() {
     fixed_tree.rest();
 }
 
+namespace {
+
+float mixed(MixRule rule, float a, float b) {
+    switch (rule) {
+        case MixRule::average:
+            return 0.5f * (a + b);
+        case MixRule::minimum:
+            return min(a, b);
+        case MixRule::maximum:
+            return max(a, b);
+        case MixRule::multiply:
+            return a * b;
+        default:
+            return std::sqrt(a * b);
+    }
+}
+
+}  // namespace
+
 void WorldData::remix(ContactRecord& c) const {
     const ShapeDef& a = shapes[c.shape_a].surface;
     const ShapeDef& b = shapes[c.shape_b].surface;
-    c.friction = std::sqrt(a.friction * b.friction);
-    c.restitution = max(a.restitution, b.restitution);
+    c.friction = mixed(settings.friction_mix, a.friction, b.friction);
+    c.restitution = mixed(settings.restitution_mix, a.restitution, b.restitution);
     c.rolling_resistance = max(a.rolling_resistance * forms[c.shape_a].radius,
                                b.rolling_resistance * forms[c.shape_b].radius);
     c.surface_speed = a.surface_speed + b.surface_speed;
@@ -198,9 +219,8 @@ void WorldData::set_touching(uint32_t slot, bool touching) {
     bodies[c.body_b].touching += step;
     if (touching) {
         const Manifold& m = c.manifold;
-        V2 middle = m.points[0].anchor_a;
-        if (m.count == 2) middle = 0.5f * (m.points[0].anchor_a + m.points[1].anchor_a);
-        const V2 point = bodies[c.body_a].center + middle;
+        c.began = steps;
+        const V2 point = middle_of(c);
         const float speed = approach_speed(c, point);
         sink.contact_begin.push_back({a, b, body_a, body_b, to_vec2(point), to_vec2(m.normal),
                                       speed, speed * impact_mass(c, point)});

@@ -64,6 +64,8 @@ float WorldData::limit_motion(const FastBody& fast) const {
         const Box4 swept = grow(unite(boxes[s], start), speculative_margin);
         auto meet = [&](uint32_t other) {
             if (shapes[other].surface.sensor || !may_collide(s, other)) return;
+            const uint32_t contact = pairs.find(s, other);
+            if (contact != PairSet::absent && contacts[contact].disabled) return;
             limit = min(limit, sweep_shape(fast, s, other, centroid, 0.5f * record.thickness));
         };
         fixed_tree.query(swept, meet);

@@ -43,12 +43,20 @@ float PulleyJoint::length_a() const {
 float PulleyJoint::length_b() const {
     return (world_anchor_b() - ground_b()).norm();
 }
+float PulleyJoint::length_now() const {
+    return length_a() + ratio() * length_b();
+}
 float PulleyJoint::tension() const {
     return per_substep(own<PulleyData>().impulses.tension);
 }
 
 FETTLE_JOINT_SETTING(GearJoint, GearData, ratio, check_finite("ratio", value))
 FETTLE_JOINT_SETTING(GearJoint, GearData, phase, check_finite("phase", value))
+
+float GearJoint::phase_now() const {
+    const Body a = body_a(), b = body_b();
+    return (b ? b.angle() : 0.0f) - ratio() * (a ? a.angle() : 0.0f);
+}
 
 FETTLE_JOINT_SETTING(RatchetJoint, RatchetData, tooth, check_not_negative("tooth", value))
 

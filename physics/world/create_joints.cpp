@@ -91,13 +91,13 @@ MotorJoint World::create_motor_joint(const JointDef& def) {
 
 PulleyJoint World::create_pulley_joint(const JointDef& def) {
     auto joint = make<PulleyJoint>(*this, *data_, def, PulleyData{});
-    joint.set_length(joint.length_a() + joint.length_b());
+    joint.set_length(joint.length_now());
     return joint;
 }
 
 GearJoint World::create_gear_joint(const JointDef& def) {
     auto joint = make<GearJoint>(*this, *data_, def, GearData{});
-    joint.set_phase(angle_between(joint));
+    joint.set_phase(joint.phase_now());
     return joint;
 }
 

@@ -212,7 +212,8 @@ void WorldData::put_group_to_sleep(uint32_t body) {
         });
         for_each_contact(group[i], [&](uint32_t contact) {
             const ContactRecord& c = contacts[contact];
-            if (c.manifold.count > 0 && !c.sensor) follow(other_body(contact, group[i]));
+            if (c.manifold.count > 0 && !c.sensor && !c.disabled)
+                follow(other_body(contact, group[i]));
         });
     }
     put_to_sleep(group);
@@ -242,7 +243,7 @@ void WorldData::sleep_resting_islands() {
     };
     for (uint32_t slot : awake_contacts) {
         const ContactRecord& c = contacts[slot];
-        if (c.manifold.count > 0 && !c.sensor) link(c.body_a, c.body_b);
+        if (c.manifold.count > 0 && !c.sensor && !c.disabled) link(c.body_a, c.body_b);
     }
     for (const auto& list : awake_joints) {
         for (uint32_t joint : list) link(joints[joint].bodies[0], joints[joint].bodies[1]);

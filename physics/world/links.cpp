@@ -173,6 +173,15 @@ void check_joints(const WorldData& w, Findings& findings) {
                      "free joints");
 }
 
+void check_fields(const WorldData& w, Findings& findings) {
+    const size_t n = w.fields.size();
+    constexpr size_t kinds = std::variant_size_v<decltype(FieldDef::force)>;
+    for (const FieldRecord& field : w.fields)
+        findings.require(field.def.force.index() < kinds, "a field");
+    findings.require(list_ends(w.free_field, n, [&](uint32_t i) { return w.fields[i].next_free; }),
+                     "free fields");
+}
+
 void check_lists(const WorldData& w, Findings& findings) {
     const size_t bodies = w.bodies.size(), shapes = w.shapes.size();
     findings.require(all_below(w.awake_bodies, bodies) && all_below(w.edited_bodies, bodies) &&
@@ -203,6 +212,7 @@ std::optional<std::string> WorldData::links_problem() const {
     check_bodies(*this, findings);
     if (!findings.result()) check_shapes(*this, findings);
     if (!findings.result()) check_proxies(*this, findings);
+    check_fields(*this, findings);
     if (!findings.result()) check_lists(*this, findings);
     if (!findings.result()) check_contacts(*this, findings);
     if (!findings.result()) check_joints(*this, findings);

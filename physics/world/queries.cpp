@@ -20,16 +20,7 @@ bool WorldData::shape_contains(uint32_t shape, V2 point) const {
 
 namespace {
 
-/// What the filter lets through, as a handle.
-bool accepted(World* world, const WorldData& data, const QueryFilter& filter, uint32_t shape) {
-    const ShapeDef& surface = data.shapes[shape].surface;
-    if (surface.sensor && !filter.sensors) return false;
-    if ((surface.mask & filter.category) == 0 || (surface.category & filter.mask) == 0)
-        return false;
-    return !filter.accept || filter.accept(Shape(world, data.shape_id(shape)));
-}
-
-Probe cast_shape(const WorldData& data, uint32_t shape, V2 from, V2 d) {
+Probe ray_on_shape(const WorldData& data, uint32_t shape, V2 from, V2 d) {
     const V2 center = data.bodies[data.forms[shape].body].center;
     return cast_segment(data.convex(shape), from - center, d);
 }
@@ -45,12 +36,12 @@ Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
 /// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
 /// of the ray.
 template <typename Hit>
-void cast_all(World* world, WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& hit) {
+void cast_all(WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& hit) {
     const V2 d = to - from;
     float far = 1.0f;
     auto visit = [&](uint32_t shape, float) {
-        if (!accepted(world, data, filter, shape)) return far;
-        const Probe probe = cast_shape(data, shape, from, d);
+        if (!data.accepted(filter, shape)) return far;
+        const Probe probe = ray_on_shape(data, shape, from, d);
         if (probe.fraction <= far) far = hit(shape, probe, far);
         return far;
     };
@@ -58,8 +49,7 @@ void cast_all(World* world, WorldData& data, V2 from, V2 to, const QueryFilter& 
     data.moving_tree.cast(from, to, visit);
     for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
         const Probe probe = cast_border(data.border_plane(side), from, d);
-        if (probe.fraction <= far && accepted(world, data, filter, side))
-            far = hit(side, probe, far);
+        if (probe.fraction <= far && data.accepted(filter, side)) far = hit(side, probe, far);
     }
 }
 
@@ -71,7 +61,7 @@ std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filt
     std::vector<Shape> found;
     const V2 p = to_v2(point);
     auto visit = [&](uint32_t shape) {
-        if (accepted(this, *data_, filter, shape) && data_->shape_contains(shape, p)) {
+        if (data_->accepted(filter, shape) && data_->shape_contains(shape, p)) {
             found.emplace_back(this, data_->shape_id(shape));
         }
     };
@@ -94,7 +84,7 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     const float offsets[4] = {half.y, half.x, half.y, half.x};
     const Convex probe = {corners, normals, offsets, 4, 0.0f};
     auto visit = [&](uint32_t shape) {
-        if (!accepted(this, *data_, filter, shape) || !overlap(data_->boxes[shape], area)) return;
+        if (!data_->accepted(filter, shape) || !overlap(data_->boxes[shape], area)) return;
         Manifold manifold;
         collide(probe, data_->convex(shape),
                 data_->bodies[data_->forms[shape].body].center - center, 0.0f, manifold);
@@ -110,7 +100,7 @@ std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to, const Qu
     check_coordinates("to", to);
     data_->refresh();
     std::optional<RayHit> nearest;
-    cast_all(this, *data_, to_v2(from), to_v2(to), filter,
+    cast_all(*data_, to_v2(from), to_v2(to), filter,
              [&](uint32_t shape, const Probe& probe, float) {
                  const Vec2 point = from + probe.fraction * (to - from);
                  nearest = RayHit{Shape(this, data_->shape_id(shape)), point, to_vec2(probe.normal),
@@ -126,7 +116,7 @@ std::vector<RayHit> World::cast_ray_all(const Vec2& from, const Vec2& to,
     check_coordinates("to", to);
     data_->refresh();
     std::vector<RayHit> hits;
-    cast_all(this, *data_, to_v2(from), to_v2(to), filter,
+    cast_all(*data_, to_v2(from), to_v2(to), filter,
              [&](uint32_t shape, const Probe& probe, float far) {
                  const Vec2 point = from + probe.fraction * (to - from);
                  hits.push_back({Shape(this, data_->shape_id(shape)), point, to_vec2(probe.normal),

@@ -2,6 +2,7 @@
 
 #include <collision/manifold.h>
 #include <fettle/physics/definitions.h>
+#include <fettle/physics/field.h>
 #include <geometry/mass.h>
 #include <geometry/vector.h>
 
@@ -110,6 +111,8 @@ struct ContactRecord {
     bool sensor = false;
     bool special = false;  ///< rolling resistance, surface speed or restitution
     bool hit_events = false;
+    bool disabled = false;  ///< in this step, by a callback
+    uint64_t began = 0;     ///< in which step it began to touch
     float friction = 0.0f, restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
     float rolling_impulse = 0.0f;
     Manifold manifold;
@@ -136,6 +139,12 @@ struct JointRecord {
 
     bool acts() const { return enabled && !broken; }
     bool breakable() const { return break_force < infinity || break_torque < infinity; }
+};
+
+struct FieldRecord {
+    FieldDef def;
+    uint32_t generation = 0;  ///< 0: nobody lives here
+    uint32_t next_free = none;
 };
 
 /// Bodies that fell asleep together and wake together.

@@ -56,6 +56,7 @@ void WorldData::gather_bodies(float h) {
     solver_bodies.resize(count + 1);
     solver_forces.resize(count + 1);
     locked.clear();
+    axes_locked = false;
     solver_bodies[0] = {};
     solver_ends.assign(bodies.size(), 0);
     const V2 gravity = to_v2(settings.gravity);
@@ -85,6 +86,7 @@ void WorldData::gather_bodies(float h) {
         // Implicit: stable for any damping.
         f.keep = 1.0f / (1.0f + h * record.linear_damping);
         f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
+        axes_locked |= record.locked_x || record.locked_y;
         if (record.locked_x || record.locked_y || record.locked_rotation)
             locked.push_back(uint32_t(i + 1));
     }
@@ -104,6 +106,7 @@ void WorldData::solve(float dt) {
     const int substeps = settings.substeps;
     const float h = dt / float(substeps);
     gather_bodies(h);
+    apply_fields(h, dt);
     const JointStep joint_step = prepare_joints(h);
 
     const float gravity = length(to_v2(settings.gravity));
@@ -145,6 +148,7 @@ void WorldData::solve(float dt) {
     last_substep = h;
     store_joints(joint_step);
     store_contacts();
+    tell_persisting();
 }
 
 void WorldData::finish_bodies(float dt) {
@@ -218,6 +222,7 @@ void WorldData::step(float dt) {
     wake_jointed();
     statistics.pairs_ms = clock.lap();
     narrow_phase();
+    consult_callbacks();
     statistics.narrow_ms = clock.lap();
     solve(dt);
     statistics.solve_ms = clock.lap();

@@ -13,13 +13,16 @@ World::World(const WorldDef& def) {
     data_ = std::make_unique<WorldData>();
     columns_ = data_.get();
     data_->settings = def;
+    data_->callbacks.world = this;
     data_->make_border();
 }
 
 World::~World() = default;
 
 World::World(const World& other)
-    : data_(std::make_unique<WorldData>(*other.data_)), columns_(data_.get()) {}
+    : data_(std::make_unique<WorldData>(*other.data_)), columns_(data_.get()) {
+    data_->callbacks = {.world = this, .filter = {}, .mix = {}, .before_solve = {}};
+}
 
 World& World::operator=(const World& other) {
     if (this != &other) data_->take(WorldData(*other.data_));
@@ -174,6 +177,7 @@ Shape World::create_shape(const Polygon& polygon, const ShapeDef& def) {
 void World::clear() {
     for (Body b : bodies()) b.destroy();
     for (Shape s : shapes()) s.destroy();
+    for (Field f : fields()) f.destroy();
 }
 
 std::vector<Body> World::bodies() {

@@ -49,6 +49,15 @@ struct BorderPlane {
     float depth = 0.0f;
 };
 
+/// Functions of the caller that run in a step. They belong to the world, not to its state.
+struct Callbacks {
+    World* world = nullptr;  ///< whose they are
+    PairFilter filter;
+    ContactCallback mix, before_solve;
+
+    bool see_contacts() const { return mix || before_solve; }
+};
+
 /// What a joint that can break bore in this step, summed over the sub-steps.
 struct Strain {
     uint32_t joint = none;
@@ -68,6 +77,8 @@ struct WorldData : Columns {
     std::vector<JointRecord> joints;
     JointLists joint_lists;
     std::vector<Island> islands;
+    std::vector<FieldRecord> fields;
+    uint32_t free_field = none, field_count = 0;
     uint32_t free_body = none, free_shape = none, free_contact = none, free_joint = none,
              free_island = none;
     uint32_t body_count = 0, shape_count = 0, contact_count = 0, joint_count = 0, island_count = 0;
@@ -108,6 +119,7 @@ struct WorldData : Columns {
     std::vector<ContactExtra> extras;
     JointConstraints joint_constraints;
     std::vector<Strain> strains;
+    bool axes_locked = false;      ///< of some awake body, along x or y
     std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
     std::vector<FastBody> fast_bodies;
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio
@@ -117,6 +129,7 @@ struct WorldData : Columns {
     Events events;   ///< of the last step
     Events pending;  ///< made by edits since
     bool stepping = false;
+    Callbacks callbacks;
     StepStatistics statistics;
 
     Events& event_sink() { return stepping ? events : pending; }
@@ -222,6 +235,9 @@ struct WorldData : Columns {
     void remix(ContactRecord& contact) const;
     void remix_shape(uint32_t shape);
     void narrow_phase();
+    void consult_callbacks();
+    void tell_persisting();
+    V2 middle_of(const ContactRecord& contact) const;
     bool update_manifold(ContactRecord& contact);
     float approach_speed(const ContactRecord& contact, V2 point) const;
     float impact_mass(const ContactRecord& contact, V2 point) const;
@@ -273,6 +289,7 @@ struct WorldData : Columns {
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
     // ../solver
+    bool on_locked_axis(const ContactRecord& contact) const;
     void color_contacts(float dt);
     bool passes_corner(const ContactRecord& contact, float dt) const;
     void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);
@@ -285,7 +302,10 @@ struct WorldData : Columns {
     void take(WorldData&& other);
     std::optional<std::string> links_problem() const;
 
-    // queries.cpp
+    // fields.cpp
+    void apply_fields(float h, float dt);
+    // queries.cpp, shape_queries.cpp
+    bool accepted(const QueryFilter& filter, uint32_t shape) const;
     bool shape_contains(uint32_t shape, V2 point) const;
     std::optional<std::string> validate() const;
 };

@@ -123,6 +123,11 @@ void build_machine(World& world) {
         .set_max_motor_torque(1.0f);
     DistanceJoint thread = world.create_distance_joint({.body_b = left.id(), .anchor_a = {-3, 9}});
     thread.set_break_force(9.0f);
+    world.create_field({.force = BuoyancyField{.level = -1.0f}});
+    world.create_field({.force = WindField{}, .region = Aabb{{-12, -2}, {-4, 8}}});
+    world.create_field({.force = AttractorField{.center = {7, 3}, .strength = 3.0f}});
+    world.create_field({.force = DragField{.linear = 0.2f}}).destroy();
+    world.set_friction_mix(MixRule::average);
 }
 
 }  // namespace
@@ -148,6 +153,8 @@ TEST_CASE("a restored machine of all types of joints goes on bit for bit") {
             joint.set_anchor_b({0.3f, 0.1f});
         }
         changed.joints().back().destroy();
+        changed.fields().front().destroy();
+        changed.create_field({.force = DragField{.linear = 3.0f}});
     });
     bool broke = false;
     for (const Joint& joint : world.joints()) broke |= joint.broken();

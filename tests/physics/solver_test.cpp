@@ -99,6 +99,11 @@ std::vector<SolverBody> run_wide(Scene scene, const WideKernels& kernels) {
 
 std::vector<SolverBody> run_single(Scene scene) {
     std::vector<ContactExtra> extras;
+    for (ContactConstraint& c : scene.single) {
+        const float a = scene.bodies[c.a].inverse_mass, b = scene.bodies[c.b].inverse_mass;
+        c.inverse_a = {a, a};
+        c.inverse_b = {b, b};
+    }
     ContactSolver solver;
     solver.bodies = scene.bodies;
     solver.constraints = scene.single;

@@ -13,7 +13,7 @@ namespace {
 Cases all_cases() {
     Cases all;
     for (const Cases& some :
-         {body_cases(), shape_cases(), form_cases(), world_cases(), joint_cases()})
+         {body_cases(), shape_cases(), form_cases(), world_cases(), joint_cases(), field_cases()})
         for (const auto& [name, one] : some) {
             INFO(name);
             REQUIRE(all.emplace(name, one).second);
@@ -58,7 +58,8 @@ std::vector<std::string> writable_properties() {
         return of.is_a(game.tree.class_named(base));
     };
     for (const Class* of : game.tree.classes()) {
-        if (!is_a(*of, "World") && !is_a(*of, "Body") && !is_a(*of, "Shape") && !is_a(*of, "Joint"))
+        if (!is_a(*of, "World") && !is_a(*of, "Body") && !is_a(*of, "Shape") &&
+            !is_a(*of, "Joint") && !is_a(*of, "Field"))
             continue;
         for (const Property* property : of->properties()) {
             if (property->read_only || property->owner == &game.tree.object_class()) continue;

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "stage.h"
+#include "joint_stage.h"
 
 namespace fettle::physics_module::testing {
 namespace {
@@ -16,32 +16,8 @@ std::function<void(Stage&)> joint(const Vec2& target,
     };
 }
 
-Case joint_case(std::function<void(Stage&)> prepare, Value value, int steps,
-                std::function<bool(Stage&)> effect) {
-    Case one;
-    one.prepare = std::move(prepare);
-    one.subject = [](Stage& s) { return s.other; };
-    one.value = to(std::move(value));
-    one.steps = steps;
-    one.effect = std::move(effect);
-    return one;
-}
-
-bool rose(Stage& s) {
-    return s.game.y(s.body) > 1;
-}
-
 double infinite() {
     return std::numeric_limits<double>::infinity();
-}
-
-/// A joint of that class between the body at (0, 0.5) and a point of the world.
-std::function<void(Stage&)> tie(const char* of_class, const Vec2& to,
-                                std::initializer_list<std::pair<const char*, Value>> more = {}) {
-    return [of_class, to, values = std::vector(more)](Stage& s) {
-        s.other = s.game.make(of_class, s.world, {{"body_b", s.body}, {"anchor_a", to}});
-        for (const auto& [property, value] : values) s.game.set(s.other, property, value);
-    };
 }
 
 void lift(Stage& s) {
@@ -103,16 +79,11 @@ Case pin_case(std::initializer_list<std::pair<const char*, Value>> settings, Val
 }
 
 void revolute_cases(Cases& cases) {
-    const auto angle = [](Stage& s) { return s.game.number(s.body, "angle"); };
-    const auto turned = [angle](Stage& s) { return std::fabs(angle(s)) > 0.3; };
+    const auto angle = angle_of;
     const auto spin = [](Stage& s) {
         s.game.set(s.other, "anchor_a", Vec2(0, 4));
         s.game.set(s.body, "position", Vec2(0, 4));
         s.game.set(s.body, "angular_velocity", 1);
-    };
-    const auto fling = [](Stage& s) {
-        s.game.set(s.other, "anchor_a", Vec2(0, 4));
-        s.game.set(s.body, "position", Vec2(0, 4));
     };
     const auto add = [&](const char* name,
                          std::initializer_list<std::pair<const char*, Value>> with, Value value,
@@ -121,11 +92,10 @@ void revolute_cases(Cases& cases) {
             pin_case(with, std::move(value), std::move(effect));
         one.then = std::move(then);
     };
-    const auto held = [turned](Stage& s) { return !turned(s); };
+    const auto held = [](Stage& s) { return !turned(s); };
     add("upper_angle", {}, 0.1, held, spin);
     add(
-        "lower_angle", {{"upper_angle", 2}}, 0.9, [angle](Stage& s) { return angle(s) > 0.85; },
-        fling);
+        "lower_angle", {{"upper_angle", 2}}, 0.9, [=](Stage& s) { return angle(s) > 0.85; }, fling);
     add("reference_angle", {{"lower_angle", 0}, {"upper_angle", 0}}, 1, turned, fling);
     add("motor_speed", {{"max_motor_torque", 100}}, 2, turned, fling);
     add("max_motor_torque", {{"motor_speed", 2}}, 100, turned, fling);
@@ -169,6 +139,8 @@ Cases joint_cases() {
     pair_cases(cases);
     distance_cases(cases);
     revolute_cases(cases);
+    sliding_joint_cases(cases);
+    coupling_joint_cases(cases);
     return cases;
 }
 

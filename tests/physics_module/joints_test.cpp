@@ -86,3 +86,27 @@ TEST_CASE_METHOD(Game, "a joint made before its body has a world acts when it ha
     CHECK(vec(joint, "force").y() > 5);
     CHECK_THROWS_WITH(set(joint, "body", joint), contains("Body"));
 }
+
+TEST_CASE_METHOD(Game, "a joint that breaks tells its force and is broken in the tree too") {
+    const Handle crate = body("Box", {0, 5});
+    const Handle weld = make("WeldJoint", world(), {{"body_b", crate}, {"anchor_a", Vec2(0, 5)}});
+    std::vector<double> heard;
+    const auto connection = tree.on(weld, *tree.class_of(weld).event("broke"),
+                                    [&](const property::Occurrence& occurrence) {
+                                        heard.push_back(occurrence.record.get("force").vec2().y());
+                                    });
+    set(weld, "break_force", 9);
+    step(2);
+    REQUIRE(heard.size() == 1);
+    CHECK(heard[0] == Approx(10).epsilon(0.05));
+    CHECK(get(weld, "broken") == Value(true));
+    step(20);
+    CHECK(y(crate) < 4.7);
+    set(weld, "break_force", std::numeric_limits<double>::infinity());
+    set(crate, "position", Vec2(0, 5));
+    set(crate, "velocity", Vec2(0, 0));
+    set(weld, "broken", false);
+    step(20);
+    CHECK(y(crate) > 4.9);
+    CHECK(heard.size() == 1);
+}

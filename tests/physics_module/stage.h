@@ -48,6 +48,7 @@ Cases shape_cases();
 Cases form_cases();
 Cases world_cases();
 Cases joint_cases();
+Cases field_cases();
 
 // To write cases with.
 inline std::function<Value(Stage&)> to(Value value) {

@@ -53,6 +53,13 @@ Cases world_cases() {
         stand_on_bounds(s);
         s.game.set(s.body, "force", Vec2(3, 0));
     };
+    Case& mix = cases["World.friction_mix"] = make_case(
+        "maximum", 60, [](Stage& s) { return s.game.x(s.body) < 1.5; },
+        [](Stage& s) { s.game.set(s.body, "velocity", Vec2(3, 0)); });
+    mix.prepare = [](Stage& s) { s.game.set(s.shape, "friction", 0); };
+    Case& mix_bounce = cases["World.restitution_mix"] = make_case(
+        "minimum", 120, [](Stage& s) { return s.fastest_rise < 1; }, put(Vec2(0, 3)));
+    mix_bounce.prepare = [](Stage& s) { s.game.set(s.shape, "restitution", 1); };
     Case& bounce = cases["World.bounds_restitution"] = make_case(
         1, 120, [](Stage& s) { return s.fastest_rise > 3; }, put(Vec2(0, 3)));
     bounce.prepare = stand_on_bounds;

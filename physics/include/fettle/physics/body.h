@@ -51,6 +51,8 @@ class Body {
     void apply_force(const Vec2& force);  ///< for the next step only
     void apply_force(const Vec2& force, const Vec2& world_point);
     void apply_torque(float torque);
+    Vec2 applied_force() const;    ///< N, what `apply_force` has gathered for the next step
+    float applied_torque() const;  ///< N m, about the center of mass
     void apply_impulse(const Vec2& impulse);  ///< N s: changes the velocity at once
     void apply_impulse(const Vec2& impulse, const Vec2& world_point);
     void apply_angular_impulse(float impulse);

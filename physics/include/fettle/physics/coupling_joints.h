@@ -64,7 +64,8 @@ class PulleyJoint : public Joint {
     void set_ratio(float ratio);  ///< positive
     float length() const;         ///< m, of a's part and `ratio` times b's
     void set_length(float length);
-    float length_a() const;  ///< m, from the wheel to anchor a now
+    float length_now() const;  ///< m, what it takes to reach both: `length` when taut
+    float length_a() const;    ///< m, from the wheel to anchor a now
     float length_b() const;
     float tension() const;  ///< N, in the last step
 };
@@ -79,6 +80,7 @@ class GearJoint : public Joint {
     void set_ratio(float ratio);
     float phase() const;  ///< rad: angle of b less `ratio` times that of a
     void set_phase(float phase);
+    float phase_now() const;  ///< rad, what the angles make it
 };
 
 /// Lets b turn against a one way only.

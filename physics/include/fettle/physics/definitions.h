@@ -13,6 +13,9 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
+/// How the values of two surfaces make that of a contact.
+enum class MixRule : uint8_t { average, minimum, maximum, multiply, geometric };
+
 struct WorldDef {
     Vec2 gravity = {0.0f, -10.0f};    ///< m/s²
     int substeps = 4;                 ///< solver sub-steps a step, 1 … 64
@@ -29,6 +32,9 @@ struct WorldDef {
                                   ///< quarter of the sub-step rate counts
     float contact_damping = 10.0f;  ///< damping ratio of contacts
     float push_speed = 3.0f;        ///< m/s; the fastest that an overlap is pushed apart
+    MixRule friction_mix = MixRule::geometric;
+    MixRule restitution_mix = MixRule::maximum;
+    bool persist_events = false;  ///< tell of every touch in every step that it lasts
 };
 
 struct BodyDef {
@@ -59,8 +65,8 @@ struct BodyDef {
 struct ShapeDef {
     float density = 1.0f;  ///< kg/m²
     float friction =
-        0.6f;  ///< Coulomb coefficient; a contact uses the geometric mean of both shapes'
-    float restitution = 0.0f;  ///< 0 … 1; a contact uses the greater one
+        0.6f;  ///< Coulomb coefficient; a contact mixes both by `WorldDef::friction_mix`
+    float restitution = 0.0f;  ///< 0 … 1; mixed by `WorldDef::restitution_mix`
     float rolling_resistance =
         0.0f;  ///< lever of the resisting torque over the radius, for round shapes
     float surface_speed =

@@ -30,6 +30,18 @@ struct ContactEndEvent {
     BodyId body_b;
 };
 
+/// A touch that goes on, with `WorldDef::persist_events`.
+struct ContactPersistEvent {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    BodyId body_a;
+    BodyId body_b;
+    Vec2 point = Vec2::Zero();
+    Vec2 normal = Vec2::Zero();  ///< from a to b
+    float speed = 0.0f;          ///< m/s, approach along the normal
+    float impulse = 0.0f;        ///< N s, normal, of the last step
+};
+
 /// An impact, for shapes with `hit_events`.
 struct ContactHitEvent {
     ShapeId shape_a;
@@ -60,6 +72,7 @@ struct JointBreakEvent {
 
 struct Events {
     std::vector<ContactBeginEvent> contact_begin;
+    std::vector<ContactPersistEvent> contact_persist;
     std::vector<ContactEndEvent> contact_end;
     std::vector<ContactHitEvent> contact_hit;
     std::vector<SensorEvent> sensor_begin;

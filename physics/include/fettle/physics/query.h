@@ -14,8 +14,9 @@ struct QueryFilter {
     uint64_t category =
         ~uint64_t{0};  ///< what the query is: a shape's mask must accept one of these bits
     uint64_t mask =
-        ~uint64_t{0};      ///< what it looks for: one of a shape's category bits must be in here
-    bool sensors = false;  ///< see sensors too
+        ~uint64_t{0};   ///< what it looks for: one of a shape's category bits must be in here
+    int32_t group = 0;  ///< a shape of the same non-zero group: positive is seen, negative is not
+    bool sensors = false;                           ///< see sensors too
     std::function<bool(const Shape&)> accept = {};  ///< empty: all
 };
 
@@ -25,6 +26,23 @@ struct RayHit {
     Vec2 normal = Vec2::Zero();  ///< of the surface, outward
     float fraction = 0.0f;       ///< 0 at the start of the ray, 1 at its end
 };
+
+/// A place on a shape.
+struct PointHit {
+    Shape shape;
+    Vec2 point = Vec2::Zero();   ///< on its surface; the point asked for where that is inside
+    Vec2 normal = Vec2::Zero();  ///< of the surface, outward; of no length inside
+    float distance = 0.0f;       ///< m; 0 inside
+};
+
+/// How far two shapes are from each other.
+struct Separation {
+    float distance = 0.0f;        ///< m; 0 where they overlap
+    Vec2 point_a = Vec2::Zero();  ///< nearest to b, world, m
+    Vec2 point_b = Vec2::Zero();  ///< nearest to a
+    Vec2 normal = Vec2::Zero();   ///< from a to b; of no length where they overlap
+};
+Separation distance(const Shape& a, const Shape& b);
 
 }  // namespace fettle::physics
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <fettle/physics/body.h>
+#include <fettle/physics/callbacks.h>
 #include <fettle/physics/coupling_joints.h>
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
+#include <fettle/physics/field.h>
 #include <fettle/physics/query.h>
 #include <fettle/physics/shape.h>
 #include <fettle/physics/sliding_joints.h>
@@ -93,7 +95,25 @@ class World {
     void set_contact_damping(float ratio);
     float push_speed() const;
     void set_push_speed(float speed);
+    MixRule friction_mix() const;
+    void set_friction_mix(MixRule rule);  ///< wakes all
+    MixRule restitution_mix() const;
+    void set_restitution_mix(MixRule rule);  ///< wakes all
+    bool persist_events() const;
+    void set_persist_events(bool enabled);
     void wake_all();
+
+    // Callbacks; empty: none, which costs nothing. They are no part of a snapshot: copying, saving
+    // and restoring leave those of the world as they are, a new copy has none.
+
+    /// Asked of every pair of shapes that comes near; setting it asks of all pairs again. What
+    /// sleeps hears of the next two when it wakes.
+    void set_filter(PairFilter filter);
+    /// Mixes the surfaces of every contact in every step, after the rules have. May write friction,
+    /// restitution and surface speed.
+    void set_mixing(ContactCallback mix);
+    /// Sees every contact before it is solved, and may also disable it for the step.
+    void set_before_solve(ContactCallback callback);
 
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Circle& circle,
@@ -113,7 +133,11 @@ class World {
     GrooveJoint create_groove_joint(const JointDef& def);
     PinSlotJoint create_pin_slot_joint(const JointDef& def);
     RatchetJoint create_ratchet_joint(const JointDef& def);  ///< the angle now counts as 0
-    void clear();  ///< destroys every body, shape and joint
+    Field create_field(const FieldDef& def);
+    bool is_valid(FieldId id) const;
+    Field field(FieldId id) { return {this, id}; }
+    std::vector<Field> fields();  ///< in slot order
+    void clear();                 ///< destroys every body, shape, joint and field
 
     bool is_valid(BodyId id) const {
         return id.generation != 0 && id.index < columns_->body_generations.size() &&
@@ -174,6 +198,21 @@ class World {
                                    const QueryFilter& filter = {});
     std::vector<RayHit> cast_ray_all(const Vec2& from, const Vec2& to,
                                      const QueryFilter& filter = {});  ///< nearest first
+    /// Shapes that overlap one, which may be of another world; those of its own body do not count.
+    std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {});
+    std::vector<Shape> query_overlap(const Geometry& geometry, const Pose& pose = {},
+                                     const QueryFilter& filter = {});
+    /// The first shape that one meets on its way; at fraction 0 where they overlap already.
+    std::optional<RayHit> cast_shape(const Shape& shape, const Vec2& motion,
+                                     const QueryFilter& filter = {});
+    std::optional<RayHit> cast_shape(const Geometry& geometry, const Pose& pose, const Vec2& motion,
+                                     const QueryFilter& filter = {});
+    /// The shape nearest to a point, no farther than `reach` (m). The border does not count.
+    std::optional<PointHit> closest(const Vec2& point, float reach = infinity,
+                                    const QueryFilter& filter = {});
+    /// Pushes dynamic bodies away from a point: by `impulse` (N s) at it, falling linearly to
+    /// nothing at `radius` (m), at the point of the body that is nearest.
+    void explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter = {});
 
     /// Checks that the broad phase, contacts, islands and lists agree with each other; the first
     /// disagreement in words, or nothing. For tests and for hunting bugs: slow.
@@ -183,6 +222,8 @@ class World {
     friend class Body;
     friend class Shape;
     friend class Joint;
+    friend class Field;
+    friend Separation distance(const Shape& a, const Shape& b);
     detail::WorldData& data() const { return *data_; }
 
     std::unique_ptr<detail::WorldData> data_;

@@ -1,0 +1,55 @@
+#pragma once
+// Events that ask: what a module tells inside a step, where waiting for the barrier would be too
+// late. Handlers are called at once, in the order they were registered, and may change some of the
+// values they are told; of the tree they may read everything and write nothing.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <fettle/property/change.h>
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+class Tree;
+
+/// What a handler is being asked.
+class Question {
+  public:
+    Question(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
+             std::size_t changeable)
+        : tree_(tree),
+          instance_(instance),
+          event_(event),
+          values_(values),
+          changeable_(changeable) {}
+
+    const Event& event() const { return event_; }
+    std::span<const Value> values() const { return values_; }
+    /// Changes the value of a field. Throws Error: for one that is only told, or a value that is
+    /// none of the field's type.
+    void answer(std::size_t field, const Value& value);
+
+    /// The question whose handler is running on this thread; null outside of one.
+    static Question* current();
+
+  private:
+    Tree& tree_;
+    Handle instance_;
+    const Event& event_;
+    std::vector<Value>& values_;
+    std::size_t changeable_;
+};
+
+/// Asks those who listen to an event of an instance. `values` are those of the event's fields; the
+/// fields from `changeable` on may be changed, and are handed from one handler to the next. Errors
+/// of handlers go to the tree's error sink, as at a barrier.
+void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
+         std::size_t changeable);
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

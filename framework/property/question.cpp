@@ -1,0 +1,68 @@
+#include <fettle/property/question.h>
+
+#include <fettle/property/tree.h>
+
+#include "coerce.h"
+#include "state.h"
+
+namespace fettle::property {
+namespace {
+
+thread_local Question* asked = nullptr;
+
+/// While it lives, a question is asked on this thread.
+class Asking {
+  public:
+    explicit Asking(Question& question) : before_(asked) { asked = &question; }
+    ~Asking() { asked = before_; }
+    Asking(const Asking&) = delete;
+
+  private:
+    Question* before_;
+};
+
+}  // namespace
+
+Question* Question::current() {
+    return asked;
+}
+
+void Question::answer(std::size_t field, const Value& value) {
+    const Field& of = event_.fields[field];
+    if (value == values_[field]) return;
+    struct Place {
+        std::string event, field;
+    } place{tree_.path(instance_) + " " + event_.name, of.name};
+    const auto name = [](const void* what) {
+        const auto& at = *static_cast<const Place*>(what);
+        return at.event + ": " + at.field;
+    };
+    if (field < changeable_)
+        throw Error(ErrorKind::read_only, name(&place) + " is only told, and cannot be changed");
+    Property as;
+    as.name = of.name;
+    as.type = of.type;
+    as.unit = of.unit;
+    values_[field] = coerce_value(as, value, {.tree = &tree_, .path = name, .what = &place});
+}
+
+void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
+         std::size_t changeable) {
+    if (event.listeners == 0 || !tree.alive(instance)) return;
+    Tree::State& s = tree.state();
+    Question question(tree, instance, event, values, changeable);
+    const Asking asking(question);
+    for (const WatcherId id : s.watchers.of_event(instance, event, s.watchers.last_id())) {
+        const std::shared_ptr<Watcher> watcher = s.watchers.find(id);
+        if (watcher == nullptr || !watcher->active) continue;
+        QueueItem item;
+        item.kind = QueueItem::Kind::event;
+        item.what = Occurrence{.instance = instance,
+                               .event = &event,
+                               .record = {&event.fields, values},
+                               .step = s.step};
+        s.call(*watcher, item);
+    }
+}
+
+}  // namespace fettle::property

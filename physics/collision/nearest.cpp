@@ -1,0 +1,72 @@
+#include <collision/nearest.h>
+#include <collision/sweep.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Crossing segments have no vertex in the other; they meet where both are.
+bool segments_cross(const Convex& a, const Convex& b, V2 offset, V2& at) {
+    if (a.count != 2 || b.count != 2) return false;
+    const V2 p = a.vertices[0], d = a.vertices[1] - p;
+    const V2 q = b.vertices[0] + offset, e = b.vertices[1] - b.vertices[0];
+    const float k = cross(d, e);
+    if (k == 0.0f) return false;
+    const float t = cross(q - p, e) / k, s = cross(q - p, d) / k;
+    at = p + t * d;
+    return t >= 0.0f && t <= 1.0f && s >= 0.0f && s <= 1.0f;
+}
+
+struct Pair {
+    float squared = 1e30f;
+    V2 vertex, edge;
+};
+
+/// The nearest pair of a vertex of `points` and a point of an edge of `shape`, which is at
+/// `to_shape`.
+Pair vertex_and_edge(const Convex& points, const Convex& shape, V2 to_shape) {
+    Pair best;
+    for (int i = 0; i < points.count; ++i) {
+        for (int k = 0; k < shape.count; ++k) {
+            const V2 a = shape.vertices[k] + to_shape;
+            const V2 d = shape.vertices[k + 1 < shape.count ? k + 1 : 0] + to_shape - a;
+            const float l = length_squared(d);
+            const float t = l > 0.0f ? clamp(dot(points.vertices[i] - a, d) / l, 0.0f, 1.0f) : 0.0f;
+            const V2 on_edge = a + t * d;
+            const float squared = length_squared(points.vertices[i] - on_edge);
+            if (squared < best.squared) best = {squared, points.vertices[i], on_edge};
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+Nearest nearest_points(const Convex& a, const Convex& b, V2 offset) {
+    const Pair from_a = vertex_and_edge(a, b, offset), from_b = vertex_and_edge(b, a, -offset);
+    Nearest found;
+    if (from_a.squared <= from_b.squared) {
+        found.on_a = from_a.vertex;
+        found.on_b = from_a.edge;
+    } else {
+        found.on_a = from_b.edge + offset;
+        found.on_b = from_b.vertex + offset;
+    }
+    const V2 gap = found.on_b - found.on_a;
+    const float apart = length(gap) - a.radius - b.radius;
+    V2 crossing;
+    if (segments_cross(a, b, offset, crossing)) {
+        found.on_a = found.on_b = crossing;
+        return found;
+    }
+    if (!(apart > 0.0f) || !(distance(a, b, offset) > 0.0f)) {
+        found.on_a = found.on_b = 0.5f * (found.on_a + found.on_b);
+        return found;
+    }
+    found.normal = normalized(gap);
+    found.distance = apart;
+    found.on_a = found.on_a + a.radius * found.normal;
+    found.on_b = found.on_b - b.radius * found.normal;
+    return found;
+}
+
+}  // namespace fettle::physics::detail

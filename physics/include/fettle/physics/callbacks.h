@@ -1,0 +1,33 @@
+#pragma once
+
+#include <fettle/physics/shape.h>
+
+#include <functional>
+
+// Functions of the caller that run inside a step, one after the other on its thread, between the
+// narrow phase and the solver, in the order of the contacts. They may read the world and write what
+// they are given, and nothing else. One of the shapes may be of the world's border.
+
+namespace fettle::physics {
+
+/// A contact about to be solved.
+struct ContactEdit {
+    Shape shape_a;
+    Shape shape_b;
+    Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold
+    Vec2 normal = Vec2::Zero();  ///< from a to b
+    float speed = 0.0f;          ///< m/s, of approach along the normal
+    float impulse = 0.0f;        ///< N s, normal, that it had in the last step
+    float separation = 0.0f;     ///< m, negative: overlap
+    float friction = 0.0f;       ///< mixed; write it, 0 or more
+    float restitution = 0.0f;    ///< mixed; write it, 0 … 1
+    float surface_speed = 0.0f;  ///< mixed; write it, m/s
+    bool enabled = true;         ///< false: no contact in this step
+};
+
+/// Whether two shapes whose filters agree may collide.
+using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
+/// Sees every contact in every step.
+using ContactCallback = std::function<void(ContactEdit&)>;
+
+}  // namespace fettle::physics

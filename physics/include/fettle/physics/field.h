@@ -1,0 +1,87 @@
+#pragma once
+
+#include <fettle/physics/export.h>
+#include <fettle/physics/types.h>
+
+#include <optional>
+#include <variant>
+
+FETTLE_PHYSICS_BEGIN
+
+namespace fettle::physics {
+
+class World;
+
+struct FieldId {
+    uint32_t index = 0;
+    uint32_t generation = 0;
+    friend bool operator==(const FieldId&, const FieldId&) = default;
+    explicit operator bool() const { return generation != 0; }
+};
+
+/// Moving air: presses on every edge that faces it by ½·density·(speed across the edge)². Plates
+/// fly, wheels turn.
+struct WindField {
+    Vec2 velocity = {5.0f, 0.0f};  ///< m/s
+    float density = 1.2f;          ///< kg/m²
+};
+
+/// Slows what moves against a flow, by the area of the shapes.
+struct DragField {
+    Vec2 flow = Vec2::Zero();  ///< m/s
+    float linear = 1.0f;       ///< N s/m per m²
+    float quadratic = 0.0f;    ///< N s²/m² per m²
+};
+
+/// A liquid below a straight surface. Lifts by the weight of what it gives way to, exactly, at the
+/// centroid of the submerged part; its gravity is that of the world.
+struct BuoyancyField {
+    float level = 0.0f;          ///< m: submerged is what has normal·p < level
+    Vec2 normal = {0.0f, 1.0f};  ///< of the surface, upward, of any length but 0
+    float density = 2.0f;        ///< kg/m²
+    float drag = 2.0f;           ///< 1/s: share of the displaced mass that resists motion
+    Vec2 flow = Vec2::Zero();    ///< m/s
+};
+
+/// Pulls towards a point with an acceleration of strength / distance^falloff.
+struct AttractorField {
+    Vec2 center = Vec2::Zero();  ///< world, m
+    float strength = 10.0f;      ///< m/s² at a distance of 1 m; negative repels
+    int falloff = 2;             ///< 0 … 3
+    float core = 0.5f;           ///< m: nearer than this it pulls in proportion to the distance
+};
+
+struct FieldDef {
+    std::variant<WindField, DragField, BuoyancyField, AttractorField> force = {};
+    /// Where it acts, m: on shapes that reach into it (liquids), or whose body has its center of
+    /// mass there. None: everywhere.
+    std::optional<Aabb> region = {};
+    uint64_t mask = ~uint64_t{0};  ///< on shapes of these categories
+    bool enabled = true;
+    uint64_t user_data = 0;
+};
+
+/// A light handle to a field of force. Errors as for `Body`. It pushes what is awake; setting it
+/// wakes all.
+class Field {
+  public:
+    Field() = default;
+    Field(World* world, FieldId id) : world_(world), id_(id) {}
+
+    bool is_valid() const;
+    explicit operator bool() const { return is_valid(); }
+    FieldId id() const { return id_; }
+    friend bool operator==(const Field&, const Field&) = default;
+    void destroy();
+
+    const FieldDef& definition() const;
+    void set(const FieldDef& definition);  ///< all at once; what has no meaning is refused
+
+  private:
+    World* world_ = nullptr;
+    FieldId id_;
+};
+
+}  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

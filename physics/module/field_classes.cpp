@@ -1,0 +1,246 @@
+// Field and what derives from it: Wind, Drag, Buoyancy, Attractor. A field acts in the nearest
+// World above it; in none, it can be read and edited all the same.
+
+#include <stdexcept>
+#include <type_traits>
+
+#include "bindings.h"
+#include "classes.h"
+
+namespace fettle::physics_module {
+namespace {
+
+using physics::FieldDef;
+
+physics::Field field_at(Hosting& hosting, Row row) {
+    return hosting.field(row);
+}
+
+/// Changes one value of a field: the library takes the whole and checks it.
+template <class Change>
+void change(Hosting& hosting, Row row, Change&& make) {
+    physics::Field field = field_at(hosting, row);
+    FieldDef def = field.definition();
+    make(def);
+    field.set(def);
+}
+
+template <auto Member>
+struct MemberOf;
+template <class Of, class Held, Held Of::*Member>
+struct MemberOf<Member> {
+    using Owner = Of;
+    using Value = Held;
+};
+
+/// A value of one kind of field.
+template <auto Member>
+Binding force_value(Hosting& hosting) {
+    using Owner = typename MemberOf<Member>::Owner;
+    using Held = typename MemberOf<Member>::Value;
+    return accessor(
+        hosting,
+        [](Hosting& h, Row row) {
+            return to_value(std::get<Owner>(field_at(h, row).definition().force).*Member);
+        },
+        [](Hosting& h, Row row, const Value& value) {
+            change(h, row, [&](FieldDef& def) {
+                std::get<Owner>(def.force).*Member = from_value<Held>(value);
+            });
+        });
+}
+
+template <auto Member>
+Property number(Hosting& hosting, std::string name, double default_value, std::string unit,
+                std::string doc) {
+    return {.name = std::move(name),
+            .default_value = default_value,
+            .unit = std::move(unit),
+            .doc = std::move(doc),
+            .binding = force_value<Member>(hosting),
+            .single_precision = true};
+}
+
+template <auto Member>
+Property positive(Hosting& hosting, std::string name, double default_value, std::string unit,
+                  std::string doc) {
+    Property property =
+        number<Member>(hosting, std::move(name), default_value, std::move(unit), std::move(doc));
+    property.range = not_negative;
+    return property;
+}
+
+template <auto Member>
+Property vector(Hosting& hosting, std::string name, const property::Vec2& default_value,
+                std::string unit, std::string doc) {
+    return {.name = std::move(name),
+            .type = Type::vec2,
+            .default_value = default_value,
+            .unit = std::move(unit),
+            .doc = std::move(doc),
+            .binding = force_value<Member>(hosting),
+            .single_precision = true};
+}
+
+Value region(Hosting& hosting, Row row) {
+    const auto& region = field_at(hosting, row).definition().region;
+    return region ? to_value(*region) : Value();
+}
+
+void set_region(Hosting& hosting, Row row, const Value& value) {
+    std::optional<physics::Aabb> region;
+    if (!value.is_nil()) {
+        const property::List& corners = value.list();
+        if (corners.size() != 2)
+            throw std::invalid_argument(
+                "expected two corners, lower left and upper right, got a list of " +
+                std::to_string(corners.size()));
+        const physics::Vec2 a = narrow(corners[0].vec2()), b = narrow(corners[1].vec2());
+        region = physics::Aabb{a.cwiseMin(b), a.cwiseMax(b)};
+    }
+    change(hosting, row, [&](FieldDef& def) { def.region = region; });
+}
+
+template <class Force>
+property::Lifecycle lifecycle(Hosting& hosting) {
+    property::Lifecycle lifecycle;
+    lifecycle.context = &hosting;
+    lifecycle.create = [](void* context, property::Tree&, Handle self) {
+        return static_cast<Hosting*>(context)->create_field(
+            self, {.force = Force{}, .user_data = pack(self)});
+    };
+    lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
+        return static_cast<Hosting*>(context)->place_field(self, row);
+    };
+    lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
+        static_cast<Hosting*>(context)->field(row).destroy();
+    };
+    return lifecycle;
+}
+
+void define_field(Hosting& hosting) {
+    property::ClassDescriptor field;
+    field.name = "Field";
+    field.doc =
+        "A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes "
+        "all.";
+    field.creatable = false;
+    field.lifecycle = lifecycle<physics::WindField>(hosting);
+    field.properties = {
+        {.name = "enabled",
+         .type = Type::boolean,
+         .default_value = true,
+         .doc = "Whether it acts.",
+         .binding = accessor(
+             hosting, [](Hosting& h, Row row) { return field_at(h, row).definition().enabled; },
+             [](Hosting& h, Row row, const Value& value) {
+                 change(h, row, [&](FieldDef& def) { def.enabled = value.boolean(); });
+             })},
+        {.name = "region",
+         .type = Type::list,
+         .unit = "m",
+         .doc =
+             "Where it acts, by its lower left and upper right corner: on shapes that reach into "
+             "it (Buoyancy), or whose body has its center of mass there; nil: everywhere.",
+         .binding = accessor(
+             hosting, [](Hosting& h, Row row) { return region(h, row); },
+             [](Hosting& h, Row row, const Value& value) { set_region(h, row, value); }),
+         .nullable = true,
+         .element = Type::vec2,
+         .single_precision = true},
+        {.name = "mask",
+         .type = Type::integer,
+         .default_value = -1,
+         .doc = "It acts on shapes of these categories, as bits.",
+         .binding = accessor(
+             hosting,
+             [](Hosting& h, Row row) { return to_value(field_at(h, row).definition().mask); },
+             [](Hosting& h, Row row, const Value& value) {
+                 change(h, row,
+                        [&](FieldDef& def) { def.mask = from_value<std::uint64_t>(value); });
+             })},
+    };
+    hosting.tree.define(std::move(field));
+}
+
+template <class Force>
+void define_kind(Hosting& hosting, std::string name, std::string doc,
+                 std::vector<Property> properties) {
+    property::ClassDescriptor kind;
+    kind.name = std::move(name);
+    kind.base = "Field";
+    kind.doc = std::move(doc);
+    kind.lifecycle = lifecycle<Force>(hosting);
+    kind.properties = std::move(properties);
+    hosting.tree.define(std::move(kind));
+}
+
+}  // namespace
+
+/// Worlds have few fields: looking through them is as good as an index.
+physics::Field Hosting::field(Row row) {
+    for (const physics::Field& field : world(row).fields())
+        if (field.id().index == slot_of(row)) return field;
+    return {};
+}
+
+Row Hosting::create_field(Handle self, const physics::FieldDef& def) {
+    const std::uint32_t number = world_above(self);
+    return make_row(number, worlds_[number]->world.create_field(def).id().index);
+}
+
+Row Hosting::place_field(Handle self, Row row) {
+    const std::uint32_t number = world_above(self);
+    if (number == world_number(row)) return row;
+    const Row placed = create_field(self, field(row).definition());
+    field(row).destroy();
+    return placed;
+}
+
+void define_fields(Hosting& hosting) {
+    using physics::AttractorField;
+    using physics::BuoyancyField;
+    using physics::DragField;
+    using physics::WindField;
+    Hosting& h = hosting;
+    define_field(h);
+    define_kind<WindField>(
+        h, "Wind", "Moving air: presses on every edge that faces it, by the square of its speed.",
+        {vector<&WindField::velocity>(h, "velocity", {5, 0}, "m/s", "Of the air."),
+         positive<&WindField::density>(h, "density", widen(1.2f, 0).x(), "kg/m\xC2\xB2",
+                                       "Of the air.")});
+    define_kind<DragField>(
+        h, "Drag", "Slows what moves against a flow, by the area of its shapes.",
+        {vector<&DragField::flow>(h, "flow", {0, 0}, "m/s", "What it slows things to."),
+         positive<&DragField::linear>(h, "linear", 1, "N s/m\xC2\xB3",
+                                      "Resistance for each m/s and m\xC2\xB2."),
+         positive<&DragField::quadratic>(h, "quadratic", 0, "N s\xC2\xB2/m\xE2\x81\xB4",
+                                         "Resistance for each (m/s)\xC2\xB2 and m\xC2\xB2.")});
+    define_kind<BuoyancyField>(
+        h, "Buoyancy",
+        "A liquid below a straight surface: lifts by the weight of what is displaced, exactly.",
+        {number<&BuoyancyField::level>(h, "level", 0, "m",
+                                       "Of the surface, along its normal from the origin."),
+         vector<&BuoyancyField::normal>(h, "normal", {0, 1}, "",
+                                        "Up from the surface; of any length but 0."),
+         positive<&BuoyancyField::density>(h, "density", 2, "kg/m\xC2\xB2", "Of the liquid."),
+         positive<&BuoyancyField::drag>(h, "drag", 2, "1/s",
+                                        "Share of the displaced mass that resists motion."),
+         vector<&BuoyancyField::flow>(h, "flow", {0, 0}, "m/s", "Of the liquid.")});
+    Property falloff{.name = "falloff",
+                     .type = Type::integer,
+                     .default_value = 2,
+                     .range = {.min = 0, .max = 3},
+                     .doc = "It falls by this power of the distance.",
+                     .binding = force_value<&AttractorField::falloff>(h)};
+    define_kind<AttractorField>(
+        h, "Attractor", "Pulls everything towards a point, as a planet does.",
+        {vector<&AttractorField::center>(h, "center", {0, 0}, "m", "In the world."),
+         number<&AttractorField::strength>(h, "strength", 10, "m/s\xC2\xB2",
+                                           "At a distance of 1 m; negative repels."),
+         falloff,
+         positive<&AttractorField::core>(
+             h, "core", 0.5, "m", "Nearer than this it pulls in proportion to the distance.")});
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,138 @@
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <utility>
+
+// What callers have to say about contacts, and what they want to hear of those that last.
+
+namespace fettle::physics {
+
+using namespace detail;
+
+namespace detail {
+
+V2 WorldData::middle_of(const ContactRecord& c) const {
+    const Manifold& m = c.manifold;
+    V2 middle = m.points[0].anchor_a;
+    if (m.count == 2) middle = 0.5f * (m.points[0].anchor_a + m.points[1].anchor_a);
+    return bodies[c.body_a].center + middle;
+}
+
+/// Serially and in the order of the contacts, so that equal inputs have equal outcomes.
+void WorldData::consult_callbacks() {
+    if (!callbacks.see_contacts()) return;
+    for (const uint32_t slot : awake_contacts) {
+        ContactRecord& c = contacts[slot];
+        c.disabled = false;
+        if (c.sensor || c.manifold.count == 0) continue;
+        if (callbacks.mix) remix(c);
+        const V2 point = middle_of(c);
+        ContactEdit edit;
+        edit.shape_a = {callbacks.world, shape_id(c.shape_a)};
+        edit.shape_b = {callbacks.world, shape_id(c.shape_b)};
+        edit.point = to_vec2(point);
+        edit.normal = to_vec2(c.manifold.normal);
+        edit.speed = approach_speed(c, point);
+        edit.separation = infinity;
+        for (int k = 0; k < c.manifold.count; ++k) {
+            edit.impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
+            edit.separation = min(edit.separation, c.manifold.points[k].separation);
+        }
+        edit.friction = c.friction;
+        edit.restitution = c.restitution;
+        edit.surface_speed = c.surface_speed;
+        if (callbacks.mix) callbacks.mix(edit);
+        if (callbacks.before_solve) callbacks.before_solve(edit);
+        // What has no meaning is taken as the nearest that has: a step does not throw.
+        c.friction = max(bounded(edit.friction, 1e6f), 0.0f);
+        c.restitution = clamp(bounded(edit.restitution, 1.0f), 0.0f, 1.0f);
+        c.surface_speed = bounded(edit.surface_speed, greatest_speed);
+        c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
+        c.disabled = !edit.enabled;
+        if (!c.disabled) continue;
+        if (c.touching) set_touching(slot, false);
+        for (ManifoldPoint& p : c.manifold.points) p.normal_impulse = p.tangent_impulse = 0.0f;
+        c.rolling_impulse = 0.0f;
+    }
+}
+
+void WorldData::tell_persisting() {
+    if (!settings.persist_events) return;
+    for (const uint32_t slot : awake_contacts) {
+        const ContactRecord& c = contacts[slot];
+        if (!c.touching || c.sensor || c.began == steps || c.manifold.count == 0) continue;
+        const V2 point = middle_of(c);
+        float impulse = 0.0f;
+        for (int k = 0; k < c.manifold.count; ++k)
+            impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
+        events.contact_persist.push_back(
+            {shape_id(c.shape_a), shape_id(c.shape_b), body_id(c.body_a), body_id(c.body_b),
+             to_vec2(point), to_vec2(c.manifold.normal), approach_speed(c, point), impulse});
+    }
+}
+
+}  // namespace detail
+
+MixRule World::friction_mix() const {
+    return data_->settings.friction_mix;
+}
+MixRule World::restitution_mix() const {
+    return data_->settings.restitution_mix;
+}
+
+namespace {
+
+void remix_all(WorldData& data) {
+    for (ContactRecord& c : data.contacts) {
+        if (c.shape_a == none) continue;
+        data.remix(c);
+        c.disabled = false;
+    }
+}
+
+}  // namespace
+
+void World::set_friction_mix(MixRule rule) {
+    data_->settings.friction_mix = rule;
+    remix_all(*data_);
+    data_->wake_all();
+}
+void World::set_restitution_mix(MixRule rule) {
+    data_->settings.restitution_mix = rule;
+    remix_all(*data_);
+    data_->wake_all();
+}
+
+bool World::persist_events() const {
+    return data_->settings.persist_events;
+}
+void World::set_persist_events(bool enabled) {
+    data_->settings.persist_events = enabled;
+}
+
+void World::set_filter(PairFilter filter) {
+    data_->callbacks.filter = std::move(filter);
+    WorldData& data = *data_;
+    data.refresh();
+    for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
+        const ContactRecord& c = data.contacts[slot];
+        if (c.shape_a == none || data.may_collide(c.shape_a, c.shape_b)) continue;
+        data.wake_for_edit(c.body_a);
+        data.wake_for_edit(c.body_b);
+        data.destroy_contact(slot);
+    }
+    for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
+        if (data.shape_generations[shape] != 0 && data.forms[shape].body != none)
+            data.mark_moved(shape);
+    }
+}
+void World::set_mixing(ContactCallback mix) {
+    data_->callbacks.mix = std::move(mix);
+    remix_all(*data_);
+}
+void World::set_before_solve(ContactCallback callback) {
+    data_->callbacks.before_solve = std::move(callback);
+    remix_all(*data_);
+}
+
+}  // namespace fettle::physics

@@ -1,0 +1,214 @@
+#include <collision/nearest.h>
+#include <collision/sweep.h>
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+// Queries with shapes and distances. The shape that asks may be of any world, or of no body: then
+// its coordinates are those of the world it asks.
+
+namespace fettle::physics {
+
+using namespace detail;
+
+namespace {
+
+/// A shape where it is.
+struct Placed {
+    Convex form;
+    V2 center;
+    Box4 box;
+};
+
+Placed placed(WorldData& data, uint32_t shape) {
+    data.refresh();
+    if (data.forms[shape].count == 0)
+        throw std::invalid_argument("expected a shape of a body, got the bounds of a world");
+    const uint32_t body = data.forms[shape].body;
+    return {data.convex(shape), body == none ? V2{} : data.bodies[body].center, data.boxes[shape]};
+}
+
+struct Point {
+    V2 zero;
+    Convex form() const { return {&zero, nullptr, nullptr, 1, 0.0f}; }
+};
+
+/// Of a shape of another world for one query.
+Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
+    Body body = scratch.create_body({.position = pose.position, .angle = pose.angle});
+    return std::visit([&](const auto& form) { return body.add(form); }, geometry);
+}
+
+/// Where a moving shape meets the border, as a fraction of its motion.
+float meets_border(const Placed& probe, V2 motion, const BorderPlane& plane) {
+    float lowest = infinity;
+    for (int i = 0; i < probe.form.count; ++i)
+        lowest = min(lowest, dot(plane.normal, probe.center + probe.form.vertices[i]));
+    const float before = lowest - plane.depth - probe.form.radius;
+    const float speed = dot(plane.normal, motion);
+    if (before <= 0.0f) return 0.0f;
+    return speed < 0.0f ? -before / speed : 2.0f;
+}
+
+}  // namespace
+
+namespace detail {
+
+bool WorldData::accepted(const QueryFilter& filter, uint32_t shape) const {
+    const ShapeDef& surface = shapes[shape].surface;
+    if (surface.sensor && !filter.sensors) return false;
+    const bool same_group = filter.group != 0 && surface.group == filter.group;
+    if (same_group && filter.group < 0) return false;
+    if (!same_group &&
+        ((surface.mask & filter.category) == 0 || (surface.category & filter.mask) == 0))
+        return false;
+    return !filter.accept || filter.accept(Shape(callbacks.world, shape_id(shape)));
+}
+
+}  // namespace detail
+
+Separation distance(const Shape& a, const Shape& b) {
+    const Placed pa = placed(a.world().data(), a.index()), pb = placed(b.world().data(), b.index());
+    const Nearest nearest = nearest_points(pa.form, pb.form, pb.center - pa.center);
+    return {nearest.distance, to_vec2(pa.center + nearest.on_a), to_vec2(pa.center + nearest.on_b),
+            to_vec2(nearest.normal)};
+}
+
+std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) {
+    const Placed probe = placed(shape.world().data(), shape.index());
+    const bool own = &shape.world() == this;
+    const uint32_t body = own ? data_->forms[shape.index()].body : none;
+    data_->refresh();
+    std::vector<Shape> found;
+    auto visit = [&](uint32_t other) {
+        const uint32_t owner = data_->forms[other].body;
+        if (owner == body || !data_->accepted(filter, other)) return;
+        const V2 offset = data_->bodies[owner].center - probe.center;
+        if (nearest_points(probe.form, data_->convex(other), offset).distance <= 0.0f)
+            found.emplace_back(this, data_->shape_id(other));
+    };
+    data_->moving_tree.query(probe.box, visit);
+    data_->fixed_tree.query(probe.box, visit);
+    return found;
+}
+
+std::vector<Shape> World::query_overlap(const Geometry& geometry, const Pose& pose,
+                                        const QueryFilter& filter) {
+    World scratch;
+    return query_overlap(make_probe(scratch, geometry, pose), filter);
+}
+
+std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
+                                        const QueryFilter& filter) {
+    check_coordinates("motion", motion);
+    const Placed probe = placed(shape.world().data(), shape.index());
+    const bool own = &shape.world() == this;
+    const uint32_t body = own ? data_->forms[shape.index()].body : none;
+    data_->refresh();
+    const V2 d = to_v2(motion);
+    const Box4 swept = unite(probe.box, {probe.box.low + d, probe.box.high + d});
+    std::optional<RayHit> first;
+    float nearest = 1.0f;
+    auto visit = [&](uint32_t other) {
+        const uint32_t owner = data_->forms[other].body;
+        if (owner == body || !data_->accepted(filter, other)) return;
+        const V2 center = data_->bodies[owner].center;
+        const Convex obstacle = data_->convex(other);
+        constexpr float gap = 1e-4f;
+        const Sweep sweep = {probe.form, probe.center, d, 0.0f, 0.0f};
+        const float t = time_of_impact(sweep, obstacle, center, gap);
+        if (t >= nearest) return;
+        nearest = t;
+        const Nearest touch = nearest_points(probe.form, obstacle, center - (probe.center + t * d));
+        const V2 normal = length(touch.normal) > 0.0f ? -touch.normal : -normalized(d);
+        first = RayHit{Shape(this, data_->shape_id(other)),
+                       to_vec2(probe.center + t * d + touch.on_b), to_vec2(normal), t};
+    };
+    data_->fixed_tree.query(swept, visit);
+    data_->moving_tree.query(swept, visit);
+    for (uint32_t side = 0; data_->settings.bounds && side < 4; ++side) {
+        const BorderPlane plane = data_->border_plane(side);
+        const float t = meets_border(probe, d, plane);
+        if (t >= nearest || !data_->accepted(filter, side)) continue;
+        nearest = t;
+        const V2 center = probe.center + t * d;
+        const V2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
+        first =
+            RayHit{Shape(this, data_->shape_id(side)), to_vec2(point), to_vec2(plane.normal), t};
+    }
+    return first;
+}
+
+std::optional<RayHit> World::cast_shape(const Geometry& geometry, const Pose& pose,
+                                        const Vec2& motion, const QueryFilter& filter) {
+    World scratch;
+    return cast_shape(make_probe(scratch, geometry, pose), motion, filter);
+}
+
+std::optional<PointHit> World::closest(const Vec2& point, float reach, const QueryFilter& filter) {
+    check_coordinates("point", point);
+    check_range("reach", reach, 0.0f, infinity);
+    data_->refresh();
+    const V2 p = to_v2(point);
+    const Point asks;
+    std::optional<PointHit> best;
+    // In growing boxes, until none outside of the box can be nearer.
+    const float farthest = min(reach, 4.0f * greatest_coordinate);
+    for (float half = min(1.0f, farthest);; half = min(4.0f * half, farthest)) {
+        auto visit = [&](uint32_t shape) {
+            if (!data_->accepted(filter, shape)) return;
+            const V2 offset = data_->bodies[data_->forms[shape].body].center - p;
+            const Nearest near = nearest_points(asks.form(), data_->convex(shape), offset);
+            if (near.distance > farthest || (best && near.distance >= best->distance)) return;
+            best = PointHit{Shape(this, data_->shape_id(shape)), to_vec2(p + near.on_b),
+                            to_vec2(-near.normal), near.distance};
+        };
+        const Box4 box = {{p.x - half, p.y - half}, {p.x + half, p.y + half}};
+        data_->fixed_tree.query(box, visit);
+        data_->moving_tree.query(box, visit);
+        if ((best && best->distance <= half) || half >= farthest) return best;
+    }
+}
+
+void World::explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter) {
+    check_coordinates("point", point);
+    check_range("radius", radius, 0.0f, greatest_coordinate);
+    check_finite("impulse", impulse);
+    data_->refresh();
+    struct Hit {
+        uint32_t body;
+        float distance;
+        V2 at;
+    };
+    const V2 p = to_v2(point);
+    const Point asks;
+    std::vector<Hit> hits;
+    auto visit = [&](uint32_t shape) {
+        const uint32_t body = data_->forms[shape].body;
+        if (data_->bodies[body].mobility != Mobility::dynamic || !data_->accepted(filter, shape))
+            return;
+        const V2 offset = data_->bodies[body].center - p;
+        const Nearest near = nearest_points(asks.form(), data_->convex(shape), offset);
+        if (near.distance >= radius) return;
+        // Inside of a shape it pushes at the center of mass.
+        const V2 at = near.distance > 0.0f ? p + near.on_b : data_->bodies[body].center;
+        for (Hit& hit : hits) {
+            if (hit.body != body) continue;
+            if (near.distance < hit.distance) hit = {body, near.distance, at};
+            return;
+        }
+        hits.push_back({body, near.distance, at});
+    };
+    data_->moving_tree.query({{p.x - radius, p.y - radius}, {p.x + radius, p.y + radius}}, visit);
+    for (const Hit& hit : hits) {
+        V2 direction = normalized(hit.at - p);
+        if (length(direction) == 0.0f) direction = {0.0f, 1.0f};
+        const float strength = impulse * (1.0f - hit.distance / radius);
+        body(data_->body_id(hit.body))
+            .apply_impulse(to_vec2(strength * direction), to_vec2(hit.at));
+    }
+}
+
+}  // namespace fettle::physics

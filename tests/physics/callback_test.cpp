@@ -1,0 +1,231 @@
+#include "catch.h"
+#include "scenes.h"
+
+using namespace scenes;
+
+namespace {
+
+/// A platform that bodies may jump up through.
+struct OneWay {
+    World world{{.sleeping = false}};
+    Body platform = world.create_body({.type = BodyType::static_body, .position = {0, 2}});
+    Shape top = platform.add(Box{.width = 10, .height = 0.2f});
+    int asked = 0;
+
+    OneWay() {
+        add_floor(world);
+        world.set_before_solve([this](ContactEdit& contact) {
+            ++asked;
+            if (contact.shape_a != top && contact.shape_b != top) return;
+            const float up = contact.shape_a == top ? contact.normal.y() : -contact.normal.y();
+            const Shape other = contact.shape_a == top ? contact.shape_b : contact.shape_a;
+            if (up < 0.5f || other.body().velocity().y() > 0.01f) contact.enabled = false;
+        });
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a body jumps up through a one way platform and lands on it") {
+    OneWay scene;
+    Body ball = add_ball(scene.world, {0, 0.5f}, 0.3f);
+    ball.set_velocity({0, 9});
+    bool touched_below = false;
+    float highest = 0.0f;
+    for (int i = 0; i < 240; ++i) {
+        scene.world.step(frame);
+        highest = std::max(highest, ball.position().y());
+        touched_below |= highest < 2.3f && ball.is_touching() && i > 10;
+        REQUIRE_FALSE(scene.world.validate());
+    }
+    REQUIRE_FALSE(touched_below);
+    REQUIRE(highest > 3.0f);
+    REQUIRE(ball.position().y() == Approx(2.4f).margin(0.01));
+    REQUIRE(scene.asked > 100);
+    scene.world.set_before_solve({});
+    Body other = add_ball(scene.world, {2, 0.5f}, 0.3f);
+    other.set_velocity({0, 9});
+    run(scene.world, 1.0f);
+    REQUIRE(other.position().y() < 1.8f);  // solid now
+}
+
+TEST_CASE("a fast body is not stopped at a contact that a callback disables") {
+    OneWay scene;
+    Body ball = add_ball(scene.world, {0, 0.6f}, 0.1f);
+    ball.set_velocity({0, 60});
+    run(scene.world, 0.1f);
+    REQUIRE(ball.position().y() > 4.0f);
+}
+
+TEST_CASE("a mixing function sees both shapes and the point and sets the friction of a contact") {
+    World world({.sleeping = false});
+    Body floor = add_floor(world);
+    Body left = add_box(world, {-5, 0.5f}), right = add_box(world, {5, 0.5f});
+    int wrong = 0;
+    world.set_mixing([&](ContactEdit& contact) {
+        wrong += contact.shape_a.body() != floor && contact.shape_b.body() != floor;
+        wrong += std::fabs(contact.point.y()) > 0.02f;
+        wrong += std::fabs(contact.friction - 0.6f) > 1e-6f;  // what the rule has mixed
+        contact.friction = contact.point.x() < 0 ? 0.0f : 1.0f;
+    });
+    left.set_velocity({-4, 0});
+    right.set_velocity({4, 0});
+    run(world, 1.0f);
+    REQUIRE(wrong == 0);
+    REQUIRE(left.velocity().x() == Approx(-4.0f).epsilon(1e-3));
+    REQUIRE(std::fabs(right.velocity().x()) < 1e-5f);
+    world.set_mixing({});
+    run(world, 1.0f);
+    REQUIRE(std::fabs(left.velocity().x()) < 1e-5f);
+}
+
+TEST_CASE("a mixing function may make a contact bounce") {
+    World world({.sleeping = false});
+    add_floor(world);
+    Body ball = add_ball(world, {0, 3});
+    world.set_mixing([&](ContactEdit& contact) { contact.restitution = 0.5f; });
+    float highest = 0.0f;
+    for (int i = 0; i < 120; ++i) {
+        world.step(frame);
+        if (ball.velocity().y() > 0) highest = std::max(highest, ball.position().y());
+    }
+    REQUIRE(highest == Approx(0.5f + 2.5f * 0.25f).epsilon(0.08));
+}
+
+TEST_CASE("the rules of mixing are what they are called and act on what rests") {
+    for (const auto& [rule, expected] :
+         {std::pair(MixRule::average, 0.5f), std::pair(MixRule::minimum, 0.1f),
+          std::pair(MixRule::maximum, 0.9f), std::pair(MixRule::multiply, 0.09f),
+          std::pair(MixRule::geometric, 0.3f)}) {
+        World world;
+        add_floor(world, 50, {.friction = 0.9f, .restitution = 0.9f});
+        Body box = add_box(world, {0, 0.5f}, 1.0f, {.friction = 0.1f, .restitution = 0.1f});
+        world.set_restitution_mix(MixRule::minimum);
+        run(world, 4.0f);
+        REQUIRE_FALSE(box.awake());
+        world.set_friction_mix(rule);
+        world.set_restitution_mix(rule);
+        REQUIRE(box.awake());
+        REQUIRE(world.friction_mix() == rule);
+        world.step(frame);
+        REQUIRE(box.contacts().size() == 1);
+        REQUIRE(box.contacts()[0].friction == Approx(expected));
+        REQUIRE(box.contacts()[0].restitution == Approx(expected));
+    }
+}
+
+TEST_CASE("a filter function decides who collides and setting it asks anew") {
+    World world;
+    Body floor = add_floor(world);
+    Body ghost = add_box(world, {0, 0.5f}), solid = add_box(world, {5, 0.5f});
+    run(world, 3.0f);
+    REQUIRE_FALSE(ghost.awake());
+    world.set_filter(
+        [&](const Shape& a, const Shape& b) { return a.body() != ghost && b.body() != ghost; });
+    run(world, 1.0f);
+    REQUIRE(ghost.position().y() < -2.0f);
+    REQUIRE(solid.position().y() == Approx(0.5f).margin(0.01));
+    REQUIRE_FALSE(world.validate());
+    ghost.set_position({0, 3});
+    ghost.set_velocity({0, 0});
+    world.set_filter({});
+    run(world, 2.0f);
+    REQUIRE(ghost.position().y() == Approx(0.5f).margin(0.01));
+}
+
+TEST_CASE("a touch that lasts is told in every step after its first") {
+    World world({.sleeping = false, .persist_events = true});
+    Body floor = add_floor(world);
+    Body box = add_box(world, {0, 0.5f});
+    world.step(frame);
+    REQUIRE(world.events().contact_begin.size() == 1);
+    REQUIRE(world.events().contact_persist.empty());
+    for (int i = 0; i < 60; ++i) {
+        world.step(frame);
+        REQUIRE(world.events().contact_persist.size() == 1);
+    }
+    const ContactPersistEvent& event = world.events().contact_persist[0];
+    REQUIRE(event.impulse == Approx(10.0f * frame).epsilon(0.01));
+    REQUIRE(std::fabs(event.point.y()) < 0.01f);
+    world.set_persist_events(false);
+    world.step(frame);
+    REQUIRE(world.events().contact_persist.empty());
+}
+
+TEST_CASE("passive callbacks change nothing and belong to no snapshot") {
+    auto build = [](World& world) {
+        add_floor(world);
+        for (int i = 0; i < 30; ++i) add_box(world, {0.3f * float(i % 5), 1 + 1.1f * float(i)});
+    };
+    World plain, asked;
+    build(plain);
+    build(asked);
+    int calls = 0;
+    asked.set_before_solve([&](ContactEdit&) { ++calls; });
+    asked.set_mixing([&](ContactEdit&) { ++calls; });
+    asked.set_filter([&](const Shape&, const Shape&) { return ++calls > 0; });
+    for (int i = 0; i < 300; ++i) {
+        plain.step(frame);
+        asked.step(frame);
+        REQUIRE(plain.hash() == asked.hash());
+    }
+    REQUIRE(calls > 1000);
+    std::vector<std::byte> bytes;
+    asked.save(bytes);
+    asked.restore(bytes);
+    calls = 0;
+    asked.step(frame);
+    World copy = asked;
+    const int before = calls;
+    copy.step(frame);
+    REQUIRE(before > 0);
+    REQUIRE(calls == before);
+}
+
+TEST_CASE("a body locked on one axis takes part in contacts as heavy as it is along each") {
+    // A ball of 1 kg strikes, along the slope of 45°, a box that may only move along x. Along the
+    // normal n = (1, 1)/√2 the box weighs m_x / n_x² = 2 kg and the ball 1 kg.
+    World world({.gravity = {0, 0}, .sleeping = false, .restitution_threshold = 0.0f});
+    Body box = world.create_body({.locked_y = true, .locked_rotation = true});
+    box.add(Polygon{.vertices = {{-2, -2}, {2, -2}, {-2, 2}}}, {.friction = 0, .restitution = 1});
+    box.set_mass(1.0f);
+    box.set_center(Vec2(0, 0));
+    Body ball = add_ball(world, {1, 1}, 0.5f, {.friction = 0, .restitution = 1});
+    ball.set_mass(1.0f);
+    const float s = std::sqrt(0.5f);
+    ball.set_velocity({-4 * s, -4 * s});
+    run(world, 1.0f);
+    // k = 1/1 + n_x²/1 = 1.5; impulse = 2 v / k.
+    const float impulse = 2 * 4.0f / 1.5f;
+    REQUIRE(box.velocity().x() == Approx(-impulse * s).epsilon(0.01));
+    REQUIRE(box.velocity().y() == 0.0f);
+    REQUIRE(ball.velocity().x() == Approx((impulse - 4) * s).epsilon(0.01));
+    // Energy is kept, which it was not while the whole mass counted.
+    const float energy = 0.5f * ball.velocity().squaredNorm() + 0.5f * box.velocity().squaredNorm();
+    REQUIRE(energy == Approx(8.0f).epsilon(0.01));
+}
+
+TEST_CASE("a force on a sleeping body wakes it and one on a static body is forgotten") {
+    World world;
+    add_floor(world);
+    Body box = add_box(world, {0, 0.5f});
+    run(world, 3.0f);
+    REQUIRE_FALSE(box.awake());
+    box.apply_force({60, 0});
+    REQUIRE(box.awake());
+    world.step(frame);
+    REQUIRE(box.velocity().x() > 0.5f);
+    REQUIRE(box.applied_force().norm() == 0.0f);
+    box.set_type(BodyType::static_body);
+    for (int i = 0; i < 100; ++i) box.apply_force({0, 1000});
+    world.step(frame);
+    box.set_type(BodyType::dynamic_body);
+    world.step(frame);
+    REQUIRE(box.velocity().y() < 0.1f);
+    // Made dynamic in the same breath, it is pushed.
+    box.set_type(BodyType::static_body);
+    box.set_type(BodyType::dynamic_body);
+    box.apply_force({0, 120});
+    world.step(frame);
+    REQUIRE(box.velocity().y() > 1.0f);
+}

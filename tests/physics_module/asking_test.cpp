@@ -1,0 +1,162 @@
+// What is asked inside a step, and queries with shapes.
+
+#include <fettle/property/question.h>
+
+#include "catch.h"
+#include "game.h"
+
+using namespace fettle::physics_module::testing;
+using namespace fettle;
+using property::Occurrence;
+using property::Question;
+using property::Record;
+
+TEST_CASE_METHOD(Game, "a handler of before_solve lets a body through a platform") {
+    const Handle crate = body("Box", {0, 3}), platform = body("Box", {0, 1}, "static");
+    int asked = 0;
+    const auto connection =
+        tree.on(platform, *tree.class_of(platform).event("before_solve"), [&](const Occurrence& o) {
+            ++asked;
+            CHECK(o.record.get("other") == crate);
+            CHECK(o.record.get("shape") == shape_of(platform));
+            if (asked == 1) CHECK(o.record.get("normal").vec2().y() == Approx(1));
+            Question::current()->answer(9, false);
+        });
+    step(90);
+    CHECK(asked > 2);
+    CHECK(y(crate) < 0);
+    CHECK(Question::current() == nullptr);
+}
+
+TEST_CASE_METHOD(Game, "a handler that is asked may not write anything else") {
+    floor();
+    const Handle crate = body("Box", {0, 0.5});
+    std::vector<std::string> refused;
+    const auto attempt = [&](auto&& act) {
+        try {
+            act();
+            refused.emplace_back("accepted");
+        } catch (const std::exception& error) {
+            refused.emplace_back(error.what());
+        }
+    };
+    const auto connection =
+        tree.on(crate, *tree.class_of(crate).event("before_solve"), [&](const Occurrence&) {
+            if (!refused.empty()) return;
+            attempt([&] { tree.set(crate, "mass", 3); });
+            attempt([&] { tree.destroy(crate); });
+            attempt([&] { tree.call(crate, "apply_impulse", {Vec2(0, 9)}); });
+            attempt([&] { Question::current()->answer(3, Vec2(1, 1)); });
+            attempt([&] { Question::current()->answer(7, "slippery"); });
+            CHECK(tree.get(crate, "mass").number() == 1);  // reading is welcome
+        });
+    step(2);
+    REQUIRE(refused.size() == 5);
+    for (const std::string& message : refused) {
+        INFO(message);
+        CHECK(message.find("before_solve") != std::string::npos);
+    }
+    CHECK(refused[3].find("point") != std::string::npos);
+    CHECK(refused[4].find("friction") != std::string::npos);
+}
+
+TEST_CASE_METHOD(Game, "a handler of mix_surfaces makes ice of some contacts") {
+    floor();
+    const Handle left = body("Box", {-5, 0.5}), right = body("Box", {5, 0.5});
+    const auto connection =
+        tree.on(world(), *tree.class_of(world()).event("mix_surfaces"), [&](const Occurrence& o) {
+            if (o.record.get("body") == left || o.record.get("other") == left)
+                Question::current()->answer(8, 0);
+        });
+    set(left, "velocity", Vec2(-3, 0));
+    set(right, "velocity", Vec2(3, 0));
+    step(60);
+    CHECK(vec(left, "velocity").x() == Approx(-3).epsilon(1e-3));
+    CHECK(vec(right, "velocity").x() == Approx(0).margin(1e-3));
+}
+
+TEST_CASE_METHOD(Game, "a handler of filter_pair decides who collides") {
+    floor();
+    const Handle ghost = body("Box", {0, 2}), crate = body("Box", {5, 2});
+    auto connection =
+        tree.on(world(), *tree.class_of(world()).event("filter_pair"), [&](const Occurrence& o) {
+            if (o.record.get("body") == ghost || o.record.get("other") == ghost)
+                Question::current()->answer(4, false);
+        });
+    step(120);
+    CHECK(y(ghost) < -1);
+    CHECK(y(crate) == Approx(0.5).margin(0.01));
+    connection.stop();
+    set(ghost, "position", Vec2(0, 2));
+    set(ghost, "velocity", Vec2(0, 0));
+    step(120);
+    CHECK(y(ghost) == Approx(0.5).margin(0.01));
+}
+
+TEST_CASE_METHOD(Game, "a touch that lasts is told every step with its impulse") {
+    floor();
+    const Handle crate = body("Box", {0, 0.5});
+    int begun = 0, lasting = 0;
+    double impulse = 0;
+    const auto first = tree.on(crate, *tree.class_of(crate).event("contact_begin"),
+                               [&](const Occurrence&) { ++begun; });
+    const auto second =
+        tree.on(crate, *tree.class_of(crate).event("contact_persist"), [&](const Occurrence& o) {
+            ++lasting;
+            impulse = o.record.get("impulse").number();
+        });
+    step(20);
+    CHECK(begun == 1);
+    CHECK(lasting == 19);
+    CHECK(impulse == Approx(10.0 / 60).epsilon(0.02));
+    CHECK(get(crate, "contact_force").number() == Approx(10).epsilon(0.02));
+}
+
+TEST_CASE_METHOD(Game, "worlds are asked what overlaps a shape and what it would meet") {
+    const Handle a = body("Box", {3, 0}), b = body("Box", {8, 0});
+    const Handle probe = make("Circle", Handle{}, {{"radius", 1}, {"center", Vec2(2, 0)}});
+    CHECK(std::get<Value>(tree.call(world(), "overlap", {probe})) == Value(List{a}));
+    CHECK(std::get<Value>(tree.call(world(), "overlap", {a})) == Value(List{}));
+    const Record hit = std::get<Record>(tree.call(world(), "shapecast", {a, Vec2(10, 0)}));
+    CHECK(hit.get("body") == b);
+    CHECK(hit.get("fraction").number() == Approx(0.4).margin(1e-3));
+    const Record near = std::get<Record>(tree.call(world(), "closest", {Vec2(0, 0)}));
+    CHECK(near.get("body") == a);
+    CHECK(near.get("distance").number() == Approx(2.5));
+    CHECK(std::get<Value>(tree.call(world(), "closest", {Vec2(0, 0), 2})).is_nil());
+    const Record gap = std::get<Record>(tree.call(world(), "distance", {a, b}));
+    CHECK(gap.get("distance").number() == Approx(4));
+    CHECK(gap.get("point_b").vec2().x() == Approx(7.5));
+    CHECK_THROWS_WITH(tree.call(world(), "overlap", {world()}), contains("shape or a body"));
+    const Vec2 before = vec(a, "velocity");
+    tree.call(world(), "explode", {Vec2(0, 0), 5, 10});
+    CHECK(vec(a, "velocity").x() > before.x() + 4);
+    CHECK(vec(b, "velocity").x() == 0);
+}
+
+TEST_CASE_METHOD(Game, "a field moves with its instance from world to world") {
+    const Handle crate = body("Box", {0, 5});
+    const Handle planet =
+        make("Attractor", Handle{}, {{"center", Vec2(0, 100)}, {"falloff", 0}, {"strength", 30}});
+    step(10);
+    CHECK(vec(crate, "velocity").y() < 0);
+    tree.move(planet, world(), "planet");
+    step(30);
+    CHECK(vec(crate, "velocity").y() > 0);
+    CHECK(get(planet, "strength") == Value(30.0));
+    tree.destroy(planet);
+    const double rising = vec(crate, "velocity").y();
+    step(10);
+    CHECK(vec(crate, "velocity").y() < rising);
+}
+
+TEST_CASE_METHOD(Game, "forces for the next step go along into another world") {
+    const Handle crate = make("Body", Handle{}, {{"position", Vec2(0, 5)}});
+    make("Box", crate);
+    tree.call(crate, "apply_force", {Vec2(600, 0)});
+    tree.move(crate, world(), "crate");
+    step();
+    CHECK(vec(crate, "velocity").x() == Approx(10).epsilon(0.01));
+    step();
+    CHECK(vec(crate, "velocity").x() == Approx(10).epsilon(0.01));
+}
