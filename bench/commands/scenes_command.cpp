@@ -129,7 +129,7 @@ class SceneRunner {
         std::vector<std::unique_ptr<Simulation>> simulations(count);
         std::vector<StepTime> time(count);
         for (std::size_t i = 0; i < count; ++i) {
-            if (!able(*engines_[i])) continue;
+            if (!able(*engines_[i]) || !scene.runs_on(engines_[i]->name)) continue;
             simulations[i] = std::make_unique<Simulation>(scene, *engines_[i]);
             simulations[i]->advance(1);  // the first step finds every pair anew: not counted
         }

@@ -34,16 +34,16 @@ struct ShapeMaker {
         return cpBoxShapeNew2(&body,
                               cpBBNew(box.center.x - box.half.x, box.center.y - box.half.y,
                                       box.center.x + box.half.x, box.center.y + box.half.y),
-                              0);
+                              box.rounding);
     }
     cpShape* operator()(const SegmentShape& segment) const {
-        return cpSegmentShapeNew(&body, vec(segment.from), vec(segment.to), 0);
+        return cpSegmentShapeNew(&body, vec(segment.from), vec(segment.to), segment.radius);
     }
     cpShape* operator()(const PolygonShape& polygon) const {
         std::vector<cpVect> points;
         for (const Point& p : polygon.vertices) points.push_back(vec(p));
         return cpPolyShapeNew(&body, static_cast<int>(points.size()), points.data(),
-                              cpTransformIdentity, 0);
+                              cpTransformIdentity, polygon.rounding);
     }
 };
 

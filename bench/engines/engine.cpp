@@ -29,6 +29,10 @@ void mix(std::uint64_t& hash, float number) {
 
 }  // namespace
 
+void Engine::arrive(std::size_t, const SceneGroup&) {
+    throw std::logic_error("this engine runs no scene in which bodies come and go");
+}
+
 std::uint64_t hash_of(const Engine& engine, std::size_t count) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (std::size_t i = 0; i < count; ++i) {

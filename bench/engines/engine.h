@@ -32,6 +32,9 @@ class Engine {
     virtual void step() = 0;
     virtual BodyMotion motion(std::size_t body) const = 0;
     virtual void set_velocity(std::size_t body, Point velocity) = 0;
+    /// The bodies of a group come; those of it that are there go before. Throws where the engine
+    /// has no groups.
+    virtual void arrive(std::size_t group, const SceneGroup& description);
     /// An edit from outside, as a tinkerer makes it: `set_velocity` by the engine's most public
     /// way.
     virtual void edit_velocity(std::size_t body, Point velocity) { set_velocity(body, velocity); }

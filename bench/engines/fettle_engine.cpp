@@ -21,16 +21,20 @@ struct GeometryMaker {
         body.add(physics::Circle{circle.radius, vec(circle.center)}, def);
     }
     void operator()(const BoxShape& box) const {
-        body.add(
-            physics::Box{
-                .width = 2 * box.half.x, .height = 2 * box.half.y, .center = vec(box.center)},
-            def);
+        body.add(physics::Box{.width = 2 * (box.half.x + box.rounding),
+                              .height = 2 * (box.half.y + box.rounding),
+                              .center = vec(box.center),
+                              .rounding = box.rounding},
+                 def);
     }
     void operator()(const SegmentShape& segment) const {
-        body.add(physics::Segment{.from = vec(segment.from), .to = vec(segment.to)}, def);
+        body.add(
+            physics::Segment{
+                .from = vec(segment.from), .to = vec(segment.to), .rounding = segment.radius},
+            def);
     }
     void operator()(const PolygonShape& polygon) const {
-        physics::Polygon geometry;
+        physics::Polygon geometry{.rounding = polygon.rounding};
         for (const Point& point : polygon.vertices) geometry.vertices.push_back(vec(point));
         body.add(geometry, def);
     }
@@ -56,7 +60,8 @@ class FettleEngine : public Engine {
                   .continuous = scene.continuous}) {
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
-        for (const SceneJoint& joint : scene.joints) tie(scene, joint);
+        for (const SceneJoint& joint : scene.joints) tie(bodies_, scene.bodies, joint);
+        groups_.resize(scene.groups.size());
         // Last, since whoever comes to touch a sleeping body wakes it.
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             if (!scene.bodies[i].awake) bodies_[i].set_awake(false);
@@ -79,19 +84,37 @@ class FettleEngine : public Engine {
         bodies_[body].set_velocity(vec(velocity));
     }
 
+    void arrive(std::size_t group, const SceneGroup& description) override {
+        std::vector<physics::Body>& bodies = groups_[group];
+        for (physics::Body& body : bodies) body.destroy();
+        bodies.clear();
+        for (const SceneBody& body : description.bodies) bodies.push_back(make(body));
+        for (const SceneJoint& joint : description.joints) tie(bodies, description.bodies, joint);
+    }
+
     std::size_t contacts() const override { return world_.contacts().size(); }
     std::size_t bodies() const override { return world_.body_count(); }
 
   private:
-    void tie(const Scene& scene, const SceneJoint& joint) {
-        physics::RevoluteJoint made =
-            world_.create_revolute_joint({.body_a = bodies_[joint.body_a].id(),
-                                          .body_b = bodies_[joint.body_b].id(),
-                                          .anchor_a = vec(scene.anchor_a(joint)),
-                                          .anchor_b = vec(scene.anchor_b(joint))});
-        if (joint.motor_torque <= 0) return;
-        made.set_motor_speed(joint.motor_speed);
-        made.set_max_motor_torque(joint.motor_torque);
+    void tie(const std::vector<physics::Body>& bodies, const std::vector<SceneBody>& described,
+             const SceneJoint& joint) {
+        physics::RevoluteJoint made = world_.create_revolute_joint(
+            {.body_a = bodies[joint.body_a].id(),
+             .body_b = bodies[joint.body_b].id(),
+             .anchor_a = vec(local_anchor(described, joint.body_a, joint.anchor)),
+             .anchor_b = vec(local_anchor(described, joint.body_b, joint.anchor))});
+        if (joint.motor_torque > 0) {
+            made.set_motor_speed(joint.motor_speed);
+            made.set_max_motor_torque(joint.motor_torque);
+        }
+        if (joint.hertz > 0) {
+            made.set_hertz(joint.hertz);
+            made.set_damping_ratio(joint.damping_ratio);
+        }
+        if (joint.reference != 0) made.set_reference_angle(joint.reference);
+        if (joint.lower == -unlimited && joint.upper == unlimited) return;
+        made.set_lower_angle(joint.lower);
+        made.set_upper_angle(joint.upper);
     }
 
     physics::Body make(const SceneBody& description) {
@@ -100,7 +123,9 @@ class FettleEngine : public Engine {
                                                  .angle = description.angle,
                                                  .velocity = vec(description.velocity),
                                                  .angular_velocity = description.angular_velocity,
+                                                 .linear_damping = description.linear_damping,
                                                  .awake = description.awake,
+                                                 .can_sleep = description.can_sleep,
                                                  .bullet = description.bullet});
         for (const SceneShape& shape : description.shapes) {
             const physics::ShapeDef def{.density = shape.density,
@@ -108,7 +133,8 @@ class FettleEngine : public Engine {
                                         .restitution = shape.restitution,
                                         .hit_events = shape.hit_events,
                                         .category = shape.category,
-                                        .mask = shape.mask};
+                                        .mask = shape.mask,
+                                        .group = shape.group};
             std::visit(GeometryMaker{body, def}, shape.geometry);
         }
         return body;
@@ -116,6 +142,7 @@ class FettleEngine : public Engine {
 
     physics::World world_;
     std::vector<physics::Body> bodies_;
+    std::vector<std::vector<physics::Body>> groups_;
 };
 
 }  // namespace

@@ -31,13 +31,15 @@ struct ShapeMaker {
     }
     Handle operator()(const BoxShape& box) const {
         const Handle made = make("Box");
-        tree.set(made, "width", 2 * box.half.x);
-        tree.set(made, "height", 2 * box.half.y);
+        tree.set(made, "width", 2 * (box.half.x + box.rounding));
+        tree.set(made, "height", 2 * (box.half.y + box.rounding));
+        tree.set(made, "rounding", box.rounding);
         tree.set(made, "center", value(box.center));
         return made;
     }
     Handle operator()(const SegmentShape& segment) const {
-        const Handle made = make("Segment");
+        const Handle made = make(segment.radius > 0 ? "Capsule" : "Segment");
+        if (segment.radius > 0) tree.set(made, "radius", segment.radius);
         tree.set(made, "from", value(segment.from));
         tree.set(made, "to", value(segment.to));
         return made;
@@ -47,6 +49,7 @@ struct ShapeMaker {
         property::List vertices;
         for (const Point& point : polygon.vertices) vertices.push_back(value(point));
         tree.set(made, "vertices", std::move(vertices));
+        tree.set(made, "rounding", polygon.rounding);
         return made;
     }
 };
@@ -96,7 +99,8 @@ HostedEngine::HostedEngine(const Scene& scene)
     angular_velocity_ = body.property("angular_velocity");
     bodies_.reserve(scene.bodies.size());
     for (const SceneBody& description : scene.bodies) bodies_.push_back(make(description));
-    for (const SceneJoint& joint : scene.joints) tie(scene, joint);
+    for (const SceneJoint& joint : scene.joints) tie(bodies_, scene.bodies, joint);
+    groups_.resize(scene.groups.size());
     tree.barrier();
     // Last, since whoever comes to touch a sleeping body wakes it.
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -113,6 +117,8 @@ Handle HostedEngine::make(const SceneBody& description) {
     tree.set(body, *velocity_, value(description.velocity));
     tree.set(body, *angular_velocity_, description.angular_velocity);
     tree.set(body, "bullet", description.bullet);
+    tree.set(body, "can_sleep", description.can_sleep);
+    tree.set(body, "linear_damping", description.linear_damping);
     for (const SceneShape& shape : description.shapes) {
         const Handle made = std::visit(ShapeMaker{tree, body}, shape.geometry);
         tree.set(made, "density", shape.density);
@@ -120,22 +126,47 @@ Handle HostedEngine::make(const SceneBody& description) {
         tree.set(made, "restitution", shape.restitution);
         tree.set(made, "category", std::int64_t{shape.category});
         tree.set(made, "mask", std::int64_t{shape.mask});
+        tree.set(made, "group", shape.group);
         // In the tree, impacts are reported once somebody listens. Here nobody does.
         if (shape.hit_events) game_.physics.shape(made).set_hit_events(true);
     }
     return body;
 }
 
-void HostedEngine::tie(const Scene& scene, const SceneJoint& joint) {
+void HostedEngine::tie(const std::vector<Handle>& bodies, const std::vector<SceneBody>& described,
+                       const SceneJoint& joint) {
     Tree& tree = game_.tree;
     const Handle made = tree.create(tree.class_named("RevoluteJoint"), world_);
-    tree.set(made, "body_a", bodies_[joint.body_a]);
-    tree.set(made, "body_b", bodies_[joint.body_b]);
-    tree.set(made, "anchor_a", value(scene.anchor_a(joint)));
-    tree.set(made, "anchor_b", value(scene.anchor_b(joint)));
-    if (joint.motor_torque <= 0) return;
-    tree.set(made, "motor_speed", joint.motor_speed);
-    tree.set(made, "max_motor_torque", joint.motor_torque);
+    tree.set(made, "body_a", bodies[joint.body_a]);
+    tree.set(made, "body_b", bodies[joint.body_b]);
+    tree.set(made, "anchor_a", value(local_anchor(described, joint.body_a, joint.anchor)));
+    tree.set(made, "anchor_b", value(local_anchor(described, joint.body_b, joint.anchor)));
+    if (joint.motor_torque > 0) {
+        tree.set(made, "motor_speed", joint.motor_speed);
+        tree.set(made, "max_motor_torque", joint.motor_torque);
+    }
+    if (joint.hertz > 0) {
+        tree.set(made, "hertz", joint.hertz);
+        tree.set(made, "damping_ratio", joint.damping_ratio);
+    }
+    if (joint.reference != 0) tree.set(made, "reference_angle", joint.reference);
+    if (joint.lower == -unlimited && joint.upper == unlimited) return;
+    tree.set(made, "lower_angle", joint.lower);
+    tree.set(made, "upper_angle", joint.upper);
+}
+
+/// A group is a node with its bodies and joints below it, which goes as a whole.
+void HostedEngine::arrive(std::size_t group, const SceneGroup& description) {
+    Tree& tree = game_.tree;
+    Group& of = groups_[group];
+    if (of.node) tree.destroy(of.node);
+    const Handle world = world_;
+    world_ = of.node = tree.create(tree.object_class(), world);
+    of.bodies.clear();
+    for (const SceneBody& body : description.bodies) of.bodies.push_back(make(body));
+    for (const SceneJoint& joint : description.joints) tie(of.bodies, description.bodies, joint);
+    world_ = world;
+    tree.barrier();
 }
 
 void HostedEngine::step() {

@@ -39,6 +39,7 @@ class HostedEngine : public Engine {
     void set_velocity(std::size_t body, Point velocity) override;
     /// By path, as it is typed into a console.
     void edit_velocity(std::size_t body, Point velocity) override;
+    void arrive(std::size_t group, const SceneGroup& description) override;
     std::size_t contacts() const override;
     std::size_t bodies() const override;
 
@@ -51,11 +52,17 @@ class HostedEngine : public Engine {
 
   private:
     property::Handle make(const SceneBody& description);
-    void tie(const Scene& scene, const SceneJoint& joint);
+    void tie(const std::vector<property::Handle>& bodies, const std::vector<SceneBody>& described,
+             const SceneJoint& joint);
 
     mutable HeadlessGame game_;
     property::Handle world_;
     std::vector<property::Handle> bodies_;
+    struct Group {
+        property::Handle node;
+        std::vector<property::Handle> bodies;
+    };
+    std::vector<Group> groups_;
     const property::Property* position_;
     const property::Property* angle_;
     const property::Property* velocity_;

@@ -47,7 +47,7 @@ StepTime Simulation::timed_steps(int steps) {
 }
 
 void Simulation::make_steps(int steps) {
-    if (driven_.empty()) {
+    if (driven_.empty() && scene_.arrivals.empty()) {
         measured_steps(*engine_, steps);
         made_ += steps;
         return;
@@ -59,6 +59,10 @@ void Simulation::make_steps(int steps) {
             const Point from = engine_->motion(body).position;
             engine_->set_velocity(
                 body, {(target.x - from.x) / time_step, (target.y - from.y) / time_step});
+        }
+        while (arrived_ < scene_.arrivals.size() && scene_.arrivals[arrived_].step <= made_) {
+            const std::size_t group = scene_.arrivals[arrived_++].group;
+            engine_->arrive(group, scene_.groups[group]);
         }
         measured_steps(*engine_, 1);
         ++made_;
@@ -80,6 +84,7 @@ std::size_t Simulation::topmost(bool free) const {
 }
 
 StepTime Simulation::edited_step() {
+    if (!scene_.groups.empty()) return timed_steps(1);  // its own bodies stand still
     std::size_t body = topmost(true);
     const bool held = body == scene_.bodies.size();
     if (held) body = topmost(false);

@@ -44,7 +44,8 @@ class Simulation {
     std::string name_;
     std::unique_ptr<Engine> engine_;
     std::vector<std::size_t> driven_;
-    std::vector<bool> tied_;  // by a joint
+    std::size_t arrived_ = 0;  // of the scene's arrivals
+    std::vector<bool> tied_;   // by a joint
     int made_ = 0;
 };
 

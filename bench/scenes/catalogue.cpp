@@ -17,8 +17,8 @@ std::span<const CatalogueEntry> catalogue() {
         {"compounds", compounds, ""},
         {"washer", washer, "", false},
         {"junkyard", junkyard, "", false},
-        {"spinner", nullptr, "closed chains"},
-        {"rain", nullptr, "bodies that come and go in a scene"},
+        {"spinner", spinner, "", false},
+        {"rain", rain, "", false},
         {"crowd", crowd, "", false},
     }};
     return entries;

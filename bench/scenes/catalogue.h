@@ -30,6 +30,8 @@ Scene smash();
 Scene washer();
 Scene compounds();
 Scene junkyard();
+Scene spinner();
+Scene rain();
 /// 10 000 boxes and circles in a bin, all awake: where the cost of hosting is measured.
 Scene crowd();
 /// The same with `columns` × `rows` bodies.

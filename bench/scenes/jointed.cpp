@@ -1,5 +1,7 @@
 // Joints: many of them, and one that turns a drum.
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "scenes/catalogue.h"
@@ -48,6 +50,47 @@ Scene tumbler() {
             scene.bodies.push_back(dynamic_box(
                 {-9 + 0.4f * static_cast<float>(i), 1 + 0.4f * static_cast<float>(j)}, 0.125f));
         }
+    }
+    return scene;
+}
+
+Scene spinner() {
+    constexpr int corners = 360, count = 6076;
+    constexpr float radius = 40;
+    Scene scene{.name = "spinner", .steps = 500};
+    // The polygons of Box2D cannot be rounded.
+    scene.peers = {{"chipmunk"}};
+    SceneBody ring{.motion = Motion::fixed};
+    const auto corner = [](int i) {
+        const double angle = 2 * std::numbers::pi * i / corners;
+        return Point{radius * static_cast<float>(std::cos(angle)),
+                     32 + radius * static_cast<float>(std::sin(angle))};
+    };
+    for (int i = 0; i < corners; ++i)
+        ring.shapes.push_back(
+            {.geometry = SegmentShape{corner(i), corner(i + 1)}, .friction = 0.1f});
+    scene.bodies.push_back(ring);
+    SceneBody rotor{.position = {0, 12}, .can_sleep = false};
+    rotor.shapes.push_back(
+        {.geometry = BoxShape{.half = {0.4f, 20}, .rounding = 0.2f}, .friction = 0});
+    scene.bodies.push_back(rotor);
+    scene.joints.push_back({.body_a = 0,
+                            .body_b = 1,
+                            .anchor = {0, 12},
+                            .motor_speed = 5,
+                            .motor_torque = std::numeric_limits<float>::max()});
+    for (int i = 0; i < count; ++i) {
+        const Point place = {-23 + 0.5f * static_cast<float>(i % 92),
+                             2 + 0.5f * static_cast<float>(i / 92)};
+        const Geometry geometry = i % 3 == 0
+                                      ? Geometry(SegmentShape{{-0.25f, 0}, {0.25f, 0}, 0.25f})
+                                  : i % 3 == 1 ? Geometry(CircleShape{0.35f})
+                                               : Geometry(BoxShape{{0.35f, 0.35f}});
+        SceneBody body = body_of(Motion::dynamic, place, geometry);
+        body.shapes[0].density = 0.25f;
+        body.shapes[0].friction = 0.1f;
+        body.shapes[0].restitution = 0.1f;
+        scene.bodies.push_back(body);
     }
     return scene;
 }

@@ -1,15 +1,25 @@
 #include "scenes/scene.h"
 
+#include <algorithm>
+
 namespace fettle::bench {
 
+bool Scene::runs_on(std::string_view engine) const {
+    return !peers || engine == "fettle" || engine == "hosted" ||
+           std::ranges::find(*peers, engine) != peers->end();
+}
+
+Point local_anchor(const std::vector<SceneBody>& bodies, std::size_t body, Point anchor) {
+    const Point origin = bodies[body].position;
+    return {anchor.x - origin.x, anchor.y - origin.y};
+}
+
 Point Scene::anchor_a(const SceneJoint& joint) const {
-    const Point origin = bodies[joint.body_a].position;
-    return {joint.anchor.x - origin.x, joint.anchor.y - origin.y};
+    return local_anchor(bodies, joint.body_a, joint.anchor);
 }
 
 Point Scene::anchor_b(const SceneJoint& joint) const {
-    const Point origin = bodies[joint.body_b].position;
-    return {joint.anchor.x - origin.x, joint.anchor.y - origin.y};
+    return local_anchor(bodies, joint.body_b, joint.anchor);
 }
 
 SceneBody body_of(Motion motion, Point position, Geometry geometry) {

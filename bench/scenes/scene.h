@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -27,16 +30,20 @@ struct CircleShape {
 struct BoxShape {
     Point half = {0.5f, 0.5f};
     Point center{};
+    float rounding = 0;  // grows it all round
 };
 
+/// With a radius a capsule.
 struct SegmentShape {
     Point from{};
     Point to{};
+    float radius = 0;
 };
 
 /// Convex, counter-clockwise.
 struct PolygonShape {
     std::vector<Point> vertices;
+    float rounding = 0;  // grows it all round
 };
 
 using Geometry = std::variant<CircleShape, BoxShape, SegmentShape, PolygonShape>;
@@ -48,8 +55,11 @@ struct SceneShape {
     float restitution = 0;  // a contact has the greater of both
     std::uint16_t category = 1;
     std::uint16_t mask = 0xffff;  // what it collides with: both must agree
+    std::int32_t group = 0;       // shapes of the same negative one do not collide
     bool hit_events = false;      // reports impacts, in engines that have such events
 };
+
+inline constexpr float unlimited = std::numeric_limits<float>::infinity();
 
 /// A pin that holds two bodies together at a point, and turns b against a where it has a motor.
 struct SceneJoint {
@@ -58,6 +68,9 @@ struct SceneJoint {
     Point anchor{};          // world, when the scene begins; the bodies have no angle then
     float motor_speed = 0;   // rad/s, of b relative to a
     float motor_torque = 0;  // N m, at most; 0: no motor
+    float reference = 0;     // rad, of b relative to a: counts as 0 below
+    float lower = -unlimited, upper = unlimited;  // rad
+    float hertz = 0, damping_ratio = 0;           // of a spring to 0; 0 Hz: none
 };
 
 enum class Motion : std::uint8_t { fixed, kinematic, dynamic };
@@ -70,9 +83,23 @@ struct SceneBody {
     float angular_velocity = 0;
     bool awake = true;
     bool bullet = false;
+    bool can_sleep = true;
+    float linear_damping = 0;  // 1/s
     std::vector<SceneShape> shapes{};
     /// Where a kinematic body heads for in every step, by the time at the end of the step.
     std::function<Point(double time)> path{};
+};
+
+/// Bodies that come together and go together, with joints among themselves.
+struct SceneGroup {
+    std::vector<SceneBody> bodies{};
+    std::vector<SceneJoint> joints{};  // of bodies of the group
+};
+
+/// Before a step, a group goes (if it is there) and comes again as it was.
+struct Arrival {
+    int step = 0;  // the first is 0
+    std::size_t group = 0;
 };
 
 struct Scene {
@@ -83,11 +110,19 @@ struct Scene {
     bool continuous = true;
     std::vector<SceneBody> bodies{};
     std::vector<SceneJoint> joints{};
+    std::vector<SceneGroup> groups{};
+    std::vector<Arrival> arrivals{};  // by step
+    /// The peers that can express it; nothing: all.
+    std::optional<std::vector<std::string_view>> peers{};
+    bool runs_on(std::string_view engine) const;
 
     /// Where the joint holds its bodies, in their coordinates.
     Point anchor_a(const SceneJoint& joint) const;
     Point anchor_b(const SceneJoint& joint) const;
 };
+
+/// The same where the joint is one of these bodies.
+Point local_anchor(const std::vector<SceneBody>& bodies, std::size_t body, Point anchor);
 
 /// Length of a step of every scene, s.
 inline constexpr float time_step = 1.0f / 60;

@@ -1,8 +1,10 @@
 #include "methods.h"
 
 #include <array>
+#include <optional>
 #include <unordered_map>
 
+#include <fettle/property/acceptance.h>
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
@@ -57,7 +59,23 @@ int call_method(lua_State* L) {
                                                ": takes " +
                                                std::to_string(method.parameters.size()) +
                                                " arguments: " + signature(method));
+    std::optional<property::Acceptance> acceptance;
     for (int i = 0; i < given; ++i) {
+        const int index = i + 2;
+        if (lua_type(L, index) == LUA_TFUNCTION &&
+            method.parameters[static_cast<std::size_t>(i)].name ==
+                property::Acceptance::parameter) {
+            values[static_cast<std::size_t>(i)] = true;
+            acceptance.emplace([L, index](property::Handle instance) {
+                lua_pushvalue(L, index);
+                push_instance(L, instance);
+                lua_call(L, 1, 1);
+                const bool accepted = lua_toboolean(L, -1) != 0;
+                lua_pop(L, 1);
+                return accepted;
+            });
+            continue;
+        }
         try {
             values[static_cast<std::size_t>(i)] = to_value(L, i + 2);
         } catch (const Error& error) {

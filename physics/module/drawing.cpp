@@ -136,15 +136,24 @@ Vec2 anchor_point(const physics::World& world, const physics::Body& body,
 /// The line that the joint acts along, and to the centers of the bodies where it holds them.
 void draw_joint(const physics::World& world, const physics::Joint& joint, Painter& painter,
                 double alpha) {
-    const Color color =
-        joint.enabled() ? Color{0.6f, 0.95f, 0.75f, 1.0f} : Color{0.6f, 0.6f, 0.6f, 0.7f};
+    const Color color = joint.broken()    ? Color{0.95f, 0.35f, 0.35f, 0.7f}
+                        : joint.enabled() ? Color{0.6f, 0.95f, 0.75f, 1.0f}
+                                          : Color{0.6f, 0.6f, 0.6f, 0.7f};
     const physics::Body a = joint.body_a(), b = joint.body_b();
     const Vec2 from = anchor_point(world, a, joint.anchor_a(), alpha);
     const Vec2 to = anchor_point(world, b, joint.anchor_b(), alpha);
     const Vec2 reach(1, 1);
     if (!painter.sees(from.cwiseMin(to) - reach, from.cwiseMax(to) + reach)) return;
-    painter.line(from, to, color, 1.5f);
     const auto type = joint.type();
+    if (type == physics::JointType::pulley) {
+        const physics::PulleyJoint pulley(&joint.world(), joint.id());
+        const Vec2 over_a = widen(pulley.ground_a()), over_b = widen(pulley.ground_b());
+        painter.line(from, over_a, color, 1.5f);
+        painter.line(over_a, over_b, color, 1.5f);
+        painter.line(over_b, to, color, 1.5f);
+        return;
+    }
+    painter.line(from, to, color, 1.5f);
     if (type != physics::JointType::mouse && type != physics::JointType::distance) {
         const Color faint{color.r, color.g, color.b, 0.5f * color.a};
         if (a) painter.line(anchor_point(world, a, a.center(), alpha), from, faint, 1);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fettle/property/acceptance.h>
+
 #include "bindings.h"
 #include "classes.h"
 
@@ -60,8 +62,16 @@ const std::vector<Field> separation_fields = {
     {"normal", Type::vec2, "", "From the first to the second; none where they overlap."},
 };
 
-physics::QueryFilter filter(const Value& categories, const Value& of_group = {}) {
+const Field accept{"accept", Type::nil, "",
+                   "A function that is handed a shape and says whether it counts."};
+
+physics::QueryFilter filter(const Value& categories, const Value& of_group = {},
+                            const Value& function = {}) {
     physics::QueryFilter filter;
+    if (!function.is_nil())
+        filter.accept = [](const physics::Shape& shape) {
+            return property::Acceptance::accepts(unpack(shape.user_data()));
+        };
     if (!categories.is_nil()) filter.mask = from_value<std::uint64_t>(categories);
     if (!of_group.is_nil()) filter.group = static_cast<std::int32_t>(of_group.integer());
     return filter;
@@ -90,15 +100,15 @@ Record hit_record(const Instances& instances, const physics::RayHit& hit) {
 
 Result raycast(HostedWorld& hosted, Arguments a) {
     const auto hit =
-        hosted.world.cast_ray(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3]));
+        hosted.world.cast_ray(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3], a[4]));
     if (!hit) return Value();
     return hit_record(Instances(hosted), *hit);
 }
 
 Result raycast_all(HostedWorld& hosted, Arguments a) {
     std::vector<Record> records;
-    for (const physics::RayHit& hit :
-         hosted.world.cast_ray_all(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3])))
+    for (const physics::RayHit& hit : hosted.world.cast_ray_all(
+             vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3], a[4])))
         records.push_back(hit_record(Instances(hosted), hit));
     return records;
 }
@@ -106,7 +116,7 @@ Result raycast_all(HostedWorld& hosted, Arguments a) {
 /// The smallest one: what lies in front of a large one is the one meant. Sensors count, so that
 /// they can be pointed at too.
 Result at(HostedWorld& hosted, Arguments a) {
-    physics::QueryFilter all = filter(a[1], a[2]);
+    physics::QueryFilter all = filter(a[1], a[2], a[3]);
     all.sensors = true;
     const auto found = hosted.world.query_point(vec2_argument(a[0]), all);
     const auto least = std::min_element(
@@ -127,7 +137,7 @@ Value bodies_of(const Instances& instances, const std::vector<physics::Shape>& s
 
 Result overlap_box(HostedWorld& hosted, Arguments a) {
     const physics::Vec2 p = vec2_argument(a[0]), q = vec2_argument(a[1]);
-    physics::QueryFilter all = filter(a[2], a[3]);
+    physics::QueryFilter all = filter(a[2], a[3], a[4]);
     all.sensors = true;
     return bodies_of(Instances(hosted),
                      hosted.world.query_aabb({p.cwiseMin(q), p.cwiseMax(q)}, all));
@@ -146,7 +156,7 @@ std::vector<physics::Shape> shapes_of(Hosting& hosting, const Value& value, cons
 
 Result overlap(Hosting& hosting, HostedWorld& hosted, Arguments a) {
     std::vector<physics::Shape> found;
-    physics::QueryFilter seen = filter(a[1], a[2]);
+    physics::QueryFilter seen = filter(a[1], a[2], a[3]);
     seen.sensors = true;
     for (const physics::Shape& shape : shapes_of(hosting, a[0], "shape")) {
         const auto some = hosted.world.query_overlap(shape, seen);
@@ -158,7 +168,8 @@ Result overlap(Hosting& hosting, HostedWorld& hosted, Arguments a) {
 Result shapecast(Hosting& hosting, HostedWorld& hosted, Arguments a) {
     std::optional<physics::RayHit> first;
     for (const physics::Shape& shape : shapes_of(hosting, a[0], "shape")) {
-        const auto hit = hosted.world.cast_shape(shape, vec2_argument(a[1]), filter(a[2], a[3]));
+        const auto hit =
+            hosted.world.cast_shape(shape, vec2_argument(a[1]), filter(a[2], a[3], a[4]));
         if (hit && (!first || hit->fraction < first->fraction)) first = hit;
     }
     if (!first) return Value();
@@ -167,7 +178,7 @@ Result shapecast(Hosting& hosting, HostedWorld& hosted, Arguments a) {
 
 Result closest(Hosting&, HostedWorld& hosted, Arguments a) {
     const float reach = a[1].is_nil() ? physics::infinity : static_cast<float>(a[1].number());
-    const auto hit = hosted.world.closest(vec2_argument(a[0]), reach, filter(a[2], a[3]));
+    const auto hit = hosted.world.closest(vec2_argument(a[0]), reach, filter(a[2], a[3], a[4]));
     if (!hit) return Value();
     const Instances instances(hosted);
     return Record{&near_fields,
@@ -191,7 +202,7 @@ Result distance(Hosting& hosting, HostedWorld&, Arguments a) {
 
 Result explode(Hosting&, HostedWorld& hosted, Arguments a) {
     hosted.world.explode(vec2_argument(a[0]), float_argument(a[1]), float_argument(a[2]),
-                         filter(a[3]));
+                         filter(a[3], Value(), a[4]));
     return Value();
 }
 
@@ -249,30 +260,31 @@ std::vector<Method> world_methods(Hosting& hosting) {
     const Field opposite{"opposite", Type::vec2, "m", "The corner across."};
     return {
         method<raycast>(hosting, {.name = "raycast",
-                                  .parameters = {from, to, mask, group},
+                                  .parameters = {from, to, mask, group, accept},
                                   .required = 2,
                                   .returns = hit_fields,
                                   .doc = "The first shape a ray meets, or nil. Sensors do not "
                                          "stop it."}),
         method<raycast_all>(hosting, {.name = "raycast_all",
-                                      .parameters = {from, to, mask, group},
+                                      .parameters = {from, to, mask, group, accept},
                                       .required = 2,
                                       .returns = hit_fields,
                                       .many = true,
                                       .doc = "Every shape a ray meets, nearest first."}),
-        method<at>(hosting,
-                   {.name = "at",
-                    .parameters = {{"point", Type::vec2, "m", "In the world."}, mask, group},
-                    .required = 1,
-                    .returns = {{.name = "body",
-                                 .type = Type::reference,
-                                 .doc = "The body, or nil.",
-                                 .reference_class = "Body",
-                                 .nullable = true}},
-                    .doc = "The body at a point, that with the smallest shape there "
-                           "where there are several, or nil."}),
+        method<at>(
+            hosting,
+            {.name = "at",
+             .parameters = {{"point", Type::vec2, "m", "In the world."}, mask, group, accept},
+             .required = 1,
+             .returns = {{.name = "body",
+                          .type = Type::reference,
+                          .doc = "The body, or nil.",
+                          .reference_class = "Body",
+                          .nullable = true}},
+             .doc = "The body at a point, that with the smallest shape there "
+                    "where there are several, or nil."}),
         method<overlap_box>(hosting, {.name = "overlap_box",
-                                      .parameters = {corner, opposite, mask, group},
+                                      .parameters = {corner, opposite, mask, group, accept},
                                       .required = 2,
                                       .returns = {{.name = "bodies",
                                                    .type = Type::list,
@@ -281,7 +293,7 @@ std::vector<Method> world_methods(Hosting& hosting) {
                                                    .element = Type::reference}},
                                       .doc = "The bodies that reach into a box."}),
         method<overlap>(hosting, {.name = "overlap",
-                                  .parameters = {probe, mask, group},
+                                  .parameters = {probe, mask, group, accept},
                                   .required = 1,
                                   .returns = {{.name = "bodies",
                                                .type = Type::list,
@@ -294,7 +306,8 @@ std::vector<Method> world_methods(Hosting& hosting) {
         method<shapecast>(
             hosting,
             {.name = "shapecast",
-             .parameters = {probe, {"motion", Type::vec2, "m", "How far it goes."}, mask, group},
+             .parameters =
+                 {probe, {"motion", Type::vec2, "m", "How far it goes."}, mask, group, accept},
              .required = 2,
              .returns = hit_fields,
              .doc = "The first shape that a shape, or a body, would meet on its way, or nil.",
@@ -322,7 +335,8 @@ std::vector<Method> world_methods(Hosting& hosting) {
              .parameters = {{"point", Type::vec2, "m", "In the world."},
                             {"radius", Type::number, "m", "It reaches this far."},
                             {"impulse", Type::number, "N s", "What a body at the point gets."},
-                            mask},
+                            mask,
+                            accept},
              .required = 3,
              .doc = "Pushes bodies away from a point: the farther, the less."}),
         method<contacts>(hosting, {.name = "contacts",

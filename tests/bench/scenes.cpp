@@ -159,5 +159,30 @@ TEST_CASE("a scene is found by its name and says why it is not there") {
     }
     CHECK(scene_named("smash").make == &smash);
     CHECK_THROWS_WITH(scene_named("smsh"), contains("there are large_pyramid, many"));
-    CHECK_THROWS_WITH(scene_named("rain"), contains("bodies that come and go"));
+}
+
+TEST_CASE("it rains a column of twenty five dolls every eight steps") {
+    const Scene scene = rain();
+    CHECK(scene.steps == 1000);
+    CHECK(scene.bodies.size() == 5);
+    CHECK(scene.bodies[4].shapes.size() == 501);
+    REQUIRE(scene.groups.size() == 40);
+    CHECK(scene.groups[0].bodies.size() == 25 * 11);
+    CHECK(scene.groups[0].joints.size() == 25 * 10);
+    CHECK(scene.groups[0].bodies[0].position == Point{-121.875f, 40.95f});
+    CHECK(scene.arrivals.size() == 125);
+    CHECK(scene.arrivals[41].step == 328);
+    CHECK(scene.arrivals[41].group == 1);
+    CHECK(scene.runs_on("fettle"));
+    CHECK_FALSE(scene.runs_on("box2d"));
+}
+
+TEST_CASE("the spinner stirs six thousand bodies in a ring") {
+    const Scene scene = spinner();
+    CHECK(scene.bodies[0].shapes.size() == 360);
+    CHECK(count(scene, Motion::dynamic) == 6077);
+    CHECK_FALSE(scene.bodies[1].can_sleep);
+    CHECK(last(scene).position == Point{-23 + 0.5f * 3, 2 + 0.5f * 66});
+    CHECK(scene.runs_on("chipmunk"));
+    CHECK_FALSE(scene.runs_on("box2d"));
 }
