@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <SFML/Graphics.hpp>
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
                         const sf::Vector2f p = pixels(at);
                         return Vec2(p.x, p.y);
                     }});
-    console.open(frames > 0);
+    console.open(argc > 2 && argv[2] == std::string("open"));
 
     for (int frame = 0; window.isOpen() && frame != frames; ++frame) {
         while (const std::optional<sf::Event> event = next(window)) {
@@ -99,7 +100,7 @@ int main(int argc, char** argv) {
         physics.step(1.0 / 60);
         physics.report(tree);
         tree.barrier();
-        if (frame == 30) console.select(balls[3]);
+        if (frame == 30 && console.is_open()) console.select(balls[3]);
 
         window.clear(sf::Color(30, 34, 42));
         for (const Handle ball : balls) {
