@@ -7,11 +7,12 @@
 #include "docs.h"
 #include "exit_status.h"
 #include "run.h"
+#include "version.h"
 
 int main(int argc, char** argv) {
     using namespace fettle::program;
     CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
-    app.set_version_flag("--version", "fettle " FETTLE_VERSION);
+    app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
     int status = success;
     add_run(app, status);

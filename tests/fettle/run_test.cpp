@@ -127,7 +127,11 @@ TEST_CASE("help and version end well") {
     CHECK(contains(help.out, "--headless"));
     const Outcome version = fettle(folder, {"--version"});
     CHECK(version.status == 0);
-    CHECK(contains(version.out, "fettle "));
+    for (const char* part : {"fettle ", "module interface", "SIMD width", "SFML", "Lua ", "Eigen",
+                             "Dear ImGui", "SQLite", "compiler"}) {
+        INFO(part);
+        CHECK(contains(version.out, part));
+    }
 }
 
 TEST_CASE("the same run has the same hash and another seed another one") {
@@ -163,4 +167,26 @@ TEST_CASE("a paused headless run still ends and can be woken") {
                                         "4:time.paused = false", "--at", "10:print(time.step)"});
     CHECK(run.status == 0);
     CHECK(run.out == "6\n");
+}
+
+TEST_CASE("a module that cannot be plugged in ends the run before it begins") {
+    const Folder folder;
+    const std::string game = folder.write("game/main.lua", "print('begun')");
+    const auto run = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = {"run", game, "--headless", "--steps", "1"};
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome outcome = fettle(folder, all);
+        CHECK(outcome.status == 3);
+        CHECK(!contains(outcome.out, "begun"));
+        return outcome.err;
+    };
+    CHECK(contains(run({"--module", "nowhere.so"}), "nowhere.so: there is no such file"));
+    CHECK(contains(run({"--module", "nowhere"}), "module \"nowhere\": there is neither"));
+    CHECK(contains(run({"--module", game}), "expected a shared object"));
+    folder.write("game/modules.json", "{ \"modules\": [ 3 ] }");
+    CHECK(contains(run({}), "modules.json: expected"));
+    folder.write("game/modules.json", "{ \"modules\": [ ");
+    CHECK(contains(run({}), "line 1"));
+    folder.write("game/modules.json", "{ \"module\": [] }");
+    CHECK(contains(run({}), "found the key \"module\""));
 }

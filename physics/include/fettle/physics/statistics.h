@@ -16,7 +16,7 @@ struct StepStatistics {
     uint32_t shapes = 0;
     uint32_t joints = 0;
     uint32_t awake_joints = 0;  ///< that a step looks at
-    uint32_t contacts = 0;  ///< pairs whose fat boxes overlap
+    uint32_t contacts = 0;      ///< pairs whose fat boxes overlap
     uint32_t awake_contacts = 0;
     uint32_t touching = 0;       ///< awake contacts with a manifold that was solved
     uint32_t islands = 0;        ///< asleep
