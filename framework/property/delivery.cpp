@@ -339,6 +339,8 @@ void Tree::State::deliver_motion(Motion& motion, WatcherId until, std::exception
     delivering_part = 0;
 }
 
+template void Tree::State::call(const Watcher&, const Occurrence&);  // of question.cpp
+
 /// To the recipients it was queued for.
 template <class What>
 void Tree::State::deliver_to(const QueueItem& item, const What& what) {

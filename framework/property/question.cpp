@@ -30,11 +30,11 @@ Question* Question::current() {
 void Question::answer(std::size_t field, const Value& value) {
     const Field& of = event_.fields[field];
     if (value == values_[field]) return;
-    struct Place {
+    struct Where {
         std::string event, field;
     } place{tree_.path(instance_) + " " + event_.name, of.name};
     const auto name = [](const void* what) {
-        const auto& at = *static_cast<const Place*>(what);
+        const auto& at = *static_cast<const Where*>(what);
         return at.event + ": " + at.field;
     };
     if (field < changeable_)
@@ -52,17 +52,15 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     Tree::State& s = tree.state();
     Question question(tree, instance, event, values, changeable);
     const Asking asking(question);
-    for (const WatcherId id : s.watchers.of_event(instance, event, s.watchers.last_id())) {
-        const std::shared_ptr<Watcher> watcher = s.watchers.find(id);
-        if (watcher == nullptr || !watcher->active) continue;
-        QueueItem item;
-        item.kind = QueueItem::Kind::event;
-        item.what = Occurrence{.instance = instance,
-                               .event = &event,
-                               .record = {&event.fields, values},
-                               .step = s.step};
-        s.call(*watcher, item);
-    }
+    // A handler may stop watchers, itself included.
+    s.watchers.handlers_begin();
+    for (const Watcher* watcher : s.watchers.of_event(instance, event, s.watchers.last_id()))
+        if (watcher->active)
+            s.call(*watcher, Occurrence{.instance = instance,
+                                        .event = &event,
+                                        .record = {&event.fields, values},
+                                        .step = s.step});
+    s.watchers.handlers_end();
 }
 
 }  // namespace fettle::property

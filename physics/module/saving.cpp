@@ -79,7 +79,7 @@ void put_beside(Beside beside, HostedWorld& hosted) {
 }  // namespace
 
 void Hosting::save(property::ByteWriter& to) const {
-    to.put(std::uint8_t{hits_wanted_});
+    to.put(std::uint8_t{wanted_.hits});
     const auto count = std::count_if(worlds_.begin(), worlds_.end(),
                                      [](const auto& hosted) { return hosted != nullptr; });
     to.put(static_cast<std::uint64_t>(count));
@@ -119,14 +119,17 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
     from.require(found[limbo], "there is no place for what is in no world");
     const std::function<void()> put_joints = joints.restore(from);
     return [this, worlds, hits_wanted, put_joints, found] {
-        hits_wanted_ = hits_wanted;
         for (std::uint32_t number = 0; number < most_worlds; ++number)
             if (!found[number]) worlds_[number].reset();
         for (Saved& saved : *worlds) {
             auto& hosted = worlds_[saved.number];
+            // Who listens is who listens now, not then; a world that stayed kept its callbacks.
+            Wanted told = hosted == nullptr ? Wanted{} : wanted_;
+            told.hits = hits_wanted;
             if (hosted == nullptr) hosted = std::make_unique<HostedWorld>();
             hosted->world.take(std::move(*saved.world));
             put_beside(std::move(saved.beside), *hosted);
+            listen(*hosted, told);
         }
         put_joints();
     };

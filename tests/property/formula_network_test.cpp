@@ -107,7 +107,7 @@ class Network {
                               return Value(std::fmod(
                                   first + (first > 0.5 ? t.get(home, to).number() : 0.25), 3.0));
                           },
-                          from + " + " + to});
+                          name(a) + " + " + name(b)});
     }
 };
 

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <fettle/physics/export.h>
 #include <fettle/physics/shape.h>
 
 #include <functional>
 
 // Functions of the caller that run inside a step, one after the other on its thread, between the
 // narrow phase and the solver, in the order of the contacts. They may read the world and write what
-// they are given, and nothing else. One of the shapes may be of the world's border.
+// they are given, and nothing else, and must not throw. What they write holds for the step. One of
+// the shapes may be of the world's border.
+
+FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
@@ -31,3 +35,5 @@ using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
 using ContactCallback = std::function<void(ContactEdit&)>;
 
 }  // namespace fettle::physics
+
+FETTLE_PHYSICS_END
