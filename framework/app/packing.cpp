@@ -12,7 +12,7 @@ constexpr int level = 1;
 
 // State is mostly floats: their bytes of the same rank, taken together, repeat far more than they
 // do in a row (a sixth less, in half the time).
-std::vector<std::byte> by_rank(const std::vector<std::byte>& plain) {
+std::vector<std::byte> by_rank(std::span<const std::byte> plain) {
     const std::size_t words = plain.size() / 4;
     std::vector<std::byte> ranks(plain.size());
     for (std::size_t rank = 0; rank < 4; ++rank)
@@ -30,28 +30,38 @@ std::vector<std::byte> from_ranks(const std::vector<std::byte>& ranks) {
     return plain;
 }
 
-std::vector<std::byte> pack(const std::vector<std::byte>& plain) {
-    const std::vector<std::byte> ranks = by_rank(plain);
-    std::vector<std::byte> packed(ZSTD_compressBound(ranks.size()));
-    const std::size_t size =
-        ZSTD_compress(packed.data(), packed.size(), ranks.data(), ranks.size(), level);
-    if (ZSTD_isError(size) != 0) return {};
-    return {packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(size)};
-}
-
 }  // namespace
 
-std::vector<std::byte> PackedBytes::bytes() const {
-    const std::lock_guard lock(mutex);
-    if (packed.empty()) return plain;
-    std::vector<std::byte> ranks(plain_size);
-    ZSTD_decompress(ranks.data(), ranks.size(), packed.data(), packed.size());
+// The snapshot is let go of by the game's thread alone: what it holds beside its bytes is not this
+// thread's to end.
+void PackedBytes::pack() {
+    const std::span<const std::byte> plain = taken_.payload();
+    const std::vector<std::byte> ranks = by_rank(plain);
+    std::vector<std::byte> room(ZSTD_compressBound(ranks.size()));
+    const std::size_t size =
+        ZSTD_compress(room.data(), room.size(), ranks.data(), ranks.size(), level);
+    if (ZSTD_isError(size) != 0) return;  // it stays as it is
+    const std::lock_guard lock(mutex_);
+    plain_size_ = plain.size();
+    packed_.assign(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(size));
+}
+
+std::vector<std::byte> PackedBytes::payload() const {
+    const std::lock_guard lock(mutex_);
+    if (packed_.empty()) return {taken_.payload().begin(), taken_.payload().end()};
+    std::vector<std::byte> ranks(plain_size_);
+    ZSTD_decompress(ranks.data(), ranks.size(), packed_.data(), packed_.size());
     return from_ranks(ranks);
 }
 
 std::size_t PackedBytes::size() const {
-    const std::lock_guard lock(mutex);
-    return plain.size() + packed.size();
+    const std::lock_guard lock(mutex_);
+    return (taken_.empty() ? 0 : taken_.payload().size()) + packed_.size();
+}
+
+void PackedBytes::settle() {
+    const std::lock_guard lock(mutex_);
+    if (!packed_.empty()) taken_ = {};
 }
 
 Packer::Packer() : thread_([this] { work(); }) {}
@@ -66,8 +76,10 @@ Packer::~Packer() {
 }
 
 void Packer::pack(std::shared_ptr<PackedBytes> what) {
+    std::vector<std::shared_ptr<PackedBytes>> finished;
     {
         const std::lock_guard lock(mutex_);
+        finished.swap(finished_);
         waiting_.push_back(std::move(what));
     }
     wake_.notify_one();
@@ -83,22 +95,13 @@ void Packer::work() {
     while (true) {
         wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
         if (ending_) return;
-        const std::shared_ptr<PackedBytes> next = waiting_.front().lock();
+        std::shared_ptr<PackedBytes> next = waiting_.front().lock();
         waiting_.pop_front();
         busy_ = true;
         lock.unlock();
-        if (next != nullptr) {
-            // `plain` is written here alone; who reads it meanwhile holds its lock, as we do to
-            // exchange it.
-            std::vector<std::byte> packed = app::pack(next->plain);
-            if (!packed.empty()) {
-                const std::lock_guard exchange(next->mutex);
-                next->plain_size = next->plain.size();
-                next->packed = std::move(packed);
-                next->plain = {};
-            }
-        }
+        if (next != nullptr) next->pack();
         lock.lock();
+        if (next != nullptr) finished_.push_back(std::move(next));
         busy_ = false;
         idle_.notify_all();
     }

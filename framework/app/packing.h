@@ -8,21 +8,31 @@
 #include <mutex>
 #include <span>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include <fettle/property/snapshot.h>
 
 namespace fettle::app {
 
-/// Bytes, and later fewer of them. Shared between the game's thread and the packing one.
-struct PackedBytes {
-    explicit PackedBytes(std::vector<std::byte> payload) : plain(std::move(payload)) {}
-    /// What went in.
-    std::vector<std::byte> bytes() const;
+/// The state of a keyframe, and later the same in fewer bytes. Shared between the game's thread and
+/// the packing one.
+class PackedBytes {
+  public:
+    explicit PackedBytes(property::Snapshot taken) : taken_(std::move(taken)) {}
+    std::vector<std::byte> payload() const;
+    /// Bytes it takes now.
     std::size_t size() const;
+    /// By the packing thread.
+    void pack();
+    /// By the game's thread, now and then: what was packed is let go of.
+    void settle();
 
-    mutable std::mutex mutex;
-    std::vector<std::byte> plain;  // empty when packed
-    std::vector<std::byte> packed;
-    std::size_t plain_size = 0;  // when packed
+  private:
+    mutable std::mutex mutex_;
+    property::Snapshot taken_;  // empty when packed
+    std::vector<std::byte> packed_;
+    std::size_t plain_size_ = 0;
 };
 
 class Packer {
@@ -40,6 +50,8 @@ class Packer {
     std::mutex mutex_;
     std::condition_variable wake_, idle_;
     std::deque<std::weak_ptr<PackedBytes>> waiting_;
+    // Ended by the game's thread: snapshots hold functions of its scripts.
+    std::vector<std::shared_ptr<PackedBytes>> finished_;
     bool ending_ = false;
     bool busy_ = false;
     std::thread thread_;

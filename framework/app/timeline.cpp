@@ -1,6 +1,7 @@
 #include <fettle/app/timeline.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,11 @@ using property::Snapshot;
 namespace {
 
 constexpr std::int64_t least_spacing = 60, most_spacing = 480;  // steps
+
+double now() {
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(since).count();
+}
 
 }  // namespace
 
@@ -76,6 +82,7 @@ void Timeline::begin_step() {
         here_ = clock_.step;
         take_keyframe();
     }
+    begun_ = now();
     // From here on this is what has been.
     if (here_ < newest()) {
         drop_after(here_);
@@ -102,7 +109,8 @@ void Timeline::end_step() {
     logged_ += open_.after.memory();
     for (const LoggedWrites& piece : open_.before) logged_ += piece.memory();
     steps_.push_back(std::move(open_));
-    if (here_ - keyframes_.back().step >= spacing_) take_keyframe();
+    worked_ += now() - begun_;
+    if (keyframe_is_due()) take_keyframe();
     trim();
     clock_.oldest = oldest();
     clock_.newest = newest();
@@ -130,15 +138,22 @@ void Timeline::begin_anew() {
 }
 
 void Timeline::take_keyframe() {
+    const double before = now();
     Snapshot taken = tree_.snapshot();
     (void)log_->take();  // it is in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
-    const std::span<const std::byte> payload = taken.payload();
-    Keyframe frame{here_,
-                   std::make_shared<PackedBytes>(std::vector(payload.begin(), payload.end())),
-                   taken.memories()};
+    for (Keyframe& frame : keyframes_) frame.payload->settle();
+    Keyframe frame{here_, std::make_shared<PackedBytes>(taken), taken.memories()};
     packer_->pack(frame.payload);
     keyframes_.push_back(std::move(frame));
+    cost_ = now() - before;
+    worked_ = 0;
+}
+
+/// Often enough to be quick at any moment, and not so often that the game is slower for it.
+bool Timeline::keyframe_is_due() const {
+    const std::int64_t since = here_ - keyframes_.back().step;
+    return since >= most_spacing || (since >= spacing_ && worked_ * share_ >= cost_);
 }
 
 // A snapshot was restored by somebody else. What comes next starts from there; what was before the
@@ -250,7 +265,7 @@ void Timeline::go_to(std::int64_t step) {
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
-    const Snapshot from(frame->payload->bytes(), frame->memories);
+    const Snapshot from(frame->payload->payload(), frame->memories);
     jumps_->travelling = true;
     struct Arrive {
         bool& travelling;

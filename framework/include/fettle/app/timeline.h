@@ -24,7 +24,7 @@ FETTLE_APP_BEGIN
 namespace fettle::app {
 
 class Packer;
-struct PackedBytes;
+class PackedBytes;
 
 class Timeline {
   public:
@@ -46,6 +46,10 @@ class Timeline {
     void go_to(std::int64_t step);
     /// By simulation time from now, as far back as the past is kept.
     void rewind(double seconds);
+
+    /// Keyframes may take this share of the time the game's steps take, 0.01 unless told; the less,
+    /// the longer it takes to go somewhere.
+    void set_share(double share) { share_ = share; }
 
     bool keeps() const { return !keyframes_.empty(); }
     std::int64_t oldest() const;
@@ -73,6 +77,7 @@ class Timeline {
 
     bool on() const;
     void take_keyframe();
+    bool keyframe_is_due() const;
     static bool too_much(const Step& step);
     void begin_anew();
     void note_jump();
@@ -98,6 +103,10 @@ class Timeline {
     std::int64_t here_ = 0;     // the step that the tree is at
     std::int64_t spacing_ = 0;  // steps from one keyframe to the next
     std::size_t logged_ = 0;    // bytes of `steps_`
+    double share_ = 0.01;
+    double begun_ = 0;   // s, when the step began
+    double worked_ = 0;  // s, that steps took since the last keyframe
+    double cost_ = 0;    // s, that the last keyframe took
 };
 
 }  // namespace fettle::app
