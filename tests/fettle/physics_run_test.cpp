@@ -89,7 +89,7 @@ TEST_CASE("queries count what a function of the script accepts") {
         run("world.near = Body { position = vec(3, 0), Box {} } "
             "world.far = Body { position = vec(6, 0), Box {} } "
             "world.gravity = vec(0, 0) "
-            "function no_near(shape) return shape:parent() ~= world.near end",
+            "function no_near(shape) return shape.parent ~= world.near end",
             "2",
             "local hit = world:raycast(vec(0, 0), vec(9, 0), nil, nil, no_near) "
             "print(hit.body.name, world:closest(vec(0, 0), 9, nil, nil, no_near).body.name, "

@@ -104,7 +104,7 @@ TEST_CASE("what the command line gets wrong is status 2 and says why") {
         {"run", game, "--headless", "--steps", "many"},
         {"run", game, "--headless", "--steps", "1", "--at", "print(1)"},
         {"run", game, "--headless", "--steps", "1", "--at", "0:print(1)"},
-        {"run", game, "--headless", "--steps", "1", "--record", "file"},
+        {"run", game, "--headless", "--steps", "1", "--record"},
         {"run", game, "--headless", "--steps", "1", "--sandbox"},
         {"run", game, "--headless", "--steps", "1", "--screenshot", (folder / "a.png").string()},
         {"run", game, "--steps", "1"},

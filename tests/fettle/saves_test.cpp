@@ -92,7 +92,7 @@ TEST_CASE("a save of other classes is refused and the game goes on") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);
     REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "5", "--eval",
-                            "Lamp = class('Lamp', Object) { on = true } world.lamp = Lamp {}",
+                            "Lamp = class('Lamp', Object) { lit = true } world.lamp = Lamp {}",
                             "--at", "2:save_game('a')"})
                 .status == 0);
     const Outcome run = fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
