@@ -51,10 +51,18 @@ const std::vector<GlobalDoc>& global_docs() {
         {"redo", "redo()", "Does again what undo took back."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},
+        {"restore", "restore(taken: userdata)",
+         "Puts the whole tree back to what it was at a snapshot, at the next barrier between "
+         "steps. Variables of Lua stay as they are; `game` tells `restored`."},
+        {"rewind", "rewind(seconds: number)",
+         "Goes back by so much simulation time, at the next barrier between steps, as far as the "
+         "past is kept (`time.oldest`)."},
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
          "The instances of a scene file, placed below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",
          "Writes an instance and everything below it to a scene file of the game."},
+        {"snapshot", "snapshot(): userdata",
+         "The whole tree as it is at the next barrier between steps, for restore."},
         {"tweaks", "tweaks()",
          "Lists what people edited while the game ran, in this run and in earlier ones, and what "
          "of "
