@@ -19,6 +19,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "color(r: number, g: number, b: number, a?: number): color",
          "A color by name, as \"#rrggbb\", or from channels between 0 and 1."},
         {"deg", "deg(degrees: number): number", "An angle in radians."},
+        {"delete_save", "delete_save(slot: string)", "Removes a saved game."},
         {"drop_tweaks", "drop_tweaks(pattern: string)",
          "Forgets the tweaks that match: they are neither listed nor made again."},
         {"edit", "edit(name: string, action: fun())",
@@ -35,6 +36,9 @@ const std::vector<GlobalDoc>& global_docs() {
         {"keep", "keep(pattern: string)",
          "Writes the tweaks that match into the files their instances came from: "
          "keep(\"world.ball.*\")."},
+        {"load_game", "load_game(slot: string)",
+         "Goes on with a saved game, from the next barrier. One that is damaged, newer or of "
+         "another game is an error, and nothing changes. `game` tells `restored`."},
         {"query", "query(pattern: string): Set|table<string, any>",
          "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
         {"quit", "quit(status?: integer|boolean)",
@@ -57,6 +61,12 @@ const std::vector<GlobalDoc>& global_docs() {
         {"rewind", "rewind(seconds: number)",
          "Goes back by so much simulation time, at the next barrier between steps, as far as the "
          "past is kept (`time.oldest`)."},
+        {"save_game", "save_game(slot: string)",
+         "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
+         "Lua. A slot is called by letters, digits, spaces, - and _."},
+        {"saves", "saves(): table[]",
+         "The saved games, by slot: {slot, step, time, picture, problem}; `problem` says why one "
+         "cannot be loaded."},
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
          "The instances of a scene file, placed below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",
