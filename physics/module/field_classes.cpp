@@ -125,6 +125,7 @@ void define_field(Hosting& hosting) {
         "A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes "
         "all.";
     field.creatable = false;
+    field.snapshots = property::Snapshots::natively;
     field.lifecycle = lifecycle<physics::WindField>(hosting);
     field.properties = {
         {.name = "enabled",

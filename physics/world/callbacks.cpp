@@ -25,7 +25,7 @@ void WorldData::consult_callbacks() {
         ContactRecord& c = contacts[slot];
         c.disabled = false;
         if (c.sensor || c.manifold.count == 0) continue;
-        if (callbacks.mix) remix(c);
+        remix(c);  // what was changed before was for that step alone
         const V2 point = middle_of(c);
         ContactEdit edit;
         edit.shape_a = {callbacks.world, shape_id(c.shape_a)};

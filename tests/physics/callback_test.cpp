@@ -79,6 +79,22 @@ TEST_CASE("a mixing function sees both shapes and the point and sets the frictio
     REQUIRE(std::fabs(left.velocity().x()) < 1e-5f);
 }
 
+TEST_CASE("what a callback changes of a contact holds for one step") {
+    World world({.sleeping = false});
+    add_floor(world);
+    Body box = add_box(world, {0, 0.5f});
+    bool icy = true;
+    world.set_before_solve([&](ContactEdit& contact) {
+        if (icy) contact.friction = 0.0f;
+    });
+    box.set_velocity({3, 0});
+    run(world, 0.5f);
+    REQUIRE(box.velocity().x() == Approx(3.0f).epsilon(1e-3));
+    icy = false;
+    run(world, 1.0f);
+    REQUIRE(std::fabs(box.velocity().x()) < 1e-5f);
+}
+
 TEST_CASE("a mixing function may make a contact bounce") {
     World world({.sleeping = false});
     add_floor(world);

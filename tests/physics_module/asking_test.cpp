@@ -160,3 +160,19 @@ TEST_CASE_METHOD(Game, "forces for the next step go along into another world") {
     step();
     CHECK(vec(crate, "velocity").x() == Approx(10).epsilon(0.01));
 }
+
+TEST_CASE_METHOD(Game, "a body tells whom it touches where and how hard") {
+    const Handle ground = floor();
+    const Handle crate = body("Box", {0, 0.5}), top = body("Box", {0, 1.5});
+    step(30);
+    const auto touches = std::get<std::vector<Record>>(tree.call(crate, "touches", {}));
+    REQUIRE(touches.size() == 2);
+    for (const Record& touch : touches) {
+        const bool below = touch.get("other") == ground;
+        CHECK((below || touch.get("other") == top));
+        CHECK(touch.get("shape") == shape_of(crate));
+        CHECK(touch.get("normal").vec2().y() == Approx(below ? -1 : 1));
+        CHECK(touch.get("point").vec2().y() == Approx(below ? 0 : 1).margin(0.01));
+        CHECK(touch.get("impulse").number() == Approx((below ? 20.0 : 10.0) / 60).epsilon(0.05));
+    }
+}

@@ -150,3 +150,41 @@ TEST_CASE("a tree without physics refuses a snapshot with it") {
     Tree other;
     REQUIRE_THROWS_AS(other.restore(snapshot), property::Error);
 }
+
+TEST_CASE("joints of every type and fields go on bit for bit in a restored game") {
+    Game game;
+    game.floor();
+    std::vector<Handle> joints;
+    double x = -12;
+    for (const char* of : {"DistanceJoint", "RevoluteJoint", "PrismaticJoint", "WheelJoint",
+                           "WeldJoint", "MotorJoint", "PulleyJoint", "GearJoint", "GrooveJoint",
+                           "PinSlotJoint", "RatchetJoint"}) {
+        const Handle a = game.body("Box", Vec2(x, 3)), b = game.body("Circle", Vec2(x + 1, 4));
+        joints.push_back(game.make(of, game.world(), {{"body_a", a}, {"body_b", b}}));
+        game.set(b, "angular_velocity", 3);
+        x += 2.5;
+    }
+    game.set(joints[4], "break_force", 40);
+    game.set(joints[10], "tooth", 0.3);
+    const Handle water = game.make("Buoyancy", game.world(), {{"level", 1}, {"density", 3}});
+    game.make("Wind", game.world());
+    game.step(20);
+    const property::Snapshot snapshot = game.tree.snapshot();
+    const auto expected = hashes(game, 200);
+    const bool broken = game.get(joints[4], "broken").boolean();
+
+    game.tree.destroy(joints[2]);
+    game.set(joints[4], "broken", !broken);
+    game.set(water, "density", 9);
+    game.make("Attractor", game.world(), {{"strength", 50}});
+    game.step(10);
+    game.tree.destroy(water);
+    game.step(10);
+    game.tree.restore(snapshot);
+    REQUIRE(game.tree.alive(water));
+    REQUIRE(game.get(water, "density") == Value(3.0));
+    REQUIRE(game.tree.alive(joints[2]));
+    REQUIRE(hashes(game, 200) == expected);
+    REQUIRE(game.get(joints[4], "broken") == Value(broken));
+    REQUIRE_FALSE(game.physics.world(game.world()).validate());
+}
