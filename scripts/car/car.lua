@@ -20,10 +20,11 @@ end
 function car.make(parent, position)
     parent.car = Object {
         throttle = 0.0,        -- -1 … 1, what the pedals want
-        top_speed = 24.0,      -- m/s
+        top_speed = 18.0,      -- m/s
         torque = 16.0,         -- N m at each wheel
         brake = 34.0,          -- N m
-        air_control = 5.0,     -- N m, leaning while no wheel touches
+        air_control = 9.0,     -- N m, leaning while no wheel touches
+        balance = 14.0,        -- N m/rad, with which it rights itself in the air
         coins = 0,
     }
     local self = parent.car
@@ -57,7 +58,10 @@ function car.drive(self)
         axle.motor_speed = braking and 0 or -throttle * self.top_speed / 0.44
         axle.max_motor_torque = braking and self.brake or throttle ~= 0 and self.torque or 0.6
     end
-    if throttle ~= 0 and not touches_ground(self) then chassis:apply_torque(self.air_control * throttle) end
+    if not touches_ground(self) then
+        local tilt = math.sin(chassis.angle)
+        chassis:apply_torque(self.air_control * throttle - self.balance * tilt - 3 * chassis.angular_velocity)
+    end
 end
 
 -- --- What is drawn over it ----------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ local function place_coins()
         local lift = 1.1 + 0.5 * math.sin(x)
         local coin = world.coins:add(Body {
             type = "static", position = vec(x, terrain.height(x) + lift),
-            Circle { radius = 0.3, sensor = true, color = color("#ffcb47"), border = color("#b57d12") },
+            Circle { radius = 0.3, sensor = true, visible = false },
         })
         coin:on("sensor_begin", function(event)
             if event.other ~= world.car.chassis then return end
@@ -49,12 +49,12 @@ end
 function step(dt)
     local keys = input.keys
     local wanted = (keys.right and 1 or 0) - (keys.left and 1 or 0)
-    if drive.autopilot then wanted = 1 end
+    if drive.autopilot then wanted = world.car.chassis.velocity.x < 10 and 1 or 0 end
     world.car.throttle = wanted
     car.drive(world.car)
     -- The view runs ahead of the car, the farther the faster it is.
     local chassis = world.car.chassis
-    local goal = chassis.position + vec(2 + chassis.velocity.x * 0.22, 1.6)
+    local goal = chassis.position + vec(2 + chassis.velocity.x * 0.22, 0.8)
     view.center = view.center + (goal - view.center) * math.min(1, 4 * dt)
     local height = 12 + math.min(6, math.abs(chassis.velocity.x) * 0.25)
     view.height = view.height + (height - view.height) * math.min(1, 1.5 * dt)
@@ -79,6 +79,16 @@ local function draw_grass(pen)
     end
 end
 
+local coin_face, coin_rim, coin_shine = color("#ffcb47"), color("#b57d12"), color("#fff3c4")
+
+local function draw_coins(pen)
+    for _, coin in ipairs(world.coins:children()) do
+        local place = coin.position + vec(0, 0.08 * math.sin(time.now * 3 + coin.position.x))
+        pen.circle(place, 0.3, coin_face, coin_rim, 2)
+        pen.circle(place + vec(-0.08, 0.08), 0.07, coin_shine)
+    end
+end
+
 local function draw_meter(screen, x, y, share, paint)
     screen.box(vec(x + 60, y), 120, 8, color(1, 1, 1, 0.15))
     if share > 0 then screen.box(vec(x + 60 * share, y), 120 * share, 8, paint) end
@@ -86,6 +96,7 @@ end
 
 function draw(pen)
     draw_grass(pen)
+    draw_coins(pen)
     car.draw(pen, world.car)
     pen.screen(function(screen)
         local chassis = world.car.chassis

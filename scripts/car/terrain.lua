@@ -1,6 +1,6 @@
 -- Hills as a row of convex columns, and what stands on them.
 
-local terrain = { length = 320, column = 2.2, depth = 14 }
+local terrain = { length = 320, column = 1.1, depth = 14 }
 
 local soil, soil_edge = color("#3b2f3f"), color("#3b2f3f")
 local plank, plank_edge = color("#b07d4f"), color("#5f4027")

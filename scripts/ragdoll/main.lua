@@ -3,7 +3,7 @@
 local doll = require("doll")
 
 game.ragdoll = Object {
-    scale = 1.4,         -- of the dolls that come
+    scale = 1.9,         -- of the dolls that come
     tears = false,       -- their pins break
     strength = 260,      -- N that a pin bears then
     most = 14,           -- dolls at a time
@@ -23,7 +23,7 @@ local brass, brass_edge = color("#d8a657"), color("#8a6a34")
 local function block(position, width, height, angle)
     world.board:add(Body {
         type = "static", position = position, angle = angle or 0,
-        Box { width = width, height = height, rounding = math.min(width, height) * 0.3, color = wood, border = wood_edge },
+        Box { width = width, height = height, rounding = math.min(0.12, math.min(width, height) * 0.3), color = wood, border = wood_edge },
     })
 end
 
@@ -75,8 +75,8 @@ end
 
 function start()
     view.background = color("#161b26")
-    view.center = vec(0, 5.6)
-    view.height = 14.5
+    view.center = vec(0, 6)
+    view.height = 15.4
     build_board()
     world.dolls = Object {}
     ragdoll:watch("tears", set_tearing)
@@ -153,7 +153,7 @@ function draw(pen)
     for _, self in ipairs(dolls) do
         local head = self.head
         local turned = function(x, y) return head:to_world(vec(x, y) * ragdoll.scale) end
-        pen.point(turned(0.04, 0.015), "#20242c", 5)
+        pen.point(turned(0.04, 0.015), "#20242c", 6)
     end
     if world:has("drag") and world.drag.body then
         local grip = world.drag.body:to_world(world.drag.anchor)
