@@ -116,6 +116,8 @@ BridgedClass::BridgedClass(HostTable& host, const fettle_class& native)
     descriptor.doc = text_or_empty(native.doc);
     descriptor.stem = text_or_empty(native.stem);
     descriptor.creatable = (native.flags & FETTLE_NOT_CREATABLE) == 0;
+    if ((native.flags & FETTLE_SAVED_NATIVELY) != 0)
+        descriptor.snapshots = property::Snapshots::natively;
     for (const auto& property : elements<fettle_property>(native.properties))
         descriptor.properties.push_back(bridged(property));
     for (const auto& method : elements<fettle_method>(native.methods))
@@ -271,6 +273,15 @@ void BridgedClass::revive(Handle self) {
 void BridgedClass::retire(Handle self) {
     if (native_.destroy != nullptr)
         native_.destroy(native_.context, sent(self), host_.tree->row(self));
+}
+
+void BridgedClass::recount() {
+    const property::Tree& tree = *host_.tree;
+    std::erase_if(instances_, [&](const auto& is) { return !tree.alive({is.first, is.second}); });
+    tree.each_below(tree.root(), [&](Handle instance) {
+        if (tree.class_of(instance).lifecycle().context == this)
+            instances_.insert({instance.index, instance.generation});
+    });
 }
 
 const BridgedProperty* BridgedClass::find(const Property& declared) const {

@@ -48,6 +48,8 @@ class BridgedClass {
     void revive(property::Handle self);
     /// Ends the row and leaves the instance.
     void retire(property::Handle self);
+    /// After a snapshot was restored: instances have come back and gone without being made.
+    void recount();
     /// The bridged property behind a declared one; null when it is none of this class.
     const BridgedProperty* find(const property::Property& declared) const;
     /// No function of the module is called any more.

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include <fettle/property/bytes.h>
 #include <fettle/property/path.h>
 
 #include "plugin_state.h"
@@ -136,6 +137,7 @@ void Plugin::attach(property::Tree& tree) {
         for (const auto& c : s.classes) c->abandon();
         throw LoadError(s.file, "module " + s.name + ": " + error.what());
     }
+    if (s.open.native.save != nullptr && s.open.native.restore != nullptr) tree.add_part(*this);
 }
 
 void Plugin::step(double dt) {
@@ -151,6 +153,31 @@ void Plugin::report(property::Tree&) {
 std::uint64_t Plugin::hash() const {
     const fettle_module& native = state_->open.native;
     return native.hash == nullptr ? 0 : native.hash(native.context);
+}
+
+property::Memory Plugin::save(property::ByteWriter& to) const {
+    State& s = *state_;
+    s.host.require(s.open.native.save(s.open.native.context, &to,
+                                      [](void* sink, const void* data, std::size_t size) {
+                                          static_cast<property::ByteWriter*>(sink)->raw(data, size);
+                                      }),
+                   "save");
+    return {};
+}
+
+std::function<void()> Plugin::restore(property::ByteReader& from, const property::Memory&) {
+    State& s = *state_;
+    const auto bytes =
+        std::make_shared<std::vector<std::byte>>(from.rest().begin(), from.rest().end());
+    const auto call = [&s, bytes](std::uint32_t commit) {
+        return s.open.native.restore(s.open.native.context, bytes->data(), bytes->size(), commit);
+    };
+    if (call(0) != FETTLE_OK) from.fail(s.host.take_reason());
+    from = property::ByteReader({});
+    return [&s, call] {
+        (void)call(1);
+        for (const auto& c : s.classes) c->recount();
+    };
 }
 
 // --- Plugins

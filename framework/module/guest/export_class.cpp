@@ -207,7 +207,8 @@ void export_class(Tree::State& tree, const property::ClassDescriptor& descriptor
 
     fettle_class c{};
     c.struct_size = sizeof c;
-    c.flags = descriptor.creatable ? 0 : FETTLE_NOT_CREATABLE;
+    c.flags = (descriptor.creatable ? 0 : FETTLE_NOT_CREATABLE) |
+              (descriptor.snapshots == property::Snapshots::natively ? FETTLE_SAVED_NATIVELY : 0);
     c.name = descriptor.name.c_str();
     c.base = descriptor.base.c_str();
     c.doc = descriptor.doc.c_str();

@@ -1,6 +1,10 @@
 #include <fettle/module/guest.h>
 
+#include <functional>
 #include <string>
+#include <vector>
+
+#include <fettle/property/bytes.h>
 
 #include "guest_tree.h"
 
@@ -12,6 +16,7 @@ struct Guest {
     std::unique_ptr<Module> module;
     std::string name;
     property::Tree tree;
+    std::function<void()> put_into_place;  // what was restored and checked
 };
 
 Guest& guest_of(void* context) {
@@ -49,6 +54,33 @@ std::uint64_t hash(void* context) {
     return guest_of(context).module->hash();
 }
 
+fettle_status save(void* context, void* sink,
+                   void (*bytes)(void* sink, const void* data, size_t size)) {
+    Guest& guest = guest_of(context);
+    return guest.tree.state().answer([&] {
+        std::vector<std::byte> all;
+        property::ByteWriter writer(all);
+        if (const property::SnapshotPart* part = guest.tree.state().part) (void)part->save(writer);
+        bytes(sink, all.data(), all.size());
+    });
+}
+
+fettle_status restore(void* context, const void* data, size_t size, std::uint32_t commit) {
+    Guest& guest = guest_of(context);
+    return guest.tree.state().answer([&] {
+        if (commit == 0) {
+            property::SnapshotPart* part = guest.tree.state().part;
+            property::ByteReader reader(
+                std::span(static_cast<const std::byte*>(data), data == nullptr ? 0 : size),
+                guest.name);
+            guest.put_into_place = part == nullptr ? nullptr : part->restore(reader, {});
+        } else if (guest.put_into_place) {
+            guest.put_into_place();
+            guest.put_into_place = nullptr;
+        }
+    });
+}
+
 void close(void* context) {
     delete &guest_of(context);
 }
@@ -71,6 +103,8 @@ fettle_status open_guest(const fettle_host* host, fettle_module* module, const c
         module->step = step;
         module->report = report;
         module->hash = hash;
+        module->save = save;
+        module->restore = restore;
         module->close = close;
         module->context = guest.release();
         return FETTLE_OK;

@@ -258,6 +258,16 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
                            static_cast<std::uint32_t>(values.size())));
 }
 
+// --- Snapshots
+
+void Tree::add_part(SnapshotPart& part) {
+    state_->part = &part;
+}
+
+void Tree::remove_part(SnapshotPart&) {
+    state_->part = nullptr;
+}
+
 // --- Steps
 
 std::uint64_t Tree::step() const {

@@ -45,7 +45,8 @@ struct Tree::State {
     Tree* self = nullptr;
     const fettle_host* host = nullptr;
     ClassRegistry classes;
-    module::Outgoing outgoing;  // towards the program: what the last callback answered
+    SnapshotPart* part = nullptr;  // the module, where it saves its rows itself
+    module::Outgoing outgoing;     // towards the program: what the last callback answered
 
     // Contexts of what the program calls: they stay where they are.
     std::deque<module::GuestProperty> properties;

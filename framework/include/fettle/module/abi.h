@@ -226,7 +226,11 @@ typedef struct fettle_painter {
     void (*end_screen)(void* self);
 } fettle_painter;
 
-enum { FETTLE_NOT_CREATABLE = 1 }; /* fettle_class.flags: users may not make one */
+enum {                           /* fettle_class.flags */
+       FETTLE_NOT_CREATABLE = 1, /* users may not make one */
+       FETTLE_SAVED_NATIVELY = 2 /* snapshots have its rows from the module's `save`, not value by
+                                    value */
+};
 
 typedef struct fettle_class {
     uint32_t struct_size;
@@ -325,11 +329,13 @@ typedef struct fettle_module {
     void (*report)(void* context);
     /* Optional: of everything that influences later steps. */
     uint64_t (*hash)(void* context);
-    /* Optional: all of its memory as bytes for a snapshot of this run, and back. `bytes` is called
-       any number of times, in order. */
+    /* Both or neither: what the rows of classes that are FETTLE_SAVED_NATIVELY are, as bytes for a
+       snapshot, and back. `bytes` is called any number of times, in order. `restore` is called
+       twice: with `commit` 0 it checks all and changes nothing, with 1, after the tree has its
+       instances again, it puts the same bytes into place and does not fail. */
     fettle_status (*save)(void* context, void* sink,
                           void (*bytes)(void* sink, const void* data, size_t size));
-    fettle_status (*restore)(void* context, const void* data, size_t size);
+    fettle_status (*restore)(void* context, const void* data, size_t size, uint32_t commit);
     /* Optional: ends it. Every row is destroyed before. */
     void (*close)(void* context);
 } fettle_module;

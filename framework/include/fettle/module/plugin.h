@@ -62,6 +62,8 @@ class Plugin : public Module {
     void step(double dt) override;
     void report(property::Tree& tree) override;
     std::uint64_t hash() const override;
+    property::Memory save(property::ByteWriter& to) const override;
+    std::function<void()> restore(property::ByteReader& from, const property::Memory&) override;
 
     /// Takes in the file as it is now, between two frames and not from within a handler: saves the
     /// values of the module's instances by name, ends the old module, opens the new one, and gives
