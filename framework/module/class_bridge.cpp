@@ -193,9 +193,13 @@ Method BridgedClass::bridged(const fettle_method& native) {
             .parameters = fields(native.parameters, of),
             .required = native.required,
             .returns = fields(native.returns, of),
+            .many = native.many != 0,
             .doc = text_or_empty(native.doc),
             .context = &kept,
-            .call = call};
+            .call = call,
+            .effect = native.effect == FETTLE_CHANGES_NOTHING ? property::Effect::nothing
+                      : native.effect == FETTLE_CHANGES_TREE  ? property::Effect::tree
+                                                              : property::Effect::memory};
 }
 
 void BridgedClass::write_tags() {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <fettle/property/path.h>
+#include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
 
 namespace fettle::module {
@@ -186,6 +187,21 @@ struct HostFunctions {
             tree.emit(received(instance), which, received(values, count));
         });
     }
+    static fettle_status ask(void* self, fettle_handle instance, const void* event,
+                             fettle_value* values, std::uint32_t count, std::uint32_t changeable) {
+        HostTable& host = host_of(self);
+        return host.guarded([&](property::Tree& tree) {
+            const auto& which = *static_cast<const property::Event*>(event);
+            if (count != which.fields.size())
+                throw Error(ErrorKind::wrong_type, "event " + which.name + ": expected " +
+                                                       std::to_string(which.fields.size()) +
+                                                       " values, got " + std::to_string(count));
+            property::List told = received(values, count);
+            property::ask(tree, received(instance), which, told, changeable);
+            Outgoing& answers = host.outgoing();
+            for (std::size_t i = changeable; i < told.size(); ++i) values[i] = answers.put(told[i]);
+        });
+    }
     static std::uint64_t step(void* self) {
         const HostTable& host = host_of(self);
         return host.tree == nullptr ? 0 : host.tree->step();
@@ -227,6 +243,7 @@ HostTable::HostTable() {
               .call = F::call,
               .listens = F::listens,
               .emit = F::emit,
+              .ask = F::ask,
               .step = F::step,
               .touched = F::touched};
 }

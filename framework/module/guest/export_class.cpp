@@ -177,6 +177,10 @@ fettle_method described(Tree::State& tree, const property::Method& method, Texts
             .parameters = texts.array(method.parameters),
             .returns = texts.array(method.returns),
             .required = static_cast<std::uint32_t>(method.required),
+            .effect = method.effect == property::Effect::nothing ? FETTLE_CHANGES_NOTHING
+                      : method.effect == property::Effect::tree  ? FETTLE_CHANGES_TREE
+                                                                 : FETTLE_CHANGES_MEMORY,
+            .many = method.many ? 1u : 0u,
             .reserved = 0,
             .context = &kept,
             .call = call};

@@ -4,6 +4,7 @@
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
+#include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
 
 namespace fettle::property {
@@ -256,6 +257,19 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
     s.require(s.host->emit(s.host->self, sent(instance), id_of(s, event),
                            outgoing.put(std::span<const Value>(values)),
                            static_cast<std::uint32_t>(values.size())));
+}
+
+void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
+         std::size_t changeable) {
+    if (event.listeners == 0) return;
+    const Tree::State& s = tree.state();
+    module::Outgoing outgoing;
+    std::vector<fettle_value> told;
+    for (const Value& value : values) told.push_back(outgoing.put(value));
+    s.require(s.host->ask(s.host->self, sent(instance), id_of(s, event), told.data(),
+                          static_cast<std::uint32_t>(told.size()),
+                          static_cast<std::uint32_t>(changeable)));
+    for (std::size_t i = changeable; i < values.size(); ++i) values[i] = received(told[i]);
 }
 
 // --- Snapshots

@@ -180,12 +180,20 @@ typedef struct fettle_result {
     const fettle_value* values;
 } fettle_result;
 
+enum {                            /* fettle_method.effect: what a call changes */
+       FETTLE_CHANGES_MEMORY = 0, /* the module's own, which nobody else hears of */
+       FETTLE_CHANGES_TREE,       /* properties and instances, by the host's functions */
+       FETTLE_CHANGES_NOTHING     /* it asks */
+};
+
 typedef struct fettle_method {
     const char* name;
     const char* doc;
     fettle_array parameters; /* of fettle_field */
     fettle_array returns;    /* fields of the record(s), or one of the plain value */
     uint32_t required;       /* parameters that must be given; missing ones come as nil */
+    uint32_t effect;
+    uint32_t many; /* 1: returns a list of such records */
     uint32_t reserved;
     void* context;
     fettle_status (*call)(void* context, fettle_handle self, fettle_row row,
@@ -304,6 +312,11 @@ typedef struct fettle_host {
     uint32_t (*listens)(void* self, fettle_handle instance, const void* event);
     fettle_status (*emit)(void* self, fettle_handle instance, const void* event,
                           const fettle_value* values, uint32_t count);
+
+    /* Within `step`: asks those who listen, at once. Of `values`, one for each field, those from
+       `changeable` on may be changed by them and come back. */
+    fettle_status (*ask)(void* self, fettle_handle instance, const void* event,
+                         fettle_value* values, uint32_t count, uint32_t changeable);
 
     uint64_t (*step)(void* self); /* number of the fixed step */
     /* In `report`: `step` wrote properties of the module that may be watched. */
