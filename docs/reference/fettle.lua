@@ -117,6 +117,19 @@ local fettle_Existence = {}
 ---@class Formula
 local fettle_Formula = {}
 
+---What snapshot() returns: a whole game at a moment, for restore().
+---@class Snapshot
+local fettle_Snapshot = {}
+
+---What saves() tells of a saved game.
+---@class SavedGame
+---@field picture boolean Whether there is a picture of it.
+---@field problem string? Why it cannot be loaded; nil when it can.
+---@field slot string The name it was saved under.
+---@field step integer The fixed step in which it was saved.
+---@field time integer When, in seconds since 1970, as os.time() tells it.
+local fettle_SavedGame = {}
+
 ---What draw(pen) draws with: world units, y up; inside pen.screen(...) pixels, y down. Colors are values or names; nil or false is no fill, no border. Borders and lines are measured in pixels.
 ---@class Pen
 local fettle_Pen = {}
@@ -351,6 +364,12 @@ function fettle_Object:watch(property, handler) end
 ---@overload fun(members?: table): Object
 Object = {}
 
+---A snapshot was restored, or time rewound: everything in the tree is as it was then. What a script keeps for itself is not.
+---@class Game.restored
+---@field step integer Where simulation time goes on from.
+---@field left integer The step that time had come to.
+---@field instance Game To whom it happened.
+
 ---The root of the tree: its children are the services and whatever a game puts beside them.
 ---@class Game : Object
 ---@field audio Audio Everything that is heard.
@@ -361,6 +380,15 @@ Object = {}
 ---@field world World Bodies below it are simulated together. Its child `step` tells about the last step.
 local fettle_Game = {}
 
+---Calls the function when the event happens to it.
+---@param event string
+---@param handler fun(told: any)
+---@return Connection
+---@overload fun(self: Game, event: "ready", handler: fun(told: Object.ready)): Connection
+---@overload fun(self: Game, event: "deleted", handler: fun(told: Existence)): Connection
+---@overload fun(self: Game, event: "restored", handler: fun(told: Game.restored)): Connection
+function fettle_Game:on(event, handler) end
+
 ---The root of the tree: its children are the services and whatever a game puts beside them.
 ---@class Class.Game : Class
 Game = {}
@@ -369,6 +397,7 @@ Game = {}
 ---@class StepStatistics : Object
 ---@field awake_bodies integer That took part in the step. · any integer · read-only, simulated
 ---@field awake_contacts integer Of these, with a body that is awake. · any integer · read-only, simulated
+---@field awake_joints integer Of these, with a body that is awake. · any integer · read-only, simulated
 ---@field bodies integer In the world. · any integer · read-only, simulated
 ---@field contacts integer Pairs of shapes near each other. · any integer · read-only, simulated
 ---@field edits_ms number Bringing what was edited up to date. · ms · any finite number · read-only, simulated
@@ -390,6 +419,40 @@ local fettle_StepStatistics = {}
 ---@class Class.StepStatistics : Class
 StepStatistics = {}
 
+---Asked in the step when two shapes come near each other whose filters agree: whether they collide. The handler cannot write anything else.
+---@class World.filter_pair
+---@field shape Object One of the two; nil for the bounds of the world.
+---@field other_shape Object The other.
+---@field body Object That of the one; the world itself for its bounds.
+---@field other Object That of the other.
+---@field collide boolean Whether they do; may be changed.
+---@field instance World To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Asked in the step for every contact: what friction and restitution two surfaces have together. The handler cannot write anything else.
+---@class World.mix_surfaces
+---@field shape Object One of the two; nil for the bounds of the world.
+---@field other_shape Object The other.
+---@field body Object That of the one; the world itself for its bounds.
+---@field other Object That of the other.
+---@field point vec Where, in the world. · m
+---@field normal vec From the one to the other.
+---@field impulse number With which they pressed on each other. · N s
+---@field speed number How fast they approach each other. · m/s
+---@field friction number As the rule mixed it; may be changed.
+---@field restitution number As the rule mixed it; may be changed.
+---@field surface_speed number Of both together; may be changed. · m/s
+---@field instance World To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The shape nearest to a point, or nil. The bounds do not count.
+---@class World.closest.result
+---@field shape Object The one that is nearest.
+---@field body Object Its body.
+---@field point vec On its surface, in the world. · m
+---@field normal vec Of the surface there, outward; none inside of it.
+---@field distance number 0 inside. · m
+
 ---Every point where two bodies touch now.
 ---@class World.contacts.result
 ---@field body_a Body One of the two bodies.
@@ -400,6 +463,13 @@ StepStatistics = {}
 ---@field normal vec From a to b; its length is 1.
 ---@field separation number Below 0: how deep they overlap. · m
 ---@field force number That presses them apart. · N
+
+---How far two shapes or bodies are from each other.
+---@class World.distance.result
+---@field distance number 0 where they overlap. · m
+---@field point_a vec Of the first, nearest to the second. · m
+---@field point_b vec Of the second, nearest to the first. · m
+---@field normal vec From the first to the second; none where they overlap.
 
 ---The first shape a ray meets, or nil. Sensors do not stop it.
 ---@class World.raycast.result
@@ -417,6 +487,14 @@ StepStatistics = {}
 ---@field normal vec Of the surface there, outward; its length is 1.
 ---@field fraction number How far along the ray, 0 to 1.
 
+---The first shape that a shape, or a body, would meet on its way, or nil.
+---@class World.shapecast.result
+---@field shape Shape? What was hit; nil for the bounds of the world.
+---@field body Object Its body; the world itself for its bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec Of the surface there, outward; its length is 1.
+---@field fraction number How far along the ray, 0 to 1.
+
 ---Bodies below it are simulated together. Its child `step` tells about the last step.
 ---@class World : Object
 ---@field bounds vec[]? Walls round the world, given by their lower left and upper right corner; nil: none. · m · any length · default nil · may be nil
@@ -425,9 +503,11 @@ StepStatistics = {}
 ---@field contact_damping number Damping ratio of contacts. · 0 to inf · default 10
 ---@field contact_hertz number Stiffness of contacts, at most a quarter of the rate of sub-steps. · Hz · 0 to inf · default 60
 ---@field continuous boolean However fast, bodies do not pass through static ones. · true or false · default true
+---@field friction_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" How the friction of two surfaces makes that of their contact: "geometric" is the root of their product. · "average", "minimum", "maximum", "multiply", "geometric" · default "geometric"
 ---@field gravity vec Pulls every dynamic body, as far as its gravity_scale lets it. · m/s² · any finite vec · default vec(0, -10)
 ---@field hit_threshold number Slower impacts make no contact_hit. · m/s · 0 to inf · default 1
 ---@field push_speed number The fastest that an overlap is pushed apart. · m/s · 0 to inf · default 3
+---@field restitution_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" How the restitution of two surfaces makes that of their contact. · "average", "minimum", "maximum", "multiply", "geometric" · default "maximum"
 ---@field restitution_threshold number Slower impacts do not bounce. · m/s · 0 to inf · default 1
 ---@field sleep_delay number How long something rests before it falls asleep. · s · 0 to inf · default 0.5
 ---@field sleep_speed number What is slower than this rests. · m/s · 0 to inf · default 0.05
@@ -439,38 +519,111 @@ local fettle_World = {}
 ---The body at a point, that with the smallest shape there where there are several, or nil.
 ---@param point vec In the world. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
+---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
+---@param accept? any A function that is handed a shape and says whether it counts.
 ---@return Body? body The body, or nil.
-function fettle_World:at(point, mask) end
+function fettle_World:at(point, mask, group, accept) end
+
+---The shape nearest to a point, or nil. The bounds do not count.
+---@param point vec In the world. · m
+---@param reach? number No farther than this. · m
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
+---@param accept? any A function that is handed a shape and says whether it counts.
+---@return World.closest.result?
+function fettle_World:closest(point, reach, mask, group, accept) end
 
 ---Every point where two bodies touch now.
 ---@return World.contacts.result[]
 function fettle_World:contacts() end
 
+---How far two shapes or bodies are from each other.
+---@param a Object A shape or a body.
+---@param b Object Another.
+---@return World.distance.result?
+function fettle_World:distance(a, b) end
+
+---Pushes bodies away from a point: the farther, the less.
+---@param point vec In the world. · m
+---@param radius number It reaches this far. · m
+---@param impulse number What a body at the point gets. · N s
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@param accept? any A function that is handed a shape and says whether it counts.
+function fettle_World:explode(point, radius, impulse, mask, accept) end
+
+---The bodies that overlap a shape, or a body, where it is; not its own. A shape of no body is at its coordinates.
+---@param shape Object A shape or a body, of any world or of none.
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
+---@param accept? any A function that is handed a shape and says whether it counts.
+---@return Body[] bodies Each once, in no special order.
+function fettle_World:overlap(shape, mask, group, accept) end
+
 ---The bodies that reach into a box.
 ---@param corner vec Of the box. · m
 ---@param opposite vec The corner across. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
+---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
+---@param accept? any A function that is handed a shape and says whether it counts.
 ---@return Body[] bodies Each once, in no special order.
-function fettle_World:overlap_box(corner, opposite, mask) end
+function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 
 ---The first shape a ray meets, or nil. Sensors do not stop it.
 ---@param from vec Where the ray starts. · m
 ---@param to vec Where it ends. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
+---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
+---@param accept? any A function that is handed a shape and says whether it counts.
 ---@return World.raycast.result?
-function fettle_World:raycast(from, to, mask) end
+function fettle_World:raycast(from, to, mask, group, accept) end
 
 ---Every shape a ray meets, nearest first.
 ---@param from vec Where the ray starts. · m
 ---@param to vec Where it ends. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
+---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
+---@param accept? any A function that is handed a shape and says whether it counts.
 ---@return World.raycast_all.result[]
-function fettle_World:raycast_all(from, to, mask) end
+function fettle_World:raycast_all(from, to, mask, group, accept) end
+
+---The first shape that a shape, or a body, would meet on its way, or nil.
+---@param shape Object A shape or a body, of any world or of none.
+---@param motion vec How far it goes. · m
+---@param mask? integer Categories to look for, as bits; all when left out.
+---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
+---@param accept? any A function that is handed a shape and says whether it counts.
+---@return World.shapecast.result?
+function fettle_World:shapecast(shape, motion, mask, group, accept) end
+
+---Calls the function when the event happens to it.
+---@param event string
+---@param handler fun(told: any)
+---@return Connection
+---@overload fun(self: World, event: "ready", handler: fun(told: Object.ready)): Connection
+---@overload fun(self: World, event: "deleted", handler: fun(told: Existence)): Connection
+---@overload fun(self: World, event: "mix_surfaces", handler: fun(told: World.mix_surfaces)): Connection
+---@overload fun(self: World, event: "filter_pair", handler: fun(told: World.filter_pair)): Connection
+function fettle_World:on(event, handler) end
 
 ---Bodies below it are simulated together. Its child `step` tells about the last step.
 ---@class Class.World : Class
 ---@overload fun(members?: table): World
 World = {}
+
+---Asked in the step, before a contact of the body acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. The handler cannot write anything else.
+---@class Body.before_solve
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field enabled boolean Whether it acts in this step.
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
 
 ---The body began to touch another.
 ---@class Body.contact_begin
@@ -496,6 +649,20 @@ World = {}
 
 ---The body was hit faster than the world's hit_threshold.
 ---@class Body.contact_hit
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field instance Body To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The body still touches another: every step after the first.
+---@class Body.contact_persist
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
@@ -534,6 +701,18 @@ World = {}
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
+---What `contacts` lists, with where and how hard: one record a pair of shapes.
+---@class Body.touches.result
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Object The shape of this body.
+---@field other_shape Object The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other.
+---@field impulse number That pressed them apart in the last step. · N s
+---@field tangent_impulse number Of friction, clockwise round this body. · N s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+
 ---A rigid body: its shapes are its children. It is simulated while it hangs below a World.
 ---@class Body : Object
 ---@field angle number How far it is turned, counter-clockwise; not wrapped after a full turn. · rad · any finite number · default 0 · simulated
@@ -544,6 +723,7 @@ World = {}
 ---@field can_sleep boolean Whether it may fall asleep. · true or false · default true
 ---@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · any finite vec · default vec(0, 0) · simulated
 ---@field color color? Fills its shapes that have no color of their own; nil goes by its type. · channels 0 to 1 · default nil · may be nil
+---@field contact_force number How hard what it touches presses on it, all together. · N · any finite number · read-only, simulated
 ---@field contacts Object[] The bodies it touches now; the world itself where it touches the bounds. Sensors do not count. · any length · read-only, simulated
 ---@field force vec Pushes its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number How much of the world's gravity it feels: 0 floats, -1 falls upwards. · any finite number · default 1
@@ -587,6 +767,10 @@ function fettle_Body:to_local(point) end
 ---@return vec point In the world. · m
 function fettle_Body:to_world(point) end
 
+---What `contacts` lists, with where and how hard: one record a pair of shapes.
+---@return Body.touches.result?
+function fettle_Body:touches() end
+
 ---How fast that point of the body moves.
 ---@param point vec In the world. · m
 ---@return vec velocity Of that point, in the world. · m/s
@@ -599,6 +783,8 @@ function fettle_Body:velocity_at(point) end
 ---@overload fun(self: Body, event: "ready", handler: fun(told: Object.ready)): Connection
 ---@overload fun(self: Body, event: "deleted", handler: fun(told: Existence)): Connection
 ---@overload fun(self: Body, event: "contact_begin", handler: fun(told: Body.contact_begin)): Connection
+---@overload fun(self: Body, event: "contact_persist", handler: fun(told: Body.contact_persist)): Connection
+---@overload fun(self: Body, event: "before_solve", handler: fun(told: Body.before_solve)): Connection
 ---@overload fun(self: Body, event: "contact_end", handler: fun(told: Body.contact_end)): Connection
 ---@overload fun(self: Body, event: "contact_hit", handler: fun(told: Body.contact_hit)): Connection
 ---@overload fun(self: Body, event: "sensor_begin", handler: fun(told: Body.sensor_begin)): Connection
@@ -611,6 +797,21 @@ function fettle_Body:on(event, handler) end
 ---@class Class.Body : Class
 ---@overload fun(members?: table): Body
 Body = {}
+
+---Asked in the step, before a contact of the shape acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. The handler cannot write anything else.
+---@class Shape.before_solve
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field enabled boolean Whether it acts in this step.
+---@field instance Shape To whom it happened.
+---@field step integer The fixed step in which it happened.
 
 ---The shape began to touch another.
 ---@class Shape.contact_begin
@@ -636,6 +837,20 @@ Body = {}
 
 ---The shape was hit faster than the world's hit_threshold.
 ---@class Shape.contact_hit
+---@field other Object The other body; the world itself for its bounds.
+---@field shape Shape The shape of this body.
+---@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field point vec Where, in the world. · m
+---@field normal vec From this body to the other; its length is 1.
+---@field impulse number How hard they met. · N s
+---@field speed number How fast they approached each other. · m/s
+---@field friction number Mixed from both surfaces.
+---@field restitution number Mixed from both surfaces.
+---@field instance Shape To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The shape still touches another: every step after the first.
+---@class Shape.contact_persist
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
@@ -690,6 +905,8 @@ local fettle_Shape = {}
 ---@overload fun(self: Shape, event: "ready", handler: fun(told: Object.ready)): Connection
 ---@overload fun(self: Shape, event: "deleted", handler: fun(told: Existence)): Connection
 ---@overload fun(self: Shape, event: "contact_begin", handler: fun(told: Shape.contact_begin)): Connection
+---@overload fun(self: Shape, event: "contact_persist", handler: fun(told: Shape.contact_persist)): Connection
+---@overload fun(self: Shape, event: "before_solve", handler: fun(told: Shape.before_solve)): Connection
 ---@overload fun(self: Shape, event: "contact_end", handler: fun(told: Shape.contact_end)): Connection
 ---@overload fun(self: Shape, event: "contact_hit", handler: fun(told: Shape.contact_hit)): Connection
 ---@overload fun(self: Shape, event: "sensor_begin", handler: fun(told: Shape.sensor_begin)): Connection
@@ -763,12 +980,31 @@ function fettle_Polygon:add_vertex(point) end
 ---@overload fun(members?: table): Polygon
 Polygon = {}
 
+---It bore more than its break_force or break_torque.
+---@class Joint.broke
+---@field force vec That it had to bear. · N
+---@field torque number Besides that of the force. · N m
+---@field instance Joint To whom it happened.
+---@field step integer The fixed step in which it happened.
+
 ---Ties bodies together or to the world. It acts while it and its bodies are in the same world.
 ---@class Joint : Object
+---@field break_force number It breaks when it has to bear more, in the mean over a step; infinite: never. · N · 0 to inf · default inf · may be infinite
+---@field break_torque number It breaks when it has to bear more, besides the torque of its force. · N m · 0 to inf · default inf · may be infinite
+---@field broken boolean It bore too much and does not act; false mends it. · true or false · default false · simulated
 ---@field enabled boolean Whether it acts. · true or false · default true
 ---@field force vec What it pulled its body, or body_b, with in the last step. · N · any finite vec · read-only, simulated
 ---@field torque number What it turned body_b with in the last step, besides what its force does. · N m · any finite number · read-only, simulated
 local fettle_Joint = {}
+
+---Calls the function when the event happens to it.
+---@param event string
+---@param handler fun(told: any)
+---@return Connection
+---@overload fun(self: Joint, event: "ready", handler: fun(told: Object.ready)): Connection
+---@overload fun(self: Joint, event: "deleted", handler: fun(told: Existence)): Connection
+---@overload fun(self: Joint, event: "broke", handler: fun(told: Joint.broke)): Connection
+function fettle_Joint:on(event, handler) end
 
 ---Ties bodies together or to the world. It acts while it and its bodies are in the same world.
 ---@class Class.Joint : Class
@@ -835,6 +1071,204 @@ local fettle_RevoluteJoint = {}
 ---@overload fun(members?: table): RevoluteJoint
 RevoluteJoint = {}
 
+---Lets body_b slide along an axis of body_a without turning.
+---@class PrismaticJoint : PairJoint
+---@field axis vec Along which it slides, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
+---@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · 0 to inf · default 0
+---@field lower_translation number It slides no further back. · m · any number, infinite too · default -inf · may be infinite
+---@field max_motor_force number The motor is no stronger; 0: there is none. · N · 0 to inf · default 0 · may be infinite
+---@field motor_force number What the motor gave in the last step. · N · any finite number · read-only, simulated
+---@field motor_speed number What the motor moves body_b with. · m/s · any finite number · default 0
+---@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field target_translation number Where the spring brings it to. · m · any finite number · default 0
+---@field translation number How far anchor_b is from anchor_a along the axis. · m · any finite number · read-only, simulated
+---@field upper_translation number It slides no further on. Where lower_translation is above it, this counts. · m · any number, infinite too · default inf · may be infinite
+local fettle_PrismaticJoint = {}
+
+---Lets body_b slide along an axis of body_a without turning.
+---@class Class.PrismaticJoint : Class
+---@overload fun(members?: table): PrismaticJoint
+PrismaticJoint = {}
+
+---A pin of body_b in a straight slot of body_a: it slides, and turns freely.
+---@class PinSlotJoint : PairJoint
+---@field axis vec Along which it slides, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
+---@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · 0 to inf · default 0
+---@field lower_translation number It slides no further back. · m · any number, infinite too · default -inf · may be infinite
+---@field max_motor_force number The motor is no stronger; 0: there is none. · N · 0 to inf · default 0 · may be infinite
+---@field motor_force number What the motor gave in the last step. · N · any finite number · read-only, simulated
+---@field motor_speed number What the motor moves body_b with. · m/s · any finite number · default 0
+---@field target_translation number Where the spring brings it to. · m · any finite number · default 0
+---@field translation number How far anchor_b is from anchor_a along the axis. · m · any finite number · read-only, simulated
+---@field upper_translation number It slides no further on. Where lower_translation is above it, this counts. · m · any number, infinite too · default inf · may be infinite
+local fettle_PinSlotJoint = {}
+
+---A pin of body_b in a straight slot of body_a: it slides, and turns freely.
+---@class Class.PinSlotJoint : Class
+---@overload fun(members?: table): PinSlotJoint
+PinSlotJoint = {}
+
+---A pin of body_b in a groove of body_a from anchor_a to groove_end.
+---@class GrooveJoint : PairJoint
+---@field groove_end vec In the coordinates of body_a. · m · any finite vec · default vec(1, 0)
+---@field translation number How far the pin is from the begin of the groove. · m · any finite number · read-only, simulated
+local fettle_GrooveJoint = {}
+
+---A pin of body_b in a groove of body_a from anchor_a to groove_end.
+---@class Class.GrooveJoint : Class
+---@overload fun(members?: table): GrooveJoint
+GrooveJoint = {}
+
+---A wheel, body_b, that is sprung along an axis of body_a and may be driven.
+---@class WheelJoint : PairJoint
+---@field axis vec Of the spring, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(0, 1)
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0.7
+---@field hertz number How stiff the spring is; 0: there is none. · Hz · 0 to inf · default 4
+---@field lower_translation number The axle goes no further down. · m · any number, infinite too · default -inf · may be infinite
+---@field max_motor_torque number The motor is no stronger; 0: there is none. · N m · 0 to inf · default 0 · may be infinite
+---@field motor_speed number What the motor turns the wheel with, counter-clockwise. · rad/s · any finite number · default 0
+---@field motor_torque number What the motor gave in the last step. · N m · any finite number · read-only, simulated
+---@field translation number How far the axle is from where the spring rests. · m · any finite number · read-only, simulated
+---@field upper_translation number The axle goes no further up. Where lower_translation is above it, this counts. · m · any number, infinite too · default inf · may be infinite
+local fettle_WheelJoint = {}
+
+---A wheel, body_b, that is sprung along an axis of body_a and may be driven.
+---@class Class.WheelJoint : Class
+---@overload fun(members?: table): WheelJoint
+WheelJoint = {}
+
+---Holds two bodies together, rigidly or as a spring.
+---@class WeldJoint : PairJoint
+---@field angular_damping_ratio number 1 comes to rest without swinging. · 0 to inf · default 0
+---@field angular_hertz number How stiff it holds the angle; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
+---@field damping_ratio number 1 comes to rest without swinging. · 0 to inf · default 0
+---@field hertz number How stiff it holds the point; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
+---@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+local fettle_WeldJoint = {}
+
+---Holds two bodies together, rigidly or as a spring.
+---@class Class.WeldJoint : Class
+---@overload fun(members?: table): WeldJoint
+WeldJoint = {}
+
+---Drives body_b against body_a by at most a force and a torque: to a velocity or, with a hertz, to an offset. At rest it is the friction of a game seen from above.
+---@class MotorJoint : PairJoint
+---@field angular_offset number The angle of body_b against body_a that it drives to. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field angular_velocity number Of body_b against body_a that it drives to. · rad/s · any finite number · default 0
+---@field damping_ratio number Of that; 1 comes to rest without swinging. · 0 to inf · default 1
+---@field hertz number How stiff it drives to the offsets; 0: not at all. · Hz · 0 to inf · default 0
+---@field linear_offset vec Of anchor_b from anchor_a that it drives to, in the coordinates of body_a. · m · any finite vec · default vec(0, 0)
+---@field linear_velocity vec Of anchor_b against anchor_a that it drives to, in the coordinates of body_a. · m/s · any finite vec · default vec(0, 0)
+---@field max_force number It pushes no harder. · N · 0 to inf · default 0 · may be infinite
+---@field max_torque number It turns no harder. · N m · 0 to inf · default 0 · may be infinite
+local fettle_MotorJoint = {}
+
+---Drives body_b against body_a by at most a force and a torque: to a velocity or, with a hertz, to an offset. At rest it is the friction of a game seen from above.
+---@class Class.MotorJoint : Class
+---@overload fun(members?: table): MotorJoint
+MotorJoint = {}
+
+---A rope from body_a over two wheels of the world to body_b. It only pulls.
+---@class PulleyJoint : PairJoint
+---@field ground_a vec The wheel over body_a, in the world. · m · any finite vec · default vec(-1, 1)
+---@field ground_b vec The wheel over body_b, in the world. · m · any finite vec · default vec(1, 1)
+---@field length number Of the part at body_a and ratio times that at body_b. Unless one is given, the length when the joint began to act. · m · 0 to inf · default 0 · simulated
+---@field ratio number How many parts of the rope pull body_b. · 0.001 to 1000 · default 1
+---@field tension number Of the rope in the last step. · N · any finite number · read-only, simulated
+local fettle_PulleyJoint = {}
+
+---A rope from body_a over two wheels of the world to body_b. It only pulls.
+---@class Class.PulleyJoint : Class
+---@overload fun(members?: table): PulleyJoint
+PulleyJoint = {}
+
+---Turns body_b with body_a.
+---@class GearJoint : PairJoint
+---@field phase number The angle of body_b less ratio times that of body_a. Unless one is given, what it was when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field ratio number How far body_b turns when body_a turns once: negative where wheels mesh, positive where a belt joins them. · any finite number · default 1
+local fettle_GearJoint = {}
+
+---Turns body_b with body_a.
+---@class Class.GearJoint : Class
+---@overload fun(members?: table): GearJoint
+GearJoint = {}
+
+---Lets body_b turn against body_a one way only.
+---@class RatchetJoint : PairJoint
+---@field backwards boolean Clockwise is free instead of counter-clockwise. · true or false · default false
+---@field caught_angle number It does not turn back beyond this. · rad · any finite number · read-only, simulated
+---@field reference_angle number The angle that counts as 0, where a tooth is. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field tooth number From tooth to tooth; 0: it holds at any angle. · rad · 0 to inf · default 0
+local fettle_RatchetJoint = {}
+
+---Lets body_b turn against body_a one way only.
+---@class Class.RatchetJoint : Class
+---@overload fun(members?: table): RatchetJoint
+RatchetJoint = {}
+
+---A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes all.
+---@class Field : Object
+---@field enabled boolean Whether it acts. · true or false · default true
+---@field mask integer It acts on shapes of these categories, as bits. · any integer · default -1
+---@field region vec[]? Where it acts, by its lower left and upper right corner: on shapes that reach into it (Buoyancy), or whose body has its center of mass there; nil: everywhere. · m · any length · default nil · may be nil
+local fettle_Field = {}
+
+---A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes all.
+---@class Class.Field : Class
+Field = {}
+
+---Moving air: presses on every edge that faces it, by the square of its speed.
+---@class Wind : Field
+---@field density number Of the air. · kg/m² · 0 to inf · default 1.2
+---@field velocity vec Of the air. · m/s · any finite vec · default vec(5, 0)
+local fettle_Wind = {}
+
+---Moving air: presses on every edge that faces it, by the square of its speed.
+---@class Class.Wind : Class
+---@overload fun(members?: table): Wind
+Wind = {}
+
+---Slows what moves against a flow, by the area of its shapes.
+---@class Drag : Field
+---@field flow vec What it slows things to. · m/s · any finite vec · default vec(0, 0)
+---@field linear number Resistance for each m/s and m². · N s/m³ · 0 to inf · default 1
+---@field quadratic number Resistance for each (m/s)² and m². · N s²/m⁴ · 0 to inf · default 0
+local fettle_Drag = {}
+
+---Slows what moves against a flow, by the area of its shapes.
+---@class Class.Drag : Class
+---@overload fun(members?: table): Drag
+Drag = {}
+
+---A liquid below a straight surface: lifts by the weight of what is displaced, exactly.
+---@class Buoyancy : Field
+---@field density number Of the liquid. · kg/m² · 0 to inf · default 2
+---@field drag number Share of the displaced mass that resists motion. · 1/s · 0 to inf · default 2
+---@field flow vec Of the liquid. · m/s · any finite vec · default vec(0, 0)
+---@field level number Of the surface, along its normal from the origin. · m · any finite number · default 0
+---@field normal vec Up from the surface; of any length but 0. · any finite vec · default vec(0, 1)
+local fettle_Buoyancy = {}
+
+---A liquid below a straight surface: lifts by the weight of what is displaced, exactly.
+---@class Class.Buoyancy : Class
+---@overload fun(members?: table): Buoyancy
+Buoyancy = {}
+
+---Pulls everything towards a point, as a planet does.
+---@class Attractor : Field
+---@field center vec In the world. · m · any finite vec · default vec(0, 0)
+---@field core number Nearer than this it pulls in proportion to the distance. · m · 0 to inf · default 0.5
+---@field falloff integer It falls by this power of the distance. · 0 to 3 · default 2
+---@field strength number At a distance of 1 m; negative repels. · m/s² · any finite number · default 10
+local fettle_Attractor = {}
+
+---Pulls everything towards a point, as a planet does.
+---@class Class.Attractor : Class
+---@overload fun(members?: table): Attractor
+Attractor = {}
+
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
@@ -843,13 +1277,21 @@ RevoluteJoint = {}
 ---@field fps number Frames a second, smoothed. 0 in a headless run. · 1/s · any finite number · read-only, simulated
 ---@field frame integer Frames made since the game started. · any integer · read-only, simulated
 ---@field max_steps integer How many steps a slow frame may make to catch up. What is due beyond that is dropped: the game slows down. · 1 to 1000 · default 5
+---@field newest integer The last step made; beyond `step` after going back, until a step is made from there. · any integer · read-only, simulated
 ---@field now number Simulation time since the game started. · s · any finite number · read-only, simulated
----@field paused boolean Whether simulation time stands still. update and draw are still called. · true or false · default false
+---@field oldest integer The first step one can go back to. · any integer · read-only, simulated
+---@field paused boolean Whether simulation time stands still. update and draw are still called. · true or false · default false · not saved
+---@field rewind_limit number How much of the past is kept, for rewind and the time bar; 0: nothing. · s · 0 to 3600 · default 60 · not saved
+---@field rewind_memory number How much memory the past may take; where that is too little, less is kept. · MiB · 1 to 65536 · default 128 · not saved
 ---@field scale number Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it. · 0 to 100 · default 1
 ---@field step integer Fixed steps made since the game started. · any integer · read-only, simulated
 ---@field step_once boolean Set it to make one step while paused; it is false again when the step is made. · true or false · default false · not saved
 ---@field timings Timings Where a frame's time goes, smoothed over about half a second.
 local fettle_Time = {}
+
+---Goes to that step of the past, or back to the present, at the next barrier. What came later is forgotten when a step is made from there.
+---@param step integer From `oldest` to `newest`.
+function fettle_Time:go_to(step) end
 
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Class.Time : Class
@@ -1107,6 +1549,8 @@ Gamepad = {}
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
 ---@field picks boolean Whether a click on a body selects it while the console is open. · true or false · default true · not saved
+---@field time_bar boolean Whether the time bar is shown with it: pause, step, back. · true or false · default true · not saved
+---@field tweaks boolean Whether tweaks are listed in place of the log. · true or false · default false · not saved
 local fettle_Console = {}
 
 ---The in-game console and inspector.
@@ -1198,6 +1642,14 @@ function color(name) end
 ---@return number
 function deg(degrees) end
 
+---Removes a saved game.
+---@param slot string
+function delete_save(slot) end
+
+---Forgets the tweaks that match: they are neither listed nor made again.
+---@param pattern string
+function drop_tweaks(pattern) end
+
 ---What the function writes is one step of undo under that name.
 ---@param name string
 ---@param action fun()
@@ -1225,6 +1677,14 @@ function help(anything) end
 ---Lists what was edited, the latest first.
 function history() end
 
+---Writes the tweaks that match into the files their instances came from: keep("world.ball.*").
+---@param pattern string
+function keep(pattern) end
+
+---Goes on with a saved game, from the next barrier. One that is damaged, newer or of another game is an error, and nothing changes. `game` tells `restored`.
+---@param slot string
+function load_game(slot) end
+
 ---Instances, or values by path, that match a pattern: query("world.*.mass").
 ---@param pattern string
 ---@return Set|table<string, any>
@@ -1241,6 +1701,10 @@ function quit(status) end
 ---@overload fun(from: number, to: number): number
 function random() end
 
+---Makes the tweaks of earlier runs that match again.
+---@param pattern string
+function reapply_tweaks(pattern) end
+
 ---Does again what undo took back.
 function redo() end
 
@@ -1248,6 +1712,22 @@ function redo() end
 ---@param name string
 ---@return any
 function require(name) end
+
+---Puts the whole tree back to what it was at a snapshot, at the next barrier between steps. Variables of Lua stay as they are; `game` tells `restored`.
+---@param taken Snapshot
+function restore(taken) end
+
+---Goes back by so much simulation time, at the next barrier between steps, as far as the past is kept (`time.oldest`).
+---@param seconds number
+function rewind(seconds) end
+
+---Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _.
+---@param slot string
+function save_game(slot) end
+
+---The saved games by slot, those that cannot be loaded too.
+---@return SavedGame[]
+function saves() end
 
 ---The instances of a scene file, placed below the parent; detached without one.
 ---@param file string
@@ -1260,6 +1740,13 @@ function scene.load(file, parent, name) end
 ---@param file string
 ---@param instance Object
 function scene.save(file, instance) end
+
+---The whole tree as it is at the next barrier between steps, for restore.
+---@return Snapshot
+function snapshot() end
+
+---Lists what people edited while the game ran, in this run and in earlier ones, and what of it is kept.
+function tweaks() end
 
 ---Takes the latest edit back.
 function undo() end

@@ -175,6 +175,9 @@ void Nodes::replace(Nodes&& other) {
             node.generation = std::max(node.generation, last + 1);
         }
     }
+    // Slots that neither table has any more may have been given in a future left earlier.
+    for (const auto& [i, last] : issued)
+        if (i >= room) other.issued_[i] = last;
     *this = std::move(other);
 }
 

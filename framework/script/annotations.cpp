@@ -140,13 +140,20 @@ class Annotations {
         for (const std::string& field : more) line("---@field " + field);
     }
 
+    // What an event tells besides its own fields.
+    static std::vector<std::string> told_always(const Event& event) {
+        std::vector<std::string> fields = {"instance " + event.owner->name() +
+                                           " To whom it happened."};
+        if (std::ranges::find(event.fields, "step", &Field::name) == event.fields.end())
+            fields.emplace_back("step integer The fixed step in which it happened.");
+        return fields;
+    }
+
     void instance_class(const Class& of) {
         const std::string& name = of.name();
         for (const Event* event : own_events(of))
             if (event->name != "deleted")
-                record(name + "." + event->name, event->doc, event->fields,
-                       {"instance " + name + " To whom it happened.",
-                        "step integer The fixed step in which it happened."});
+                record(name + "." + event->name, event->doc, event->fields, told_always(*event));
         for (const Method* method : own_methods(of))
             if (returns_record(*method))
                 record(result_name(*method), method->doc, method->returns, {});

@@ -275,6 +275,7 @@ std::vector<std::string> set_lines(Machine& machine, std::vector<Handle> handles
     std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
     if (handles.empty()) return {"no instances"};
     std::vector<std::pair<std::string, Handle>> sorted;
+    sorted.reserve(handles.size());
     for (const Handle handle : handles) sorted.emplace_back(tree.path(handle), handle);
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -392,6 +393,7 @@ std::vector<std::string> description_lines(lua_State* L, int index, const Descri
         return text;
     };
     if (!is_description_list(kind)) {
+        rows.reserve(kind.fields.size());
         for (const std::string& field : kind.fields)
             rows.push_back({"  " + field, cell(table, field)});
     } else {

@@ -55,7 +55,7 @@ const std::vector<GlobalDoc>& global_docs() {
         {"redo", "redo()", "Does again what undo took back."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},
-        {"restore", "restore(taken: userdata)",
+        {"restore", "restore(taken: Snapshot)",
          "Puts the whole tree back to what it was at a snapshot, at the next barrier between "
          "steps. Variables of Lua stay as they are; `game` tells `restored`."},
         {"rewind", "rewind(seconds: number)",
@@ -64,14 +64,13 @@ const std::vector<GlobalDoc>& global_docs() {
         {"save_game", "save_game(slot: string)",
          "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
          "Lua. A slot is called by letters, digits, spaces, - and _."},
-        {"saves", "saves(): table[]",
-         "The saved games, by slot: {slot, step, time, picture, problem}; `problem` says why one "
-         "cannot be loaded."},
+        {"saves", "saves(): SavedGame[]",
+         "The saved games by slot, those that cannot be loaded too."},
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
          "The instances of a scene file, placed below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",
          "Writes an instance and everything below it to a scene file of the game."},
-        {"snapshot", "snapshot(): userdata",
+        {"snapshot", "snapshot(): Snapshot",
          "The whole tree as it is at the next barrier between steps, for restore."},
         {"tweaks", "tweaks()",
          "Lists what people edited while the game ran, in this run and in earlier ones, and what "

@@ -85,6 +85,20 @@ TypeDoc formula_type() {
     return {"Formula", "What formula(...) makes: assign it to a property.", {}};
 }
 
+TypeDoc snapshot_type() {
+    return {"Snapshot", "What snapshot() returns: a whole game at a moment, for restore().", {}};
+}
+
+TypeDoc saved_game_type() {
+    return {"SavedGame",
+            "What saves() tells of a saved game.",
+            {{"picture", "boolean", "Whether there is a picture of it."},
+             {"problem", "string?", "Why it cannot be loaded; nil when it can."},
+             {"slot", "string", "The name it was saved under."},
+             {"step", "integer", "The fixed step in which it was saved."},
+             {"time", "integer", "When, in seconds since 1970, as os.time() tells it."}}};
+}
+
 TypeDoc class_type() {
     return {
         "Class",
@@ -202,10 +216,10 @@ TypeDoc pen_type() {
 
 const std::vector<TypeDoc>& type_docs() {
     static const std::vector<TypeDoc> docs = {
-        vec_type(),          color_type(),           set_type(),           connection_type(),
-        change_type(),       deletion_type(),        formula_type(),       pen_type(),
-        class_type(),        property_description(), method_description(), event_description(),
-        field_description(),
+        vec_type(),           color_type(),        set_type(),          connection_type(),
+        change_type(),        deletion_type(),     formula_type(),      snapshot_type(),
+        saved_game_type(),    pen_type(),          class_type(),        property_description(),
+        method_description(), event_description(), field_description(),
     };
     return docs;
 }

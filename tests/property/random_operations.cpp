@@ -13,9 +13,9 @@ constexpr std::array<const char*, 5> names = {"mass", "radius", "charge", "lives
 constexpr std::array<const char*, 7> watched = {"mass",  "radius", "charge",  "lives",
                                                 "score", "area",   "velocity"};
 constexpr std::array<const char*, Operation::kinds> kind_names = {
-    "create", "destroy", "move",     "set",        "set_formula", "clear",
-    "read",   "barrier", "simulate", "begin_edit", "end_edit",    "undo",
-    "redo",   "watch",   "stop",     "rename",     "explain"};
+    "create",  "destroy",  "move",       "set",      "set_formula", "clear", "read",
+    "barrier", "simulate", "begin_edit", "end_edit", "undo",        "redo",  "watch",
+    "stop",    "rename",   "explain",    "snapshot", "restore"};
 
 double number_of(const Value& value) {
     return value.is(Type::vec2) ? value.vec2().y() : value.as_double();
@@ -115,6 +115,11 @@ void RandomRun::run_alone(const Operation& operation) {
         case Operation::undo:
         case Operation::redo:
             return step_in_history(operation.kind == Operation::undo);
+        case Operation::snapshot:
+            if (!in_edit_) kept_ = Kept{tree_.snapshot(), world_, done_, undone_};
+            return;
+        case Operation::restore:
+            return restore();
         case Operation::stop:
             if (!watchers_.empty())
                 watchers_[static_cast<std::size_t>(a) % watchers_.size()]->connection.stop();
@@ -297,6 +302,23 @@ void RandomRun::step_in_history(bool back) {
     }
     (back ? undone_ : done_).push_back(world_);
     world_ = std::move(then);
+}
+
+// Everything is as it was, the list of undo too; what was made since is gone for ever.
+void RandomRun::restore() {
+    if (!kept_ || in_edit_) return;
+    settle();  // changes that nobody was told yet would be lost
+    tree_.restore(kept_->snapshot);
+    NaiveWorld then = kept_->world;
+    while (then.instances.size() < world_.instances.size()) {
+        NaiveInstance gone = world_.instances[then.instances.size()];
+        gone.alive = false;
+        then.instances.push_back(std::move(gone));
+    }
+    world_ = std::move(then);
+    done_ = kept_->done;
+    undone_ = kept_->undone;
+    settle();
 }
 
 // --- Watchers

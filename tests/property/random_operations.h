@@ -7,8 +7,11 @@
 #include <iosfwd>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <fettle/property/snapshot.h>
 
 #include "fixture.h"
 #include "naive_world.h"
@@ -35,6 +38,8 @@ struct Operation {
         stop,
         rename,
         explain,
+        snapshot,
+        restore,
         kinds
     };
     Kind kind = barrier;
@@ -77,6 +82,7 @@ class RandomRun {
     void clear(int instance, const std::string& property);
     void simulate(int number);
     void step_in_history(bool back);
+    void restore();
     void watch(int instance, const std::string& property, int action, int number);
     void told(Watcher& watcher, const Change& change);
     void act(Watcher& watcher);
@@ -99,6 +105,12 @@ class RandomRun {
     std::vector<Handle> handles_;
     std::vector<std::unique_ptr<Watcher>> watchers_;
     std::vector<NaiveWorld> done_, undone_;
+    struct Kept {
+        Snapshot snapshot;
+        NaiveWorld world;
+        std::vector<NaiveWorld> done, undone;
+    };
+    std::optional<Kept> kept_;
     bool people_, in_edit_ = false, wrote_ = false, in_barrier_ = false;
     NaiveWorld before_edit_;
     std::size_t entries_before_edit_ = 0;

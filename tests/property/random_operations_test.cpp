@@ -39,7 +39,9 @@ rc::Gen<Operation> operation() {
                                                                   {4, Operation::watch},
                                                                   {1, Operation::stop},
                                                                   {2, Operation::rename},
-                                                                  {2, Operation::explain}}),
+                                                                  {2, Operation::explain},
+                                                                  {2, Operation::snapshot},
+                                                                  {1, Operation::restore}}),
                        rc::gen::container<std::array<int, 4>>(rc::gen::inRange(0, 10'000))),
         [](const std::tuple<Operation::Kind, std::array<int, 4>>& parts) {
             return Operation{std::get<0>(parts), std::get<1>(parts)};

@@ -103,6 +103,17 @@ TEST_CASE("whoever existed then has the same handle again and later ones are dea
     }
 }
 
+TEST_CASE("restoring twice gives no handle of a left future away again") {
+    Rig r;
+    const Snapshot before = r.tree.snapshot();
+    const Handle lost = r.make("lost");
+    r.tree.restore(before);
+    r.tree.restore(before);
+    const Handle made = r.make("made");
+    CHECK_FALSE(r.tree.alive(lost));
+    CHECK(r.tree.alive(made));
+}
+
 TEST_CASE("new instances get the slots they would have got") {
     Rig r;
     std::vector<Handle> all;
