@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include <fettle/property/acceptance.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
@@ -202,6 +203,12 @@ struct HostFunctions {
             for (std::size_t i = changeable; i < told.size(); ++i) values[i] = answers.put(told[i]);
         });
     }
+    static std::uint32_t accepts(void* self, fettle_handle instance) {
+        bool counts = false;
+        (void)host_of(self).guarded(
+            [&](property::Tree&) { counts = property::Acceptance::accepts(received(instance)); });
+        return counts ? 1 : 0;
+    }
     static std::uint64_t step(void* self) {
         const HostTable& host = host_of(self);
         return host.tree == nullptr ? 0 : host.tree->step();
@@ -244,6 +251,7 @@ HostTable::HostTable() {
               .listens = F::listens,
               .emit = F::emit,
               .ask = F::ask,
+              .accepts = F::accepts,
               .step = F::step,
               .touched = F::touched};
 }

@@ -85,7 +85,13 @@ void close(void* context) {
     delete &guest_of(context);
 }
 
+const fettle_host* opened_by = nullptr;
+
 }  // namespace
+
+const fettle_host* program() {
+    return opened_by;
+}
 
 fettle_status open_guest(const fettle_host* host, fettle_module* module, const char* version,
                          std::unique_ptr<Module> (*make)()) {
@@ -93,6 +99,7 @@ fettle_status open_guest(const fettle_host* host, fettle_module* module, const c
     if (host->abi >> 16 != FETTLE_ABI_MAJOR || int(host->abi & 0xffff) < FETTLE_ABI_MINOR)
         return FETTLE_ERR_WRONG_VERSION;
     try {
+        opened_by = host;
         auto guest = std::make_unique<Guest>();
         guest->tree.state().host = host;
         guest->module = make();

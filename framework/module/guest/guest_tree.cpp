@@ -2,6 +2,7 @@
 
 #include "guest_tree.h"
 
+#include <fettle/property/acceptance.h>
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
@@ -270,6 +271,11 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
                           static_cast<std::uint32_t>(told.size()),
                           static_cast<std::uint32_t>(changeable)));
     for (std::size_t i = changeable; i < values.size(); ++i) values[i] = received(told[i]);
+}
+
+bool Acceptance::accepts(Handle instance) {
+    const fettle_host* host = module::program();
+    return host == nullptr || host->accepts(host->self, sent(instance)) != 0;
 }
 
 // --- Snapshots

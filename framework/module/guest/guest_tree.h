@@ -16,6 +16,10 @@
 
 namespace fettle::module {
 
+/// The program that has opened this shared object; null before. For what the tree's library asks
+/// without a tree at hand.
+const fettle_host* program();
+
 /// What the program calls a property, a method or a class of the module through.
 struct GuestProperty {
     property::Tree::State* tree = nullptr;

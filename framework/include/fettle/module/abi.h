@@ -318,6 +318,10 @@ typedef struct fettle_host {
     fettle_status (*ask)(void* self, fettle_handle instance, const void* event,
                          fettle_value* values, uint32_t count, uint32_t changeable);
 
+    /* Within a method with a parameter `accept`, a function of the caller's that came as true:
+       whether it says that the instance counts. 1 where there is none. */
+    uint32_t (*accepts)(void* self, fettle_handle instance);
+
     uint64_t (*step)(void* self); /* number of the fixed step */
     /* In `report`: `step` wrote properties of the module that may be watched. */
     void (*touched)(void* self);
