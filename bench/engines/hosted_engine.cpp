@@ -86,9 +86,10 @@ Tree& HeadlessGame::with_physics() {
     return tree;
 }
 
-HostedEngine::HostedEngine(const Scene& scene)
+HostedEngine::HostedEngine(const Scene& scene, bool keeps_past)
     : world_(game_.tree.child(game_.tree.root(), "world")) {
     Tree& tree = game_.tree;
+    if (!keeps_past) property::set(tree, "time.rewind_limit", 0.0);
     tree.set(world_, "gravity", value(scene.gravity));
     tree.set(world_, "sleeping", scene.sleeping);
     tree.set(world_, "continuous", scene.continuous);

@@ -31,7 +31,8 @@ struct HeadlessGame {
 
 class HostedEngine : public Engine {
   public:
-    explicit HostedEngine(const Scene& scene);
+    /// `keeps_past`: for rewinding, as a game does unless it is told otherwise.
+    explicit HostedEngine(const Scene& scene, bool keeps_past = true);
 
     /// Barrier, update, barrier, timers, step, barrier, modules, barrier.
     void step() override;

@@ -147,7 +147,7 @@ struct Tree::State {
     // typed_ways.cpp
     template <class T>
     bool write_typed(Handle instance, const Property& property, T value);
-    void note_typed(Handle instance, const Property& property, double x, double y);
+    void note_typed(Handle instance, const Property& property);
     void tell_untold();
 
     // delivery.cpp

@@ -63,23 +63,19 @@ bool put_stored(Tree::State& s, const Node& node, const Property& property, cons
 }  // namespace
 
 /// What is left to do in the less usual circumstances.
-[[gnu::noinline]] void Tree::State::note_typed(Handle instance, const Property& property, double x,
-                                               double y) {
+[[gnu::noinline]] void Tree::State::note_typed(Handle instance, const Property& property) {
     // The setter may have moved nodes.
     const Binding& binding = property.binding;
     if (binding.invalidate != nullptr)
         binding.invalidate(binding.context, nodes[instance.index].row);
     note_edit();
-    if (observers.empty() || replaying) return;
-    untold.push_back({instance, &property, x, y});
-    if (untold.size() >= most_untold) tell_untold();
 }
 
 /// Only where nobody has to be told at once, and no other value stands for the cell's.
 template <class T>
 inline bool Tree::State::write_typed(Handle instance, const Property& property, T value) {
     const Node* const node = nodes.find(instance);
-    if (node == nullptr || (node->watched | node->has_formula | node->has_dependents) ||
+    if (node == nullptr || node->watched || node->has_formula || node->has_dependents ||
         property.interest != 0 || records || formulas.tracking() || !fit(property.shortcut, value))
         return false;
     if (property.shortcut.write == by_call<T>) {
@@ -92,12 +88,19 @@ inline bool Tree::State::write_typed(Handle instance, const Property& property, 
     writes.note(instance, property.symbol, writer, step);
     edited = true;
     ++epoch;
-    if (!shadows.empty() || !observers.empty() || property.binding.invalidate != nullptr) {
-        if constexpr (std::is_same_v<T, double>)
-            note_typed(instance, property, value, 0);
-        else
-            note_typed(instance, property, value.x(), value.y());
+    if (!shadows.empty() || property.binding.invalidate != nullptr) note_typed(instance, property);
+    if (observers.empty() || replaying) return true;
+    // Made where it stays: a copy of one just made stalls on its half-written bytes.
+    PlainWrite& told = untold.emplace_back();
+    told.instance = instance;
+    told.property = &property;
+    if constexpr (std::is_same_v<T, double>) {
+        told.x = value;
+    } else {
+        told.x = value.x();
+        told.y = value.y();
     }
+    if (untold.size() >= most_untold) tell_untold();
     return true;
 }
 
