@@ -33,15 +33,16 @@ void Engine::arrive(std::size_t, const SceneGroup&) {
     throw std::logic_error("this engine runs no scene in which bodies come and go");
 }
 
+void mix(std::uint64_t& hash, const BodyMotion& body) {
+    for (const float number : {body.position.x, body.position.y, body.angle, body.velocity.x,
+                               body.velocity.y, body.angular_velocity})
+        mix(hash, number);
+}
+
 std::uint64_t hash_of(const Engine& engine, std::size_t count) {
     std::uint64_t hash = 0xcbf29ce484222325;
-    for (std::size_t i = 0; i < count; ++i) {
-        const BodyMotion body = engine.motion(i);
-        for (const float number : {body.position.x, body.position.y, body.angle, body.velocity.x,
-                                   body.velocity.y, body.angular_velocity}) {
-            mix(hash, number);
-        }
-    }
+    for (std::size_t i = 0; i < count; ++i) mix(hash, engine.motion(i));
+    engine.mix_groups(hash);
     return hash;
 }
 

@@ -35,6 +35,7 @@ class Engine {
     /// The bodies of a group come; those of it that are there go before. Throws where the engine
     /// has no groups.
     virtual void arrive(std::size_t group, const SceneGroup& description);
+    virtual void mix_groups(std::uint64_t&) const {}
     /// An edit from outside, as a tinkerer makes it: `set_velocity` by the engine's most public
     /// way.
     virtual void edit_velocity(std::size_t body, Point velocity) { set_velocity(body, velocity); }
@@ -44,8 +45,11 @@ class Engine {
     virtual std::size_t bodies() const = 0;
 };
 
-/// FNV-1a over the motion of `count` bodies, in the order of the scene: equal for equal states,
-/// whatever the engine.
+/// One body more in a hash, FNV-1a.
+void mix(std::uint64_t& hash, const BodyMotion& body);
+
+/// FNV-1a over the motion of `count` bodies, in the order of the scene, and of those of its groups:
+/// equal for equal states, whatever the engine.
 std::uint64_t hash_of(const Engine& engine, std::size_t count);
 
 struct EngineKind {

@@ -70,14 +70,11 @@ class FettleEngine : public Engine {
 
     void step() override { world_.step(time_step); }
 
-    BodyMotion motion(std::size_t index) const override {
-        const physics::Body& body = bodies_[index];
-        const physics::Vec2 position = body.position();
-        const physics::Vec2 velocity = body.velocity();
-        return {{position.x(), position.y()},
-                body.angle(),
-                {velocity.x(), velocity.y()},
-                body.angular_velocity()};
+    BodyMotion motion(std::size_t index) const override { return motion_of(bodies_[index]); }
+
+    void mix_groups(std::uint64_t& hash) const override {
+        for (const auto& group : groups_)
+            for (const physics::Body& body : group) mix(hash, motion_of(body));
     }
 
     void set_velocity(std::size_t body, Point velocity) override {
@@ -96,6 +93,15 @@ class FettleEngine : public Engine {
     std::size_t bodies() const override { return world_.body_count(); }
 
   private:
+    static BodyMotion motion_of(const physics::Body& body) {
+        const physics::Vec2 position = body.position();
+        const physics::Vec2 velocity = body.velocity();
+        return {{position.x(), position.y()},
+                body.angle(),
+                {velocity.x(), velocity.y()},
+                body.angular_velocity()};
+    }
+
     void tie(const std::vector<physics::Body>& bodies, const std::vector<SceneBody>& described,
              const SceneJoint& joint) {
         physics::RevoluteJoint made = world_.create_revolute_joint(

@@ -175,8 +175,16 @@ void HostedEngine::step() {
 }
 
 BodyMotion HostedEngine::motion(std::size_t index) const {
+    return motion_of(bodies_[index]);
+}
+
+void HostedEngine::mix_groups(std::uint64_t& hash) const {
+    for (const Group& group : groups_)
+        for (const Handle body : group.bodies) mix(hash, motion_of(body));
+}
+
+BodyMotion HostedEngine::motion_of(Handle body) const {
     const Tree& tree = game_.tree;
-    const Handle body = bodies_[index];
     const auto point = [](const Value& v) {
         return Point{static_cast<float>(v.vec2().x()), static_cast<float>(v.vec2().y())};
     };

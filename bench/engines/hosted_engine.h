@@ -40,6 +40,7 @@ class HostedEngine : public Engine {
     void set_velocity(std::size_t body, Point velocity) override;
     /// By path, as it is typed into a console.
     void edit_velocity(std::size_t body, Point velocity) override;
+    void mix_groups(std::uint64_t& hash) const override;
     void arrive(std::size_t group, const SceneGroup& description) override;
     std::size_t contacts() const override;
     std::size_t bodies() const override;
@@ -52,6 +53,7 @@ class HostedEngine : public Engine {
     property::Handle handle(std::size_t body) const { return bodies_[body]; }
 
   private:
+    BodyMotion motion_of(property::Handle body) const;
     property::Handle make(const SceneBody& description);
     void tie(const std::vector<property::Handle>& bodies, const std::vector<SceneBody>& described,
              const SceneJoint& joint);
