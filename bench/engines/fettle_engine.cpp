@@ -73,20 +73,28 @@ class FettleEngine : public Engine {
     BodyMotion motion(std::size_t index) const override { return motion_of(bodies_[index]); }
 
     void mix_groups(std::uint64_t& hash) const override {
-        for (const auto& group : groups_)
-            for (const physics::Body& body : group) mix(hash, motion_of(body));
+        for (const Group& group : groups_)
+            for (const physics::Body& body : group.bodies) mix(hash, motion_of(body));
     }
 
     void set_velocity(std::size_t body, Point velocity) override {
         bodies_[body].set_velocity(vec(velocity));
     }
 
+    /// What is there goes from last to first, shapes before their bodies, as in the tree: the
+    /// order decides which slots are free next, and with them the order of the contacts.
     void arrive(std::size_t group, const SceneGroup& description) override {
-        std::vector<physics::Body>& bodies = groups_[group];
-        for (physics::Body& body : bodies) body.destroy();
-        bodies.clear();
-        for (const SceneBody& body : description.bodies) bodies.push_back(make(body));
-        for (const SceneJoint& joint : description.joints) tie(bodies, description.bodies, joint);
+        Group& of = groups_[group];
+        for (auto joint = of.joints.rbegin(); joint != of.joints.rend(); ++joint) joint->destroy();
+        for (auto body = of.bodies.rbegin(); body != of.bodies.rend(); ++body) {
+            std::vector<physics::Shape> shapes = body->shapes();
+            for (auto shape = shapes.rbegin(); shape != shapes.rend(); ++shape) shape->destroy();
+            body->destroy();
+        }
+        of = {};
+        for (const SceneBody& body : description.bodies) of.bodies.push_back(make(body));
+        for (const SceneJoint& joint : description.joints)
+            of.joints.push_back(tie(of.bodies, description.bodies, joint));
     }
 
     std::size_t contacts() const override { return world_.contacts().size(); }
@@ -102,8 +110,8 @@ class FettleEngine : public Engine {
                 body.angular_velocity()};
     }
 
-    void tie(const std::vector<physics::Body>& bodies, const std::vector<SceneBody>& described,
-             const SceneJoint& joint) {
+    physics::Joint tie(const std::vector<physics::Body>& bodies,
+                       const std::vector<SceneBody>& described, const SceneJoint& joint) {
         physics::RevoluteJoint made = world_.create_revolute_joint(
             {.body_a = bodies[joint.body_a].id(),
              .body_b = bodies[joint.body_b].id(),
@@ -118,9 +126,9 @@ class FettleEngine : public Engine {
             made.set_damping_ratio(joint.damping_ratio);
         }
         if (joint.reference != 0) made.set_reference_angle(joint.reference);
-        if (joint.lower == -unlimited && joint.upper == unlimited) return;
         made.set_lower_angle(joint.lower);
         made.set_upper_angle(joint.upper);
+        return made;
     }
 
     physics::Body make(const SceneBody& description) {
@@ -148,7 +156,11 @@ class FettleEngine : public Engine {
 
     physics::World world_;
     std::vector<physics::Body> bodies_;
-    std::vector<std::vector<physics::Body>> groups_;
+    struct Group {
+        std::vector<physics::Body> bodies;
+        std::vector<physics::Joint> joints;
+    };
+    std::vector<Group> groups_;
 };
 
 }  // namespace
