@@ -30,6 +30,7 @@ void RevoluteConstraint::prepare(const Data& data, const JointFrame&, const Join
     if (!springy) impulses.spring = 0.0f;
     if (!driven) impulses.motor = 0.0f;
     if (!limited) impulses.lower = impulses.upper = 0.0f;
+    mass = PointMass::make(ends, a, b);
 }
 
 void RevoluteConstraint::warm_start(SolverBody& a, SolverBody& b) const {
@@ -67,8 +68,7 @@ void RevoluteConstraint::solve_angle(SolverBody& a, SolverBody& b, const JointSt
 
 void RevoluteConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& step) {
     if (springy || driven || limited) solve_angle<true>(a, b, step);
-    ends.follow(a, b);
-    const PointMass mass = PointMass::make(ends, a, b);
+    // The bodies are where the last relax pass, or the begin of the step, has seen them.
     const Softness& soft = step.rigid;
     const V2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.gap(a, b);
     const V2 change = -soft.mass_scale * (mass * velocity) - soft.impulse_scale * impulses.point;
@@ -79,7 +79,7 @@ void RevoluteConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& st
 void RevoluteConstraint::relax(SolverBody& a, SolverBody& b, const JointStep& step) {
     if (driven || limited) solve_angle<false>(a, b, step);
     ends.follow(a, b);
-    const PointMass mass = PointMass::make(ends, a, b);
+    mass = PointMass::make(ends, a, b);
     const V2 change = -(mass * ends.velocity(a, b));
     impulses.point = impulses.point + change;
     ends.push(a, b, change);

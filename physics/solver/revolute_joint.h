@@ -28,6 +28,7 @@ struct RevoluteConstraint {
 
     JointEnds ends;
     Data::Impulses impulses;
+    PointMass mass;  ///< of the levers as they are: bodies turn between the two passes only
     float angular_mass = 0.0f;
     float reference = 0.0f, lower = 0.0f, upper = 0.0f, target = 0.0f;
     float motor_speed = 0.0f, greatest_motor = 0.0f;
