@@ -29,7 +29,7 @@ class WindModule : public module::Module {
     void attach(property::Tree& tree) override {
         tree_ = &tree;
         property::ClassDescriptor wind;
-        wind.name = "Wind";
+        wind.name = "Breeze";
         wind.doc = "Blows on every body below its parent.";
         const auto at = [this](const char* called, Type type, Native native, Value usual,
                                const char* unit, const char* doc, auto base) {
