@@ -179,10 +179,13 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
     Transition transition(s);
     {
         struct Silence {
-            bool& replaying;
-            explicit Silence(bool& r) : replaying(r) { replaying = true; }
-            ~Silence() { replaying = false; }
-        } silence(s.replaying);
+            Tree::State& state;
+            explicit Silence(Tree::State& s) : state(s) { state.replaying = true; }
+            ~Silence() {
+                state.tell_plain_writes();  // to nobody
+                state.replaying = false;
+            }
+        } silence(s);
         prepared.image->end_rows();
         prepared.image->put_nodes();
         for (const auto& put : prepared.parts) put();

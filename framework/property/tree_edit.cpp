@@ -235,6 +235,7 @@ void Tree::State::write(std::uint32_t index, const Node& node, const Property& p
 void Tree::State::written(Handle handle, const Node& node, const Property& property,
                           const Value& old_value) {
     note_edit();
+    tell_plain_writes();
     writes.note(handle, property.symbol, writer, step);
     if (history.recording()) writes.note_in_full(handle, property.symbol, tree.cause());
     if (node.has_dependents) formulas.changed({handle.index, property.symbol});

@@ -246,6 +246,7 @@ void TreeImage::put_nodes() {
     s.nodes.replace(std::move(nodes_));
     s.fresh.clear();
     put_columns();
+    s.tell_plain_writes();
     s.step = step_;
     s.stepped = s.edited = true;
     ++s.epoch;

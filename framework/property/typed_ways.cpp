@@ -3,6 +3,8 @@
 // most, so it is kept as short as it can be; whatever is out of the ordinary goes the long way
 // (tree_edit.cpp), which does the same and more.
 
+#include <memory>
+#include <span>
 #include <stdexcept>
 
 #include <fettle/property/tree.h>
@@ -13,8 +15,6 @@ namespace fettle::property {
 namespace {
 
 using Way = Property::Shortcut::Way;
-
-constexpr std::size_t most_untold = 4096;
 
 /// The two ways of a type: called, and kept by the tree.
 template <class T>
@@ -75,8 +75,9 @@ bool put_stored(Tree::State& s, const Node& node, const Property& property, cons
 template <class T>
 inline bool Tree::State::write_typed(Handle instance, const Property& property, T value) {
     const Node* const node = nodes.find(instance);
-    if (node == nullptr || node->watched || node->has_formula || node->has_dependents ||
+    if (node == nullptr || (node->watched | node->has_formula | node->has_dependents) ||
         property.interest != 0 || records || formulas.tracking() || !fit(property.shortcut, value))
+        [[unlikely]]
         return false;
     if (property.shortcut.write == by_call<T>) {
         if (!typed_way<T>(property.binding).put(property.binding, node->row, value)) return true;
@@ -85,13 +86,14 @@ inline bool Tree::State::write_typed(Handle instance, const Property& property, 
     } else {
         return false;
     }
-    writes.note(instance, property.symbol, writer, step);
     edited = true;
     ++epoch;
-    if (!shadows.empty() || property.binding.invalidate != nullptr) note_typed(instance, property);
-    if (observers.empty() || replaying) return true;
+    if (!shadows.empty() || property.binding.invalidate != nullptr) [[unlikely]]
+        note_typed(instance, property);
+    if (untold.next == untold.end) [[unlikely]]
+        make_room_for_untold();
     // Made where it stays: a copy of one just made stalls on its half-written bytes.
-    PlainWrite& told = untold.emplace_back();
+    PlainWrite& told = *untold.next++;
     told.instance = instance;
     told.property = &property;
     if constexpr (std::is_same_v<T, double>) {
@@ -100,17 +102,24 @@ inline bool Tree::State::write_typed(Handle instance, const Property& property, 
         told.x = value.x();
         told.y = value.y();
     }
-    if (untold.size() >= most_untold) tell_untold();
     return true;
 }
 
+void Tree::State::make_room_for_untold() {
+    if (untold.first != nullptr) return tell_untold();
+    untold.first = std::make_unique<PlainWrite[]>(PlainWrites::most);
+    untold.next = untold.first.get();
+    untold.end = untold.next + PlainWrites::most;
+}
+
 void Tree::State::tell_untold() {
-    // Emptied first: who is told may ask for things that tell again.
-    std::vector<PlainWrite> told;
-    told.swap(untold);
+    const std::span<const PlainWrite> told(untold.first.get(), untold.next);
+    // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
+    untold.next = untold.first.get();
+    for (const PlainWrite& write : told)
+        writes.note(write.instance, write.property->symbol, writer, step);
+    if (replaying) return;
     for (Observer* observer : observers) observer->wrote_plain(told);
-    told.clear();
-    if (untold.empty()) untold.swap(told);  // the room is used again
 }
 
 bool Tree::read(Handle instance, const Property& property, double& number) const {

@@ -1,6 +1,7 @@
 #include <fettle/property/write_log.h>
 
 #include <bit>
+#include <cstring>
 #include <exception>
 #include <utility>
 
@@ -72,24 +73,26 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
     to.put(property.symbol.id());
 }
 
-// What scripts write most: one copy into the log for each.
+// What scripts write most: room for all of them at once, then nothing but copies.
 void WriteLog::wrote_plain(std::span<const PlainWrite> writes) {
     if (!notes()) return;
-    std::byte note[sizeof(Did) + sizeof(Handle) + sizeof(std::uint32_t) + 2 * sizeof(double)];
+    constexpr std::size_t head = sizeof(Did) + sizeof(Handle) + sizeof(Symbol);
+    const std::size_t before = bytes_.size();
+    bytes_.resize(before + writes.size() * (head + 2 * sizeof(double)));
+    std::byte* to = bytes_.data() + before;
+    const auto add = [&to](const auto& field) {
+        std::memcpy(to, &field, sizeof field);
+        to += sizeof field;
+    };
     for (const PlainWrite& write : writes) {
         const bool vector = write.property->type == Type::vec2;
-        std::size_t size = 0;
-        const auto add = [&](const auto& field) {
-            std::memcpy(note + size, &field, sizeof field);
-            size += sizeof field;
-        };
         add(vector ? Did::vector : Did::number);
         add(write.instance);
         add(write.property->symbol);
         add(write.x);
         if (vector) add(write.y);
-        bytes_.insert(bytes_.end(), note, note + size);
     }
+    bytes_.resize(static_cast<std::size_t>(to - bytes_.data()));
 }
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {

@@ -379,7 +379,9 @@ int instance_pairs(lua_State* L) {
 }  // namespace
 
 void open_instance(lua_State* L, Machine& machine) {
-    lua_newtable(L);
+    // Roomier than it need be: Lua looks `__index` and `__newindex` up at each use of an instance,
+    // and in a full table they may stand behind others.
+    lua_createtable(L, 0, 64);
     add_function<instance_index>(L, "__index");
     add_function<instance_newindex>(L, "__newindex");
     add_function<instance_tostring>(L, "__tostring");

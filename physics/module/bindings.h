@@ -55,15 +55,32 @@ auto widened(const T& got) {
         return to_value(got);
 }
 
+/// Numbers written without a Value in between. Both are captureless lambdas: `get` (Hosting&, Row)
+/// gives a float, `set` (Hosting&, Row, float) takes one.
+template <class Get, class Set>
+void put_numbers(Binding& binding, Get, Set) {
+    binding.number.put = [](const Binding& self, Row row, double value) {
+        auto& h = *static_cast<Hosting*>(self.context);
+        if (property::same_bits(static_cast<double>(Get{}(h, row)), value)) return false;
+        Set{}(h, row, static_cast<float>(value));
+        return true;
+    };
+}
+
 template <auto Get, auto Set>
 Binding bound(Hosting& hosting) {
     using Object = typename Setter<Set>::Object;
     using Argument = typename Setter<Set>::Argument;
-    return accessor(
+    Binding binding = accessor(
         hosting, [](Hosting& h, Row row) { return widened((object_at<Object>(h, row).*Get)()); },
         [](Hosting& h, Row row, const Value& value) {
             (object_at<Object>(h, row).*Set)(from_value<Argument>(value));
         });
+    if constexpr (std::is_same_v<Argument, float>)
+        put_numbers(
+            binding, [](Hosting& h, Row row) { return (object_at<Object>(h, row).*Get)(); },
+            [](Hosting& h, Row row, float value) { (object_at<Object>(h, row).*Set)(value); });
+    return binding;
 }
 
 template <auto Get>

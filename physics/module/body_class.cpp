@@ -60,13 +60,16 @@ Binding velocity(Hosting& hosting) {
 }
 
 Binding angular_velocity(Hosting& hosting) {
-    return accessor(
-        hosting, [](Hosting& h, Row row) { return h.state(row).angular_velocity; },
-        [](Hosting& h, Row row, const Value& value) {
-            const auto wanted = from_value<float>(value);
-            if (!h.world(row).set_angular_velocity(slot_of(row), wanted) && wanted != 0.0f)
-                require_movable(h.body(row));
-        });
+    const auto get = [](Hosting& h, Row row) { return h.state(row).angular_velocity; };
+    const auto set = [](Hosting& h, Row row, float wanted) {
+        if (!h.world(row).set_angular_velocity(slot_of(row), wanted) && wanted != 0.0f) [[unlikely]]
+            require_movable(h.body(row));
+    };
+    Binding binding = accessor(hosting, get, [](Hosting& h, Row row, const Value& value) {
+        decltype(set){}(h, row, from_value<float>(value));
+    });
+    put_numbers(binding, get, set);
+    return binding;
 }
 
 Binding type(Hosting& hosting) {

@@ -445,21 +445,36 @@ Vec2 World::velocity(uint32_t index) const {
     return data_->states[index].velocity;
 }
 
-bool World::set_velocity(uint32_t index, const Vec2& velocity) {
-    WorldData& data = *data_;
+namespace {
+
+/// Whether the body moves by itself; then it is awake afterwards, and what touches it too where
+/// that matters.
+[[gnu::noinline]] bool stir_slowly(WorldData& data, uint32_t index) {
     data.refresh_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;
     data.wake_for_edit(index);
-    data.states[index].velocity = velocity;
+    return true;
+}
+
+inline bool stir(WorldData& data, uint32_t index) {
+    BodyRecord& record = data.bodies[index];
+    if (record.listed || record.mobility != Mobility::dynamic || record.asleep()) [[unlikely]]
+        return stir_slowly(data, index);
+    record.sleep_time = 0.0f;
+    return true;
+}
+
+}  // namespace
+
+bool World::set_velocity(uint32_t index, const Vec2& velocity) {
+    if (!stir(*data_, index)) return false;
+    data_->states[index].velocity = velocity;
     return true;
 }
 
 bool World::set_angular_velocity(uint32_t index, float angular_velocity) {
-    WorldData& data = *data_;
-    data.refresh_mass(index);
-    if (data.bodies[index].mobility == Mobility::fixed) return false;
-    data.wake_for_edit(index);
-    data.states[index].angular_velocity = angular_velocity;
+    if (!stir(*data_, index)) return false;
+    data_->states[index].angular_velocity = angular_velocity;
     return true;
 }
 
