@@ -21,8 +21,7 @@ void Transition::note(std::uint32_t index) {
     const bool broad = state_.watchers.any_broad();
     if (!node.watched && !broad && !state_.watchers.any_deleted()) return;
     for (const Property* property : state_.tree.properties(self))
-        if ((node.watched && state_.watchers.directly_watched({index, property->symbol})) ||
-            (broad && state_.watchers.broadly_watched(self, *property)))
+        if (watched(self, node, *property))
             known_.push_back({self, property, state_.read(index, node, *property)});
     const bool told =
         state_.wants_farewell(self, of, node.fresh) ||
@@ -37,6 +36,11 @@ void Transition::note(std::uint32_t index) {
         for (const Property* property : state_.tree.properties(self))
             gone.last_values.emplace_back(property, state_.read(index, node, *property));
     farewells_.push_back(std::move(gone));
+}
+
+bool Transition::watched(Handle self, const Node& node, const Property& property) const {
+    return (node.watched && state_.watchers.directly_watched({self.index, property.symbol})) ||
+           (state_.watchers.any_broad() && state_.watchers.broadly_watched(self, property));
 }
 
 void Transition::finish() {
@@ -130,6 +134,20 @@ void Transition::tell_changed() {
             property == nullptr ? Value() : state_.read(known.instance.index, *node, *property);
         if (!(now == known.value))
             state_.queue_change(known.instance, *known.property, known.value, now, cause);
+    }
+    // Properties that somebody had removed since: nothing of them was known.
+    for (const Lived& lived : lived_) {
+        const Node* node = state_.nodes.find(lived.instance);
+        if (node == nullptr || !node->has_ad_hoc) continue;
+        const auto of_it =
+            std::ranges::equal_range(known_, lived.instance.index, {},
+                                     [](const Known& known) { return known.instance.index; });
+        for (const Property* property : state_.tree.ad_hoc(lived.instance)) {
+            const bool told = std::ranges::find(of_it, property, &Known::property) != of_it.end();
+            if (told || !watched(lived.instance, *node, *property)) continue;
+            state_.queue_change(lived.instance, *property, Value(),
+                                state_.read(lived.instance.index, *node, *property), cause);
+        }
     }
 }
 

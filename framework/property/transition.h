@@ -8,6 +8,8 @@
 
 #include <fettle/property/tree.h>
 
+#include "nodes.h"
+
 namespace fettle::property {
 
 class Transition {
@@ -28,6 +30,7 @@ class Transition {
         bool fresh;
     };
     void note(std::uint32_t index);
+    bool watched(Handle self, const Node& node, const Property& property) const;
     void drop_queued();
     void end_instances();
     void watch_again();

@@ -114,6 +114,22 @@ TEST_CASE("restoring twice gives no handle of a left future away again") {
     CHECK(r.tree.alive(made));
 }
 
+TEST_CASE("who watches an added property hears that a restore brought it back") {
+    Rig r;
+    const Handle thing = r.make("thing");
+    r.tree.set_or_add(thing, "score", 5);
+    std::vector<std::string> log;
+    r.tree.watch(thing, "score", [&](const Change& c) {
+        log.push_back(r.tree.text(c.old_value) + ">" + r.tree.text(c.new_value));
+    });
+    const Snapshot before = r.tree.snapshot();
+    r.tree.remove_ad_hoc(thing, "score");
+    r.tree.barrier();
+    r.tree.restore(before);
+    r.tree.barrier();
+    CHECK(log == std::vector<std::string>{"5>nil", "nil>5"});
+}
+
 TEST_CASE("new instances get the slots they would have got") {
     Rig r;
     std::vector<Handle> all;

@@ -385,7 +385,7 @@ Binding column(Context& context, Native native, std::size_t stride, Base) {
 
 /// What a getter gives, if the typed ways know it: double or Vec2; else void.
 template <class Context, class Get>
-using typed_result = std::conditional_t<
+using TypedResult = std::conditional_t<
     std::is_floating_point_v<std::invoke_result_t<Get, Context&, Row>>, double,
     std::conditional_t<
         std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, Context&, Row>>, Vec2>, Vec2,
@@ -408,7 +408,7 @@ Binding accessor(Context& context, Get) {
     b.kind = BindingKind::accessor;
     b.context = &context;
     b.get = [](void* c, Row row) -> Value { return Value(Get{}(*static_cast<Context*>(c), row)); };
-    using T = typed_result<Context, Get>;
+    using T = TypedResult<Context, Get>;
     if constexpr (!std::is_void_v<T>)
         typed<T>(b).get = [](const Binding& binding, Row row) -> T {
             return Get{}(*static_cast<Context*>(binding.context), row);
@@ -424,7 +424,7 @@ Binding accessor(Context& context, Get get, Set) {
     b.set = [](void* c, Row row, const Value& value) {
         Set{}(*static_cast<Context*>(c), row, value);
     };
-    using T = typed_result<Context, Get>;
+    using T = TypedResult<Context, Get>;
     if constexpr (!std::is_void_v<T>)
         typed<T>(b).put = [](const Binding& binding, Row row, typename Typed<T>::Passed value) {
             Context& in = *static_cast<Context*>(binding.context);
