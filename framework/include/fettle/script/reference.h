@@ -12,8 +12,8 @@ FETTLE_SCRIPT_BEGIN
 
 namespace fettle::script {
 
-/// One file of LuaCATS annotations (`---@meta`, as lua-language-server reads them). `tree`: with all
-/// modules and services attached; what hangs under its root is global.
+/// One file of LuaCATS annotations (`---@meta`, as lua-language-server reads them). `tree`: with
+/// all modules and services attached; what hangs under its root is global.
 std::string annotations(const property::Tree& tree);
 
 struct ReferencePage {

@@ -1,7 +1,7 @@
 #pragma once
-// What a shared libfettle_physics_module shows of itself: what its public headers declare between these two
-// marks, and nothing else. Everything is compiled with hidden visibility; a static library needs no
-// marks and has FETTLE_PHYSICS_MODULE_STATIC defined.
+// What a shared libfettle_physics_module shows of itself: what its public headers declare between
+// these two marks, and nothing else. Everything is compiled with hidden visibility; a static
+// library needs no marks and has FETTLE_PHYSICS_MODULE_STATIC defined.
 
 #ifdef FETTLE_PHYSICS_MODULE_STATIC
 #define FETTLE_PHYSICS_MODULE_BEGIN
