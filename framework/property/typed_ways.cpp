@@ -60,6 +60,12 @@ bool put_stored(Tree::State& s, const Node& node, const Property& property, cons
     return true;
 }
 
+[[noreturn, gnu::cold, gnu::noinline]] void refused(Tree::State& s, Handle instance,
+                                                    const Property& property,
+                                                    const std::invalid_argument& why) {
+    throw Error(ErrorKind::rejected, s.tree.path(instance, property) + ": " + why.what());
+}
+
 }  // namespace
 
 /// What is left to do in the less usual circumstances.
@@ -71,29 +77,28 @@ bool put_stored(Tree::State& s, const Node& node, const Property& property, cons
     note_edit();
 }
 
-/// Only where nobody has to be told at once, and no other value stands for the cell's.
+/// The write itself and what it leaves to do. Apart from the checks before it: those need neither
+/// a frame nor the value anywhere but in a register.
 template <class T>
-inline bool Tree::State::write_typed(Handle instance, const Property& property, T value) {
-    const Node* const node = nodes.find(instance);
-    if (node == nullptr || (node->watched | node->has_formula | node->has_dependents) ||
-        property.interest != 0 || records || formulas.tracking() || !fit(property.shortcut, value))
-        [[unlikely]]
-        return false;
-    if (property.shortcut.write == by_call<T>) {
-        if (!typed_way<T>(property.binding).put(property.binding, node->row, value)) return true;
-    } else if (property.shortcut.write == in_tree<T>) {
-        if (!put_stored(*this, *node, property, value)) return true;
-    } else {
-        return false;
+[[gnu::noinline]] static bool put_typed(Tree::State& s, Handle instance, const Property& property,
+                                        typename Typed<T>::Passed value, const Node& node) {
+    if (property.shortcut.write == by_call<T>) [[likely]] {
+        try {
+            if (!typed_way<T>(property.binding).put(property.binding, node.row, value)) return true;
+        } catch (const std::invalid_argument& refusal) {
+            refused(s, instance, property, refusal);
+        }
+    } else if (!put_stored<T>(s, node, property, value)) {
+        return true;
     }
-    edited = true;
-    ++epoch;
-    if (!shadows.empty() || property.binding.invalidate != nullptr) [[unlikely]]
-        note_typed(instance, property);
-    if (untold.next == untold.end) [[unlikely]]
-        make_room_for_untold();
+    s.edited = true;
+    ++s.epoch;
+    if (!s.shadows.empty() || property.binding.invalidate != nullptr) [[unlikely]]
+        s.note_typed(instance, property);
+    if (s.untold.next == s.untold.end) [[unlikely]]
+        s.make_room_for_untold();
     // Made where it stays: a copy of one just made stalls on its half-written bytes.
-    PlainWrite& told = *untold.next++;
+    PlainWrite& told = *s.untold.next++;
     told.instance = instance;
     told.property = &property;
     if constexpr (std::is_same_v<T, double>) {
@@ -103,6 +108,18 @@ inline bool Tree::State::write_typed(Handle instance, const Property& property, 
         told.y = value.y();
     }
     return true;
+}
+
+/// Only where nobody has to be told at once, and no other value stands for the cell's.
+template <class T>
+inline bool Tree::State::write_typed(Handle instance, const Property& property, T value) {
+    const Node* const node = nodes.find(instance);
+    if (node == nullptr || node->watched || node->has_formula || node->has_dependents ||
+        property.interest != 0 || records || formulas.tracking() ||
+        (property.shortcut.write != by_call<T> && property.shortcut.write != in_tree<T>) ||
+        !fit(property.shortcut, value)) [[unlikely]]
+        return false;
+    return put_typed<T>(*this, instance, property, value, *node);
 }
 
 void Tree::State::make_room_for_untold() {
@@ -129,18 +146,10 @@ bool Tree::read(Handle instance, const Property& property, Vec2& vector) const {
     return read_typed(*state_, instance, property, vector);
 }
 bool Tree::write(Handle instance, const Property& property, double number) {
-    try {
-        return state_->write_typed(instance, property, number);
-    } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
-    }
+    return state_->write_typed(instance, property, number);
 }
 bool Tree::write(Handle instance, const Property& property, const Vec2& vector) {
-    try {
-        return state_->write_typed(instance, property, vector);
-    } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
-    }
+    return state_->write_typed(instance, property, vector);
 }
 
 }  // namespace fettle::property

@@ -51,10 +51,8 @@ void refuse_infinite(const char* what, const Vec2& value) {
     refuse(what, text(value), "two finite numbers");
 }
 
-float check_not_negative(const char* what, float value) {
-    if (!(value >= 0.0f) || !std::isfinite(value))
-        refuse(what, text(value), "a finite number of at least 0");
-    return value;
+void refuse_negative(const char* what, float value) {
+    refuse(what, text(value), "a finite number of at least 0");
 }
 
 float check_range(const char* what, float value, float low, float high) {

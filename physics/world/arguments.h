@@ -23,7 +23,13 @@ inline const Vec2& check_finite(const char* what, const Vec2& value) {
         refuse_infinite(what, value);
     return value;
 }
-float check_not_negative(const char* what, float value);  ///< finite and >= 0
+[[noreturn]] void refuse_negative(const char* what, float value);
+/// Finite and >= 0.
+inline float check_not_negative(const char* what, float value) {
+    if (!(value >= 0.0f) || !std::isfinite(value)) [[unlikely]]
+        refuse_negative(what, value);
+    return value;
+}
 float check_range(const char* what, float value, float low, float high);
 const Vec2& check_coordinates(const char* what, const Vec2& value);  ///< within ±1e8
 /// Positive or infinite: mass, inertia.

@@ -449,31 +449,46 @@ namespace {
 
 /// Whether the body moves by itself; then it is awake afterwards, and what touches it too where
 /// that matters.
-[[gnu::noinline]] bool stir_slowly(WorldData& data, uint32_t index) {
+bool stir(WorldData& data, uint32_t index) {
     data.refresh_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;
     data.wake_for_edit(index);
     return true;
 }
 
-inline bool stir(WorldData& data, uint32_t index) {
-    BodyRecord& record = data.bodies[index];
-    if (record.listed || record.mobility != Mobility::dynamic || record.asleep()) [[unlikely]]
-        return stir_slowly(data, index);
-    record.sleep_time = 0.0f;
+/// Almost every body that is written is like this: stirring it is one store.
+bool stirs(const BodyRecord& record) {
+    return !record.listed && record.mobility == Mobility::dynamic && !record.asleep();
+}
+
+[[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
+    if (!stir(data, index)) return false;
+    data.states[index].velocity = velocity;
+    return true;
+}
+
+[[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, float angular_velocity) {
+    if (!stir(data, index)) return false;
+    data.states[index].angular_velocity = angular_velocity;
     return true;
 }
 
 }  // namespace
 
 bool World::set_velocity(uint32_t index, const Vec2& velocity) {
-    if (!stir(*data_, index)) return false;
+    BodyRecord& record = data_->bodies[index];
+    if (!stirs(record)) [[unlikely]]
+        return stir_and_set(*data_, index, velocity);
+    record.sleep_time = 0.0f;
     data_->states[index].velocity = velocity;
     return true;
 }
 
 bool World::set_angular_velocity(uint32_t index, float angular_velocity) {
-    if (!stir(*data_, index)) return false;
+    BodyRecord& record = data_->bodies[index];
+    if (!stirs(record)) [[unlikely]]
+        return stir_and_set(*data_, index, angular_velocity);
+    record.sleep_time = 0.0f;
     data_->states[index].angular_velocity = angular_velocity;
     return true;
 }

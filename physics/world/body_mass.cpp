@@ -90,9 +90,20 @@ uint32_t Body::rebuilds() const {
     return record.rebuilds;
 }
 
+namespace {
+
+[[gnu::noinline]] float edited_mass(WorldData& data, uint32_t index) {
+    data.refresh_mass(index);
+    return data.bodies[index].mass;
+}
+
+}  // namespace
+
 float World::mass(uint32_t index) const {
-    data_->refresh_mass(index);
-    return data_->bodies[index].mass;
+    const BodyRecord& record = data_->bodies[index];
+    if (record.listed) [[unlikely]]
+        return edited_mass(*data_, index);
+    return record.mass;
 }
 
 }  // namespace fettle::physics

@@ -257,6 +257,24 @@ TEST_CASE_METHOD(Fixture, "who wrote last is known by writer and step and for ed
     CHECK_FALSE(tree.who(next, p).known);
 }
 
+TEST_CASE_METHOD(Fixture, "who wrote is known of each of many plain writes at once") {
+    const Property& mass = tree.property(ball, "mass");
+    const Handle other = tree.create(*module.type, world, "other");
+    tree.set_step(7);
+    as(Writer::script, [&] {
+        for (int i = 1; i <= 2000; ++i) {
+            REQUIRE(tree.write(i % 2 == 0 ? ball : other, mass, i));
+            if (i == 1) CHECK_FALSE(tree.who(ball, mass).known);
+        }
+        CHECK(tree.who(other, mass).cause.text() == "script, step 7");
+        REQUIRE(tree.write(ball, mass, 0.5));
+    });
+    tree.set_step(8);
+    CHECK(tree.who(ball, mass).cause.text() == "script, step 7");
+    as(Writer::module, [&] { REQUIRE(tree.write(ball, mass, 1.5)); });
+    as(Writer::script, [&] { CHECK(tree.who(ball, mass).cause.writer == Writer::module); });
+}
+
 TEST_CASE_METHOD(Fixture, "a formula that never had a value is taken back by undo") {
     console([&] {
         tree.set_formula(ball, "mass", {[&](const Tree& t) { return t.get(ball, "mass"); }});
