@@ -253,7 +253,8 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
         bool done = false;
         if (value.is(Type::number)) done = write(instance, property, value.number());
         if (value.is(Type::vec2)) done = write(instance, property, value.vec2());
-        if (done) return s.tell_plain_writes();
+        if (done && !s.observers.empty()) s.tell_plain_writes();  // at once, unlike `write`
+        if (done) return;
     }
     if (property.read_only)
         throw Error(ErrorKind::read_only,
