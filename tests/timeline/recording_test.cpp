@@ -88,13 +88,14 @@ TEST_CASE("a recorded run is the same when it is made again") {
 TEST_CASE("a replay tells the first step that differs and what") {
     const File file;
     record(file, 60);
-    const Result other = replay(file, std::string(game) +
-                                          "function step() if time.step == 33 then "
-                                          "world.ball.position = vec(1, 1) end end");
+    std::string moved = game;
+    moved += "function step() if time.step == 33 then world.ball.position = vec(1, 1) end end";
+    const Result other = replay(file, moved);
     REQUIRE(other.difference.find("step 33: physics differs") == 0);
     REQUIRE(other.steps == 32);
-    const Result value = replay(
-        file, std::string(game) + "function step() if time.step == 20 then game.extra = 1 end end");
+    std::string added = game;
+    added += "function step() if time.step == 20 then game.extra = 1 end end";
+    const Result value = replay(file, added);
     REQUIRE(value.difference.find("step 20: values differs") == 0);
 }
 
