@@ -270,8 +270,9 @@ void Tree::destroy(Handle instance) {
     s.forbid_in_formula("delete an instance");
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
-    if (s.history.recording()) s.history.dying(instance);
-    s.tell([&](Observer& o) { o.destroying(instance); });
+    // Nobody will undo the end of the tree, and its modules may be gone already.
+    if (!s.ending && s.history.recording()) s.history.dying(instance);
+    if (!s.ending) s.tell([&](Observer& o) { o.destroying(instance); });
     std::vector<std::uint32_t> order;
     s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
     for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);

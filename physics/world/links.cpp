@@ -1,5 +1,8 @@
 #include <world/world_data.h>
 
+#include <cstring>
+#include <type_traits>
+
 // Whether a world that came as bytes may be walked: every index is in range and every list ends.
 // What it simulates may still be nonsense, as with any edit; it cannot reach foreign memory.
 
@@ -17,6 +20,18 @@ class Findings {
   private:
     std::optional<std::string> problem_;
 };
+
+/// A byte that is neither 0 nor 1 is no bool, and must not be read as one.
+template <class... Flags>
+bool are_bools(const Flags&... flags) {
+    static_assert((std::is_same_v<Flags, bool> && ...) && sizeof(bool) == 1);
+    const auto byte = [](const bool& flag) {
+        unsigned char value;
+        std::memcpy(&value, &flag, 1);
+        return value;
+    };
+    return ((byte(flags) <= 1) && ...);
+}
 
 bool optional_index(uint32_t index, size_t size) {
     return index == none || index < size;
@@ -62,6 +77,9 @@ void check_bodies(const WorldData& w, Findings& findings) {
         findings.require(body.mobility <= Mobility::dynamic &&
                              body.type <= BodyType::dynamic_body &&
                              body.solver_index <= w.awake_bodies.size() &&
+                             are_bools(body.locked_x, body.locked_y, body.locked_rotation,
+                                       body.can_sleep, body.bullet, body.never_awake,
+                                       body.mass_dirty, body.placement_dirty, body.listed) &&
                              optional_index(body.island, w.islands.size()),
                          "a body");
         findings.require(
@@ -86,7 +104,9 @@ void check_shapes(const WorldData& w, Findings& findings) {
         const ShapeForm& form = w.forms[i];
         findings.require(optional_index(form.body, w.bodies.size()) &&
                              optional_index(shape.previous, n) && optional_index(shape.next, n) &&
-                             shape.type <= ShapeType::border && shape.tree <= Mobility::dynamic,
+                             shape.type <= ShapeType::border && shape.tree <= Mobility::dynamic &&
+                             are_bools(shape.surface.sensor, shape.surface.hit_events,
+                                       shape.geometry_dirty, shape.moved, shape.listed),
                          "a shape");
         const bool inside =
             form.count == 0 || (form.count <= shape.capacity && shape.capacity <= vertices &&
@@ -118,6 +138,7 @@ void check_contacts(const WorldData& w, Findings& findings) {
                          "a contact");
         findings.require(optional_index(c.awake_index, w.awake_contacts.size()) &&
                              c.manifold.count >= 0 && c.manifold.count <= 2 &&
+                             are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled) &&
                              edge_in_range(c.edges[0], n) && edge_in_range(c.edges[1], n),
                          "a contact");
     }
@@ -154,6 +175,7 @@ void check_joints(const WorldData& w, Findings& findings) {
         findings.require(type < sizes.size() && (!used || joint.place < sizes[type]) &&
                              joint.bodies[0] < w.bodies.size() &&
                              joint.bodies[1] < w.bodies.size() &&
+                             are_bools(joint.enabled, joint.collide, joint.broken) &&
                              edge_in_range(joint.edges[0], n) && edge_in_range(joint.edges[1], n),
                          "a joint");
     }
@@ -194,7 +216,9 @@ void check_lists(const WorldData& w, Findings& findings) {
                                [&](uint32_t i) { return w.islands[i].next_free; }),
                      "free islands");
     const WorldDef& s = w.settings;
-    findings.require(s.substeps >= 1 && s.substeps <= 64, "the settings");
+    findings.require(s.substeps >= 1 && s.substeps <= 64 &&
+                         are_bools(s.sleeping, s.continuous, s.persist_events),
+                     "the settings");
     // Each awake body knows its place among them.
     if (findings.result()) return;
     size_t awake = 0;
