@@ -107,4 +107,16 @@ Binding overridable(Hosting& hosting) {
 inline constexpr Range not_negative{.min = 0.0};
 inline constexpr Range fraction{.min = 0.0, .max = 1.0};
 
+/// A number no less than zero.
+inline Property amount(std::string name, double default_value, std::string unit, std::string doc,
+                       Binding binding) {
+    return {.name = std::move(name),
+            .default_value = default_value,
+            .unit = std::move(unit),
+            .range = not_negative,
+            .doc = std::move(doc),
+            .binding = binding,
+            .single_precision = true};
+}
+
 }  // namespace fettle::physics_module

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include <fettle/physics/types.h>
 #include <fettle/property/value.h>
@@ -92,6 +93,17 @@ inline physics::Vec2 vec2_argument(const property::Value& value) {
     if (!std::isfinite(narrowed.x()) || !std::isfinite(narrowed.y()))
         throw std::invalid_argument("a vector is too large for single precision");
     return narrowed;
+}
+/// A list of two corners, in any order. Throws std::invalid_argument for another number of them.
+template <>
+inline physics::Aabb from_value<physics::Aabb>(const property::Value& value) {
+    const property::List& corners = value.list();
+    if (corners.size() != 2)
+        throw std::invalid_argument(
+            "expected two corners, lower left and upper right, got a list of " +
+            std::to_string(corners.size()));
+    const physics::Vec2 a = narrow(corners[0].vec2()), b = narrow(corners[1].vec2());
+    return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 
 }  // namespace fettle::physics_module

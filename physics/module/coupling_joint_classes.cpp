@@ -18,18 +18,17 @@ void define_weld_joint(Hosting& hosting) {
                 "when the joint began to act.",
                 found_setting<&S::reference_angle, &WeldJoint::set_reference_angle, angle_between>(
                     hosting)),
-            joint_number("hertz", S{}.hertz, "Hz",
-                         "How stiff it holds the point; infinite is rigid, 0 not at all.",
-                         joint_setting<&S::hertz, &WeldJoint::set_hertz>(hosting)),
-            joint_number("damping_ratio", 0, "", "1 comes to rest without swinging.",
-                         joint_setting<&S::damping_ratio, &WeldJoint::set_damping_ratio>(hosting)),
-            joint_number("angular_hertz", S{}.angular_hertz, "Hz",
-                         "How stiff it holds the angle; infinite is rigid, 0 not at all.",
-                         joint_setting<&S::angular_hertz, &WeldJoint::set_angular_hertz>(hosting)),
-            joint_number(
-                "angular_damping_ratio", 0, "", "1 comes to rest without swinging.",
-                joint_setting<&S::angular_damping_ratio, &WeldJoint::set_angular_damping_ratio>(
-                    hosting)),
+            amount("hertz", S{}.hertz, "Hz",
+                   "How stiff it holds the point; infinite is rigid, 0 not at all.",
+                   joint_setting<&S::hertz, &WeldJoint::set_hertz>(hosting)),
+            amount("damping_ratio", 0, "", "1 comes to rest without swinging.",
+                   joint_setting<&S::damping_ratio, &WeldJoint::set_damping_ratio>(hosting)),
+            amount("angular_hertz", S{}.angular_hertz, "Hz",
+                   "How stiff it holds the angle; infinite is rigid, 0 not at all.",
+                   joint_setting<&S::angular_hertz, &WeldJoint::set_angular_hertz>(hosting)),
+            amount("angular_damping_ratio", 0, "", "1 comes to rest without swinging.",
+                   joint_setting<&S::angular_damping_ratio, &WeldJoint::set_angular_damping_ratio>(
+                       hosting)),
         });
     weld.properties[1].infinity = weld.properties[3].infinity = true;
     hosting.tree.define(std::move(weld));
@@ -43,10 +42,10 @@ void define_motor_joint(Hosting& hosting) {
         "Drives body_b against body_a by at most a force and a torque: to a velocity or, with a "
         "hertz, to an offset. At rest it is the friction of a game seen from above.",
         {
-            joint_number("max_force", 0, "N", "It pushes no harder.",
-                         joint_setting<&S::max_force, &MotorJoint::set_max_force>(hosting)),
-            joint_number("max_torque", 0, "N m", "It turns no harder.",
-                         joint_setting<&S::max_torque, &MotorJoint::set_max_torque>(hosting)),
+            amount("max_force", 0, "N", "It pushes no harder.",
+                   joint_setting<&S::max_force, &MotorJoint::set_max_force>(hosting)),
+            amount("max_torque", 0, "N m", "It turns no harder.",
+                   joint_setting<&S::max_torque, &MotorJoint::set_max_torque>(hosting)),
             joint_vector(
                 "linear_velocity", {0, 0}, "m/s",
                 "Of anchor_b against anchor_a that it drives to, in the coordinates of body_a.",
@@ -64,10 +63,10 @@ void define_motor_joint(Hosting& hosting) {
                 "given, the angle when the joint began to act.",
                 found_setting<&S::angular_offset, &MotorJoint::set_angular_offset, angle_between>(
                     hosting)),
-            joint_number("hertz", 0, "Hz", "How stiff it drives to the offsets; 0: not at all.",
-                         joint_setting<&S::hertz, &MotorJoint::set_hertz>(hosting)),
-            joint_number("damping_ratio", 1, "", "Of that; 1 comes to rest without swinging.",
-                         joint_setting<&S::damping_ratio, &MotorJoint::set_damping_ratio>(hosting)),
+            amount("hertz", 0, "Hz", "How stiff it drives to the offsets; 0: not at all.",
+                   joint_setting<&S::hertz, &MotorJoint::set_hertz>(hosting)),
+            amount("damping_ratio", 1, "", "Of that; 1 comes to rest without swinging.",
+                   joint_setting<&S::damping_ratio, &MotorJoint::set_damping_ratio>(hosting)),
         });
     motor.properties[0].infinity = motor.properties[1].infinity = true;
     hosting.tree.define(std::move(motor));
@@ -95,8 +94,8 @@ void define_pulley_joint(Hosting& hosting) {
                          joint_setting<&S::ground_a, &PulleyJoint::set_ground_a>(hosting)),
             joint_vector("ground_b", {1, 1}, "m", "The wheel over body_b, in the world.",
                          joint_setting<&S::ground_b, &PulleyJoint::set_ground_b>(hosting)),
-            joint_number("ratio", 1, "", "How many parts of the rope pull body_b.",
-                         joint_setting<&S::ratio, &PulleyJoint::set_ratio>(hosting)),
+            amount("ratio", 1, "", "How many parts of the rope pull body_b.",
+                   joint_setting<&S::ratio, &PulleyJoint::set_ratio>(hosting)),
             found_number("length", "m",
                          "Of the part at body_a and ratio times that at body_b. Unless one is "
                          "given, the length when the joint began to act.",
@@ -132,8 +131,8 @@ void define_ratchet_joint(Hosting& hosting) {
     hosting.tree.define(pair_joint<S>(
         hosting, "RatchetJoint", "ratchet_joint", "Lets body_b turn against body_a one way only.",
         {
-            joint_number("tooth", 0, "rad", "From tooth to tooth; 0: it holds at any angle.",
-                         joint_setting<&S::tooth, &RatchetJoint::set_tooth>(hosting)),
+            amount("tooth", 0, "rad", "From tooth to tooth; 0: it holds at any angle.",
+                   joint_setting<&S::tooth, &RatchetJoint::set_tooth>(hosting)),
             {.name = "backwards",
              .type = Type::boolean,
              .doc = "Clockwise is free instead of counter-clockwise.",

@@ -23,16 +23,16 @@ void define_distance_joint(Hosting& hosting) {
                      "Of the rod, or of the spring at rest. Unless one is given, the distance when "
                      "the joint began to act.",
                      found_setting<&S::length, &DistanceJoint::set_length, length_now>(hosting)),
-        joint_number("min_length", 0, "m", "The anchors come no nearer.",
-                     joint_setting<&S::min_length, &DistanceJoint::set_min_length>(hosting)),
-        joint_number("max_length", S{}.max_length, "m",
-                     "The anchors go no farther apart. Where min_length is above it, this counts.",
-                     joint_setting<&S::max_length, &DistanceJoint::set_max_length>(hosting)),
-        joint_number("hertz", S{}.hertz, "Hz",
-                     "How stiff the spring is; infinite is a rod, 0 is slack between the limits.",
-                     joint_setting<&S::hertz, &DistanceJoint::set_hertz>(hosting)),
-        joint_number("damping_ratio", 0, "", "Of the spring; 1 comes to rest without swinging.",
-                     joint_setting<&S::damping_ratio, &DistanceJoint::set_damping_ratio>(hosting)),
+        amount("min_length", 0, "m", "The anchors come no nearer.",
+               joint_setting<&S::min_length, &DistanceJoint::set_min_length>(hosting)),
+        amount("max_length", S{}.max_length, "m",
+               "The anchors go no farther apart. Where min_length is above it, this counts.",
+               joint_setting<&S::max_length, &DistanceJoint::set_max_length>(hosting)),
+        amount("hertz", S{}.hertz, "Hz",
+               "How stiff the spring is; infinite is a rod, 0 is slack between the limits.",
+               joint_setting<&S::hertz, &DistanceJoint::set_hertz>(hosting)),
+        amount("damping_ratio", 0, "", "Of the spring; 1 comes to rest without swinging.",
+               joint_setting<&S::damping_ratio, &DistanceJoint::set_damping_ratio>(hosting)),
     };
     distance.properties[0].range = not_negative;
     distance.properties[2].infinity = distance.properties[3].infinity = true;

@@ -89,15 +89,7 @@ Value region(Hosting& hosting, Row row) {
 
 void set_region(Hosting& hosting, Row row, const Value& value) {
     std::optional<physics::Aabb> region;
-    if (!value.is_nil()) {
-        const property::List& corners = value.list();
-        if (corners.size() != 2)
-            throw std::invalid_argument(
-                "expected two corners, lower left and upper right, got a list of " +
-                std::to_string(corners.size()));
-        const physics::Vec2 a = narrow(corners[0].vec2()), b = narrow(corners[1].vec2());
-        region = physics::Aabb{a.cwiseMin(b), a.cwiseMax(b)};
-    }
+    if (!value.is_nil()) region = from_value<physics::Aabb>(value);
     change(hosting, row, [&](FieldDef& def) { def.region = region; });
 }
 

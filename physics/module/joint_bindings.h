@@ -77,9 +77,6 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
     return lifecycle;
 }
 
-/// A number of a joint that is no less than zero.
-Property joint_number(std::string name, double default_value, std::string unit, std::string doc,
-                      Binding binding);
 /// Any number.
 Property free_number(std::string name, double default_value, std::string unit, std::string doc,
                      Binding binding);

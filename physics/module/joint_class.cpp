@@ -89,11 +89,11 @@ void define_joint(Hosting& hosting) {
          .default_value = true,
          .doc = "Whether it acts.",
          .binding = common_setting<&JointRecord::enabled, &physics::Joint::set_enabled>(hosting)},
-        joint_number(
+        amount(
             "break_force", physics::infinity, "N",
             "It breaks when it has to bear more, in the mean over a step; infinite: never.",
             common_setting<&JointRecord::break_force, &physics::Joint::set_break_force>(hosting)),
-        joint_number(
+        amount(
             "break_torque", physics::infinity, "N m",
             "It breaks when it has to bear more, besides the torque of its force.",
             common_setting<&JointRecord::break_torque, &physics::Joint::set_break_torque>(hosting)),
@@ -195,29 +195,18 @@ void define_mouse_joint(Hosting& hosting) {
          .doc = "Where it is pulled to, in the world.",
          .binding = joint_setting<&S::target, &MouseJoint::set_target>(hosting),
          .single_precision = true},
-        joint_number("frequency", S{}.frequency, "Hz", "How stiff it is; 0 is slack.",
-                     joint_setting<&S::frequency, &MouseJoint::set_hertz>(hosting)),
-        joint_number("damping_ratio", S{}.damping_ratio, "", "1 comes to rest without swinging.",
-                     joint_setting<&S::damping_ratio, &MouseJoint::set_damping_ratio>(hosting)),
-        joint_number("max_force", S{}.max_force, "N", "It never pulls harder.",
-                     joint_setting<&S::max_force, &MouseJoint::set_max_force>(hosting)),
+        amount("frequency", S{}.frequency, "Hz", "How stiff it is; 0 is slack.",
+               joint_setting<&S::frequency, &MouseJoint::set_hertz>(hosting)),
+        amount("damping_ratio", S{}.damping_ratio, "", "1 comes to rest without swinging.",
+               joint_setting<&S::damping_ratio, &MouseJoint::set_damping_ratio>(hosting)),
+        amount("max_force", S{}.max_force, "N", "It never pulls harder.",
+               joint_setting<&S::max_force, &MouseJoint::set_max_force>(hosting)),
     };
     mouse.properties.back().infinity = true;
     hosting.tree.define(std::move(mouse));
 }
 
 }  // namespace
-
-Property joint_number(std::string name, double default_value, std::string unit, std::string doc,
-                      Binding binding) {
-    return {.name = std::move(name),
-            .default_value = default_value,
-            .unit = std::move(unit),
-            .range = not_negative,
-            .doc = std::move(doc),
-            .binding = binding,
-            .single_precision = true};
-}
 
 Property free_number(std::string name, double default_value, std::string unit, std::string doc,
                      Binding binding) {

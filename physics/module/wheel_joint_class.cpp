@@ -16,11 +16,11 @@ void define_wheel_joint(Hosting& hosting) {
             joint_vector("axis", {0, 1}, "",
                          "Of the spring, in the coordinates of body_a; of any length but 0.",
                          joint_setting<&S::axis, &WheelJoint::set_axis>(hosting)),
-            joint_number("hertz", S{}.hertz, "Hz", "How stiff the spring is; 0: there is none.",
-                         joint_setting<&S::hertz, &WheelJoint::set_hertz>(hosting)),
-            joint_number("damping_ratio", S{}.damping_ratio, "",
-                         "Of the spring; 1 comes to rest without swinging.",
-                         joint_setting<&S::damping_ratio, &WheelJoint::set_damping_ratio>(hosting)),
+            amount("hertz", S{}.hertz, "Hz", "How stiff the spring is; 0: there is none.",
+                   joint_setting<&S::hertz, &WheelJoint::set_hertz>(hosting)),
+            amount("damping_ratio", S{}.damping_ratio, "",
+                   "Of the spring; 1 comes to rest without swinging.",
+                   joint_setting<&S::damping_ratio, &WheelJoint::set_damping_ratio>(hosting)),
             limit_number(
                 "lower_translation", -physics::infinity, "m", "The axle goes no further down.",
                 joint_setting<&S::lower_translation, &WheelJoint::set_lower_translation>(hosting)),
@@ -31,9 +31,8 @@ void define_wheel_joint(Hosting& hosting) {
             free_number("motor_speed", 0, "rad/s",
                         "What the motor turns the wheel with, counter-clockwise.",
                         joint_setting<&S::motor_speed, &WheelJoint::set_motor_speed>(hosting)),
-            joint_number(
-                "max_motor_torque", 0, "N m", "The motor is no stronger; 0: there is none.",
-                joint_setting<&S::max_motor_torque, &WheelJoint::set_max_motor_torque>(hosting)),
+            amount("max_motor_torque", 0, "N m", "The motor is no stronger; 0: there is none.",
+                   joint_setting<&S::max_motor_torque, &WheelJoint::set_max_motor_torque>(hosting)),
             joint_figure("motor_torque", "N m", "What the motor gave in the last step.",
                          told<WheelJoint, &WheelJoint::motor_torque>(hosting)),
         });

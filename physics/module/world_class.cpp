@@ -43,26 +43,10 @@ Property mix_rule(Hosting& hosting, const char* name, const char* default_value,
 void set_bounds(Hosting& hosting, Row row, const Value& value) {
     World& world = hosting.world(row);
     if (value.is_nil()) return world.set_bounds(std::nullopt);
-    const property::List& corners = value.list();
-    if (corners.size() != 2)
-        throw std::invalid_argument(
-            "expected two corners, lower left and upper right, got a list of " +
-            std::to_string(corners.size()));
-    const physics::Vec2 a = narrow(corners[0].vec2()), b = narrow(corners[1].vec2());
-    if (a.x() == b.x() || a.y() == b.y())
+    const auto box = from_value<physics::Aabb>(value);
+    if (box.min.x() == box.max.x() || box.min.y() == box.max.y())
         throw std::invalid_argument("expected two corners of a box, got two points in a line");
-    world.set_bounds(physics::Aabb{a.cwiseMin(b), a.cwiseMax(b)});
-}
-
-Property number(std::string name, double default_value, std::string unit, std::string doc,
-                Binding binding) {
-    return {.name = std::move(name),
-            .default_value = default_value,
-            .unit = std::move(unit),
-            .range = not_negative,
-            .doc = std::move(doc),
-            .binding = binding,
-            .single_precision = true};
+    world.set_bounds(box);
 }
 
 std::vector<Property> simulation(Hosting& hosting) {
@@ -120,31 +104,31 @@ std::vector<Property> mixing(Hosting& hosting) {
 std::vector<Property> tuning(Hosting& hosting) {
     const physics::WorldDef defaults;
     Property bounce =
-        number("bounds_restitution", defaults.bounds_restitution, "",
+        amount("bounds_restitution", defaults.bounds_restitution, "",
                "How much of its speed what hits the walls gets back.",
                bound<&World::bounds_restitution, &World::set_bounds_restitution>(hosting));
     bounce.range = fraction;
     return {
-        number("bounds_friction", defaults.bounds_friction, "", "Of the walls of the bounds.",
+        amount("bounds_friction", defaults.bounds_friction, "", "Of the walls of the bounds.",
                bound<&World::bounds_friction, &World::set_bounds_friction>(hosting)),
         bounce,
-        number("restitution_threshold", defaults.restitution_threshold, "m/s",
+        amount("restitution_threshold", defaults.restitution_threshold, "m/s",
                "Slower impacts do not bounce.",
                bound<&World::restitution_threshold, &World::set_restitution_threshold>(hosting)),
-        number("hit_threshold", defaults.hit_threshold, "m/s",
+        amount("hit_threshold", defaults.hit_threshold, "m/s",
                "Slower impacts make no contact_hit.",
                bound<&World::hit_threshold, &World::set_hit_threshold>(hosting)),
-        number("sleep_speed", defaults.sleep_speed, "m/s", "What is slower than this rests.",
+        amount("sleep_speed", defaults.sleep_speed, "m/s", "What is slower than this rests.",
                bound<&World::sleep_speed, &World::set_sleep_speed>(hosting)),
-        number("sleep_delay", defaults.sleep_delay, "s",
+        amount("sleep_delay", defaults.sleep_delay, "s",
                "How long something rests before it falls asleep.",
                bound<&World::sleep_delay, &World::set_sleep_delay>(hosting)),
-        number("contact_hertz", defaults.contact_hertz, "Hz",
+        amount("contact_hertz", defaults.contact_hertz, "Hz",
                "Stiffness of contacts, at most a quarter of the rate of sub-steps.",
                bound<&World::contact_hertz, &World::set_contact_hertz>(hosting)),
-        number("contact_damping", defaults.contact_damping, "", "Damping ratio of contacts.",
+        amount("contact_damping", defaults.contact_damping, "", "Damping ratio of contacts.",
                bound<&World::contact_damping, &World::set_contact_damping>(hosting)),
-        number("push_speed", defaults.push_speed, "m/s",
+        amount("push_speed", defaults.push_speed, "m/s",
                "The fastest that an overlap is pushed apart.",
                bound<&World::push_speed, &World::set_push_speed>(hosting)),
     };

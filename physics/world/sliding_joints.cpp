@@ -25,65 +25,42 @@ float along(const Joint& joint, const Vec2& direction) {
 
 }  // namespace
 
-FETTLE_JOINT_VECTOR(PrismaticJoint, PrismaticData, axis, rail.axis, check_axis("axis", value))
-FETTLE_JOINT_FIELD(PrismaticJoint, PrismaticData, lower_translation, rail.lower,
-                   check_limit("lower_translation", value))
-FETTLE_JOINT_FIELD(PrismaticJoint, PrismaticData, upper_translation, rail.upper,
-                   check_limit("upper_translation", value))
-FETTLE_JOINT_FIELD(PrismaticJoint, PrismaticData, hertz, rail.hertz,
-                   check_not_negative("hertz", value))
-FETTLE_JOINT_FIELD(PrismaticJoint, PrismaticData, damping_ratio, rail.damping_ratio,
-                   check_not_negative("damping_ratio", value))
-float PrismaticJoint::translation() const {
-    return along(*this, axis());
-}
-FETTLE_JOINT_FIELD(PrismaticJoint, PrismaticData, motor_speed, rail.motor_speed,
-                   check_finite("motor_speed", value))
-FETTLE_JOINT_FIELD(PrismaticJoint, PrismaticData, max_motor_force, rail.max_motor_force,
-                   check_strength("max_motor_force", value))
-FETTLE_JOINT_FIELD(PrismaticJoint, PrismaticData, target_translation, rail.target,
-                   check_finite("target_translation", value))
-float PrismaticJoint::motor_force() const {
-    return per_substep(own<PrismaticData>().impulses.rail.motor);
-}
+// What every joint on a rail has, and what those have whose motor drives along it.
+#define FETTLE_RAIL(Joint, Data)                                                           \
+    FETTLE_JOINT_VECTOR(Joint, Data, axis, rail.axis, check_axis("axis", value))           \
+    FETTLE_JOINT_FIELD(Joint, Data, lower_translation, rail.lower,                         \
+                       check_limit("lower_translation", value))                            \
+    FETTLE_JOINT_FIELD(Joint, Data, upper_translation, rail.upper,                         \
+                       check_limit("upper_translation", value))                            \
+    FETTLE_JOINT_FIELD(Joint, Data, hertz, rail.hertz, check_not_negative("hertz", value)) \
+    FETTLE_JOINT_FIELD(Joint, Data, damping_ratio, rail.damping_ratio,                     \
+                       check_not_negative("damping_ratio", value))                         \
+    float Joint::translation() const {                                                     \
+        return along(*this, axis());                                                       \
+    }
+#define FETTLE_RAIL_MOTOR(Joint, Data)                                     \
+    FETTLE_JOINT_FIELD(Joint, Data, motor_speed, rail.motor_speed,         \
+                       check_finite("motor_speed", value))                 \
+    FETTLE_JOINT_FIELD(Joint, Data, max_motor_force, rail.max_motor_force, \
+                       check_strength("max_motor_force", value))           \
+    FETTLE_JOINT_FIELD(Joint, Data, target_translation, rail.target,       \
+                       check_finite("target_translation", value))          \
+    float Joint::motor_force() const {                                     \
+        return per_substep(own<Data>().impulses.rail.motor);               \
+    }
+
+FETTLE_RAIL(PrismaticJoint, PrismaticData)
+FETTLE_RAIL_MOTOR(PrismaticJoint, PrismaticData)
 FETTLE_JOINT_SETTING(PrismaticJoint, PrismaticData, reference_angle,
                      check_finite("reference_angle", value))
 float PrismaticJoint::angle() const {
     return angle_between(*this) - reference_angle();
 }
 
-FETTLE_JOINT_VECTOR(PinSlotJoint, PinSlotData, axis, rail.axis, check_axis("axis", value))
-FETTLE_JOINT_FIELD(PinSlotJoint, PinSlotData, lower_translation, rail.lower,
-                   check_limit("lower_translation", value))
-FETTLE_JOINT_FIELD(PinSlotJoint, PinSlotData, upper_translation, rail.upper,
-                   check_limit("upper_translation", value))
-FETTLE_JOINT_FIELD(PinSlotJoint, PinSlotData, hertz, rail.hertz, check_not_negative("hertz", value))
-FETTLE_JOINT_FIELD(PinSlotJoint, PinSlotData, damping_ratio, rail.damping_ratio,
-                   check_not_negative("damping_ratio", value))
-float PinSlotJoint::translation() const {
-    return along(*this, axis());
-}
-FETTLE_JOINT_FIELD(PinSlotJoint, PinSlotData, motor_speed, rail.motor_speed,
-                   check_finite("motor_speed", value))
-FETTLE_JOINT_FIELD(PinSlotJoint, PinSlotData, max_motor_force, rail.max_motor_force,
-                   check_strength("max_motor_force", value))
-FETTLE_JOINT_FIELD(PinSlotJoint, PinSlotData, target_translation, rail.target,
-                   check_finite("target_translation", value))
-float PinSlotJoint::motor_force() const {
-    return per_substep(own<PinSlotData>().impulses.rail.motor);
-}
+FETTLE_RAIL(PinSlotJoint, PinSlotData)
+FETTLE_RAIL_MOTOR(PinSlotJoint, PinSlotData)
 
-FETTLE_JOINT_VECTOR(WheelJoint, WheelData, axis, rail.axis, check_axis("axis", value))
-FETTLE_JOINT_FIELD(WheelJoint, WheelData, lower_translation, rail.lower,
-                   check_limit("lower_translation", value))
-FETTLE_JOINT_FIELD(WheelJoint, WheelData, upper_translation, rail.upper,
-                   check_limit("upper_translation", value))
-FETTLE_JOINT_FIELD(WheelJoint, WheelData, hertz, rail.hertz, check_not_negative("hertz", value))
-FETTLE_JOINT_FIELD(WheelJoint, WheelData, damping_ratio, rail.damping_ratio,
-                   check_not_negative("damping_ratio", value))
-float WheelJoint::translation() const {
-    return along(*this, axis());
-}
+FETTLE_RAIL(WheelJoint, WheelData)
 FETTLE_JOINT_SETTING(WheelJoint, WheelData, motor_speed, check_finite("motor_speed", value))
 FETTLE_JOINT_SETTING(WheelJoint, WheelData, max_motor_torque,
                      check_strength("max_motor_torque", value))
