@@ -358,10 +358,7 @@ void open_classes(lua_State* L, Machine& machine) {
     add_function<class_index>(L, "__index");
     add_function<class_newindex>(L, "__newindex");
     add_function<class_tostring>(L, "__tostring");
-    lua_pushstring(L, "class");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "class");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "class");
     machine.class_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

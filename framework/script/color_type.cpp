@@ -131,10 +131,7 @@ void open_color(lua_State* L, Machine& machine) {
     add_function<color_newindex>(L, "__newindex");
     add_function<color_equal>(L, "__eq");
     add_function<color_tostring>(L, "__tostring");
-    lua_pushstring(L, "color");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "color");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "color");
     machine.color_meta = luaL_ref(L, LUA_REGISTRYINDEX);
     add_function<color_make>(L, "color");
 }

@@ -161,10 +161,7 @@ void open_descriptions(lua_State* L, Machine& machine) {
     add_function<description_length>(L, "__len");
     add_function<description_pairs>(L, "__pairs");
     add_function<description_tostring>(L, "__tostring");
-    lua_pushstring(L, "description");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "description");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "description");
     machine.description_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

@@ -94,10 +94,7 @@ void push_formula(lua_State* L, const FunctionSource& source) {
     lua_pushlstring(L, source.not_saved.data(), source.not_saved.size());
     lua_setiuservalue(L, -2, 3);
     lua_newtable(L);
-    lua_pushliteral(L, "formula");
-    lua_setfield(L, -2, "__name");
-    lua_pushliteral(L, "formula");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "formula");
     lua_setmetatable(L, -2);
 }
 

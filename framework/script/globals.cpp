@@ -173,10 +173,7 @@ void open_globals(lua_State* L, Machine& machine) {
     lua_newtable(L);
     add_function<read_global>(L, "__index");
     add_function<write_global>(L, "__newindex");
-    lua_pushstring(L, "globals");
-    lua_setfield(L, -2, "__metatable");
-    lua_pushstring(L, "globals");
-    lua_setfield(L, -2, "__name");
+    name_metatable(L, "globals");
     lua_setmetatable(L, -2);
     lua_pushvalue(L, -1);
     machine.environment = luaL_ref(L, LUA_REGISTRYINDEX);

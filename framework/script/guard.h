@@ -32,4 +32,13 @@ void add_function(lua_State* L, const char* name) {
     lua_setfield(L, -2, name);
 }
 
+/// The table on top is the metatable of a kind of values: errors call them by that name, and
+/// scripts see it instead of the table.
+inline void name_metatable(lua_State* L, const char* name) {
+    for (const char* field : {"__name", "__metatable"}) {
+        lua_pushstring(L, name);
+        lua_setfield(L, -2, field);
+    }
+}
+
 }  // namespace fettle::script

@@ -387,10 +387,7 @@ void open_instance(lua_State* L, Machine& machine) {
     add_function<instance_tostring>(L, "__tostring");
     add_function<instance_length>(L, "__len");
     add_function<instance_pairs>(L, "__pairs");
-    lua_pushstring(L, "instance");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "instance");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "instance");
     machine.instance_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 
     lua_newtable(L);

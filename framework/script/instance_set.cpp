@@ -192,10 +192,7 @@ void open_sets(lua_State* L, Machine& machine) {
     add_function<each_of>(L, "each");
     add_function<delete_all>(L, "delete");
     lua_setfield(L, -2, "methods");
-    lua_pushstring(L, "instances");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "instances");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "instances");
     machine.set_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

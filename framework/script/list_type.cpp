@@ -157,10 +157,7 @@ void open_list(lua_State* L, Machine& machine) {
     add_function<list_equal>(L, "__eq");
     add_function<list_tostring>(L, "__tostring");
     add_function<list_pairs>(L, "__pairs");
-    lua_pushstring(L, "list");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "list");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "list");
     machine.list_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

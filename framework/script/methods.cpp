@@ -193,10 +193,7 @@ void open_records(lua_State* L, Machine& machine) {
     add_function<read_record>(L, "__index");
     lua_newtable(L);
     lua_setfield(L, -2, "nil_fields");
-    lua_pushstring(L, "record");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "record");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "record");
     machine.record_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

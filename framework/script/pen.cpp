@@ -208,10 +208,7 @@ void open_pen(lua_State* L, Machine& machine) {
     add_function<text>(L, "text");
     add_function<screen>(L, "screen");
     lua_setfield(L, -2, "methods");
-    lua_pushstring(L, "pen");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "pen");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "pen");
     lua_setmetatable(L, -2);
     machine.pen = luaL_ref(L, LUA_REGISTRYINDEX);
 }

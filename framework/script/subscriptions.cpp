@@ -372,10 +372,7 @@ void open_subscriptions(lua_State* L, Machine& machine) {
     add_function<connection_stop>(L, "stop");
     add_function<connection_active>(L, "active");
     lua_setfield(L, -2, "methods");
-    lua_pushstring(L, "connection");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "connection");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "connection");
     machine.connection_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

@@ -117,10 +117,7 @@ void open_time(lua_State* L) {
     lua_newtable(L);
     add_function<release>(L, "__gc");
     add_function<describe>(L, "__tostring");
-    lua_pushliteral(L, "snapshot");
-    lua_setfield(L, -2, "__name");
-    lua_pushliteral(L, "snapshot");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "snapshot");
     machine.snapshot_meta = luaL_ref(L, LUA_REGISTRYINDEX);
     add_function<snapshot>(L, "snapshot");
     add_function<restore>(L, "restore");

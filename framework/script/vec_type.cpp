@@ -241,10 +241,7 @@ void open_vec(lua_State* L, Machine& machine) {
     add_function<vec_lerp>(L, "lerp");
     add_function<vec_angle>(L, "angle");
     lua_setfield(L, -2, "methods");
-    lua_pushstring(L, "vec");
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, "vec");
-    lua_setfield(L, -2, "__metatable");
+    name_metatable(L, "vec");
     machine.vec_meta = luaL_ref(L, LUA_REGISTRYINDEX);
     add_function<vec_make>(L, "vec");
 }

@@ -1,3 +1,4 @@
+#include <geometry/vector.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
 
@@ -49,6 +50,13 @@ void refuse_infinite(const char* what, float value) {
 
 void refuse_infinite(const char* what, const Vec2& value) {
     refuse(what, text(value), "two finite numbers");
+}
+
+const Vec2& check_direction(const char* what, const Vec2& value) {
+    check_finite(what, value);
+    if (!(length(to_v2(value)) > 1e-6f))
+        throw std::invalid_argument(std::string(what) + ": expected a direction, got no length");
+    return value;
 }
 
 void refuse_negative(const char* what, float value) {

@@ -23,6 +23,8 @@ inline const Vec2& check_finite(const char* what, const Vec2& value) {
         refuse_infinite(what, value);
     return value;
 }
+/// Of any length but none.
+const Vec2& check_direction(const char* what, const Vec2& value);
 [[noreturn]] void refuse_negative(const char* what, float value);
 /// Finite and >= 0.
 inline float check_not_negative(const char* what, float value) {

@@ -195,9 +195,7 @@ struct FieldCheck {
     }
     void operator()(const BuoyancyField& f) const {
         check_finite("level", f.level);
-        check_finite("normal", f.normal);
-        if (!(length(to_v2(f.normal)) > 1e-6f))
-            throw std::invalid_argument("normal: expected a direction, got no length");
+        check_direction("normal", f.normal);
         check_not_negative("density", f.density);
         check_not_negative("drag", f.drag);
         check_finite("flow", f.flow);

@@ -8,13 +8,6 @@ using namespace detail;
 
 namespace {
 
-const Vec2& check_axis(const char* what, const Vec2& axis) {
-    check_finite(what, axis);
-    if (!(length(to_v2(axis)) > 1e-6f))
-        throw std::invalid_argument(std::string(what) + ": expected a direction, got no length");
-    return axis;
-}
-
 /// How far anchor b is from anchor a along a direction in the coordinates of a.
 float along(const Joint& joint, const Vec2& direction) {
     const V2 axis = normalized(to_v2(direction));
@@ -27,7 +20,7 @@ float along(const Joint& joint, const Vec2& direction) {
 
 // What every joint on a rail has, and what those have whose motor drives along it.
 #define FETTLE_RAIL(Joint, Data)                                                           \
-    FETTLE_JOINT_VECTOR(Joint, Data, axis, rail.axis, check_axis("axis", value))           \
+    FETTLE_JOINT_VECTOR(Joint, Data, axis, rail.axis, check_direction("axis", value))      \
     FETTLE_JOINT_FIELD(Joint, Data, lower_translation, rail.lower,                         \
                        check_limit("lower_translation", value))                            \
     FETTLE_JOINT_FIELD(Joint, Data, upper_translation, rail.upper,                         \
