@@ -235,13 +235,11 @@ bool WorldData::update_manifold(ContactRecord& c) {
     m.count = 0;
     const float margin = c.sensor ? 0.0f : speculative_margin;
     if (overlap(grow(boxes[c.shape_a], margin), boxes[c.shape_b])) {
-        const V2 center_b = bodies[c.body_b].center;
-        if (forms[c.shape_a].count == 0) {
-            const BorderPlane plane = border_plane(c.shape_a);
-            collide_half_plane(plane.normal, plane.depth, convex(c.shape_b), center_b, margin, m);
+        if (usual_forms(forms[c.shape_a], forms[c.shape_b])) {
+            collide(convex(c.shape_a), convex(c.shape_b),
+                    bodies[c.body_b].center - bodies[c.body_a].center, margin, m);
         } else {
-            collide(convex(c.shape_a), convex(c.shape_b), center_b - bodies[c.body_a].center,
-                    margin, m);
+            collide_unusual(c, margin, m);
         }
     }
     // Points that are still the same vertex on the same edge go on with their impulses: the warm

@@ -21,7 +21,7 @@ constexpr float arrival_gap = 0.25f * speculative_margin;
 float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 centroid,
                              float core) const {
     const BodyRecord& record = bodies[fast.body];
-    if (forms[o].count == 0) {
+    if (forms[o].kind == FormKind::border) {
         const BorderPlane plane = border_plane(o);
         const V2 start_centroid = centroid - fast.shift;
         const float before = dot(plane.normal, start_centroid) - plane.depth - core;

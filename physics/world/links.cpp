@@ -112,6 +112,9 @@ void check_shapes(const WorldData& w, Findings& findings) {
             form.count == 0 || (form.count <= shape.capacity && shape.capacity <= vertices &&
                                 form.begin <= vertices - shape.capacity);
         const bool border = shape.type == ShapeType::border;
+        findings.require(
+            form.kind <= FormKind::outline && border == (form.kind == FormKind::border),
+            "the form of a shape");
         findings.require(inside && border == (i < 4) && (!border || form.begin == i),
                          "the vertices of a shape");
     }

@@ -73,10 +73,21 @@ struct BodyRecord {
     bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
 };
 
+/// How the vertices of a shape are meant. What is no plain convex form goes through
+/// `collide_unusual`, so that the common pairs ask one question.
+enum class FormKind : uint8_t {
+    convex,   ///< a convex polygon grown by a radius; one vertex: a circle, two: a capsule
+    border,   ///< a half-plane of the border, `begin` says which
+    ellipse,  ///< its center; collision/ellipse.h tells where its axes are
+    piece,    ///< a convex part of a longer outline: some of its edges are inside
+    outline   ///< of many pieces, each a shape of its own: nothing collides with it itself
+};
+
 /// What the narrow phase needs of a shape, packed.
 struct ShapeForm {
     uint32_t begin = 0;  ///< in the vertex pool
-    uint32_t count = 0;  ///< vertices; 0: a half-plane of the border, `begin` says which
+    uint32_t count : 24 = 0;
+    FormKind kind : 8 = FormKind::convex;
     float radius = 0.0f;
     uint32_t body = none;
 };
@@ -101,6 +112,13 @@ struct ShapeRecord {
     uint32_t rebuilds = 0;
     uint32_t next_free = none;
 };
+
+static_assert(sizeof(ShapeForm) == 16);
+
+/// Both plain convex.
+inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
+    return (uint8_t(a.kind) | uint8_t(b.kind)) == 0;
+}
 
 /// A pair of shapes whose fat boxes overlap. Lives in a slot; the awake ones are listed by slot.
 struct ContactRecord {

@@ -24,7 +24,7 @@ struct Placed {
 
 Placed placed(WorldData& data, uint32_t shape) {
     data.refresh();
-    if (data.forms[shape].count == 0)
+    if (data.forms[shape].kind == FormKind::border)
         throw std::invalid_argument("expected a shape of a body, got the bounds of a world");
     const uint32_t body = data.forms[shape].body;
     return {data.convex(shape), body == none ? V2{} : data.bodies[body].center, data.boxes[shape]};

@@ -239,6 +239,7 @@ struct WorldData : Columns {
     void tell_persisting();
     V2 middle_of(const ContactRecord& contact) const;
     bool update_manifold(ContactRecord& contact);
+    void collide_unusual(const ContactRecord& contact, float margin, Manifold& manifold) const;
     float approach_speed(const ContactRecord& contact, V2 point) const;
     float impact_mass(const ContactRecord& contact, V2 point) const;
     void set_touching(uint32_t contact, bool touching);
