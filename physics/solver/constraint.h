@@ -21,14 +21,6 @@ struct alignas(32) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 32);
 
-/// What gravity, forces and damping do to a body in one sub-step: v ← (v + change) · keep.
-struct SolverForce {
-    V2 change;
-    float turn_change = 0.0f;
-    float keep = 1.0f;
-    float turn_keep = 1.0f;
-};
-
 /// Coefficients of a soft constraint.
 struct Softness {
     float bias_rate = 0.0f;

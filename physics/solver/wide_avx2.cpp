@@ -7,7 +7,7 @@
 
 namespace fettle::physics::detail {
 
-const WideKernels wide_kernels_avx2 = {warm_start, solve_biased, relax, "avx2"};
+const WideKernels wide_kernels_avx2 = {warm_start, solve_biased, relax, width};
 
 }  // namespace fettle::physics::detail
 #endif

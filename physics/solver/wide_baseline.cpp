@@ -5,14 +5,18 @@
 
 namespace fettle::physics::detail {
 
-const WideKernels wide_kernels_baseline = {warm_start, solve_biased, relax, "baseline"};
+const WideKernels wide_kernels_baseline = {warm_start, solve_biased, relax, width};
 
-const WideKernels& wide_kernels(bool baseline_only) {
+const WideKernels& wide_kernels(int most) {
 #if defined(__x86_64__)
+    static const bool has_avx512 =
+        __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("fma");
     static const bool has_avx2 = __builtin_cpu_supports("avx2");
-    if (has_avx2 && !baseline_only) return wide_kernels_avx2;
+    if (has_avx512 && most >= 16) return wide_kernels_avx512;
+    if (has_avx2 && most >= 8) return wide_kernels_avx2;
 #endif
-    (void)baseline_only;
+    (void)most;
     return wide_kernels_baseline;
 }
 

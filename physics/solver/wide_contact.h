@@ -4,15 +4,15 @@
 
 #include <cstddef>
 
-// Contacts in groups of eight of one color: no two in a color share a body that moves, so the lanes
-// do not know of each other. Structure of arrays; lanes left over have body 0 on both sides and no
-// mass.
+// Contacts in groups of sixteen of one color: no two in a color share a body that moves, so the
+// lanes do not know of each other. Structure of arrays; lanes left over have body 0 on both sides
+// and no mass.
 
 namespace fettle::physics::detail {
 
-inline constexpr int lanes = 8;
+inline constexpr int lanes = 16;
 
-struct alignas(32) WidePoint {
+struct alignas(64) WidePoint {
     float normal_lever_a[lanes], normal_lever_b[lanes];
     float tangent_lever_a[lanes], tangent_lever_b[lanes];
     float separation[lanes];
@@ -20,7 +20,7 @@ struct alignas(32) WidePoint {
     float normal_impulse[lanes], tangent_impulse[lanes];
 };
 
-struct alignas(32) WideContact {
+struct alignas(64) WideContact {
     uint32_t a[lanes], b[lanes];
     float normal_x[lanes], normal_y[lanes];
     float friction[lanes];
@@ -43,15 +43,16 @@ struct WideKernels {
     void (*warm_start)(const WideStep&);
     void (*solve_biased)(const WideStep&);
     void (*relax)(const WideStep&);
-    const char* name;
+    int width;  ///< lanes at a time
 };
 
 extern const WideKernels wide_kernels_baseline;
 #if defined(__x86_64__)
 extern const WideKernels wide_kernels_avx2;
+extern const WideKernels wide_kernels_avx512;
 #endif
 
-/// The widest that this machine has, or the baseline alone (for tests that compare them).
-const WideKernels& wide_kernels(bool baseline_only = false);
+/// The widest that this machine has, of at most so many lanes (tests compare them).
+const WideKernels& wide_kernels(int most = lanes);
 
 }  // namespace fettle::physics::detail

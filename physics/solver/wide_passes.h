@@ -1,125 +1,11 @@
-// No include guard on purpose beyond this one: included by one source file for each instruction
-// set, which defines FETTLE_LANES before: 4 or 8. Everything is in an unnamed namespace, so that no
-// code for one instruction set is ever linked into another.
+// The solver's passes, for the instruction set of the file that includes this: see wide_vector.h.
 #pragma once
 
 #include <solver/wide_contact.h>
-
-#include <cstring>
+#include <solver/wide_vector.h>
 
 namespace fettle::physics::detail {
 namespace {
-
-inline constexpr int width = FETTLE_LANES;
-using Wide = float __attribute__((vector_size(width * sizeof(float))));
-using Quad = float __attribute__((vector_size(4 * sizeof(float))));
-
-inline Wide load(const float* from) {
-    Wide v;
-    std::memcpy(&v, from, sizeof v);
-    return v;
-}
-inline void store(float* to, Wide v) {
-    std::memcpy(to, &v, sizeof v);
-}
-inline Wide splat(float v) {
-    return v - Wide{};
-}
-inline Wide greater(Wide a, Wide b) {
-    return a > b ? a : b;
-}
-inline Wide limit(Wide v, Wide low, Wide high) {
-    return v < low ? low : (v > high ? high : v);
-}
-
-/// The solver bodies of all lanes, one component a vector.
-struct Bodies {
-    Wide vx, vy, w, mass, dx, dy, turn, inertia;
-};
-
-#define FETTLE_SHUFFLE __builtin_shufflevector
-
-#if FETTLE_LANES == 8
-/// Eight rows of eight to eight columns of eight.
-inline Bodies transpose(const Wide (&r)[8]) {
-    Bodies b;
-    Wide t[8], u[8];
-    for (int i = 0; i < 8; i += 2) {
-        t[i] = FETTLE_SHUFFLE(r[i], r[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
-        t[i + 1] = FETTLE_SHUFFLE(r[i], r[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
-    }
-    for (int i = 0; i < 8; i += 4) {
-        u[i] = FETTLE_SHUFFLE(t[i], t[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        u[i + 1] = FETTLE_SHUFFLE(t[i], t[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-        u[i + 2] = FETTLE_SHUFFLE(t[i + 1], t[i + 3], 0, 1, 8, 9, 4, 5, 12, 13);
-        u[i + 3] = FETTLE_SHUFFLE(t[i + 1], t[i + 3], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    b.vx = FETTLE_SHUFFLE(u[0], u[4], 0, 1, 2, 3, 8, 9, 10, 11);
-    b.vy = FETTLE_SHUFFLE(u[1], u[5], 0, 1, 2, 3, 8, 9, 10, 11);
-    b.w = FETTLE_SHUFFLE(u[2], u[6], 0, 1, 2, 3, 8, 9, 10, 11);
-    b.mass = FETTLE_SHUFFLE(u[3], u[7], 0, 1, 2, 3, 8, 9, 10, 11);
-    b.dx = FETTLE_SHUFFLE(u[0], u[4], 4, 5, 6, 7, 12, 13, 14, 15);
-    b.dy = FETTLE_SHUFFLE(u[1], u[5], 4, 5, 6, 7, 12, 13, 14, 15);
-    b.turn = FETTLE_SHUFFLE(u[2], u[6], 4, 5, 6, 7, 12, 13, 14, 15);
-    b.inertia = FETTLE_SHUFFLE(u[3], u[7], 4, 5, 6, 7, 12, 13, 14, 15);
-    return b;
-}
-#else
-/// Four rows of four to four columns of four.
-inline void transpose4(Quad& a, Quad& b, Quad& c, Quad& d) {
-    const Quad ab_low = FETTLE_SHUFFLE(a, b, 0, 4, 1, 5),
-               ab_high = FETTLE_SHUFFLE(a, b, 2, 6, 3, 7);
-    const Quad cd_low = FETTLE_SHUFFLE(c, d, 0, 4, 1, 5),
-               cd_high = FETTLE_SHUFFLE(c, d, 2, 6, 3, 7);
-    a = FETTLE_SHUFFLE(ab_low, cd_low, 0, 1, 4, 5);
-    b = FETTLE_SHUFFLE(ab_low, cd_low, 2, 3, 6, 7);
-    c = FETTLE_SHUFFLE(ab_high, cd_high, 0, 1, 4, 5);
-    d = FETTLE_SHUFFLE(ab_high, cd_high, 2, 3, 6, 7);
-}
-
-#endif
-
-inline Bodies gather(const SolverBody* bodies, const uint32_t* index) {
-#if FETTLE_LANES == 8
-    Wide rows[8];
-    for (int i = 0; i < 8; ++i) std::memcpy(&rows[i], &bodies[index[i]], sizeof(Wide));
-    return transpose(rows);
-#else
-    Quad low[4], high[4];
-    for (int i = 0; i < 4; ++i) {
-        const char* from = reinterpret_cast<const char*>(&bodies[index[i]]);
-        std::memcpy(&low[i], from, 16);
-        std::memcpy(&high[i], from + 16, 16);
-    }
-    transpose4(low[0], low[1], low[2], low[3]);
-    transpose4(high[0], high[1], high[2], high[3]);
-    return {low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]};
-#endif
-}
-
-/// Writes the velocities back: the first half of each body, with the inverse mass as it was.
-inline void scatter(SolverBody* bodies, const uint32_t* index, const Bodies& b) {
-#if FETTLE_LANES == 8
-    const Wide v_low = FETTLE_SHUFFLE(b.vx, b.vy, 0, 8, 1, 9, 4, 12, 5, 13);
-    const Wide v_high = FETTLE_SHUFFLE(b.vx, b.vy, 2, 10, 3, 11, 6, 14, 7, 15);
-    const Wide w_low = FETTLE_SHUFFLE(b.w, b.mass, 0, 8, 1, 9, 4, 12, 5, 13);
-    const Wide w_high = FETTLE_SHUFFLE(b.w, b.mass, 2, 10, 3, 11, 6, 14, 7, 15);
-    const Wide pairs[4] = {FETTLE_SHUFFLE(v_low, w_low, 0, 1, 8, 9, 4, 5, 12, 13),
-                           FETTLE_SHUFFLE(v_low, w_low, 2, 3, 10, 11, 6, 7, 14, 15),
-                           FETTLE_SHUFFLE(v_high, w_high, 0, 1, 8, 9, 4, 5, 12, 13),
-                           FETTLE_SHUFFLE(v_high, w_high, 2, 3, 10, 11, 6, 7, 14, 15)};
-    for (int i = 0; i < 4; ++i) {
-        const Quad low = FETTLE_SHUFFLE(pairs[i], pairs[i], 0, 1, 2, 3);
-        const Quad high = FETTLE_SHUFFLE(pairs[i], pairs[i], 4, 5, 6, 7);
-        std::memcpy(static_cast<void*>(&bodies[index[i]]), &low, 16);
-        std::memcpy(static_cast<void*>(&bodies[index[i + 4]]), &high, 16);
-    }
-#else
-    Quad rows[4] = {b.vx, b.vy, b.w, b.mass};
-    transpose4(rows[0], rows[1], rows[2], rows[3]);
-    for (int i = 0; i < 4; ++i) std::memcpy(static_cast<void*>(&bodies[index[i]]), &rows[i], 16);
-#endif
-}
 
 /// An impulse of size `p` along (x, y) with its moments about both centers.
 inline void apply(Bodies& a, Bodies& b, Wide x, Wide y, Wide p, Wide moment_a, Wide moment_b) {
@@ -203,6 +89,7 @@ inline void for_each_group(const WideStep& step, Solve&& solve) {
     for (std::size_t i = 0; i < step.count; ++i) {
         WideContact& c = step.contacts[i];
         for (int at = 0; at < lanes; at += width) {
+            if (c.a[at] == c.b[at]) break;  // lanes are filled in order: no more here
             Bodies a = gather(step.bodies, c.a + at), b = gather(step.bodies, c.b + at);
             solve(c, at, a, b);
             scatter(step.bodies, c.a + at, a);
@@ -239,8 +126,6 @@ void relax(const WideStep& step) {
         solve_friction(c, at, a, b);
     });
 }
-
-#undef FETTLE_SHUFFLE
 
 }  // namespace
 }  // namespace fettle::physics::detail

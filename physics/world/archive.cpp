@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
 constexpr uint32_t archive_version = 3;
-constexpr size_t world_data_size = 3280;  // without the lists of joints
+constexpr size_t world_data_size = 3328;  // without the lists of joints
 
 /// Another layout of what is copied byte by byte is another format.
 constexpr uint32_t layout() {
@@ -106,11 +106,11 @@ void World::take(World&& other) {
 /// What was made since stays gone for good: its generation is not given again.
 void WorldData::take(WorldData&& other) {
     const uint32_t issued = std::max(next_generation, other.next_generation);
-    const bool baseline = baseline_kernels;
+    const int widest = most_lanes;
     other.callbacks = std::move(callbacks);
     *this = std::move(other);
     next_generation = issued;
-    baseline_kernels = baseline;
+    most_lanes = widest;
 }
 
 }  // namespace fettle::physics

@@ -28,27 +28,6 @@ class StageClock {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void integrate_velocities(std::vector<SolverBody>& bodies, const std::vector<SolverForce>& forces,
-                          float h) {
-    const float turn_limit = greatest_turn / h;
-    for (size_t i = 1; i < bodies.size(); ++i) {
-        SolverBody& b = bodies[i];
-        const SolverForce& f = forces[i];
-        b.velocity.x = clamp((b.velocity.x + f.change.x) * f.keep, -greatest_speed, greatest_speed);
-        b.velocity.y = clamp((b.velocity.y + f.change.y) * f.keep, -greatest_speed, greatest_speed);
-        b.angular_velocity =
-            clamp((b.angular_velocity + f.turn_change) * f.turn_keep, -turn_limit, turn_limit);
-    }
-}
-
-void integrate_positions(std::vector<SolverBody>& bodies, float h) {
-    for (size_t i = 1; i < bodies.size(); ++i) {
-        SolverBody& b = bodies[i];
-        b.shift = b.shift + h * b.velocity;
-        b.turn += h * b.angular_velocity;
-    }
-}
-
 }  // namespace
 
 void WorldData::gather_bodies(float h) {
@@ -84,7 +63,7 @@ void WorldData::gather_bodies(float h) {
                             2 * greatest_speed)};
         f.turn_change = bounded(h * record.inverse_inertia * torque, 2 * greatest_speed);
         // Implicit: stable for any damping.
-        f.keep = 1.0f / (1.0f + h * record.linear_damping);
+        f.keep.x = f.keep.y = 1.0f / (1.0f + h * record.linear_damping);
         f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
         axes_locked |= record.locked_x || record.locked_y;
         if (record.locked_x || record.locked_y || record.locked_rotation)
@@ -100,6 +79,21 @@ void WorldData::zero_locked() {
         if (record.locked_y) b.velocity.y = 0.0f;
         if (record.locked_rotation) b.angular_velocity = 0.0f;
     }
+}
+
+/// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
+/// start them one by one. What many joints do besides takes longer to tell apart than that saves.
+bool WorldData::repeats_pushes() {
+    joint_share.clear();
+    size_t ends = 0;
+    std::apply([&](const auto&... list) { ((ends += 2 * list.size()), ...); }, joint_constraints);
+    if (ends > (colored.size() + constraints.size()) / 4) return false;
+    const auto add = [&](const auto& list) {
+        for (const auto& c : list) joint_share.add(c.ends.a), joint_share.add(c.ends.b);
+    };
+    std::apply([&](const auto&... list) { (add(list), ...); }, joint_constraints);
+    joint_share.unite();
+    return true;
 }
 
 void WorldData::solve(float dt) {
@@ -120,23 +114,34 @@ void WorldData::solve(float dt) {
     serial.inverse_h = 1.0f / h;
     serial.push_speed = settings.push_speed;
     serial.restitution_threshold = settings.restitution_threshold;
-    const WideKernels& kernels = wide_kernels(baseline_kernels);
+    const WideKernels& kernels = wide_kernels(most_lanes);
     const WideStep wide = {solver_bodies.data(), wide_contacts.data(), wide_contacts.size(),
                            serial.inverse_h, serial.push_speed};
 
+    const bool repeats = repeats_pushes();
+    const auto around_joints = [&](auto&& pass) {
+        if (repeats)
+            joint_share.around(solver_bodies, solver_forces, pass);
+        else
+            pass();
+    };
     for (int substep = 0; substep < substeps; ++substep) {
-        integrate_velocities(solver_bodies, solver_forces, h);
+        const bool again = repeats && substep > 0;
+        integrate_velocities(solver_bodies, solver_forces, {greatest_speed, greatest_turn / h},
+                             again);
         zero_locked();
         solver_bodies[0] = {};  // every pass writes it back unmoved; whatever happens, it stays so
-        warm_start_joints();
-        serial.warm_start();
-        kernels.warm_start(wide);
-        solve_joints(joint_step);
+        around_joints([&] { warm_start_joints(); });
+        if (!again) {
+            serial.warm_start();
+            kernels.warm_start(wide);
+        }
+        around_joints([&] { solve_joints(joint_step); });
         serial.solve_biased();
         kernels.solve_biased(wide);
         zero_locked();
         integrate_positions(solver_bodies, h);
-        relax_joints(joint_step);
+        around_joints([&] { relax_joints(joint_step); });
         serial.relax();
         kernels.relax(wide);
         zero_locked();

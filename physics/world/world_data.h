@@ -5,6 +5,7 @@
 #include <fettle/physics/world.h>
 #include <geometry/vertex_pool.h>
 #include <solver/constraint.h>
+#include <solver/motion.h>
 #include <solver/stiffness.h>
 #include <solver/wide_contact.h>
 #include <world/joint_types.h>
@@ -109,13 +110,14 @@ struct WorldData : Columns {
     /// where the records are not: every contact asks.
     std::vector<uint32_t> solver_ends;
     std::vector<SolverForce> solver_forces;
+    JointShare joint_share;
     std::vector<ContactConstraint> constraints;  ///< of the serial contacts
     std::vector<uint32_t> serial_contacts;       ///< solved one at a time
     std::vector<WideContact> wide_contacts;      ///< by color
     std::vector<ColoredContact> colored;
     std::array<uint32_t, color_count> color_begin{};
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
-    bool baseline_kernels = false;         ///< tests compare instruction sets
+    int most_lanes = lanes;                ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
     JointConstraints joint_constraints;
     std::vector<Strain> strains;
@@ -282,6 +284,7 @@ struct WorldData : Columns {
     void step(float dt);
     void solve(float dt);
     void gather_bodies(float h);
+    bool repeats_pushes();
     void finish_bodies(float dt);
     void finish_shapes(uint32_t body, Rotation q);
     // continuous.cpp

@@ -1,0 +1,89 @@
+#include <solver/motion.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Four floats at once, on every machine the library is built for: velocity, angular velocity and
+/// inverse mass, or motion and inverse inertia.
+using Quad = float __attribute__((vector_size(16)));
+
+template <typename From>
+Quad load(const From* from) {
+    Quad v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+template <typename To>
+void store(To* to, Quad v) {
+    std::memcpy(static_cast<void*>(to), &v, sizeof v);
+}
+
+template <bool again>
+void integrate(std::span<SolverBody> bodies, std::span<SolverForce> forces, Quad limit) {
+    for (size_t i = 1; i < bodies.size(); ++i) {
+        SolverBody& b = bodies[i];
+        SolverForce& f = forces[i];
+        const Quad old = load(&b.velocity);
+        Quad v = (old + load(&f.change)) * load(&f.keep);
+        v = v < -limit ? -limit : v;
+        v = v > limit ? limit : v;
+        if constexpr (again) {
+            const Quad given = old - load(&f.before);
+            store(&f.before, v);
+            v += given;
+            v[3] = old[3];
+        } else {
+            store(&f.before, v);
+        }
+        store(&b.velocity, v);
+    }
+}
+
+}  // namespace
+
+void integrate_velocities(std::span<SolverBody> bodies, std::span<SolverForce> forces,
+                          const SubstepLimits& limits, bool again) {
+    const Quad limit = {limits.speed, limits.speed, limits.turn,
+                        std::numeric_limits<float>::infinity()};
+    if (again)
+        integrate<true>(bodies, forces, limit);
+    else
+        integrate<false>(bodies, forces, limit);
+}
+
+void integrate_positions(std::span<SolverBody> bodies, float h) {
+    for (size_t i = 1; i < bodies.size(); ++i) {
+        SolverBody& b = bodies[i];
+        const Quad moved = Quad{h, h, h, 0.0f} * load(&b.velocity) + load(&b.shift);
+        store(&b.shift, moved);
+    }
+}
+
+void JointShare::unite() {
+    std::sort(bodies_.begin(), bodies_.end());
+    bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+    velocities_.resize(bodies_.size());
+}
+
+void JointShare::remember(std::span<const SolverBody> bodies) {
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+        const SolverBody& b = bodies[bodies_[i]];
+        velocities_[i] = {b.velocity, b.angular_velocity};
+    }
+}
+
+void JointShare::add_change(std::span<const SolverBody> bodies,
+                            std::span<SolverForce> forces) const {
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+        const SolverBody& b = bodies[bodies_[i]];
+        SolverForce& f = forces[bodies_[i]];
+        f.before = f.before + (b.velocity - velocities_[i].linear);
+        f.turn_before += b.angular_velocity - velocities_[i].angular;
+    }
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,13 @@
+// The solver's passes for machines with AVX-512: sixteen lanes at a time. Compiled for that
+// instruction set; nothing here may run before `wide_kernels` has seen that the machine has it.
+#if defined(__x86_64__)
+#define FETTLE_LANES 16
+
+#include <solver/wide_passes.h>
+
+namespace fettle::physics::detail {
+
+const WideKernels wide_kernels_avx512 = {warm_start, solve_biased, relax, width};
+
+}  // namespace fettle::physics::detail
+#endif
