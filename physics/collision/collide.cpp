@@ -1,6 +1,5 @@
 #include <collision/manifold.h>
 
-#include <cstring>
 #include <utility>
 
 // Separating axes and clipping. For two convex polygons the axis of least overlap is the normal of
@@ -11,14 +10,6 @@
 
 namespace fettle::physics::detail {
 namespace {
-
-/// Below this a gap counts as none (m): decides between faces that are equally deep, so that
-/// contacts do not flip.
-constexpr float face_preference = 0.0005f;
-
-/// Two edges that overlap by less than this (m) and a tenth of either, end against end, do not stop
-/// each other: what slides over a floor of tiles would be kicked by the side of every next one.
-constexpr float seam = 0.005f;
 
 struct Axis {
     int edge = 0;
@@ -34,40 +25,6 @@ Axis deepest_axis(const Convex& a, const Convex& b, V2 offset) {
         for (int j = 1; j < b.count; ++j) nearest = min(nearest, dot(n, b.vertices[j]));
         const float separation = nearest + dot(n, offset) - a.offsets[i];
         if (separation > best.separation) best = {i, separation};
-    }
-    return best;
-}
-
-/// Four floats at once, on every machine the library is built for.
-using Quad = float __attribute__((vector_size(16)));
-
-/// x and y of four vectors that lie in a row.
-struct QuadVectors {
-    Quad x, y;
-
-    explicit QuadVectors(const V2* v) {
-        Quad first, second;
-        std::memcpy(&first, v, sizeof first);
-        std::memcpy(&second, v + 2, sizeof second);
-        x = __builtin_shufflevector(first, second, 0, 2, 4, 6);
-        y = __builtin_shufflevector(first, second, 1, 3, 5, 7);
-    }
-};
-
-/// The same for two quadrilaterals, most shapes of most games: all four edges of `a` at once, by
-/// the same operations.
-Axis deepest_axis_quads(const Convex& a, const Convex& b, V2 offset) {
-    const QuadVectors normals(a.normals);
-    auto along_normals = [&](V2 v) { return normals.x * v.x + normals.y * v.y; };
-    auto nearer = [](Quad u, Quad v) { return u < v ? u : v; };
-    const Quad nearest = nearer(nearer(along_normals(b.vertices[0]), along_normals(b.vertices[1])),
-                                nearer(along_normals(b.vertices[2]), along_normals(b.vertices[3])));
-    Quad offsets;
-    std::memcpy(&offsets, a.offsets, sizeof offsets);
-    const Quad separation = nearest + along_normals(offset) - offsets;
-    Axis best;
-    for (int i = 0; i < 4; ++i) {
-        if (separation[i] > best.separation) best = {i, separation[i]};
     }
     return best;
 }
@@ -234,11 +191,10 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
         }
         return;
     }
-    const bool quads = a.count == 4 && b.count == 4;
     const float reach = a.radius + b.radius + margin;
-    const Axis on_a = quads ? deepest_axis_quads(a, b, offset) : deepest_axis(a, b, offset);
+    const Axis on_a = deepest_axis(a, b, offset);
     if (on_a.separation > reach) return;
-    const Axis on_b = quads ? deepest_axis_quads(b, a, -offset) : deepest_axis(b, a, -offset);
+    const Axis on_b = deepest_axis(b, a, -offset);
     if (on_b.separation > reach) return;
 
     const bool flipped = on_b.separation > on_a.separation + face_preference;

@@ -6,6 +6,14 @@
 
 namespace fettle::physics::detail {
 
+/// Below this a gap counts as none (m): decides between faces that are equally deep, so that
+/// contacts do not flip.
+inline constexpr float face_preference = 0.0005f;
+
+/// Two edges that overlap by less than this (m) and a tenth of either, end against end, do not stop
+/// each other: what slides over a floor of tiles would be kicked by the side of every next one.
+inline constexpr float seam = 0.005f;
+
 /// A convex shape where it is: vertices, edge normals and n·v of each edge, already rotated but
 /// relative to the center of mass of its body. Rotations are shared by all contacts of the shape
 /// and no precision is lost far from the origin. One vertex is a circle, two are a segment (its two
@@ -24,7 +32,7 @@ struct ManifoldPoint {
     float separation = 0.0f;
     float normal_impulse = 0.0f;
     float tangent_impulse = 0.0f;
-    uint16_t feature = 0;
+    uint32_t feature = 0;  ///< vertex of a << 8 | vertex of b
 };
 
 struct Manifold {
@@ -33,6 +41,10 @@ struct Manifold {
     float corner = 0.0f;  ///< distance of the cores where they meet round a corner, m; else 0
     ManifoldPoint points[2];
 };
+
+// Wide collisions read and write four numbers at a time: `normal` to `corner`, both anchors, and
+// `separation` to `feature`.
+static_assert(sizeof(ManifoldPoint) == 32 && sizeof(Manifold) == 80);
 
 /// Contact points of a and b that are closer than `margin` (m); `offset` is the center of mass of b
 /// minus that of a. Sets normal, count, anchors, separations and features; leaves impulses zero.

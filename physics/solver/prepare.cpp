@@ -159,7 +159,10 @@ void WorldData::color_contacts(float dt) {
     color_begin.fill(0);
     colors_of_body.assign(solver_bodies.size(), 0);
     serial_contacts.clear();
-    for (uint32_t slot : awake_contacts) {
+    for (size_t i = 0; i < awake_contacts.size(); ++i) {
+        const uint32_t slot = awake_contacts[i];
+        if (i + contacts_ahead < awake_contacts.size())
+            contacts[awake_contacts[i + contacts_ahead]].prefetch();
         const ContactRecord& record = contacts[slot];
         if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
         const uint32_t end_a = solver_ends[record.body_a], end_b = solver_ends[record.body_b];

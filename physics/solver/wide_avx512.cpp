@@ -3,11 +3,12 @@
 #if defined(__x86_64__)
 #define FETTLE_LANES 16
 
+#include <collision/wide_collide.h>
 #include <solver/wide_passes.h>
 
 namespace fettle::physics::detail {
 
-const WideKernels wide_kernels_avx512 = {warm_start, solve_biased, relax, width};
+const WideKernels wide_kernels_avx512 = {warm_start, solve_biased, relax, collide_batch, width};
 
 }  // namespace fettle::physics::detail
 #endif

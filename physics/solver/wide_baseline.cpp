@@ -1,11 +1,12 @@
 // The solver's passes for what every machine of this architecture has: four lanes at a time.
 #define FETTLE_LANES 4
 
+#include <collision/wide_collide.h>
 #include <solver/wide_passes.h>
 
 namespace fettle::physics::detail {
 
-const WideKernels wide_kernels_baseline = {warm_start, solve_biased, relax, width};
+const WideKernels wide_kernels_baseline = {warm_start, solve_biased, relax, collide_batch, width};
 
 const WideKernels& wide_kernels(int most) {
 #if defined(__x86_64__)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <collision/batch.h>
 #include <solver/constraint.h>
 
 #include <cstddef>
@@ -43,6 +44,8 @@ struct WideKernels {
     void (*warm_start)(const WideStep&);
     void (*solve_biased)(const WideStep&);
     void (*relax)(const WideStep&);
+    /// Returns the pairs that `collide` has to do, a bit each.
+    uint32_t (*collide)(const ConvexArrays&, const CollisionBatch&);
     int width;  ///< lanes at a time
 };
 

@@ -5,6 +5,8 @@
 
 #include <solver/constraint.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace fettle::physics::detail {
@@ -12,6 +14,7 @@ namespace {
 
 inline constexpr int width = FETTLE_LANES;
 using Wide = float __attribute__((vector_size(width * sizeof(float))));
+using WideInt = int32_t __attribute__((vector_size(width * sizeof(int32_t))));
 using Quad = float __attribute__((vector_size(4 * sizeof(float))));
 
 inline Wide load(const float* from) {
@@ -28,8 +31,37 @@ inline Wide splat(float v) {
 inline Wide greater(Wide a, Wide b) {
     return a > b ? a : b;
 }
+inline Wide lesser(Wide a, Wide b) {
+    return a < b ? a : b;
+}
 inline Wide limit(Wide v, Wide low, Wide high) {
     return v < low ? low : (v > high ? high : v);
+}
+
+inline Wide root(Wide v) {
+    for (int lane = 0; lane < width; ++lane) v[lane] = std::sqrt(v[lane]);
+    return v;
+}
+inline WideInt load_int(const int32_t* from) {
+    WideInt v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+inline WideInt splat_int(int32_t v) {
+    return v - WideInt{};
+}
+inline WideInt as_int(Wide v) {
+    return reinterpret_cast<WideInt>(v);
+}
+inline Wide as_float(WideInt v) {
+    return reinterpret_cast<Wide>(v);
+}
+/// Whether some lane of a comparison holds.
+inline bool any(WideInt v) {
+    uint64_t parts[sizeof v / 8], all = 0;
+    std::memcpy(parts, &v, sizeof v);
+    for (const uint64_t part : parts) all |= part;
+    return all != 0;
 }
 
 #define FETTLE_SHUFFLE __builtin_shufflevector

@@ -229,64 +229,6 @@ void WorldData::set_touching(uint32_t slot, bool touching) {
     }
 }
 
-bool WorldData::update_manifold(ContactRecord& c) {
-    const Manifold old = c.manifold;
-    Manifold& m = c.manifold;
-    m.count = 0;
-    const float margin = c.sensor ? 0.0f : speculative_margin;
-    if (overlap(grow(boxes[c.shape_a], margin), boxes[c.shape_b])) {
-        if (usual_forms(forms[c.shape_a], forms[c.shape_b])) {
-            collide(convex(c.shape_a), convex(c.shape_b),
-                    bodies[c.body_b].center - bodies[c.body_a].center, margin, m);
-        } else {
-            collide_unusual(c, margin, m);
-        }
-    }
-    // Points that are still the same vertex on the same edge go on with their impulses: the warm
-    // start.
-    for (int i = 0; i < m.count; ++i) {
-        for (int k = 0; k < old.count; ++k) {
-            if (old.points[k].feature != m.points[i].feature) continue;
-            m.points[i].normal_impulse = old.points[k].normal_impulse;
-            m.points[i].tangent_impulse = old.points[k].tangent_impulse;
-            break;
-        }
-    }
-    return m.count > 0;
-}
-
-void WorldData::narrow_phase() {
-    size_t kept = 0;
-    // Waking appends to the list while it is walked.
-    for (size_t i = 0; i < awake_contacts.size(); ++i) {
-        const uint32_t slot = awake_contacts[i];
-        ContactRecord& c = contacts[slot];
-        if ((relocated[c.shape_a] | relocated[c.shape_b]) != 0 &&
-            !overlap(fat_boxes[c.shape_a], fat_boxes[c.shape_b])) {
-            destroy_contact(slot, true);
-            continue;
-        }
-        awake_contacts[kept] = slot;
-        c.awake_index = uint32_t(kept++);
-        const bool active = update_manifold(c);
-        if (c.sensor) {
-            if (active != c.touching) set_touching(slot, active);
-        } else if (!active) {
-            if (c.touching) set_touching(slot, false);
-            c.rolling_impulse = 0.0f;
-        } else {
-            // Whoever is asleep and about to be hit takes part in this very step.
-            if (bodies[c.body_a].asleep() && in_motion(c.body_b))
-                wake_body(c.body_a);
-            else if (bodies[c.body_b].asleep() && in_motion(c.body_a))
-                wake_body(c.body_b);
-        }
-    }
-    awake_contacts.resize(kept);
-    for (uint32_t shape : moved_shapes) relocated[shape] = 0;
-    moved_shapes.clear();
-}
-
 Contact WorldData::view(const ContactRecord& c) const {
     Contact contact;
     contact.body_a = body_id(c.body_a);
@@ -300,7 +242,7 @@ Contact WorldData::view(const ContactRecord& c) const {
     for (int k = 0; k < c.manifold.count; ++k) {
         const ManifoldPoint& p = c.manifold.points[k];
         contact.points[size_t(k)] = {to_vec2(bodies[c.body_a].center + p.anchor_a), p.separation,
-                                     p.normal_impulse, p.tangent_impulse, p.feature};
+                                     p.normal_impulse, p.tangent_impulse, uint16_t(p.feature)};
         if (last_substep > 0.0f) contact.normal_force += p.normal_impulse / last_substep;
     }
     return contact;

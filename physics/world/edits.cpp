@@ -145,7 +145,7 @@ void WorldData::refresh_shape(uint32_t shape) {
 }
 
 void WorldData::place_shape(uint32_t shape, Rotation q) {
-    const ShapeForm& form = forms[shape];
+    ShapeForm& form = forms[shape];
     if (form.count == 0) return;
     V2 center, local_center;
     if (form.body != none) {
@@ -161,6 +161,8 @@ void WorldData::place_shape(uint32_t shape, Rotation q) {
         low = i == form.begin ? v : V2{min(low.x, v.x), min(low.y, v.y)};
         high = i == form.begin ? v : V2{max(high.x, v.x), max(high.y, v.y)};
     }
+    if (form.count == 3) pool.pad_triangle(form.begin);
+    form.center = center;
     boxes[shape] = grow({center + low, center + high}, form.radius);
 }
 

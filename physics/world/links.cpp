@@ -109,8 +109,9 @@ void check_shapes(const WorldData& w, Findings& findings) {
                                        shape.geometry_dirty, shape.moved, shape.listed),
                          "a shape");
         const bool inside =
-            form.count == 0 || (form.count <= shape.capacity && shape.capacity <= vertices &&
-                                form.begin <= vertices - shape.capacity);
+            form.count == 0 ||
+            (form.count <= shape.capacity && shape.capacity <= vertices &&
+             form.begin <= vertices - shape.capacity && (form.count != 3 || shape.capacity >= 4));
         const bool border = shape.type == ShapeType::border;
         findings.require(
             form.kind <= FormKind::outline && border == (form.kind == FormKind::border),
@@ -153,8 +154,10 @@ void check_contacts(const WorldData& w, Findings& findings) {
     for (const BodyRecord& body : w.bodies)
         for (uint32_t e = body.first_contact; e != none; e = w.contacts[e >> 1].edges[e & 1].next)
             findings.require(w.contacts[e >> 1].shape_a != none, "the contacts of a body");
-    for (const uint32_t c : w.awake_contacts)
-        findings.require(w.contacts[c].shape_a != none, "the awake contacts");
+    for (size_t i = 0; i < w.awake_contacts.size(); ++i) {
+        const ContactRecord& c = w.contacts[w.awake_contacts[i]];
+        findings.require(c.shape_a != none && c.awake_index == i, "the awake contacts");
+    }
 }
 
 void check_joints(const WorldData& w, Findings& findings) {

@@ -90,6 +90,9 @@ struct ShapeForm {
     FormKind kind : 8 = FormKind::convex;
     float radius = 0.0f;
     uint32_t body = none;
+    V2 center;  ///< of mass of the body: what the vertices are relative to, world
+
+    bool is_small_polygon() const { return kind == FormKind::convex && (count == 3 || count == 4); }
 };
 
 struct ShapeRecord {
@@ -113,7 +116,7 @@ struct ShapeRecord {
     uint32_t next_free = none;
 };
 
-static_assert(sizeof(ShapeForm) == 16);
+static_assert(sizeof(ShapeForm) == 24);
 
 /// Both plain convex.
 inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
@@ -121,7 +124,8 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
 }
 
 /// A pair of shapes whose fat boxes overlap. Lives in a slot; the awake ones are listed by slot.
-struct ContactRecord {
+/// What every step reads and writes of every pair is in the first two of its three cache lines.
+struct alignas(64) ContactRecord {
     uint32_t shape_a = none, shape_b = none;  ///< shape_a < shape_b
     uint32_t body_a = none, body_b = none;
     uint32_t awake_index = none;
@@ -130,13 +134,20 @@ struct ContactRecord {
     bool special = false;  ///< rolling resistance, surface speed or restitution
     bool hit_events = false;
     bool disabled = false;  ///< in this step, by a callback
-    uint64_t began = 0;     ///< in which step it began to touch
-    float friction = 0.0f, restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
-    float rolling_impulse = 0.0f;
+    float friction = 0.0f;
     Manifold manifold;
-    ListEdge edges[2];  ///< in the contact lists of body a and b
+    float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
+    float rolling_impulse = 0.0f;
+    uint64_t began = 0;  ///< in which step it began to touch
+    ListEdge edges[2];   ///< in the contact lists of body a and b
     uint32_t next_free = none;
+
+    void prefetch() const {
+        __builtin_prefetch(this, 1);
+        __builtin_prefetch(reinterpret_cast<const char*>(this) + 64, 1);
+    }
 };
+static_assert(sizeof(ContactRecord) == 192);
 
 /// What all joints have. What a type adds is in the list of that type, without gaps.
 struct JointRecord {

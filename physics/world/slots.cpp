@@ -19,7 +19,7 @@ void WorldData::make_border() {
         fat_boxes.emplace_back();
         paired_boxes.push_back(no_box);
         shape_generations.push_back(next_generation++);
-        forms[side] = {side, 0, FormKind::border, 0.0f, 0};
+        forms[side] = {side, 0, FormKind::border, 0.0f, 0, {}};
         shapes[side].type = ShapeType::border;
     }
     body_count = 0;

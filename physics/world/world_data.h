@@ -38,6 +38,9 @@ struct FastBody {
     float turn = 0.0f;
 };
 
+/// Contacts are in no order in memory: so many before its turn each is asked for.
+inline constexpr size_t contacts_ahead = 12;
+
 inline constexpr int color_count = 64;
 struct ColoredContact {
     uint32_t slot;
@@ -105,6 +108,8 @@ struct WorldData : Columns {
     std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
 
     // Of the step; kept for their capacity.
+    enum ContactNote : uint8_t { nothing_else, needs_more, pair_is_over };
+    std::vector<uint8_t> contact_notes;  ///< by place among the awake contacts
     std::vector<SolverBody> solver_bodies;
     /// By body slot: solver index << 1 | takes impulses; 0 for what is fixed or asleep. Dense,
     /// where the records are not: every contact asks.
@@ -240,7 +245,8 @@ struct WorldData : Columns {
     void consult_callbacks();
     void tell_persisting();
     V2 middle_of(const ContactRecord& contact) const;
-    bool update_manifold(ContactRecord& contact);
+    void update_manifold(ContactRecord& contact);
+    void follow_note(ContactRecord& contact, uint32_t slot);
     void collide_unusual(const ContactRecord& contact, float margin, Manifold& manifold) const;
     float approach_speed(const ContactRecord& contact, V2 point) const;
     float impact_mass(const ContactRecord& contact, V2 point) const;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <collision/manifold.h>
+
+// Pairs of triangles and quadrilaterals, sixteen at a time: most shapes of most games.
+
+namespace fettle::physics::detail {
+
+/// Where the vertices of all shapes are, rotated: see VertexPool. A triangle has its first vertex
+/// and edge again as fourth, and an edge offset that no other shape is ever outside of.
+struct ConvexArrays {
+    const V2* vertices;
+    const V2* normals;
+    const float* offsets;
+};
+
+struct alignas(64) CollisionBatch {
+    static constexpr int size = 16;
+
+    uint32_t begin_a[size], begin_b[size];  ///< in the arrays
+    int32_t count_a[size], count_b[size];   ///< vertices: 3 or 4
+    float radius_a[size], radius_b[size];
+    float offset_x[size], offset_y[size];  ///< origin of b less that of a, m
+    float margin[size];                    ///< m
+    Manifold* manifolds[size];
+    int count = 0;  ///< pairs; all arrays have valid entries for all sixteen
+
+    bool is_full() const { return count == size; }
+};
+
+}  // namespace fettle::physics::detail

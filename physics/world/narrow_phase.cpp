@@ -1,0 +1,175 @@
+#include <world/world_data.h>
+
+#include <algorithm>
+#include <bit>
+
+// Every awake contact gets its manifold of this step. Pairs of triangles and quadrilaterals are
+// collected and collided sixteen at a time, the others one by one; both write nothing but the
+// manifold and a note of what the pair needs besides. Then, in the order of the list, what few
+// need: touches that end, pairs that are none any more, sleepers that are about to be hit.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Contacts between two looks at what came out: few enough that they are still in the cache.
+constexpr size_t run_length = 64;
+
+}  // namespace
+
+/// One pair by itself.
+void WorldData::update_manifold(ContactRecord& c) {
+    const Manifold old = c.manifold;
+    Manifold& m = c.manifold;
+    m.count = 0;
+    const ShapeForm &a = forms[c.shape_a], &b = forms[c.shape_b];
+    const float margin = c.sensor ? 0.0f : speculative_margin;
+    if (usual_forms(a, b))
+        collide(convex(c.shape_a), convex(c.shape_b), b.center - a.center, margin, m);
+    else
+        collide_unusual(c, margin, m);
+    // Points that are still the same vertex on the same edge go on with their impulses: the warm
+    // start.
+    for (int i = 0; i < m.count; ++i) {
+        for (int k = 0; k < old.count; ++k) {
+            if (old.points[k].feature != m.points[i].feature) continue;
+            m.points[i].normal_impulse = old.points[k].normal_impulse;
+            m.points[i].tangent_impulse = old.points[k].tangent_impulse;
+            break;
+        }
+    }
+}
+
+class NarrowPhase {
+  public:
+    explicit NarrowPhase(WorldData& world)
+        : world_(world),
+          arrays_{world.pool.vertices.data(), world.pool.directions.data(),
+                  world.pool.offsets.data()},
+          kernels_(wide_kernels(world.most_lanes)) {}
+
+    /// Manifolds of some of the awake contacts, and notes for all of them.
+    void run(size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            if (i + contacts_ahead < world_.awake_contacts.size())
+                world_.contacts[world_.awake_contacts[i + contacts_ahead]].prefetch();
+            ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
+            world_.contact_notes[i] = 0;
+            if (is_over(c))
+                world_.contact_notes[i] = WorldData::pair_is_over;
+            else if (!is_near(c))
+                c.manifold.count = 0;
+            else
+                collide_pair(c);
+        }
+        if (batch_.count > 0) flush();
+        for (size_t i = begin; i < end; ++i) {
+            if (world_.contact_notes[i] == 0 &&
+                needs_more(world_.contacts[world_.awake_contacts[i]]))
+                world_.contact_notes[i] = WorldData::needs_more;
+        }
+    }
+
+  private:
+    bool is_over(const ContactRecord& c) const {
+        return (world_.relocated[c.shape_a] | world_.relocated[c.shape_b]) != 0 &&
+               !overlap(world_.fat_boxes[c.shape_a], world_.fat_boxes[c.shape_b]);
+    }
+    bool is_near(const ContactRecord& c) const {
+        const float margin = c.sensor ? 0.0f : speculative_margin;
+        return overlap(grow(world_.boxes[c.shape_a], margin), world_.boxes[c.shape_b]);
+    }
+    void collide_pair(ContactRecord& c) {
+        const ShapeForm &a = world_.forms[c.shape_a], &b = world_.forms[c.shape_b];
+        if (!a.is_small_polygon() || !b.is_small_polygon()) {
+            world_.update_manifold(c);
+            return;
+        }
+        const int lane = batch_.count++;
+        records_[lane] = &c;
+        batch_.manifolds[lane] = &c.manifold;
+        batch_.begin_a[lane] = a.begin;
+        batch_.begin_b[lane] = b.begin;
+        batch_.count_a[lane] = int32_t(a.count);
+        batch_.count_b[lane] = int32_t(b.count);
+        batch_.radius_a[lane] = a.radius;
+        batch_.radius_b[lane] = b.radius;
+        batch_.offset_x[lane] = b.center.x - a.center.x;
+        batch_.offset_y[lane] = b.center.y - a.center.y;
+        batch_.margin[lane] = c.sensor ? 0.0f : speculative_margin;
+        if (batch_.is_full()) flush();
+    }
+    void flush() {
+        // Lanes that are left over do the first pair again, for nobody.
+        for (int lane = batch_.count; lane < CollisionBatch::size; ++lane) {
+            batch_.begin_a[lane] = batch_.begin_a[0];
+            batch_.begin_b[lane] = batch_.begin_b[0];
+            batch_.manifolds[lane] = &unused_;
+        }
+        for (uint32_t again = kernels_.collide(arrays_, batch_); again != 0; again &= again - 1) {
+            const int lane = std::countr_zero(again);
+            if (lane < batch_.count) world_.update_manifold(*records_[lane]);
+        }
+        batch_.count = 0;
+    }
+    bool needs_more(const ContactRecord& c) const {
+        const bool active = c.manifold.count > 0;
+        if (c.sensor) return active != c.touching;
+        if (!active) return c.touching || c.rolling_impulse != 0.0f;
+        return world_.island_count > 0 &&
+               (world_.bodies[c.body_a].asleep() || world_.bodies[c.body_b].asleep());
+    }
+
+    WorldData& world_;
+    const ConvexArrays arrays_;
+    const WideKernels& kernels_;
+    CollisionBatch batch_ = {};
+    ContactRecord* records_[CollisionBatch::size] = {};
+    Manifold unused_;
+};
+
+/// What the notes ask for, of one contact.
+void WorldData::follow_note(ContactRecord& c, uint32_t slot) {
+    const bool active = c.manifold.count > 0;
+    if (c.sensor) {
+        if (active != c.touching) set_touching(slot, active);
+    } else if (!active) {
+        if (c.touching) set_touching(slot, false);
+        c.rolling_impulse = 0.0f;
+    } else if (bodies[c.body_a].asleep() && in_motion(c.body_b)) {
+        // Whoever is asleep and about to be hit takes part in this very step.
+        wake_body(c.body_a);
+    } else if (bodies[c.body_b].asleep() && in_motion(c.body_a)) {
+        wake_body(c.body_b);
+    }
+}
+
+void WorldData::narrow_phase() {
+    size_t kept = 0;
+    // Waking appends to the list: what is new is collided in a round of its own.
+    for (size_t begin = 0; begin < awake_contacts.size();) {
+        const size_t end = awake_contacts.size();
+        contact_notes.resize(end);
+        NarrowPhase phase(*this);
+        for (size_t i = begin; i < end; i += run_length)
+            phase.run(i, std::min(i + run_length, end));
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t slot = awake_contacts[i];
+            if (contact_notes[i] == pair_is_over) {
+                destroy_contact(slot, true);
+                continue;
+            }
+            if (kept != i) {
+                awake_contacts[kept] = slot;
+                contacts[slot].awake_index = uint32_t(kept);
+            }
+            ++kept;
+            if (contact_notes[i] == needs_more) follow_note(contacts[slot], slot);
+        }
+        begin = end;
+    }
+    awake_contacts.resize(kept);
+    for (uint32_t shape : moved_shapes) relocated[shape] = 0;
+    moved_shapes.clear();
+}
+
+}  // namespace fettle::physics::detail
