@@ -26,12 +26,14 @@ int32_t Tree::insert(const Box4& box, uint32_t item) {
     nodes_[size_t(leaf)].box = box;
     nodes_[size_t(leaf)].right = int32_t(item);
     ++leaves_;
+    unsettle();
     link_leaf(leaf);
     flag(leaf);
     return leaf;
 }
 
 void Tree::remove(int32_t leaf) {
+    unsettle();
     unlink_leaf(leaf);
     release(leaf);
     --leaves_;
@@ -41,6 +43,7 @@ void Tree::move(int32_t leaf, const Box4& box) {
     Node& moved = nodes_[size_t(leaf)];
     moved.box = box;
     moved.moved = epoch_;
+    update_bucket(leaf);
     for (int32_t i = moved.parent; i != none; i = nodes_[size_t(i)].parent) {
         Node& node = nodes_[size_t(i)];
         if (has_moved(node) && contains(node.box, box)) break;
@@ -49,8 +52,20 @@ void Tree::move(int32_t leaf, const Box4& box) {
     }
 }
 
+void Tree::relocate(int32_t leaf, const Box4& box) {
+    nodes_[size_t(leaf)].box = box;
+    settled_ = false;
+    flag(leaf);
+}
+
 void Tree::touch(int32_t leaf) {
     flag(leaf);
+    update_bucket(leaf);
+}
+
+void Tree::rest() {
+    ++epoch_;
+    for (BoxBucket& bucket : buckets_) bucket.moved = 0;
 }
 
 /// What is above something that moved has moved.
@@ -202,12 +217,50 @@ void Tree::exchange(int32_t child, int32_t grandchild) {
 // --- Building anew
 
 void Tree::settle() {
+    if (settled_) return;
+    settled_ = true;
     if (root_ == none || nodes_[size_t(root_)].is_leaf() || !has_moved(nodes_[size_t(root_)]))
         return;
+    drop_buckets();
+    bucket_of_.assign(nodes_.size(), -1);
     take_apart();
     next_vacant_ = 0;
     root_ = build(parts_.data(), parts_.data() + parts_.size());
     nodes_[size_t(root_)].parent = none;
+}
+
+/// A leaf has moved since its bucket was made.
+void Tree::update_bucket(int32_t leaf) {
+    for (int32_t i = leaf; i != none && !bucket_of_.empty(); i = nodes_[size_t(i)].parent) {
+        const int32_t place = bucket_of_[size_t(i)];
+        if (place < 0) continue;
+        BoxBucket& bucket = buckets_[size_t(place)];
+        const Node& node = nodes_[size_t(leaf)];
+        const uint32_t *first = bucket.item, *last = first + bucket.count;
+        const auto slot = uint32_t(std::find(first, last, node.item()) - first);
+        bucket.set(slot, node.box);
+        bucket.moved |= uint32_t{1} << slot;
+        return;
+    }
+}
+
+void Tree::drop_buckets() {
+    bucket_of_.clear();
+    buckets_.clear();
+}
+
+/// Of parts that are all leaves.
+void Tree::make_bucket(int32_t node, const Part* begin, const Part* end) {
+    bucket_of_[size_t(node)] = int32_t(buckets_.size());
+    BoxBucket& bucket = buckets_.emplace_back();
+    for (uint32_t i = 0; i < BoxBucket::capacity; ++i) bucket.set(i, no_box);
+    for (const Part* part = begin; part != end; ++part) {
+        const Node& leaf = nodes_[size_t(part->node)];
+        bucket.set(bucket.count, leaf.box);
+        bucket.item[bucket.count] = leaf.item();
+        bucket.moved |= uint32_t{has_moved(leaf)} << bucket.count;
+        ++bucket.count;
+    }
 }
 
 /// Lists the parts that did not move, leaves at the least, and the nodes above them, which will be
@@ -231,11 +284,16 @@ void Tree::take_apart() {
     }
 }
 
-int32_t Tree::build(Part* begin, Part* end) {
+int32_t Tree::build(Part* begin, Part* end, bool in_bucket) {
     if (end - begin == 1) return begin->node;
     const int32_t index = vacant_[next_vacant_++];
+    if (!in_bucket && end - begin <= std::ptrdiff_t(BoxBucket::capacity)) {
+        const auto is_leaf = [this](const Part& p) { return nodes_[size_t(p.node)].is_leaf(); };
+        in_bucket = std::all_of(begin, end, is_leaf);
+        if (in_bucket) make_bucket(index, begin, end);
+    }
     Part* middle = split(begin, end);
-    const int32_t left = build(begin, middle), right = build(middle, end);
+    const int32_t left = build(begin, middle, in_bucket), right = build(middle, end, in_bucket);
     Node &node = nodes_[size_t(index)], &l = nodes_[size_t(left)], &r = nodes_[size_t(right)];
     node.left = left;
     node.right = right;

@@ -1,9 +1,9 @@
 // `collide` for sixteen pairs of triangles and quadrilaterals, operation by operation the same, for
-// the instruction set of the file that includes this: see solver/wide_vector.h.
+// the instruction set of the file that includes this: see wide/vector.h.
 #pragma once
 
 #include <collision/batch.h>
-#include <solver/wide_vector.h>
+#include <wide/vector.h>
 
 namespace fettle::physics::detail {
 namespace {
@@ -234,10 +234,7 @@ uint32_t collide_lanes(const ConvexArrays& arrays, const CollisionBatch& batch, 
             keep & ~(gap - radii > margin),
             flipped ? on_other[k] << 8 | on_reference[k] : on_reference[k] << 8 | on_other[k]};
     }
-    uint32_t again = 0;
-    if (any(redo)) {
-        for (int lane = 0; lane < width; ++lane) again |= (redo[lane] & 1u) << lane;
-    }
+    const uint32_t again = bits(redo);
     const auto manifold = [&](int lane) {
         return (again >> lane & 1) != 0 ? &unused : batch.manifolds[at + lane];
     };

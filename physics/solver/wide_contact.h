@@ -1,6 +1,5 @@
 #pragma once
 
-#include <collision/batch.h>
 #include <solver/constraint.h>
 
 #include <cstddef>
@@ -37,25 +36,5 @@ struct WideStep {
     float inverse_h = 0.0f;
     float push_speed = 0.0f;
 };
-
-/// The passes of the solver for one instruction set. They compute what `ContactSolver` does for one
-/// contact, operation by operation, so the result depends neither on the width nor on the machine.
-struct WideKernels {
-    void (*warm_start)(const WideStep&);
-    void (*solve_biased)(const WideStep&);
-    void (*relax)(const WideStep&);
-    /// Returns the pairs that `collide` has to do, a bit each.
-    uint32_t (*collide)(const ConvexArrays&, const CollisionBatch&);
-    int width;  ///< lanes at a time
-};
-
-extern const WideKernels wide_kernels_baseline;
-#if defined(__x86_64__)
-extern const WideKernels wide_kernels_avx2;
-extern const WideKernels wide_kernels_avx512;
-#endif
-
-/// The widest that this machine has, of at most so many lanes (tests compare them).
-const WideKernels& wide_kernels(int most = lanes);
 
 }  // namespace fettle::physics::detail

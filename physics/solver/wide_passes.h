@@ -1,8 +1,8 @@
-// The solver's passes, for the instruction set of the file that includes this: see wide_vector.h.
+// The solver's passes, for the instruction set of the file that includes this: see wide/vector.h.
 #pragma once
 
 #include <solver/wide_contact.h>
-#include <solver/wide_vector.h>
+#include <wide/vector.h>
 
 namespace fettle::physics::detail {
 namespace {

@@ -41,8 +41,9 @@ void WorldData::find_pairs() {
     const auto look = [&](uint32_t shape, uint32_t other) { look_at_pair(shape, other); };
     moving_tree.settle();
     fixed_tree.settle();
-    moving_tree.pairs(look);
-    moving_tree.pairs(fixed_tree, look);
+    const FindOverlaps overlaps = wide_kernels(most_lanes).overlaps;
+    moving_tree.pairs(overlaps, look);
+    moving_tree.pairs(fixed_tree, overlaps, look);
     for (uint32_t shape : moved_shapes) {
         if (forms[shape].body == none || shape_generations[shape] == 0) continue;
         if (settings.bounds && bodies[forms[shape].body].mobility == Mobility::dynamic) {

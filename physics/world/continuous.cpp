@@ -97,7 +97,7 @@ void WorldData::stop_fast_bodies() {
             state.cosine = q.c;
             state.sine = q.s;
             state.position = to_vec2(record.center - rotate(q, record.local_center));
-            finish_shapes(fast.body, q);
+            finish_shapes(fast.body, q, false);
         }
     }
 }

@@ -1,5 +1,5 @@
 #include <fettle/physics/instruction_set.h>
-#include <solver/wide_contact.h>
+#include <wide/kernels.h>
 
 namespace fettle::physics {
 

@@ -187,7 +187,7 @@ void WorldData::finish_bodies(float dt) {
         }
         const Rotation q = {state.cosine, state.sine};
         state.position = to_vec2(record.center - rotate(q, record.local_center));
-        finish_shapes(slot, q);
+        finish_shapes(slot, q, true);
         // Slower ones cannot pass the reach of a speculative contact, or leave more than half of
         // them behind.
         const float near = max(0.5f * record.thickness, speculative_margin);
@@ -201,15 +201,20 @@ void WorldData::finish_bodies(float dt) {
         record.sleep_time = speed < settings.sleep_speed ? record.sleep_time + dt : 0.0f;
         sleep_candidates += record.sleep_time >= settings.sleep_delay;
     }
+    moving_tree.settle();
 }
 
-void WorldData::finish_shapes(uint32_t body, Rotation q) {
+/// `many`: the tree is settled afterwards.
+void WorldData::finish_shapes(uint32_t body, Rotation q, bool many) {
     for (uint32_t s = bodies[body].first_shape; s != none; s = shapes[s].next) {
         place_shape(s, q);
         if (contains(fat_boxes[s], grow(boxes[s], speculative_margin))) continue;
         ++statistics.moved_proxies;
         fat_boxes[s] = grow(boxes[s], fat_margin(s));
-        moving_tree.move(shapes[s].proxy, fat_boxes[s]);
+        if (many)
+            moving_tree.relocate(shapes[s].proxy, fat_boxes[s]);
+        else
+            moving_tree.move(shapes[s].proxy, fat_boxes[s]);
         list_moved(s);
     }
 }

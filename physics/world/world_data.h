@@ -7,7 +7,7 @@
 #include <solver/constraint.h>
 #include <solver/motion.h>
 #include <solver/stiffness.h>
-#include <solver/wide_contact.h>
+#include <wide/kernels.h>
 #include <world/joint_types.h>
 #include <world/records.h>
 
@@ -292,7 +292,7 @@ struct WorldData : Columns {
     void gather_bodies(float h);
     bool repeats_pushes();
     void finish_bodies(float dt);
-    void finish_shapes(uint32_t body, Rotation q);
+    void finish_shapes(uint32_t body, Rotation q, bool many);
     // continuous.cpp
     void stop_fast_bodies();
     float limit_motion(const FastBody& fast) const;

@@ -1,5 +1,5 @@
 #include <solver/contact_solver.h>
-#include <solver/wide_contact.h>
+#include <wide/kernels.h>
 
 #include <cstring>
 #include <random>

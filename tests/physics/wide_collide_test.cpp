@@ -1,6 +1,6 @@
 #include <geometry/trigonometry.h>
 #include <geometry/vertex_pool.h>
-#include <solver/wide_contact.h>
+#include <wide/kernels.h>
 
 #include <algorithm>
 #include <random>

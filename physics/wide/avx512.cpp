@@ -3,12 +3,15 @@
 #if defined(__x86_64__)
 #define FETTLE_LANES 16
 
+#include <broad_phase/wide_overlap.h>
 #include <collision/wide_collide.h>
 #include <solver/wide_passes.h>
+#include <wide/kernels.h>
 
 namespace fettle::physics::detail {
 
-const WideKernels wide_kernels_avx512 = {warm_start, solve_biased, relax, collide_batch, width};
+const WideKernels wide_kernels_avx512 = {warm_start,    solve_biased,  relax,
+                                         collide_batch, find_overlaps, width};
 
 }  // namespace fettle::physics::detail
 #endif

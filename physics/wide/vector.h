@@ -9,6 +9,10 @@
 #include <cstddef>
 #include <cstring>
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 namespace fettle::physics::detail {
 namespace {
 
@@ -56,12 +60,22 @@ inline WideInt as_int(Wide v) {
 inline Wide as_float(WideInt v) {
     return reinterpret_cast<Wide>(v);
 }
-/// Whether some lane of a comparison holds.
+/// The lanes in which a comparison holds, a bit each.
+inline uint32_t bits(WideInt v) {
+#if FETTLE_LANES == 16 && defined(__AVX512DQ__)
+    return _mm512_movepi32_mask(reinterpret_cast<__m512i>(v));
+#elif FETTLE_LANES == 8 && defined(__AVX2__)
+    return uint32_t(_mm256_movemask_ps(reinterpret_cast<__m256>(v)));
+#elif FETTLE_LANES == 4 && defined(__SSE2__)
+    return uint32_t(_mm_movemask_ps(reinterpret_cast<__m128>(v)));
+#else
+    uint32_t set = 0;
+    for (int lane = 0; lane < width; ++lane) set |= (uint32_t(v[lane]) >> 31) << lane;
+    return set;
+#endif
+}
 inline bool any(WideInt v) {
-    uint64_t parts[sizeof v / 8], all = 0;
-    std::memcpy(parts, &v, sizeof v);
-    for (const uint64_t part : parts) all |= part;
-    return all != 0;
+    return bits(v) != 0;
 }
 
 #define FETTLE_SHUFFLE __builtin_shufflevector

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <geometry/vector.h>
+
+// The lowest levels of a tree of boxes, taken together: up to sixteen leaves that are near each
+// other. All pairs of two buckets are tested many at a time, which takes less than to walk the
+// levels below them.
+
+namespace fettle::physics::detail {
+
+struct alignas(64) BoxBucket {
+    static constexpr uint32_t capacity = 16;
+
+    float low_x[capacity], low_y[capacity], high_x[capacity], high_y[capacity];
+    uint32_t item[capacity];
+    uint32_t count = 0;
+    uint32_t moved = 0;  ///< a bit for each box
+
+    void set(uint32_t i, const Box4& box) {
+        low_x[i] = box.low.x, low_y[i] = box.low.y;
+        high_x[i] = box.high.x, high_y[i] = box.high.y;
+    }
+};
+
+/// Writes for each box of a which of b overlap it, a bit each. Boxes beyond the count of b are
+/// `no_box`.
+using FindOverlaps = void (*)(const BoxBucket& a, const BoxBucket& b, uint32_t* rows);
+
+}  // namespace fettle::physics::detail
