@@ -1,4 +1,4 @@
-#include <collision/manifold.h>
+#include <collision/clip.h>
 
 #include <utility>
 
@@ -27,24 +27,6 @@ Axis deepest_axis(const Convex& a, const Convex& b, V2 offset) {
         if (separation > best.separation) best = {i, separation};
     }
     return best;
-}
-
-/// The edge whose normal is most opposed to `normal`.
-int incident_edge(const Convex& shape, V2 normal) {
-    int edge = 0;
-    float least = dot(normal, shape.normals[0]);
-    for (int i = 1; i < shape.count; ++i) {
-        const float d = dot(normal, shape.normals[i]);
-        if (d < least) {
-            least = d;
-            edge = i;
-        }
-    }
-    return edge;
-}
-
-uint16_t feature_of(int vertex_a, int vertex_b) {
-    return uint16_t((vertex_a & 255) << 8 | (vertex_b & 255));
 }
 
 /// One point with the normal along the line between `p` on a and `q` on b.
@@ -95,82 +77,6 @@ void collide_circle(const Convex& a, const Convex& circle, V2 offset, float marg
         m.normal = n;
         m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature_of(best.edge, 254)};
         m.count = 1;
-    }
-}
-
-/// Nearest points of two segments that do not cross, as fractions of each; true when both are ends.
-bool nearest_ends(V2 p1, V2 p2, V2 q1, V2 q2, float& s, float& t) {
-    // C. Ericson, "Real-Time Collision Detection", 5.1.9.
-    const V2 d1 = p2 - p1, d2 = q2 - q1, r = p1 - q1;
-    const float a = dot(d1, d1), e = dot(d2, d2), f = dot(d2, r), c = dot(d1, r), b = dot(d1, d2);
-    const float denominator = a * e - b * b;
-    s = denominator > 1e-12f * a * e ? clamp((b * f - c * e) / denominator, 0.0f, 1.0f) : 0.0f;
-    t = e > 0.0f ? (b * s + f) / e : 0.0f;
-    if (t < 0.0f) {
-        t = 0.0f;
-        s = a > 0.0f ? clamp(-c / a, 0.0f, 1.0f) : 0.0f;
-    } else if (t > 1.0f) {
-        t = 1.0f;
-        s = a > 0.0f ? clamp((b - c) / a, 0.0f, 1.0f) : 0.0f;
-    }
-    return (s == 0.0f || s == 1.0f) && (t == 0.0f || t == 1.0f);
-}
-
-/// Clips the incident edge of `other` against the reference edge. Everything is in the frame of
-/// `reference`; `to_other` is the origin of `other` in it. `flipped`: the reference belongs to
-/// shape b of the manifold.
-void clip(const Convex& reference, int edge, const Convex& other, int incident, V2 to_other,
-          bool flipped, float margin, V2 offset, Manifold& m) {
-    const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
-    const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
-    const V2 n = reference.normals[edge];
-    const V2 v1 = reference.vertices[edge], v2 = reference.vertices[edge2];
-    // The incident edge runs against the reference edge: its second vertex is at the reference's
-    // first.
-    const V2 w1 = other.vertices[incident2] + to_other, w2 = other.vertices[incident] + to_other;
-    const V2 tangent = {-n.y, n.x};
-    const float low = dot(tangent, v1), high = dot(tangent, v2);
-    const float x1 = dot(tangent, w1), x2 = dot(tangent, w2);
-    const float run = x2 - x1;
-    const float facing = min(high, x2) - max(low, x1);
-    const bool inside = (x1 >= low && x2 <= high) || (low >= x1 && high <= x2);
-    if (!inside && facing < min(seam, 0.1f * min(high - low, run)) &&
-        reference.radius + other.radius == 0.0f) {
-        return;
-    }
-    const V2 along = w2 - w1;
-    V2 c1 = w1, c2 = w2;
-    if (x2 < low) {
-        c1 = w2;  // beside each other: no part of the edges faces the other, the nearer end is all
-                  // there is
-    } else if (x1 > high) {
-        c2 = w1;
-    } else {
-        if (x1 < low && run > 1e-9f) c1 = w1 + ((low - x1) / run) * along;
-        if (x2 > high && run > 1e-9f) c2 = w1 + ((high - x1) / run) * along;
-    }
-
-    const float radii = reference.radius + other.radius;
-    const float plane = reference.offsets[edge];
-    const V2 candidates[2] = {c1, c2};
-    const int reference_vertex[2] = {edge, edge2};
-    const int other_vertex[2] = {incident2, incident};
-    m.normal = flipped ? -n : n;
-    m.count = 0;
-    for (int k = 0; k < 2; ++k) {
-        const float gap = dot(n, candidates[k]) - plane;
-        const float separation = gap - radii;
-        if (separation > margin) continue;
-        // Midway between the two surfaces.
-        const V2 middle = candidates[k] + (0.5f * (reference.radius - other.radius - gap)) * n;
-        ManifoldPoint& point = m.points[m.count++];
-        point.anchor_a = flipped ? middle + offset : middle;
-        point.anchor_b = flipped ? middle : middle - offset;
-        point.separation = separation;
-        point.normal_impulse = 0.0f;
-        point.tangent_impulse = 0.0f;
-        point.feature = flipped ? feature_of(other_vertex[k], reference_vertex[k])
-                                : feature_of(reference_vertex[k], other_vertex[k]);
     }
 }
 
@@ -240,7 +146,8 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
             }
         }
     }
-    clip(reference, edge, other, incident, to_other, flipped, margin, offset, m);
+    const FacingEdges edges(reference, edge, other, incident, to_other);
+    if (!edges.are_a_seam()) edges.clip(flipped, margin, offset, m);
 }
 
 void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,

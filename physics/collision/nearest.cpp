@@ -1,5 +1,8 @@
+#include <collision/ellipse.h>
 #include <collision/nearest.h>
 #include <collision/sweep.h>
+
+#include <utility>
 
 namespace fettle::physics::detail {
 namespace {
@@ -66,6 +69,33 @@ Nearest nearest_points(const Convex& a, const Convex& b, V2 offset) {
     found.distance = apart;
     found.on_a = found.on_a + a.radius * found.normal;
     found.on_b = found.on_b - b.radius * found.normal;
+    return found;
+}
+
+Nearest nearest_points(const Solid& a, const Solid& b, V2 offset) {
+    const bool round_a = a.kind == FormKind::ellipse, round_b = b.kind == FormKind::ellipse;
+    if (!round_a && !round_b) return nearest_points(a.form, b.form, offset);
+    if (!round_a) {
+        Nearest found = nearest_points(b, a, -offset);
+        std::swap(found.on_a, found.on_b);
+        found.on_a = found.on_a + offset;
+        found.on_b = found.on_b + offset;
+        found.normal = -found.normal;
+        return found;
+    }
+    const EllipseForm ellipse = ellipse_of(a.form);
+    const EllipseGap gap = round_b ? gap_between(ellipse, ellipse_of(b.form), offset)
+                                   : gap_between(ellipse, b.form, offset);
+    const float radius = round_b ? 0.0f : b.form.radius;
+    Nearest found;
+    found.on_a = gap.on_ellipse;
+    found.on_b = gap.on_other - radius * gap.normal;
+    if (gap.separation > radius) {
+        found.distance = gap.separation - radius;
+        found.normal = gap.normal;
+    } else {
+        found.on_a = found.on_b = 0.5f * (found.on_a + found.on_b);
+    }
     return found;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <collision/manifold.h>
+#include <collision/solid.h>
 
 namespace fettle::physics::detail {
 
@@ -13,5 +13,6 @@ struct Nearest {
 
 /// `offset` is the center of mass of b minus that of a.
 Nearest nearest_points(const Convex& a, const Convex& b, V2 offset);
+Nearest nearest_points(const Solid& a, const Solid& b, V2 offset);
 
 }  // namespace fettle::physics::detail

@@ -1,3 +1,5 @@
+#include <collision/ellipse.h>
+#include <collision/piece.h>
 #include <collision/probe.h>
 
 namespace fettle::physics::detail {
@@ -62,6 +64,55 @@ Probe cast_segment(const Convex& shape, V2 p, V2 d) {
     }
     for (int i = 0; i < shape.count; ++i) cast_circle(shape.vertices[i], shape.radius, p, d, best);
     return best;
+}
+
+namespace {
+
+/// In the frame where the ellipse is a unit circle, lines stay lines and fractions fractions.
+Probe cast_ellipse(const EllipseForm& e, V2 p, V2 d) {
+    const V2 across = {-e.axis.y, e.axis.x};
+    const auto to_circle = [&](V2 v) {
+        return V2{dot(v, e.axis) / e.first, dot(v, across) / e.second};
+    };
+    const V2 start = to_circle(p - e.center);
+    Probe best;
+    if (length_squared(start) < 1.0f) return best;
+    cast_circle({}, 1.0f, start, to_circle(d), best);
+    if (best.fraction <= 1.0f) {
+        const V2 n = best.normal;
+        best.normal = normalized((n.x / e.first) * e.axis + (n.y / e.second) * across);
+    }
+    return best;
+}
+
+Probe cast_piece(const Piece& piece, V2 p, V2 d) {
+    const Convex& form = piece.form;
+    Probe best;
+    if (!piece.one_sided() && signed_distance(form, p) < 0.0f) return best;
+    for (int i = 0; i < form.count; ++i) {
+        const V2 n = form.normals[i];
+        const float speed = dot(n, d);
+        if (piece.is_inner(i) || !(speed < 0.0f)) continue;
+        const float t = (form.offsets[i] - dot(n, p)) / speed;
+        if (t < 0.0f || t > 1.0f || t >= best.fraction) continue;
+        const V2 a = form.vertices[i], b = form.vertices[i + 1 < form.count ? i + 1 : 0];
+        const float x = dot(p + t * d - a, b - a);
+        if (x >= 0.0f && x <= length_squared(b - a)) best = {t, n};
+    }
+    return best;
+}
+
+}  // namespace
+
+float signed_distance(const Solid& shape, V2 p) {
+    return shape.kind == FormKind::ellipse ? nearest_on_rim(ellipse_of(shape.form), p).distance
+                                           : signed_distance(shape.form, p);
+}
+
+Probe cast_segment(const Solid& shape, V2 p, V2 d) {
+    if (shape.kind == FormKind::ellipse) return cast_ellipse(ellipse_of(shape.form), p, d);
+    if (shape.kind == FormKind::piece) return cast_piece(Piece(shape), p, d);
+    return cast_segment(shape.form, p, d);
 }
 
 }  // namespace fettle::physics::detail

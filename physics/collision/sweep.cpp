@@ -1,3 +1,4 @@
+#include <collision/nearest.h>
 #include <collision/sweep.h>
 #include <geometry/trigonometry.h>
 
@@ -48,23 +49,51 @@ float distance(const Convex& a, const Convex& b, V2 offset) {
     return max(0.0f, std::sqrt(squared) - a.radius - b.radius);
 }
 
-float time_of_impact(const Sweep& sweep, const Convex& obstacle, V2 center, float gap) {
+float distance(const Solid& a, const Solid& b, V2 offset) {
+    if (a.kind == FormKind::ellipse || b.kind == FormKind::ellipse)
+        return nearest_points(a, b, offset).distance;
+    return distance(a.form, b.form, offset);
+}
+
+namespace {
+
+/// A copy of a shape that can be turned.
+class TurnedCopy {
+  public:
+    explicit TurnedCopy(const Solid& from)
+        : from_(from), vertices_(size_t(from.form.count) + 1), normals_(size_t(from.form.count)) {
+        // Behind its center an ellipse has its radii, which do not turn.
+        if (from.kind == FormKind::ellipse) vertices_[1] = from.form.vertices[1];
+        turned_ = from;
+        turned_.form.vertices = vertices_.data();
+        turned_.form.normals = normals_.data();
+    }
+    const Solid& by(Rotation q) {
+        for (size_t i = 0; i < normals_.size(); ++i) {
+            vertices_[i] = rotate(q, from_.form.vertices[i]);
+            normals_[i] = rotate(q, from_.form.normals[i]);
+        }
+        return turned_;
+    }
+
+  private:
+    const Solid& from_;
+    Solid turned_;
+    std::vector<V2> vertices_, normals_;
+};
+
+}  // namespace
+
+float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap) {
     // B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
     // point of the shape is faster than this, so it cannot arrive before the distance is used up.
     const float speed = length(sweep.shift) + std::fabs(sweep.turn) * sweep.extent;
     if (!(speed > 0.0f)) return 1.0f;
-    std::vector<V2> vertices(size_t(sweep.end.count)), normals(size_t(sweep.end.count));
-    Convex shape = sweep.end;
-    shape.vertices = vertices.data();
-    shape.normals = normals.data();
+    TurnedCopy copy(sweep.end);
     float t = 0.0f;
     for (int round = 0; round < 32; ++round) {
         const Rotation back = rotation_of(double(sweep.turn) * double(t - 1.0f));
-        for (size_t i = 0; i < vertices.size(); ++i) {
-            vertices[i] = rotate(back, sweep.end.vertices[i]);
-            normals[i] = rotate(back, sweep.end.normals[i]);
-        }
-        const float d = distance(shape, obstacle, center - (sweep.start + t * sweep.shift));
+        const float d = distance(copy.by(back), obstacle, center - (sweep.start + t * sweep.shift));
         if (d <= gap) return t;
         t += (d - 0.5f * gap) / speed;
         if (t >= 1.0f) return 1.0f;

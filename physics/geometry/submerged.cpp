@@ -1,3 +1,4 @@
+#include <collision/ellipse.h>
 #include <geometry/submerged.h>
 #include <geometry/trigonometry.h>
 
@@ -103,6 +104,30 @@ AreaPart part_below(const Convex& shape, V2 normal, double depth) {
     if (!(sum.area > 1e-12)) return {};
     const auto x = float(sum.x / sum.area), w = float(sum.w / sum.area + depth);
     return {sum.area, x * along + w * normal};
+}
+
+namespace {
+
+/// In the frame where the ellipse is a unit circle, half-planes stay half-planes and areas keep
+/// their ratio.
+AreaPart part_of_ellipse(const EllipseForm& e, V2 normal, double depth) {
+    const float reach = e.reach(normal);
+    const V2 across = {-e.axis.y, e.axis.x};
+    const V2 n = {e.first * dot(normal, e.axis) / reach, e.second * dot(normal, across) / reach};
+    const V2 origin;
+    const Convex circle = {&origin, nullptr, nullptr, 1, 1.0f};
+    const double height = (depth - double(dot(normal, e.center))) / double(reach);
+    const AreaPart part = part_below(circle, n, height);
+    return {part.area * double(e.first) * double(e.second),
+            e.center + (e.first * part.centroid.x) * e.axis + (e.second * part.centroid.y) * across};
+}
+
+}  // namespace
+
+AreaPart part_below(const Solid& shape, V2 normal, double depth) {
+    return shape.kind == FormKind::ellipse
+               ? part_of_ellipse(ellipse_of(shape.form), normal, depth)
+               : part_below(shape.form, normal, depth);
 }
 
 }  // namespace fettle::physics::detail

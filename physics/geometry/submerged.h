@@ -1,6 +1,6 @@
 #pragma once
 
-#include <collision/manifold.h>
+#include <collision/solid.h>
 
 namespace fettle::physics::detail {
 
@@ -13,5 +13,6 @@ struct AreaPart {
 /// The part of a shape with normal·p < depth, p from the center of mass of its body. Exact for
 /// circles, capsules and rounded polygons alike. `normal` is a unit vector.
 AreaPart part_below(const Convex& shape, V2 normal, double depth);
+AreaPart part_below(const Solid& shape, V2 normal, double depth);
 
 }  // namespace fettle::physics::detail

@@ -180,9 +180,9 @@ Binding mass(Hosting& hosting) {
 
 // Simulated, because the edit of a shape changes them and tells nobody.
 std::vector<Property> weight(Hosting& hosting) {
-    const std::vector<std::string> sources = {"type",       "*.density", "*.radius", "*.center",
-                                              "*.width",    "*.height",  "*.angle",  "*.rounding",
-                                              "*.vertices", "*.from",    "*.to"};
+    const std::vector<std::string> sources = {
+        "type",       "*.density",  "*.radius", "*.center", "*.width",    "*.height",  "*.angle",
+        "*.rounding", "*.vertices", "*.from",   "*.to",     "*.radius_x", "*.radius_y"};
     std::vector<std::string> of_inertia = sources;
     of_inertia.insert(of_inertia.end(), {"mass", "center"});
     return {

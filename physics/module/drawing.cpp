@@ -6,11 +6,11 @@
 
 #include "bindings.h"
 #include "classes.h"
+#include "forms.h"
 
 namespace fettle::physics_module {
 namespace {
 
-using physics::ShapeType;
 using property::Color;
 using property::Overlay;
 using property::Paint;
@@ -19,32 +19,6 @@ using property::Vec2;
 
 /// How strongly a sensor is filled: one sees what is in it.
 constexpr float sensor_opacity = 0.25f;
-constexpr float segment_width = 3.0f;  // px
-
-/// From a body's coordinates to the world, between the last two steps.
-class Frame {
-  public:
-    Frame() = default;
-    Frame(const physics::World& world, std::uint32_t body, double alpha) {
-        const physics::Pose& from = world.previous(body);
-        const physics::BodyState& to = world.state(body);
-        position_ = widen(from.position) + alpha * (widen(to.position) - widen(from.position));
-        const double start = from.angle, turn = static_cast<double>(to.angle) - start;
-        angle_ = start + alpha * turn;
-        cosine_ = std::cos(angle_);
-        sine_ = std::sin(angle_);
-    }
-    Vec2 point(const physics::Vec2& local) const {
-        const double x = local.x(), y = local.y();
-        return {position_.x() + cosine_ * x - sine_ * y, position_.y() + sine_ * x + cosine_ * y};
-    }
-    Vec2 direction() const { return {cosine_, sine_}; }
-    const Vec2& position() const { return position_; }
-
-  private:
-    Vec2 position_{0, 0};
-    double angle_ = 0, cosine_ = 1, sine_ = 0;
-};
 
 bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
     return painter.sees(widen(box.min) - reach, widen(box.max) + reach);
@@ -55,36 +29,6 @@ Vec2 way(const physics::World& world, std::uint32_t body) {
     const auto& before = world.previous(body).position;
     const auto& now = world.state(body).position;
     return widen(physics::Vec2((now - before).cwiseAbs()));
-}
-
-void draw_form(const physics::Shape& shape, const Frame& frame, const Paint& paint,
-               Painter& painter) {
-    if (shape.type() == ShapeType::circle) {
-        const Vec2 center = frame.point(shape.center());
-        const double radius = shape.radius();
-        painter.circle(center, radius, paint);
-        painter.line(center, center + radius * frame.direction(), paint.border, paint.border_width);
-        return;
-    }
-    // Few have more corners than this.
-    std::array<Vec2, 16> some;
-    std::vector<Vec2> many;
-    const auto local = shape.vertices();
-    std::span<Vec2> corners(some);
-    if (local.size() > some.size()) {
-        many.resize(local.size());
-        corners = many;
-    }
-    corners = corners.first(local.size());
-    for (std::size_t i = 0; i < local.size(); ++i) corners[i] = frame.point(local[i]);
-    const double rounding =
-        shape.type() == ShapeType::box
-            ? std::min<double>(shape.rounding(), 0.5 * std::min(shape.width(), shape.height()))
-            : shape.rounding();
-    if (shape.type() == ShapeType::segment && rounding == 0)
-        painter.line(corners[0], corners[1], paint.fill, segment_width);
-    else
-        painter.polygon(corners, rounding, paint);
 }
 
 void draw_contacts(physics::World& world, Painter& painter) {

@@ -7,9 +7,19 @@ namespace fettle::physics_module {
 Hosting::Hosting(property::Tree& in) : tree(in), joints(*this) {
     worlds_[limbo] = std::make_unique<HostedWorld>();
     const physics::Geometry geometries[] = {
-        physics::Circle{}, physics::Box{}, physics::Segment{},
+        physics::Circle{},
+        physics::Box{},
+        physics::Segment{},
         physics::Segment{.from = {-0.25f, 0.0f}, .to = {0.25f, 0.0f}, .rounding = 0.25f},
-        physics::Polygon{.vertices = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.0f, 0.5f}}}};
+        physics::Polygon{.vertices = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.0f, 0.5f}}},
+        physics::Ellipse{},
+        physics::Concave{{{-0.5f, -0.5f},
+                          {0.5f, -0.5f},
+                          {0.5f, 0.0f},
+                          {0.0f, 0.0f},
+                          {0.0f, 0.5f},
+                          {-0.5f, 0.5f}}},
+        physics::Chain{.points = {{-0.5f, 0.0f}, {0.5f, 0.0f}}}};
     for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = {this, geometries[i]};
     type_names = {"static", "kinematic", "dynamic"};
 }

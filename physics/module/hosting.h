@@ -138,7 +138,7 @@ class Hosting {
 
     property::Tree& tree;
     Joints joints;
-    std::array<ShapeKind, 5> kinds;
+    std::array<ShapeKind, 8> kinds;
 
     const property::Class* world_class = nullptr;
     const property::Class* body_class = nullptr;

@@ -83,9 +83,7 @@ Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owne
     note_departure(from);
     HostedWorld& target = *worlds_[to];
     physics::Shape old = shape(from);
-    physics::Shape fresh = std::visit(
-        [&](const auto& form) { return target.world.create_shape(form, description(old)); },
-        old.geometry());
+    physics::Shape fresh = target.world.create_shape(old.geometry(), description(old));
     if (owner) fresh.attach(owner);
     if (!hosted(from).looks.empty()) {
         const Look look = hosted(from).looks.take(slot_of(from));

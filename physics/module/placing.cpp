@@ -78,8 +78,7 @@ Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
     const Row owner_row = owner ? tree.row(owner) : make_row(limbo, 0);
     HostedWorld& in = hosted(owner_row);
     const physics::ShapeDef def{.hit_events = wanted_.hits, .user_data = pack(self)};
-    physics::Shape made =
-        std::visit([&](const auto& form) { return in.world.create_shape(form, def); }, geometry);
+    physics::Shape made = in.world.create_shape(geometry, def);
     if (owner) made.attach(body(owner_row));
     return row_of(world_number(owner_row), made);
 }

@@ -146,8 +146,9 @@ std::vector<Property> looks(Hosting& hosting) {
 }
 
 std::vector<Property> derived(Hosting& hosting) {
-    const std::vector<std::string> form = {"radius", "center",   "width",    "height", "angle",
-                                           "from",   "rounding", "vertices", "to"};
+    const std::vector<std::string> form = {"radius",   "center",   "width",    "height", "angle",
+                                           "from",     "rounding", "vertices", "to",     "radius_x",
+                                           "radius_y", "points",   "closed"};
     std::vector<std::string> placed = form;
     placed.insert(placed.end(), {"parent.position", "parent.angle"});
     return {
@@ -173,7 +174,8 @@ std::vector<Property> derived(Hosting& hosting) {
         {.name = "world_vertices",
          .type = Type::list,
          .unit = "m",
-         .doc = "Its corners in the world, without rounding; a circle has none.",
+         .doc = "Its corners or points in the world, without rounding; a circle or an ellipse has "
+                "none.",
          .binding = accessor(hosting, [](Hosting& h, Row row) { return world_vertices(h, row); }),
          .read_only = true,
          .transient = true,

@@ -1,4 +1,4 @@
-// Circle, Box, Segment, Capsule, Polygon: the geometries a shape can have.
+// Circle, Box, Segment, Capsule, Polygon, Ellipse, Concave, Chain: the geometries a shape can have.
 
 #include "bindings.h"
 #include "classes.h"
@@ -45,24 +45,23 @@ Value list_of(const Points& points) {
     return list;
 }
 
-Property vertices(Hosting& hosting) {
+/// A list of points that the shape is made of.
+Property points(Hosting& hosting, std::string name, const std::vector<physics::Vec2>& given,
+                std::string doc) {
     const auto get = [](Hosting& h, Row row) { return list_of(h.shape(row).vertices()); };
     const auto set = [](Hosting& h, Row row, const Value& value) {
         std::vector<physics::Vec2> points;
         for (const Value& v : value.list()) points.push_back(narrow(v.vec2()));
         h.shape(row).set_vertices(points);
     };
-    return {
-        .name = "vertices",
-        .type = Type::list,
-        .default_value = list_of(std::get<physics::Polygon>(hosting.kinds[4].geometry).vertices),
-        .unit = "m",
-        .doc =
-            "Its corners in the body's coordinates, counter-clockwise. What is written is "
-            "made convex: the hull of the points becomes the shape.",
-        .binding = accessor(hosting, get, set),
-        .element = Type::vec2,
-        .single_precision = true};
+    return {.name = std::move(name),
+            .type = Type::list,
+            .default_value = list_of(given),
+            .unit = "m",
+            .doc = std::move(doc),
+            .binding = accessor(hosting, get, set),
+            .element = Type::vec2,
+            .single_precision = true};
 }
 
 property::Method add_vertex(Hosting& hosting) {
@@ -87,6 +86,19 @@ property::Method add_vertex(Hosting& hosting) {
     return method;
 }
 
+Property turned(Hosting& hosting) {
+    return {.name = "angle",
+            .unit = "rad",
+            .doc = "How far it is turned on its body, counter-clockwise.",
+            .binding = bound<&Shape::angle, &Shape::set_angle>(hosting),
+            .single_precision = true};
+}
+
+Property middle(Hosting& hosting) {
+    return point("center", {0.0f, 0.0f}, "Its middle, in the body's coordinates.",
+                 bound<&Shape::center, &Shape::set_center>(hosting));
+}
+
 void define(Hosting& hosting, std::size_t kind, std::string name, std::string doc,
             std::vector<Property> properties, std::vector<property::Method> methods = {}) {
     property::ClassDescriptor described;
@@ -106,14 +118,43 @@ std::vector<Property> ends(Hosting& hosting, const physics::Segment& defaults) {
                   bound<&Shape::to, &Shape::set_to>(hosting))};
 }
 
+void define_ellipse(Hosting& hosting) {
+    const physics::Ellipse ellipse;
+    define(hosting, 5, "Ellipse", "An ellipse, exactly.",
+           {length("radius_x", ellipse.radius_x, size, "Half its width, before it is turned.",
+                   bound<&Shape::radius_x, &Shape::set_radius_x>(hosting)),
+            length("radius_y", ellipse.radius_y, size, "Half its height, before it is turned.",
+                   bound<&Shape::radius_y, &Shape::set_radius_y>(hosting)),
+            middle(hosting), turned(hosting)});
+}
+
+void define_outlines(Hosting& hosting) {
+    define(
+        hosting, 6, "Concave",
+        "A polygon that may be concave. It collides in convex pieces, and is one shape all the "
+        "same.",
+        {points(hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
+                "Its corners in the body's coordinates, in either sense of rotation. An outline "
+                "that crosses or touches itself is refused, and so is a hole.")});
+    define(hosting, 7, "Chain",
+           "A line of segments without seams, solid on its left: points from left to right are "
+           "ground, a closed counter-clockwise chain holds what is inside. From behind everything "
+           "passes.",
+           {{.name = "closed",
+             .type = Type::boolean,
+             .doc = "Whether it goes on from the last point to the first.",
+             .binding = bound<&Shape::closed, &Shape::set_closed>(hosting)},
+            points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
+                   "In the body's coordinates.")});
+}
+
 }  // namespace
 
 void define_shapes(Hosting& hosting) {
     define_shape(hosting);
     const physics::Circle circle;
     const physics::Box box;
-    const Property center = point("center", {0.0f, 0.0f}, "Its middle, in the body's coordinates.",
-                                  bound<&Shape::center, &Shape::set_center>(hosting));
+    const Property center = middle(hosting);
     define(hosting, 0, "Circle", "A disc.",
            {length("radius", circle.radius, size, "From its center to its rim.",
                    bound<&Shape::radius, &Shape::set_radius>(hosting)),
@@ -123,12 +164,7 @@ void define_shapes(Hosting& hosting) {
                    bound<&Shape::width, &Shape::set_width>(hosting)),
             length("height", box.height, size, "From bottom to top, rounding included.",
                    bound<&Shape::height, &Shape::set_height>(hosting)),
-            center,
-            {.name = "angle",
-             .unit = "rad",
-             .doc = "How far it is turned on its body, counter-clockwise.",
-             .binding = bound<&Shape::angle, &Shape::set_angle>(hosting),
-             .single_precision = true},
+            center, turned(hosting),
             rounding(hosting, "Radius of its corners, at most half the smaller side.")});
     define(hosting, 2, "Segment", "A straight line without thickness; it weighs nothing.",
            ends(hosting, std::get<physics::Segment>(hosting.kinds[2].geometry)));
@@ -138,9 +174,15 @@ void define_shapes(Hosting& hosting) {
                              bound<&Shape::rounding, &Shape::set_rounding>(hosting)));
     define(hosting, 3, "Capsule", "A straight line with round ends and a thickness.",
            std::move(rounded));
-    define(hosting, 4, "Polygon", "A convex polygon.",
-           {vertices(hosting), rounding(hosting, "Radius that is added all round it.")},
-           {add_vertex(hosting)});
+    define(
+        hosting, 4, "Polygon", "A convex polygon.",
+        {points(hosting, "vertices", std::get<physics::Polygon>(hosting.kinds[4].geometry).vertices,
+                "Its corners in the body's coordinates, counter-clockwise. What is written is "
+                "made convex: the hull of the points becomes the shape."),
+         rounding(hosting, "Radius that is added all round it.")},
+        {add_vertex(hosting)});
+    define_ellipse(hosting);
+    define_outlines(hosting);
 }
 
 }  // namespace fettle::physics_module

@@ -79,6 +79,7 @@ struct Corner {
 
 struct ContactExtra {
     Corner corner;
+    uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
     float restitution = 0.0f;
     float rolling_resistance =
         0.0f;  ///< m: times the normal impulse is the greatest angular impulse

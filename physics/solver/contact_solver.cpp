@@ -169,10 +169,16 @@ inline void record_impulses(const ContactConstraint& c, ContactExtra& extra) {
 
 }  // namespace
 
+void ContactSolver::follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const {
+    if (c.extra != 0 && extras[c.extra - 1].rolling != 0)
+        rolling[extras[c.extra - 1].rolling - 1].follow(c, a, b);
+}
+
 void ContactSolver::warm_start() {
-    for (const ContactConstraint& c : constraints) {
+    for (ContactConstraint& c : constraints) {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
+        follow(c, a, b);
         Pair pair(c, a, b);
         const V2 t = right_perp(c.normal);
         const ConstraintPoint& p = c.points[0];
@@ -207,6 +213,7 @@ void ContactSolver::solve_biased() {
     for (ContactConstraint& c : constraints) {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
+        follow(c, a, b);
         Pair pair(c, a, b);
         solve_normals<true>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         pair.store(a, b);
@@ -217,6 +224,7 @@ void ContactSolver::relax() {
     for (ContactConstraint& c : constraints) {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
+        follow(c, a, b);
         Pair pair(c, a, b);
         solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         if (c.extra == 0) {

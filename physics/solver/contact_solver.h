@@ -1,6 +1,7 @@
 #pragma once
 
 #include <solver/constraint.h>
+#include <solver/rolling_contact.h>
 
 #include <span>
 
@@ -10,6 +11,7 @@ struct ContactSolver {
     std::span<SolverBody> bodies;
     std::span<ContactConstraint> constraints;
     std::span<ContactExtra> extras;
+    std::span<const RollingContact> rolling;
     float inverse_h = 0.0f;
     float push_speed = 3.0f;
     float restitution_threshold = 1.0f;
@@ -25,6 +27,7 @@ struct ContactSolver {
     void restitute();
 
   private:
+    void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
     const Corner* corner_of(const ContactConstraint& c) const;
 };
 

@@ -172,8 +172,8 @@ void WorldData::color_contacts(float dt) {
             (moves_a ? colors_of_body[a] : 0) | (moves_b ? colors_of_body[b] : 0);
         const int first = moves_a && moves_b ? 0 : moving_colors;
         const int color = first + std::countr_one(taken >> first);
-        if (record.special || on_locked_axis(record) || passes_corner(record, dt) ||
-            color >= (first == 0 ? moving_colors : color_count)) {
+        if (record.special || record.curved || on_locked_axis(record) ||
+            passes_corner(record, dt) || color >= (first == 0 ? moving_colors : color_count)) {
             serial_contacts.push_back(slot);
             continue;
         }
@@ -227,16 +227,23 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
     }
     constraints.clear();
     extras.clear();
+    rolling_contacts.clear();
     for (uint32_t slot : serial_contacts) {
         ContactConstraint& serial = constraints.emplace_back();
         prepare(slot, serial);
         const ContactRecord& record = contacts[slot];
-        const bool corner = passes_corner(record, dt);
-        if (!record.special && !corner) continue;
+        const bool corner = !record.curved && passes_corner(record, dt);
+        if (!record.special && !record.curved && !corner) continue;
         ContactExtra& extra = extras.emplace_back();
         prepare_extra(record, serial, solver_bodies[serial.a], solver_bodies[serial.b], ratio,
                       extra);
         if (corner) extra.corner = corner_of(record, forms[record.shape_a], forms[record.shape_b]);
+        if (record.curved) {
+            const V2 n = serial.normal;
+            rolling_contacts.emplace_back(serial, bend_of(solid(record.shape_a), n),
+                                          bend_of(solid(record.shape_b), -n));
+            extra.rolling = uint32_t(rolling_contacts.size());
+        }
         serial.extra = uint32_t(extras.size());
     }
 }
@@ -290,7 +297,7 @@ void WorldData::update_touch(uint32_t contact, bool pushed) {
 /// From what is known anyway: that somebody wants to hear of hits must change nothing.
 void WorldData::report_hit(uint32_t contact, const ContactExtra* extra) {
     const ContactRecord& record = contacts[contact];
-    if (!record.hit_events || !record.touching) return;
+    if (!record.hit_events || !record.touching || !tells_for_pair(contact)) return;
     float speed = 0.0f;
     V2 point;
     for (int k = 0; k < record.manifold.count; ++k) {

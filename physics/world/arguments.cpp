@@ -1,3 +1,4 @@
+#include <geometry/decomposition.h>
 #include <geometry/vector.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
@@ -36,6 +37,12 @@ const char* name_of(ShapeType type) {
             return "a segment";
         case ShapeType::polygon:
             return "a polygon";
+        case ShapeType::ellipse:
+            return "an ellipse";
+        case ShapeType::concave:
+            return "a concave polygon";
+        case ShapeType::chain:
+            return "a chain";
         case ShapeType::border:
             return "the border of the world";
     }
@@ -131,11 +138,51 @@ void check(const ShapeDef& def) {
     check_finite("surface_speed", def.surface_speed);
 }
 
+namespace {
+
+void point(const char* what, const Vec2& p) {
+    check_range(what, p.x(), -greatest_size, greatest_size);
+    check_range(what, p.y(), -greatest_size, greatest_size);
+}
+
+/// A shape remembers the number of its vertices in 24 bits.
+void check_count(const char* what, size_t count) {
+    constexpr size_t most = 1u << 20;
+    if (count > most)
+        refuse(what, std::to_string(count) + " points",
+               "at most " + std::to_string(most) + " points");
+}
+
+bool all_the_same(std::span<const Vec2> points) {
+    for (const Vec2& p : points)
+        if ((p - points.front()).lpNorm<Eigen::Infinity>() > least_size) return false;
+    return true;
+}
+
+}  // namespace
+
+void check_outline(std::span<const Vec2> points) {
+    check_count("vertices", points.size());
+    for (const Vec2& v : points) point("vertices", v);
+    std::vector<V2> outline;
+    for (const Vec2& v : points) outline.push_back(to_v2(v));
+    if (const auto problem = outline_problem(outline))
+        throw std::invalid_argument("vertices: " + *problem);
+}
+
+void check_chain(std::span<const Vec2> points, bool closed) {
+    check_count("points", points.size());
+    if (points.size() < 2)
+        throw std::invalid_argument("points: a chain needs at least two points, got " +
+                                    std::to_string(points.size()));
+    for (const Vec2& p : points) point("points", p);
+    if (all_the_same(points))
+        throw std::invalid_argument("points: all points of the chain are in the same place");
+    if (closed && points.size() < 3)
+        throw std::invalid_argument("points: a closed chain needs at least three points");
+}
+
 void check(const Geometry& geometry) {
-    auto point = [](const char* what, const Vec2& p) {
-        check_range(what, p.x(), -greatest_size, greatest_size);
-        check_range(what, p.y(), -greatest_size, greatest_size);
-    };
     if (const Circle* circle = std::get_if<Circle>(&geometry)) {
         check_range("radius", circle->radius, least_size, greatest_size);
         point("center", circle->center);
@@ -149,8 +196,18 @@ void check(const Geometry& geometry) {
         point("from", segment->from);
         point("to", segment->to);
         check_range("rounding", segment->rounding, 0.0f, greatest_size);
+    } else if (const Ellipse* ellipse = std::get_if<Ellipse>(&geometry)) {
+        check_range("radius_x", ellipse->radius_x, least_size, greatest_size);
+        check_range("radius_y", ellipse->radius_y, least_size, greatest_size);
+        check_range("angle", ellipse->angle, -greatest_coordinate, greatest_coordinate);
+        point("center", ellipse->center);
+    } else if (const Concave* concave = std::get_if<Concave>(&geometry)) {
+        check_outline(concave->vertices);
+    } else if (const Chain* chain = std::get_if<Chain>(&geometry)) {
+        check_chain(chain->points, chain->closed);
     } else {
         const Polygon& polygon = std::get<Polygon>(geometry);
+        check_count("vertices", polygon.vertices.size());
         check_range("rounding", polygon.rounding, 0.0f, greatest_size);
         std::vector<Vec2> hull;
         const HullStatus status = convex_hull(polygon.vertices, hull);

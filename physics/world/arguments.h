@@ -41,6 +41,9 @@ const Aabb& check_bounds(const Aabb& value);
 void check(const WorldDef& def);
 void check(const BodyDef& def);
 void check(const ShapeDef& def);
+/// Of a concave polygon.
+void check_outline(std::span<const Vec2> points);
+void check_chain(std::span<const Vec2> points, bool closed);
 void check(const Geometry& geometry);  ///< polygons: also that there is a hull
 
 [[noreturn]] void dangling(const char* kind, uint32_t index, uint32_t generation);

@@ -370,33 +370,11 @@ float Body::kinetic_energy() const {
     return energy;
 }
 
-namespace {
-
-template <typename Any>
-Shape add_shape(World* world, WorldData& data, BodyId body, const Any& geometry,
-                const ShapeDef& def) {
-    const Shape shape = world->create_shape(geometry, def);
-    data.attach_shape(shape.index(), body.index);
+Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
+    FETTLE_LIVE_BODY
+    const Shape shape = world_->create_shape(geometry, def);
+    data.attach_shape(shape.index(), id_.index);
     return shape;
-}
-
-}  // namespace
-
-Shape Body::add(const Circle& circle, const ShapeDef& def) {
-    FETTLE_LIVE_BODY
-    return add_shape(world_, data, id_, circle, def);
-}
-Shape Body::add(const Box& box, const ShapeDef& def) {
-    FETTLE_LIVE_BODY
-    return add_shape(world_, data, id_, box, def);
-}
-Shape Body::add(const Segment& segment, const ShapeDef& def) {
-    FETTLE_LIVE_BODY
-    return add_shape(world_, data, id_, segment, def);
-}
-Shape Body::add(const Polygon& polygon, const ShapeDef& def) {
-    FETTLE_LIVE_BODY
-    return add_shape(world_, data, id_, polygon, def);
 }
 
 uint32_t Body::shape_count() const {
@@ -408,7 +386,7 @@ std::vector<Shape> Body::shapes() const {
     FETTLE_LIVE_BODY
     std::vector<Shape> all;
     for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next) {
-        all.emplace_back(world_, data.shape_id(s));
+        if (data.shapes[s].owner == none) all.emplace_back(world_, data.shape_id(s));
     }
     return all;
 }

@@ -79,9 +79,9 @@ Aabb Body::aabb() const {
     FETTLE_LIVE_BODY
     data.refresh();
     if (record.first_shape == none) return {state.position, state.position};
-    Box4 box = data.boxes[record.first_shape];
+    Box4 box = no_box;
     for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
-        box = unite(box, data.boxes[s]);
+        if (data.is_solid(s)) box = unite(box, data.boxes[s]);
     return {to_vec2(box.low), to_vec2(box.high)};
 }
 

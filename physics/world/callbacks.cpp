@@ -61,6 +61,7 @@ void WorldData::tell_persisting() {
     for (const uint32_t slot : awake_contacts) {
         const ContactRecord& c = contacts[slot];
         if (!c.touching || c.sensor || c.began == steps || c.manifold.count == 0) continue;
+        if (!tells_for_pair(slot)) continue;
         const V2 point = middle_of(c);
         float impulse = 0.0f;
         for (int k = 0; k < c.manifold.count; ++k)

@@ -119,6 +119,7 @@ void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
     c.body_a = forms[shape_a].body;
     c.body_b = forms[shape_b].body;
     c.sensor = shapes[shape_a].surface.sensor || shapes[shape_b].surface.sensor;
+    c.curved = forms[shape_a].kind == FormKind::ellipse || forms[shape_b].kind == FormKind::ellipse;
     remix(c);
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
@@ -197,37 +198,6 @@ float WorldData::impact_mass(const ContactRecord& c, V2 point) const {
     const float inverse = a.inverse_mass + b.inverse_mass + a.inverse_inertia * lever_a * lever_a +
                           b.inverse_inertia * lever_b * lever_b;
     return inverse > 0.0f ? (1.0f + c.restitution) / inverse : 0.0f;
-}
-
-void WorldData::set_touching(uint32_t slot, bool touching) {
-    ContactRecord& c = contacts[slot];
-    c.touching = touching;
-    const uint32_t step = touching ? 1u : ~0u;  // ± 1, modulo 2³²
-    shapes[c.shape_a].touching += step;
-    shapes[c.shape_b].touching += step;
-    const ShapeId a = shape_id(c.shape_a), b = shape_id(c.shape_b);
-    const BodyId body_a = body_id(c.body_a), body_b = body_id(c.body_b);
-    Events& sink = event_sink();
-    if (c.sensor) {
-        auto& list = touching ? sink.sensor_begin : sink.sensor_end;
-        if (shapes[c.shape_a].surface.sensor)
-            list.push_back({a, b, body_a, body_b});
-        else
-            list.push_back({b, a, body_b, body_a});
-        return;
-    }
-    bodies[c.body_a].touching += step;
-    bodies[c.body_b].touching += step;
-    if (touching) {
-        const Manifold& m = c.manifold;
-        c.began = steps;
-        const V2 point = middle_of(c);
-        const float speed = approach_speed(c, point);
-        sink.contact_begin.push_back({a, b, body_a, body_b, to_vec2(point), to_vec2(m.normal),
-                                      speed, speed * impact_mass(c, point)});
-    } else {
-        sink.contact_end.push_back({a, b, body_a, body_b});
-    }
 }
 
 Contact WorldData::view(const ContactRecord& c) const {

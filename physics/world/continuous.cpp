@@ -1,3 +1,5 @@
+#include <collision/ellipse.h>
+#include <collision/piece.h>
 #include <collision/probe.h>
 #include <collision/sweep.h>
 #include <geometry/trigonometry.h>
@@ -15,6 +17,25 @@ namespace {
 /// Arrives this close, m: within the reach of a speculative contact.
 constexpr float arrival_gap = 0.25f * speculative_margin;
 
+/// Where a disc arrives.
+Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
+    if (obstacle.kind == FormKind::ellipse) {
+        const Sweep disc = {{{&from, nullptr, nullptr, 1, radius}}, {}, way, 0.0f, 0.0f};
+        const float t = time_of_impact(disc, obstacle, {}, 1e-4f * radius);
+        return {t < 1.0f && t > 0.0f ? t : 2.0f, {}};
+    }
+    if (obstacle.kind == FormKind::piece) {
+        // From behind, everything passes.
+        const Piece piece(obstacle);
+        if (piece.one_sided() &&
+            (!piece.faces(from) || dot(obstacle.form.normals[0], way) >= 0.0f))
+            return {};
+    }
+    Convex grown = obstacle.form;
+    grown.radius += radius;
+    return cast_segment(grown, from, way);
+}
+
 }  // namespace
 
 /// How far shape `s` gets before obstacle `o`, as a fraction of the motion.
@@ -29,23 +50,25 @@ float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 ce
         if (before <= 0.0f || after >= 0.0f) return 1.0f;
         // Where the farthest vertex arrives, turning left aside.
         float reach = 0.0f;
-        const Convex shape = convex(s);
-        for (int i = 0; i < shape.count; ++i) {
-            reach = max(reach, -dot(plane.normal, shape.vertices[i] + record.center - centroid) +
-                                   shape.radius);
+        const Solid shape = solid(s);
+        if (shape.kind == FormKind::ellipse)
+            reach = ellipse_of(shape.form).reach(plane.normal);
+        for (int i = 0; i < shape.form.count; ++i) {
+            reach = max(reach,
+                        -dot(plane.normal, shape.form.vertices[i] + record.center - centroid) +
+                            shape.form.radius);
         }
         const float arrival = (before + core - reach - arrival_gap) / (before - after);
         return clamp(arrival, 0.0f, before / (before - after));
     }
-    Convex obstacle = convex(o);
+    const Solid obstacle = solid(o);
     const V2 center = bodies[forms[o].body].center;
     const Rotation back = rotation_of(-double(fast.turn));
     const V2 start_centroid = fast.start + rotate(back, centroid - record.center);
-    obstacle.radius += core;
-    const Probe probe = cast_segment(obstacle, start_centroid - center, centroid - start_centroid);
+    const Probe probe =
+        cast_disc(obstacle, core, start_centroid - center, centroid - start_centroid);
     if (probe.fraction > 1.0f) return 1.0f;
-    obstacle.radius -= core;
-    const Sweep sweep = {convex(s), fast.start, fast.shift, fast.turn, record.extent};
+    const Sweep sweep = {solid(s), fast.start, fast.shift, fast.turn, record.extent};
     const float arrival = time_of_impact(sweep, obstacle, center, arrival_gap);
     // Touching from the start: its contacts hold it, but not beyond where the core would enter.
     return arrival > 0.0f ? min(arrival, probe.fraction) : probe.fraction;
@@ -56,7 +79,7 @@ float WorldData::limit_motion(const FastBody& fast) const {
     const Rotation q = {states[fast.body].cosine, states[fast.body].sine};
     float limit = 1.0f;
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
-        if (shapes[s].surface.sensor) continue;
+        if (shapes[s].surface.sensor || !is_solid(s)) continue;
         const AreaMoments& m = shapes[s].moments;
         const V2 local = V2{float(m.center_x), float(m.center_y)} - record.local_center;
         const V2 centroid = record.center + rotate(q, local);

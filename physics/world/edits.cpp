@@ -1,3 +1,4 @@
+#include <collision/ellipse.h>
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
@@ -49,6 +50,7 @@ void WorldData::mark_placement(uint32_t body) {
 
 /// An edit moved it, or changed with whom it collides: all its pairs are looked at again.
 void WorldData::mark_moved(uint32_t shape) {
+    if (!is_solid(shape)) return;
     paired_boxes[shape] = no_box;
     const ShapeRecord& record = shapes[shape];
     if (record.proxy != Tree::none)
@@ -115,6 +117,10 @@ void WorldData::refresh_shape(uint32_t shape) {
     if (!record.geometry_dirty) return;
     record.geometry_dirty = false;
     ++record.rebuilds;
+    if (!is_solid(shape)) {
+        rebuild_parts(shape);
+        return;
+    }
     ShapeForm& form = forms[shape];
     V2* local = &pool.local[form.begin];
     switch (record.type) {
@@ -131,6 +137,10 @@ void WorldData::refresh_shape(uint32_t shape) {
             local[1] = apart(to_v2(record.segment.to), local[0]);
             form.radius = record.segment.rounding;
             break;
+        case ShapeType::ellipse:
+            write_ellipse(record.ellipse, form.begin, pool);
+            form.radius = 0.0f;
+            break;
         default:
             form.radius = record.polygon_rounding;
             break;  // its hull is already in the pool
@@ -139,7 +149,9 @@ void WorldData::refresh_shape(uint32_t shape) {
         pool.normals[form.begin + i] =
             normalized(right_perp(local[(i + 1) % form.count] - local[i]));
     }
-    record.moments = moments_of({local, form.count}, form.radius);
+    record.moments = record.type == ShapeType::ellipse
+                         ? moments_of(record.ellipse)
+                         : moments_of({local, form.count}, form.radius);
     remix_shape(shape);  // rolling resistance depends on the radius
     if (form.body == none) place_shape(shape, {});
 }
@@ -163,6 +175,11 @@ void WorldData::place_shape(uint32_t shape, Rotation q) {
     }
     if (form.count == 3) pool.pad_triangle(form.begin);
     form.center = center;
+    if (form.kind == FormKind::ellipse) {
+        const V2 half = half_box(ellipse_of(convex(shape)));
+        low = low - half;
+        high = high + half;
+    }
     boxes[shape] = grow({center + low, center + high}, form.radius);
 }
 
@@ -175,6 +192,7 @@ void WorldData::refresh_edited_mass(uint32_t body) {
 
     double area = 0.0, mass = 0.0, first_x = 0.0, first_y = 0.0;
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
+        if (shapes[s].owner != none) continue;  // its owner knows better
         const AreaMoments& m = shapes[s].moments;
         const double part = m.area * double(shapes[s].surface.density);
         area += m.area;
@@ -192,7 +210,10 @@ void WorldData::refresh_edited_mass(uint32_t body) {
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
         const AreaMoments& m = shapes[s].moments;
         const double dx = m.center_x - cx, dy = m.center_y - cy;
-        inertia += double(shapes[s].surface.density) * (m.moment + m.area * (dx * dx + dy * dy));
+        if (shapes[s].owner == none)
+            inertia +=
+                double(shapes[s].surface.density) * (m.moment + m.area * (dx * dx + dy * dy));
+        if (!is_solid(s)) continue;
         const ShapeForm& form = forms[s];
         V2 middle = {float(m.center_x), float(m.center_y)};
         float inner = infinity;
@@ -200,6 +221,11 @@ void WorldData::refresh_edited_mass(uint32_t body) {
             const V2 v = pool.local[i] - V2{float(cx), float(cy)};
             extent = max(extent, length(v) + form.radius);
             if (form.count > 2) inner = min(inner, dot(pool.normals[i], pool.local[i] - middle));
+        }
+        if (form.kind == FormKind::ellipse) {
+            extent += max(shapes[s].ellipse.radius_x, shapes[s].ellipse.radius_y);
+            thickness = min(thickness, min(shapes[s].ellipse.radius_x, shapes[s].ellipse.radius_y));
+            continue;
         }
         thickness = min(thickness, form.count > 2 ? max(inner, 0.0f) + form.radius : form.radius);
     }
@@ -241,6 +267,7 @@ void WorldData::refresh_placement(uint32_t body) {
     const Rotation q = {state.cosine, state.sine};
     record.center = to_v2(state.position) + rotate(q, record.local_center);
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
+        if (!is_solid(s)) continue;
         place_shape(s, q);
         set_proxy(s);
         mark_moved(s);

@@ -1,4 +1,7 @@
+#include <collision/ellipse.h>
+#include <collision/piece.h>
 #include <geometry/submerged.h>
+#include <geometry/trigonometry.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
 
@@ -47,21 +50,11 @@ class FieldOnBody {
 
     void operator()(const WindField& wind) {
         each_shape([&](uint32_t shape) {
-            const Convex form = data_.convex(shape);
-            const auto blow = [&](V2 arm) { return to_v2(wind.velocity) - velocity_at(arm); };
-            V2 middle;
-            for (int i = 0; i < form.count; ++i) {
-                const V2 v = form.vertices[i], next = form.vertices[(i + 1) % form.count];
-                middle = middle + (1.0f / float(form.count)) * v;
-                if (form.count == 1) break;
-                const V2 n = form.normals[i], arm = 0.5f * (v + next) + form.radius * n;
-                const float speed = dot(blow(arm), n);
-                if (speed >= 0.0f) continue;  // on the lee
-                push_.at(arm, (-0.5f * wind.density * speed * speed * length(next - v)) * n);
-            }
-            // The round corners together are a circle: ∫ cos³θ r dθ over its windward half.
-            const V2 u = blow(middle);
-            push_.at(middle, (0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u)) * u);
+            const Solid solid = data_.solid(shape);
+            if (solid.kind == FormKind::ellipse)
+                blow_on_ellipse(wind, ellipse_of(solid.form));
+            else
+                blow_on_polygon(wind, solid);
         });
     }
 
@@ -81,7 +74,7 @@ class FieldOnBody {
         each_shape([&](uint32_t shape) {
             const double depth = double(liquid.level) - (double(normal.x) * double(body_.center.x) +
                                                          double(normal.y) * double(body_.center.y));
-            const AreaPart part = part_below(data_.convex(shape), normal, depth);
+            const AreaPart part = part_below(data_.solid(shape), normal, depth);
             if (!(part.area > 0.0)) return;
             const float mass = liquid.density * float(part.area);
             push_.at(part.centroid, -(mass * gravity));
@@ -109,7 +102,42 @@ class FieldOnBody {
     void each_shape(Visit&& visit) const {
         for (uint32_t s = body_.first_shape; s != none; s = data_.shapes[s].next) {
             const ShapeDef& surface = data_.shapes[s].surface;
+            if (!data_.is_solid(s)) continue;  // its parts are
             if ((surface.category & mask_) != 0 && !surface.sensor) visit(s);
+        }
+    }
+    V2 blow(const WindField& wind, V2 arm) const { return to_v2(wind.velocity) - velocity_at(arm); }
+    void blow_on_edge(const WindField& wind, V2 arm, V2 n, float length) {
+        const float speed = dot(blow(wind, arm), n);
+        if (speed >= 0.0f) return;  // on the lee
+        push_.at(arm, (-0.5f * wind.density * speed * speed * length) * n);
+    }
+    void blow_on_polygon(const WindField& wind, const Solid& solid) {
+        const Convex& form = solid.form;
+        V2 middle;
+        for (int i = 0; i < form.count; ++i) {
+            const V2 v = form.vertices[i], next = form.vertices[(i + 1) % form.count];
+            middle = middle + (1.0f / float(form.count)) * v;
+            if (form.count == 1) break;
+            if (solid.kind == FormKind::piece && Piece(solid).is_inner(i)) continue;
+            const V2 n = form.normals[i], arm = 0.5f * (v + next) + form.radius * n;
+            blow_on_edge(wind, arm, n, length(next - v));
+        }
+        // The round corners together are a circle: ∫ cos³θ r dθ over its windward half.
+        const V2 u = blow(wind, middle);
+        push_.at(middle, (0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u)) * u);
+    }
+    /// The same integral over the rim, by the midpoint rule.
+    void blow_on_ellipse(const WindField& wind, const EllipseForm& e) {
+        constexpr int parts = 64;
+        const V2 across = {-e.axis.y, e.axis.x};
+        const Rotation step = rotation_of(2.0 * double(pi) / parts);
+        Rotation q = rotation_of(double(pi) / parts);
+        for (int i = 0; i < parts; ++i) {
+            const V2 arm = e.center + (e.first * q.c) * e.axis + (e.second * q.s) * across;
+            const V2 outwards = (e.second * q.c) * e.axis + (e.first * q.s) * across;
+            blow_on_edge(wind, arm, normalized(outwards), 2.0f * pi / parts * length(outwards));
+            q = {q.c * step.c - q.s * step.s, q.s * step.c + q.c * step.s};
         }
     }
     V2 velocity_at(V2 arm) const { return velocity_ + cross(spin_, arm); }

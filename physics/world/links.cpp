@@ -1,5 +1,6 @@
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <cstring>
 #include <type_traits>
 
@@ -93,6 +94,34 @@ void check_bodies(const WorldData& w, Findings& findings) {
                      "free bodies");
 }
 
+/// Parts are pieces and know whose they are, outlines have the only ones.
+void check_parts(const WorldData& w, Findings& findings) {
+    if (findings.result()) return;
+    const size_t n = w.shapes.size();
+    for (size_t i = 0; i < n; ++i) {
+        const ShapeRecord& shape = w.shapes[i];
+        const FormKind kind = w.forms[i].kind;
+        findings.require(
+            optional_index(shape.owner, n) && optional_index(shape.next_part, n) &&
+                list_ends(shape.first_part, n, [&](uint32_t s) { return w.shapes[s].next_part; }),
+            "the parts of a shape");
+        if (findings.result()) return;
+        findings.require((kind == FormKind::piece) == (shape.owner != none) &&
+                             (kind == FormKind::ellipse) == (shape.type == ShapeType::ellipse) &&
+                             (kind != FormKind::ellipse || w.forms[i].count == 1) &&
+                             (kind != FormKind::piece || w.forms[i].count >= 2) &&
+                             (kind != FormKind::outline ||
+                              (w.forms[i].count == 0 && shape.proxy == Tree::none)) &&
+                             (kind == FormKind::outline || shape.first_part == none),
+                         "what a shape is made of");
+        findings.require(shape.owner == none || w.forms[shape.owner].kind == FormKind::outline,
+                         "the owner of a part");
+        for (uint32_t p = shape.first_part; p != none; p = w.shapes[p].next_part)
+            findings.require(w.shapes[p].owner == i && w.forms[p].body == w.forms[i].body,
+                             "the owner of a part");
+    }
+}
+
 void check_shapes(const WorldData& w, Findings& findings) {
     const size_t n = w.shapes.size(), vertices = w.pool.local.size();
     findings.require(n >= 4 && w.forms.size() == n && w.boxes.size() == n &&
@@ -102,23 +131,27 @@ void check_shapes(const WorldData& w, Findings& findings) {
     for (size_t i = 0; i < n; ++i) {
         const ShapeRecord& shape = w.shapes[i];
         const ShapeForm& form = w.forms[i];
-        findings.require(optional_index(form.body, w.bodies.size()) &&
-                             optional_index(shape.previous, n) && optional_index(shape.next, n) &&
-                             shape.type <= ShapeType::border && shape.tree <= Mobility::dynamic &&
-                             are_bools(shape.surface.sensor, shape.surface.hit_events,
-                                       shape.geometry_dirty, shape.moved, shape.listed),
-                         "a shape");
-        const bool inside =
-            form.count == 0 ||
-            (form.count <= shape.capacity && shape.capacity <= vertices &&
-             form.begin <= vertices - shape.capacity && (form.count != 3 || shape.capacity >= 4));
+        findings.require(
+            optional_index(form.body, w.bodies.size()) && optional_index(shape.previous, n) &&
+                optional_index(shape.next, n) && shape.type <= ShapeType::border &&
+                shape.tree <= Mobility::dynamic &&
+                are_bools(shape.surface.sensor, shape.surface.hit_events, shape.geometry_dirty,
+                          shape.moved, shape.listed, shape.closed),
+            "a shape");
         const bool border = shape.type == ShapeType::border;
+        const uint64_t taken = std::max<uint64_t>(
+            shape.outline, form.count * (form.kind == FormKind::piece ? uint64_t{3} : 1) +
+                               (form.count == 3 || form.kind == FormKind::ellipse));
+        const bool inside = taken == 0 || border ||
+                            (taken <= shape.capacity && shape.capacity <= vertices &&
+                             form.begin <= vertices - shape.capacity);
         findings.require(
             form.kind <= FormKind::outline && border == (form.kind == FormKind::border),
             "the form of a shape");
         findings.require(inside && border == (i < 4) && (!border || form.begin == i),
                          "the vertices of a shape");
     }
+    check_parts(w, findings);
     findings.require(list_ends(w.free_shape, n, [&](uint32_t i) { return w.shapes[i].next_free; }),
                      "free shapes");
 }
@@ -140,11 +173,12 @@ void check_contacts(const WorldData& w, Findings& findings) {
         findings.require(!used || (c.shape_a < w.shapes.size() && c.shape_b < w.shapes.size() &&
                                    c.body_a < w.bodies.size() && c.body_b < w.bodies.size()),
                          "a contact");
-        findings.require(optional_index(c.awake_index, w.awake_contacts.size()) &&
-                             c.manifold.count >= 0 && c.manifold.count <= 2 &&
-                             are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled) &&
-                             edge_in_range(c.edges[0], n) && edge_in_range(c.edges[1], n),
-                         "a contact");
+        findings.require(
+            optional_index(c.awake_index, w.awake_contacts.size()) && c.manifold.count >= 0 &&
+                c.manifold.count <= 2 &&
+                are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled, c.curved) &&
+                edge_in_range(c.edges[0], n) && edge_in_range(c.edges[1], n),
+            "a contact");
     }
     findings.require(
         list_ends(w.free_contact, n, [&](uint32_t i) { return w.contacts[i].next_free; }),
@@ -158,6 +192,12 @@ void check_contacts(const WorldData& w, Findings& findings) {
         const ContactRecord& c = w.contacts[w.awake_contacts[i]];
         findings.require(c.shape_a != none && c.awake_index == i, "the awake contacts");
     }
+    if (findings.result()) return;
+    // What collides has a form; the border is only ever the first of two.
+    for (const ContactRecord& c : w.contacts)
+        findings.require(c.shape_a == none || (w.is_solid(c.shape_a) && w.is_solid(c.shape_b) &&
+                                               w.forms[c.shape_b].kind != FormKind::border),
+                         "a contact");
 }
 
 void check_joints(const WorldData& w, Findings& findings) {
@@ -225,8 +265,20 @@ void check_lists(const WorldData& w, Findings& findings) {
     findings.require(s.substeps >= 1 && s.substeps <= 64 &&
                          are_bools(s.sleeping, s.continuous, s.persist_events),
                      "the settings");
-    // Each awake body knows its place among them.
     if (findings.result()) return;
+    // Who sleeps is in an island, which knows him.
+    size_t sleepers = 0;
+    for (size_t i = 0; i < w.islands.size(); ++i) {
+        for (const uint32_t body : w.islands[i].bodies)
+            findings.require(w.bodies[body].island == i, "an island");
+        sleepers += w.islands[i].bodies.size();
+    }
+    for (const BodyRecord& body : w.bodies) {
+        findings.require(!body.asleep() || body.island != none, "a sleeping body");
+        sleepers -= body.island != none;
+    }
+    findings.require(sleepers == 0, "an island");
+    // Each awake body knows its place among them.
     size_t awake = 0;
     for (const BodyRecord& body : w.bodies) awake += body.solver_index != 0;
     findings.require(awake == w.awake_bodies.size(), "the awake bodies");

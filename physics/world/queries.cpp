@@ -1,3 +1,4 @@
+#include <collision/nearest.h>
 #include <collision/probe.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
@@ -12,7 +13,7 @@ namespace detail {
 
 bool WorldData::shape_contains(uint32_t shape, V2 point) const {
     const uint32_t body = forms[shape].body;
-    return signed_distance(convex(shape), body == none ? point : point - bodies[body].center) <=
+    return signed_distance(solid(shape), body == none ? point : point - bodies[body].center) <=
            0.0f;
 }
 
@@ -20,9 +21,16 @@ bool WorldData::shape_contains(uint32_t shape, V2 point) const {
 
 namespace {
 
+/// A shape of many parts is met in several of them.
+void add_once(std::vector<Shape>& found, const Shape& shape) {
+    const bool parts = shape.type() == ShapeType::chain || shape.type() == ShapeType::concave;
+    if (!parts || std::find(found.begin(), found.end(), shape) == found.end())
+        found.push_back(shape);
+}
+
 Probe ray_on_shape(const WorldData& data, uint32_t shape, V2 from, V2 d) {
     const V2 center = data.bodies[data.forms[shape].body].center;
-    return cast_segment(data.convex(shape), from - center, d);
+    return cast_segment(data.solid(shape), from - center, d);
 }
 
 /// The border is seen from inside: a ray that leaves the bounds ends there.
@@ -62,7 +70,7 @@ std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filt
     const V2 p = to_v2(point);
     auto visit = [&](uint32_t shape) {
         if (data_->accepted(filter, shape) && data_->shape_contains(shape, p)) {
-            found.emplace_back(this, data_->shape_id(shape));
+            add_once(found, Shape(this, data_->shape_id(shape)));
         }
     };
     data_->moving_tree.query({p, p}, visit);
@@ -85,10 +93,9 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     const Convex probe = {corners, normals, offsets, 4, 0.0f};
     auto visit = [&](uint32_t shape) {
         if (!data_->accepted(filter, shape) || !overlap(data_->boxes[shape], area)) return;
-        Manifold manifold;
-        collide(probe, data_->convex(shape),
-                data_->bodies[data_->forms[shape].body].center - center, 0.0f, manifold);
-        if (manifold.count > 0) found.emplace_back(this, data_->shape_id(shape));
+        const V2 offset = data_->bodies[data_->forms[shape].body].center - center;
+        if (nearest_points({probe}, data_->solid(shape), offset).distance <= 0.0f)
+            add_once(found, Shape(this, data_->shape_id(shape)));
     };
     data_->moving_tree.query(area, visit);
     data_->fixed_tree.query(area, visit);

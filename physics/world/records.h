@@ -1,6 +1,6 @@
 #pragma once
 
-#include <collision/manifold.h>
+#include <collision/solid.h>
 #include <fettle/physics/definitions.h>
 #include <fettle/physics/field.h>
 #include <geometry/mass.h>
@@ -73,16 +73,6 @@ struct BodyRecord {
     bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
 };
 
-/// How the vertices of a shape are meant. What is no plain convex form goes through
-/// `collide_unusual`, so that the common pairs ask one question.
-enum class FormKind : uint8_t {
-    convex,   ///< a convex polygon grown by a radius; one vertex: a circle, two: a capsule
-    border,   ///< a half-plane of the border, `begin` says which
-    ellipse,  ///< its center; collision/ellipse.h tells where its axes are
-    piece,    ///< a convex part of a longer outline: some of its edges are inside
-    outline   ///< of many pieces, each a shape of its own: nothing collides with it itself
-};
-
 /// What the narrow phase needs of a shape, packed.
 struct ShapeForm {
     uint32_t begin = 0;  ///< in the vertex pool
@@ -101,8 +91,16 @@ struct ShapeRecord {
     Circle circle;
     Box box;
     Segment segment;
+    Ellipse ellipse;
     float polygon_rounding = 0.0f;
+    bool closed = false;    ///< a chain
     uint32_t capacity = 0;  ///< vertices reserved in the pool
+
+    // A chain or a concave polygon collides as its parts, which are shapes that only the library
+    // sees. It is in no tree itself and owns the surface, which the parts have a copy of.
+    uint32_t outline = 0;                          ///< how many points it has in the pool
+    uint32_t owner = none;                         ///< of a part
+    uint32_t first_part = none, next_part = none;  ///< of an owner, of a part
 
     bool geometry_dirty = false;
     bool moved = false;   ///< in the list of shapes to find pairs for
@@ -134,6 +132,7 @@ struct alignas(64) ContactRecord {
     bool special = false;  ///< rolling resistance, surface speed or restitution
     bool hit_events = false;
     bool disabled = false;  ///< in this step, by a callback
+    bool curved = false;    ///< of an ellipse: it runs along the rim within the step
     float friction = 0.0f;
     Manifold manifold;
     float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;

@@ -1,8 +1,9 @@
 #include <geometry/trigonometry.h>
-#include <world/arguments.h>
-#include <world/world_data.h>
+#include <world/live_shape.h>
 
 #include <stdexcept>
+
+// What all shapes have: owner, surface, filter, what is derived. Geometry is in shape_geometry.cpp.
 
 namespace fettle::physics {
 
@@ -10,33 +11,19 @@ using namespace detail;
 
 namespace {
 
-WorldData& live(World* world, WorldData* data, ShapeId id) {
-    if (world == nullptr || !world->is_valid(id)) dangling("shape", id.index, id.generation);
-    return *data;
-}
-
-/// After any change of geometry: wakes whom it concerns, marks what is derived from it.
-void geometry_changed(WorldData& data, uint32_t shape) {
-    const uint32_t body = data.forms[shape].body;
-    if (body != none) {
-        data.wake_for_edit(body);
-        data.wake_touching(body);
-    }
-    data.mark_geometry(shape);
-}
-
 void surface_changed(WorldData& data, uint32_t shape) {
+    data.share_surface(shape);
     if (data.forms[shape].body == none) return;
-    data.remix_shape(shape);
+    data.for_each_solid(shape, [&](uint32_t solid) { data.remix_shape(solid); });
     data.wake_for_edit(data.forms[shape].body);
 }
 
-}  // namespace
+void filter_changed(WorldData& data, uint32_t shape) {
+    data.share_surface(shape);
+    data.for_each_solid(shape, [&](uint32_t solid) { data.refilter(solid); });
+}
 
-#define FETTLE_LIVE_SHAPE                                                        \
-    WorldData& data = live(world_, world_ ? world_->data_.get() : nullptr, id_); \
-    [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index];               \
-    [[maybe_unused]] ShapeForm& form = data.forms[id_.index];
+}  // namespace
 
 bool Shape::is_valid() const {
     return world_ != nullptr && world_->is_valid(id_);
@@ -74,227 +61,6 @@ void Shape::detach() {
     FETTLE_LIVE_SHAPE
     if (record.type == ShapeType::border || form.body == none) return;
     data.detach_shape(id_.index);
-}
-
-Geometry Shape::geometry() const {
-    FETTLE_LIVE_SHAPE
-    switch (record.type) {
-        case ShapeType::circle:
-            return record.circle;
-        case ShapeType::box:
-            return record.box;
-        case ShapeType::segment:
-            return record.segment;
-        case ShapeType::polygon: {
-            const auto corners = vertices();
-            return Polygon{{corners.begin(), corners.end()}, record.polygon_rounding};
-        }
-        case ShapeType::border:
-            break;
-    }
-    wrong_type("geometry", record.type);
-}
-
-void Shape::set_geometry(const Geometry& geometry) {
-    FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::border) wrong_type("geometry", record.type);
-    check(geometry);
-    std::vector<Vec2> hull;
-    if (const Polygon* polygon = std::get_if<Polygon>(&geometry))
-        convex_hull(polygon->vertices, hull);
-    geometry_changed(data, id_.index);
-    data.set_form(id_.index, geometry, hull);
-}
-
-float Shape::radius() const {
-    FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::circle) wrong_type("radius", record.type);
-    return record.circle.radius;
-}
-
-void Shape::set_radius(float radius) {
-    FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::circle) wrong_type("radius", record.type);
-    Circle circle = record.circle;
-    circle.radius = radius;
-    check(Geometry(circle));
-    record.circle = circle;
-    geometry_changed(data, id_.index);
-}
-
-Vec2 Shape::center() const {
-    FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::circle) return record.circle.center;
-    if (record.type == ShapeType::box) return record.box.center;
-    wrong_type("center", record.type);
-}
-
-void Shape::set_center(const Vec2& center) {
-    FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::circle) {
-        Circle circle = record.circle;
-        circle.center = center;
-        check(Geometry(circle));
-        record.circle = circle;
-    } else if (record.type == ShapeType::box) {
-        Box box = record.box;
-        box.center = center;
-        check(Geometry(box));
-        record.box = box;
-    } else {
-        wrong_type("center", record.type);
-    }
-    geometry_changed(data, id_.index);
-}
-
-namespace {
-
-float box_value(const ShapeRecord& record, const char* name, float Box::*member) {
-    if (record.type != ShapeType::box) wrong_type(name, record.type);
-    return record.box.*member;
-}
-
-void set_box_value(WorldData& data, uint32_t shape, const char* name, float Box::*member,
-                   float value) {
-    ShapeRecord& record = data.shapes[shape];
-    if (record.type != ShapeType::box) wrong_type(name, record.type);
-    Box box = record.box;
-    box.*member = value;
-    check(Geometry(box));
-    record.box = box;
-    geometry_changed(data, shape);
-}
-
-}  // namespace
-
-float Shape::width() const {
-    FETTLE_LIVE_SHAPE
-    return box_value(record, "width", &Box::width);
-}
-void Shape::set_width(float width) {
-    FETTLE_LIVE_SHAPE
-    set_box_value(data, id_.index, "width", &Box::width, width);
-}
-float Shape::height() const {
-    FETTLE_LIVE_SHAPE
-    return box_value(record, "height", &Box::height);
-}
-void Shape::set_height(float height) {
-    FETTLE_LIVE_SHAPE
-    set_box_value(data, id_.index, "height", &Box::height, height);
-}
-float Shape::angle() const {
-    FETTLE_LIVE_SHAPE
-    return box_value(record, "angle", &Box::angle);
-}
-void Shape::set_angle(float angle) {
-    FETTLE_LIVE_SHAPE
-    set_box_value(data, id_.index, "angle", &Box::angle, angle);
-}
-
-float Shape::rounding() const {
-    FETTLE_LIVE_SHAPE
-    switch (record.type) {
-        case ShapeType::box:
-            return record.box.rounding;
-        case ShapeType::segment:
-            return record.segment.rounding;
-        case ShapeType::polygon:
-            return record.polygon_rounding;
-        default:
-            wrong_type("rounding", record.type);
-    }
-}
-
-void Shape::set_rounding(float rounding) {
-    FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::box) {
-        set_box_value(data, id_.index, "rounding", &Box::rounding, rounding);
-        return;
-    }
-    if (record.type == ShapeType::segment) {
-        Segment segment = record.segment;
-        segment.rounding = rounding;
-        check(Geometry(segment));
-        record.segment = segment;
-    } else if (record.type == ShapeType::polygon) {
-        record.polygon_rounding = check_range("rounding", rounding, 0.0f, 1e6f);
-    } else {
-        wrong_type("rounding", record.type);
-    }
-    geometry_changed(data, id_.index);
-}
-
-Vec2 Shape::from() const {
-    FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::segment) wrong_type("from", record.type);
-    return record.segment.from;
-}
-
-Vec2 Shape::to() const {
-    FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::segment) wrong_type("to", record.type);
-    return record.segment.to;
-}
-
-namespace {
-
-void set_end(WorldData& data, uint32_t shape, const char* name, Vec2 Segment::*end,
-             const Vec2& value) {
-    ShapeRecord& record = data.shapes[shape];
-    if (record.type != ShapeType::segment) wrong_type(name, record.type);
-    Segment segment = record.segment;
-    segment.*end = value;
-    check(Geometry(segment));
-    record.segment = segment;
-    geometry_changed(data, shape);
-}
-
-}  // namespace
-
-void Shape::set_from(const Vec2& from) {
-    FETTLE_LIVE_SHAPE
-    set_end(data, id_.index, "from", &Segment::from, from);
-}
-
-void Shape::set_to(const Vec2& to) {
-    FETTLE_LIVE_SHAPE
-    set_end(data, id_.index, "to", &Segment::to, to);
-}
-
-std::span<const Vec2> Shape::vertices() const {
-    FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::circle || form.count == 0) return {};
-    // A polygon's hull was computed when it was written.
-    if (record.type != ShapeType::polygon) data.refresh_shape(id_.index);
-    // The same two floats in either struct.
-    static_assert(sizeof(Vec2) == sizeof(V2) && alignof(Vec2) <= alignof(V2));
-    return {reinterpret_cast<const Vec2*>(&data.pool.local[form.begin]), form.count};
-}
-
-HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
-    FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::polygon) wrong_type("vertices", record.type);
-    std::vector<Vec2> hull;
-    const HullStatus status = convex_hull(points, hull);
-    if (status != HullStatus::ok) return status;
-    for (const Vec2& v : hull) check_range("vertices", v.lpNorm<Eigen::Infinity>(), 0.0f, 1e6f);
-    geometry_changed(data, id_.index);
-    data.set_form(id_.index, Polygon{{}, record.polygon_rounding}, hull);
-    return status;
-}
-
-void Shape::set_vertices(std::span<const Vec2> points) {
-    const HullStatus status = try_set_vertices(points);
-    if (status != HullStatus::ok)
-        throw std::invalid_argument(std::string("vertices: ") + describe(status));
-}
-
-void Shape::add_vertex(const Vec2& point) {
-    const auto corners = vertices();
-    std::vector<Vec2> points(corners.begin(), corners.end());
-    points.push_back(point);
-    set_vertices(points);
 }
 
 float Shape::density() const {
@@ -365,10 +131,14 @@ void Shape::set_sensor(bool sensor) {
     if (form.body != none) {
         data.wake_for_edit(form.body);
         data.wake_touching(form.body);
-        data.destroy_contacts_of_shape(id_.index);  // ended as what they were
+        data.for_each_solid(id_.index, [&](uint32_t solid) {
+            data.destroy_contacts_of_shape(solid);  // ended as what they were
+        });
     }
     record.surface.sensor = sensor;
-    if (form.body != none) data.mark_moved(id_.index);
+    data.share_surface(id_.index);
+    if (form.body != none)
+        data.for_each_solid(id_.index, [&](uint32_t solid) { data.mark_moved(solid); });
 }
 
 bool Shape::hit_events() const {
@@ -379,7 +149,8 @@ bool Shape::hit_events() const {
 void Shape::set_hit_events(bool enabled) {
     FETTLE_LIVE_SHAPE
     record.surface.hit_events = enabled;
-    data.remix_shape(id_.index);
+    data.share_surface(id_.index);
+    data.for_each_solid(id_.index, [&](uint32_t solid) { data.remix_shape(solid); });
 }
 
 uint64_t Shape::category() const {
@@ -390,7 +161,7 @@ uint64_t Shape::category() const {
 void Shape::set_category(uint64_t category) {
     FETTLE_LIVE_SHAPE
     record.surface.category = category;
-    data.refilter(id_.index);
+    filter_changed(data, id_.index);
 }
 
 uint64_t Shape::mask() const {
@@ -401,7 +172,7 @@ uint64_t Shape::mask() const {
 void Shape::set_mask(uint64_t mask) {
     FETTLE_LIVE_SHAPE
     record.surface.mask = mask;
-    data.refilter(id_.index);
+    filter_changed(data, id_.index);
 }
 
 int32_t Shape::group() const {
@@ -412,7 +183,7 @@ int32_t Shape::group() const {
 void Shape::set_group(int32_t group) {
     FETTLE_LIVE_SHAPE
     record.surface.group = group;
-    data.refilter(id_.index);
+    filter_changed(data, id_.index);
 }
 
 float Shape::area() const {
@@ -430,14 +201,21 @@ float Shape::mass() const {
 Aabb Shape::aabb() const {
     FETTLE_LIVE_SHAPE
     data.refresh();
-    return {to_vec2(data.boxes[id_.index].low), to_vec2(data.boxes[id_.index].high)};
+    Box4 box = no_box;
+    data.for_each_solid(id_.index, [&](uint32_t s) { box = unite(box, data.boxes[s]); });
+    return {to_vec2(box.low), to_vec2(box.high)};
 }
 
 std::vector<Vec2> Shape::world_vertices() const {
     FETTLE_LIVE_SHAPE
     data.refresh();
     std::vector<Vec2> all;
-    if (record.type == ShapeType::circle) return all;
+    if (!data.is_solid(id_.index)) {
+        for (V2 p : data.outline_of(id_.index))
+            all.push_back(form.body == none ? to_vec2(p) : body().world_point(to_vec2(p)));
+        return all;
+    }
+    if (form.count < 2) return all;
     const V2 center = form.body == none ? V2{} : data.bodies[form.body].center;
     for (uint32_t i = 0; i < form.count; ++i)
         all.push_back(to_vec2(center + data.pool.vertices[form.begin + i]));
@@ -454,7 +232,11 @@ Vec2 Shape::world_center() const {
 bool Shape::contains(const Vec2& world_point) const {
     FETTLE_LIVE_SHAPE
     data.refresh();
-    return form.count > 0 && data.shape_contains(id_.index, to_v2(world_point));
+    if (record.type == ShapeType::border) return false;
+    bool inside = false;
+    data.for_each_solid(
+        id_.index, [&](uint32_t s) { inside |= data.shape_contains(s, to_v2(world_point)); });
+    return inside;
 }
 
 bool Shape::is_touching() const {
@@ -476,7 +258,5 @@ void Shape::set_user_data(uint64_t value) {
     FETTLE_LIVE_SHAPE
     record.surface.user_data = value;
 }
-
-#undef FETTLE_LIVE_SHAPE
 
 }  // namespace fettle::physics

@@ -1,3 +1,4 @@
+#include <collision/ellipse.h>
 #include <collision/nearest.h>
 #include <collision/sweep.h>
 #include <world/arguments.h>
@@ -15,38 +16,50 @@ using namespace detail;
 
 namespace {
 
-/// A shape where it is.
+/// A solid shape where it is.
 struct Placed {
-    Convex form;
+    Solid form;
     V2 center;
     Box4 box;
 };
 
-Placed placed(WorldData& data, uint32_t shape) {
+/// Itself, or its parts.
+std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     data.refresh();
     if (data.forms[shape].kind == FormKind::border)
         throw std::invalid_argument("expected a shape of a body, got the bounds of a world");
     const uint32_t body = data.forms[shape].body;
-    return {data.convex(shape), body == none ? V2{} : data.bodies[body].center, data.boxes[shape]};
+    const V2 center = body == none ? V2{} : data.bodies[body].center;
+    std::vector<Placed> all;
+    data.for_each_solid(shape, [&](uint32_t solid) {
+        all.push_back({data.solid(solid), center, data.boxes[solid]});
+    });
+    return all;
+}
+
+void add_once(std::vector<Shape>& found, const Shape& shape) {
+    if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
 }
 
 struct Point {
     V2 zero;
-    Convex form() const { return {&zero, nullptr, nullptr, 1, 0.0f}; }
+    Solid form() const { return {{&zero, nullptr, nullptr, 1, 0.0f}}; }
 };
 
 /// Of a shape of another world for one query.
 Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
     Body body = scratch.create_body({.position = pose.position, .angle = pose.angle});
-    return std::visit([&](const auto& form) { return body.add(form); }, geometry);
+    return body.add(geometry);
 }
 
 /// Where a moving shape meets the border, as a fraction of its motion.
 float meets_border(const Placed& probe, V2 motion, const BorderPlane& plane) {
     float lowest = infinity;
-    for (int i = 0; i < probe.form.count; ++i)
-        lowest = min(lowest, dot(plane.normal, probe.center + probe.form.vertices[i]));
-    const float before = lowest - plane.depth - probe.form.radius;
+    const Convex& form = probe.form.form;
+    for (int i = 0; i < form.count; ++i)
+        lowest = min(lowest, dot(plane.normal, probe.center + form.vertices[i]));
+    if (probe.form.kind == FormKind::ellipse) lowest -= ellipse_of(form).reach(plane.normal);
+    const float before = lowest - plane.depth - form.radius;
     const float speed = dot(plane.normal, motion);
     if (before <= 0.0f) return 0.0f;
     return speed < 0.0f ? -before / speed : 2.0f;
@@ -70,27 +83,36 @@ bool WorldData::accepted(const QueryFilter& filter, uint32_t shape) const {
 }  // namespace detail
 
 Separation distance(const Shape& a, const Shape& b) {
-    const Placed pa = placed(a.world().data(), a.index()), pb = placed(b.world().data(), b.index());
-    const Nearest nearest = nearest_points(pa.form, pb.form, pb.center - pa.center);
-    return {nearest.distance, to_vec2(pa.center + nearest.on_a), to_vec2(pa.center + nearest.on_b),
-            to_vec2(nearest.normal)};
+    Separation nearest;
+    nearest.distance = infinity;
+    for (const Placed& pa : placed(a.world().data(), a.index())) {
+        for (const Placed& pb : placed(b.world().data(), b.index())) {
+            const Nearest found = nearest_points(pa.form, pb.form, pb.center - pa.center);
+            if (found.distance >= nearest.distance) continue;
+            nearest = {found.distance, to_vec2(pa.center + found.on_a),
+                       to_vec2(pa.center + found.on_b), to_vec2(found.normal)};
+        }
+    }
+    return nearest;
 }
 
 std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) {
-    const Placed probe = placed(shape.world().data(), shape.index());
+    const std::vector<Placed> probes = placed(shape.world().data(), shape.index());
     const bool own = &shape.world() == this;
     const uint32_t body = own ? data_->forms[shape.index()].body : none;
     data_->refresh();
     std::vector<Shape> found;
-    auto visit = [&](uint32_t other) {
-        const uint32_t owner = data_->forms[other].body;
-        if (owner == body || !data_->accepted(filter, other)) return;
-        const V2 offset = data_->bodies[owner].center - probe.center;
-        if (nearest_points(probe.form, data_->convex(other), offset).distance <= 0.0f)
-            found.emplace_back(this, data_->shape_id(other));
-    };
-    data_->moving_tree.query(probe.box, visit);
-    data_->fixed_tree.query(probe.box, visit);
+    for (const Placed& probe : probes) {
+        auto visit = [&](uint32_t other) {
+            const uint32_t owner = data_->forms[other].body;
+            if (owner == body || !data_->accepted(filter, other)) return;
+            const V2 offset = data_->bodies[owner].center - probe.center;
+            if (nearest_points(probe.form, data_->solid(other), offset).distance <= 0.0f)
+                add_once(found, Shape(this, data_->shape_id(other)));
+        };
+        data_->moving_tree.query(probe.box, visit);
+        data_->fixed_tree.query(probe.box, visit);
+    }
     return found;
 }
 
@@ -103,40 +125,43 @@ std::vector<Shape> World::query_overlap(const Geometry& geometry, const Pose& po
 std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
                                         const QueryFilter& filter) {
     check_coordinates("motion", motion);
-    const Placed probe = placed(shape.world().data(), shape.index());
+    const std::vector<Placed> probes = placed(shape.world().data(), shape.index());
     const bool own = &shape.world() == this;
     const uint32_t body = own ? data_->forms[shape.index()].body : none;
     data_->refresh();
     const V2 d = to_v2(motion);
-    const Box4 swept = unite(probe.box, {probe.box.low + d, probe.box.high + d});
     std::optional<RayHit> first;
     float nearest = 1.0f;
-    auto visit = [&](uint32_t other) {
-        const uint32_t owner = data_->forms[other].body;
-        if (owner == body || !data_->accepted(filter, other)) return;
-        const V2 center = data_->bodies[owner].center;
-        const Convex obstacle = data_->convex(other);
-        constexpr float gap = 1e-4f;
-        const Sweep sweep = {probe.form, probe.center, d, 0.0f, 0.0f};
-        const float t = time_of_impact(sweep, obstacle, center, gap);
-        if (t >= nearest) return;
-        nearest = t;
-        const Nearest touch = nearest_points(probe.form, obstacle, center - (probe.center + t * d));
-        const V2 normal = length(touch.normal) > 0.0f ? -touch.normal : -normalized(d);
-        first = RayHit{Shape(this, data_->shape_id(other)),
-                       to_vec2(probe.center + t * d + touch.on_b), to_vec2(normal), t};
-    };
-    data_->fixed_tree.query(swept, visit);
-    data_->moving_tree.query(swept, visit);
-    for (uint32_t side = 0; data_->settings.bounds && side < 4; ++side) {
-        const BorderPlane plane = data_->border_plane(side);
-        const float t = meets_border(probe, d, plane);
-        if (t >= nearest || !data_->accepted(filter, side)) continue;
-        nearest = t;
-        const V2 center = probe.center + t * d;
-        const V2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
-        first =
-            RayHit{Shape(this, data_->shape_id(side)), to_vec2(point), to_vec2(plane.normal), t};
+    for (const Placed& probe : probes) {
+        const Box4 swept = unite(probe.box, {probe.box.low + d, probe.box.high + d});
+        auto visit = [&](uint32_t other) {
+            const uint32_t owner = data_->forms[other].body;
+            if (owner == body || !data_->accepted(filter, other)) return;
+            const V2 center = data_->bodies[owner].center;
+            const Solid obstacle = data_->solid(other);
+            constexpr float gap = 1e-4f;
+            const Sweep sweep = {probe.form, probe.center, d, 0.0f, 0.0f};
+            const float t = time_of_impact(sweep, obstacle, center, gap);
+            if (t >= nearest) return;
+            nearest = t;
+            const Nearest touch =
+                nearest_points(probe.form, obstacle, center - (probe.center + t * d));
+            const V2 normal = length(touch.normal) > 0.0f ? -touch.normal : -normalized(d);
+            first = RayHit{Shape(this, data_->shape_id(other)),
+                           to_vec2(probe.center + t * d + touch.on_b), to_vec2(normal), t};
+        };
+        data_->fixed_tree.query(swept, visit);
+        data_->moving_tree.query(swept, visit);
+        for (uint32_t side = 0; data_->settings.bounds && side < 4; ++side) {
+            const BorderPlane plane = data_->border_plane(side);
+            const float t = meets_border(probe, d, plane);
+            if (t >= nearest || !data_->accepted(filter, side)) continue;
+            nearest = t;
+            const V2 center = probe.center + t * d;
+            const V2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
+            first = RayHit{Shape(this, data_->shape_id(side)), to_vec2(point),
+                           to_vec2(plane.normal), t};
+        }
     }
     return first;
 }
@@ -160,7 +185,7 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach, const Que
         auto visit = [&](uint32_t shape) {
             if (!data_->accepted(filter, shape)) return;
             const V2 offset = data_->bodies[data_->forms[shape].body].center - p;
-            const Nearest near = nearest_points(asks.form(), data_->convex(shape), offset);
+            const Nearest near = nearest_points(asks.form(), data_->solid(shape), offset);
             if (near.distance > farthest || (best && near.distance >= best->distance)) return;
             best = PointHit{Shape(this, data_->shape_id(shape)), to_vec2(p + near.on_b),
                             to_vec2(-near.normal), near.distance};
@@ -190,7 +215,7 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
         if (data_->bodies[body].mobility != Mobility::dynamic || !data_->accepted(filter, shape))
             return;
         const V2 offset = data_->bodies[body].center - p;
-        const Nearest near = nearest_points(asks.form(), data_->convex(shape), offset);
+        const Nearest near = nearest_points(asks.form(), data_->solid(shape), offset);
         if (near.distance >= radius) return;
         // Inside of a shape it pushes at the center of mass.
         const V2 at = near.distance > 0.0f ? p + near.on_b : data_->bodies[body].center;

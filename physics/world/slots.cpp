@@ -2,6 +2,8 @@
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
+#include <algorithm>
+
 // Birth and death in slots. A slot keeps its place until its object dies; every object gets a
 // generation that no other ever had in this world.
 
@@ -148,6 +150,14 @@ uint32_t WorldData::create_shape(const ShapeDef& def, const Geometry& geometry) 
     const Polygon* polygon = std::get_if<Polygon>(&geometry);
     if (polygon && convex_hull(polygon->vertices, hull) != HullStatus::ok) return none;
 
+    const uint32_t slot = new_shape();
+    ++shape_count;
+    shapes[slot].surface = def;
+    set_form(slot, geometry, hull);
+    return slot;
+}
+
+uint32_t WorldData::new_shape() {
     uint32_t slot = free_shape;
     if (slot != none) {
         free_shape = shapes[slot].next_free;
@@ -163,16 +173,26 @@ uint32_t WorldData::create_shape(const ShapeDef& def, const Geometry& geometry) 
         shape_generations.push_back(0);
     }
     shape_generations[slot] = next_generation++;
-    ++shape_count;
-    shapes[slot].surface = def;
-    set_form(slot, geometry, hull);
     return slot;
+}
+
+/// Room for that many in the pool; what was there is lost where it moves.
+void WorldData::reserve_vertices(uint32_t slot, uint32_t count) {
+    const uint32_t capacity = VertexPool::capacity_for(count);
+    if (capacity == shapes[slot].capacity) return;
+    pool.release(forms[slot].begin, shapes[slot].capacity);
+    forms[slot].begin = pool.allocate(capacity);
+    shapes[slot].capacity = capacity;
 }
 
 /// Takes over a geometry of any type; `hull` is that of a polygon's vertices.
 void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vector<Vec2>& hull) {
     ShapeRecord& record = shapes[slot];
-    uint32_t count = 0;
+    drop_parts(slot, none);
+    record.outline = 0;
+    FormKind kind = FormKind::convex;
+    uint32_t count = 0, room = 0;
+    std::span<const Vec2> outline;
     if (const Circle* circle = std::get_if<Circle>(&geometry)) {
         record.type = ShapeType::circle;
         record.circle = *circle;
@@ -185,18 +205,40 @@ void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vec
         record.type = ShapeType::segment;
         record.segment = *segment;
         count = 2;
-    } else {
+    } else if (const Polygon* polygon = std::get_if<Polygon>(&geometry)) {
         record.type = ShapeType::polygon;
-        record.polygon_rounding = std::get<Polygon>(geometry).rounding;
+        record.polygon_rounding = polygon->rounding;
         count = uint32_t(hull.size());
+    } else if (const Ellipse* ellipse = std::get_if<Ellipse>(&geometry)) {
+        record.type = ShapeType::ellipse;
+        record.ellipse = *ellipse;
+        kind = FormKind::ellipse;
+        count = 1;
+        room = 2;  // its axes
+    } else if (const Concave* concave = std::get_if<Concave>(&geometry)) {
+        record.type = ShapeType::concave;
+        kind = FormKind::outline;
+        outline = concave->vertices;
+    } else if (const Chain* chain = std::get_if<Chain>(&geometry)) {
+        record.type = ShapeType::chain;
+        record.closed = chain->closed;
+        kind = FormKind::outline;
+        outline = chain->points;
     }
-    const uint32_t capacity = VertexPool::capacity_for(count);
-    if (capacity != record.capacity) {
-        pool.release(forms[slot].begin, record.capacity);
-        forms[slot].begin = pool.allocate(capacity);
-        record.capacity = capacity;
+    // It collides no more as what it was.
+    if (forms[slot].kind != kind && forms[slot].body != none) {
+        destroy_contacts_of_shape(slot);
+        if (kind == FormKind::outline) remove_proxy(slot);
     }
+    forms[slot].kind = kind;
     forms[slot].count = count;
+    if (kind == FormKind::outline) {
+        boxes[slot] = fat_boxes[slot] = no_box;
+        forms[slot].radius = 0.0f;
+        write_outline(slot, outline);
+        return;
+    }
+    reserve_vertices(slot, std::max(count, room));
     if (record.type == ShapeType::polygon) {
         for (uint32_t i = 0; i < count; ++i) pool.local[forms[slot].begin + i] = to_v2(hull[i]);
     }
@@ -204,19 +246,28 @@ void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vec
 }
 
 void WorldData::destroy_shape(uint32_t shape) {
+    drop_parts(shape, none);
     if (forms[shape].body != none) detach_shape(shape);
+    if (shapes[shape].owner == none) --shape_count;
     pool.release(forms[shape].begin, shapes[shape].capacity);
     shapes[shape] = {};
     forms[shape] = {};
     shapes[shape].next_free = free_shape;
     free_shape = shape;
     shape_generations[shape] = 0;
-    --shape_count;
 }
 
 void WorldData::attach_shape(uint32_t shape, uint32_t body) {
     if (forms[shape].body != none) detach_shape(shape);
     if (!bodies[body].never_awake) wake_for_edit(body);
+    link_shape(shape, body);
+    if (!is_solid(shape)) for_each_solid(shape, [&](uint32_t part) { link_shape(part, body); });
+    if (shapes[shape].owner == none) ++bodies[body].shape_count;
+    mark_mass(body);
+    mark_placement(body);
+}
+
+void WorldData::link_shape(uint32_t shape, uint32_t body) {
     ShapeRecord& record = shapes[shape];
     BodyRecord& owner = bodies[body];
     forms[shape].body = body;
@@ -227,19 +278,26 @@ void WorldData::attach_shape(uint32_t shape, uint32_t body) {
     else
         owner.first_shape = shape;
     owner.last_shape = shape;
-    ++owner.shape_count;
-    mark_mass(body);
-    mark_placement(body);
 }
 
 void WorldData::detach_shape(uint32_t shape) {
     const uint32_t body = forms[shape].body;
     wake_for_edit(body);
     wake_touching(body);
+    for_each_solid(shape, [&](uint32_t solid) { unlink_shape(solid); });
+    if (!is_solid(shape)) unlink_shape(shape);
+    if (shapes[shape].owner == none) --bodies[body].shape_count;
+    mark_mass(body);
+    mark_placement(body);
+    // Alone, its box is in its own coordinates again.
+    for_each_solid(shape, [&](uint32_t solid) { place_shape(solid, {}); });
+}
+
+void WorldData::unlink_shape(uint32_t shape) {
     destroy_contacts_of_shape(shape);
     remove_proxy(shape);
     ShapeRecord& record = shapes[shape];
-    BodyRecord& owner = bodies[body];
+    BodyRecord& owner = bodies[forms[shape].body];
     if (record.previous != none)
         shapes[record.previous].next = record.next;
     else
@@ -248,13 +306,8 @@ void WorldData::detach_shape(uint32_t shape) {
         shapes[record.next].previous = record.previous;
     else
         owner.last_shape = record.previous;
-    --owner.shape_count;
     record.previous = record.next = none;
     forms[shape].body = none;
-    mark_mass(body);
-    mark_placement(body);
-    // Alone, its box is in its own coordinates again.
-    place_shape(shape, {});
 }
 
 }  // namespace fettle::physics::detail

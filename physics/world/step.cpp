@@ -85,6 +85,7 @@ void WorldData::zero_locked() {
 /// start them one by one. What many joints do besides takes longer to tell apart than that saves.
 bool WorldData::repeats_pushes() {
     joint_share.clear();
+    if (!rolling_contacts.empty()) return false;  // what they gave had another direction
     size_t ends = 0;
     std::apply([&](const auto&... list) { ((ends += 2 * list.size()), ...); }, joint_constraints);
     if (ends > (colored.size() + constraints.size()) / 4) return false;
@@ -111,6 +112,7 @@ void WorldData::solve(float dt) {
     serial.bodies = solver_bodies;
     serial.constraints = constraints;
     serial.extras = extras;
+    serial.rolling = rolling_contacts;
     serial.inverse_h = 1.0f / h;
     serial.push_speed = settings.push_speed;
     serial.restitution_threshold = settings.restitution_threshold;
@@ -207,6 +209,7 @@ void WorldData::finish_bodies(float dt) {
 /// `many`: the tree is settled afterwards.
 void WorldData::finish_shapes(uint32_t body, Rotation q, bool many) {
     for (uint32_t s = bodies[body].first_shape; s != none; s = shapes[s].next) {
+        if (!is_solid(s)) continue;
         place_shape(s, q);
         if (contains(fat_boxes[s], grow(boxes[s], speculative_margin))) continue;
         ++statistics.moved_proxies;
@@ -238,6 +241,7 @@ void WorldData::step(float dt) {
     statistics.solve_ms = clock.lap();
     finish_bodies(dt);
     stop_fast_bodies();
+    tell_parted();
     statistics.finish_ms = clock.lap();
     ++steps;
     sleep_resting_islands();

@@ -1,15 +1,82 @@
+#include <collision/ellipse.h>
+#include <collision/piece.h>
 #include <world/world_data.h>
+
+#include <utility>
 
 // Contacts of shapes that are not plain convex forms. Few pairs of most worlds: the narrow phase
 // asks once whether it has to come here.
 
 namespace fettle::physics::detail {
+namespace {
+
+/// The manifold of b and a for that of a and b.
+void turn_round(Manifold& m) {
+    m.normal = -m.normal;
+    for (int k = 0; k < m.count; ++k) {
+        ManifoldPoint& p = m.points[k];
+        std::swap(p.anchor_a, p.anchor_b);
+        p.feature = uint16_t(p.feature << 8 | p.feature >> 8);
+    }
+}
+
+void collide_ellipse_half_plane(const BorderPlane& plane, const EllipseForm& ellipse, V2 center,
+                                float margin, Manifold& m) {
+    const V2 deepest = ellipse.support(-plane.normal);
+    const float separation = dot(plane.normal, deepest + center) - plane.depth;
+    m.count = 0;
+    m.corner = 0.0f;
+    if (separation > margin) return;
+    m.normal = plane.normal;
+    const V2 anchor = deepest - (0.5f * separation) * plane.normal;
+    m.points[0] = {anchor + center, anchor, separation, 0.0f, 0.0f, 0};
+    m.count = 1;
+}
+
+void collide_ellipse(const Solid& ellipse, const Solid& other, V2 offset, float margin,
+                     Manifold& m) {
+    const EllipseForm form = ellipse_of(ellipse.form);
+    const bool both = other.kind == FormKind::ellipse;
+    const EllipseGap gap = both ? gap_between(form, ellipse_of(other.form), offset)
+                                : gap_between(form, other.form, offset);
+    m.count = 0;
+    m.corner = 0.0f;
+    const float radius = both ? 0.0f : other.form.radius;
+    const float separation = gap.separation - radius;
+    if (separation > margin) return;
+    m.normal = gap.normal;
+    const V2 middle = gap.on_ellipse + (0.5f * separation) * gap.normal;
+    const int feature = gap.edge >= 0 ? gap.edge : 128 + (gap.vertex & 127);
+    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, uint16_t(feature & 255)};
+    m.count = 1;
+}
+
+}  // namespace
 
 void WorldData::collide_unusual(const ContactRecord& c, float margin, Manifold& m) const {
-    // Of a pair, the border is always the first.
-    const BorderPlane plane = border_plane(c.shape_a);
-    collide_half_plane(plane.normal, plane.depth, convex(c.shape_b), bodies[c.body_b].center,
-                       margin, m);
+    const V2 center_b = bodies[c.body_b].center;
+    const Solid b = solid(c.shape_b);
+    if (forms[c.shape_a].kind == FormKind::border) {  // of a pair it is always the first
+        const BorderPlane plane = border_plane(c.shape_a);
+        if (b.kind == FormKind::ellipse)
+            collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);
+        else
+            collide_half_plane(plane.normal, plane.depth, b.form, center_b, margin, m);
+        return;
+    }
+    const Solid a = solid(c.shape_a);
+    const V2 offset = center_b - bodies[c.body_a].center;
+    if (a.kind == FormKind::piece) {
+        collide_piece(a, b, offset, margin, m);
+    } else if (b.kind == FormKind::piece) {
+        collide_piece(b, a, -offset, margin, m);
+        turn_round(m);
+    } else if (a.kind == FormKind::ellipse) {
+        collide_ellipse(a, b, offset, margin, m);
+    } else {
+        collide_ellipse(b, a, -offset, margin, m);
+        turn_round(m);
+    }
 }
 
 }  // namespace fettle::physics::detail

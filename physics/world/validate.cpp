@@ -86,7 +86,8 @@ Fault check_bodies(const WorldData& data) {
         }
         uint32_t shapes = 0;
         for (uint32_t shape = record.first_shape; shape != none;
-             shape = data.shapes[shape].next, ++shapes) {
+             shape = data.shapes[shape].next) {
+            shapes += data.shapes[shape].owner == none;
             if (data.forms[shape].body != body)
                 return "shape " + number(shape) + " is listed in another body";
         }
@@ -109,6 +110,10 @@ Fault check_trees(const WorldData& data) {
         const ShapeRecord& record = data.shapes[shape];
         if (record.listed || data.bodies[data.forms[shape].body].listed)
             continue;  // not yet refreshed
+        if (!data.is_solid(shape)) {
+            if (record.proxy != Tree::none) return "outline " + number(shape) + " is in a tree";
+            continue;
+        }
         if (record.proxy == Tree::none) return "shape " + number(shape) + " is in no tree";
         const Tree& tree = record.tree == Mobility::fixed ? data.fixed_tree : data.moving_tree;
         if (!contains(tree.box(record.proxy), data.boxes[shape]))
@@ -125,9 +130,11 @@ Fault check_trees(const WorldData& data) {
 Fault check_pairs(const WorldData& data) {
     if (!data.edited_bodies.empty() || !data.moved_shapes.empty()) return {};
     for (uint32_t a = 4; a < data.shapes.size(); ++a) {
-        if (data.shape_generations[a] == 0 || data.forms[a].body == none) continue;
+        if (data.shape_generations[a] == 0 || data.forms[a].body == none || !data.is_solid(a))
+            continue;
         for (uint32_t b = a + 1; b < data.shapes.size(); ++b) {
-            if (data.shape_generations[b] == 0 || data.forms[b].body == none) continue;
+            if (data.shape_generations[b] == 0 || data.forms[b].body == none || !data.is_solid(b))
+                continue;
             if (!overlap(data.fat_boxes[a], data.fat_boxes[b]) || !data.may_collide(a, b)) continue;
             if (data.pairs.find(a, b) == PairSet::absent) {
                 return "shapes " + number(a) + " and " + number(b) + " overlap without a contact";

@@ -151,27 +151,10 @@ Body World::create_body(const BodyDef& def) {
     return {this, data_->body_id(data_->create_body(def))};
 }
 
-namespace {
-
-Shape make_shape(World* world, WorldData& data, const Geometry& geometry, const ShapeDef& def) {
+Shape World::create_shape(const Geometry& geometry, const ShapeDef& def) {
     check(def);
     check(geometry);
-    return {world, data.shape_id(data.create_shape(def, geometry))};
-}
-
-}  // namespace
-
-Shape World::create_shape(const Circle& circle, const ShapeDef& def) {
-    return make_shape(this, *data_, circle, def);
-}
-Shape World::create_shape(const Box& box, const ShapeDef& def) {
-    return make_shape(this, *data_, box, def);
-}
-Shape World::create_shape(const Segment& segment, const ShapeDef& def) {
-    return make_shape(this, *data_, segment, def);
-}
-Shape World::create_shape(const Polygon& polygon, const ShapeDef& def) {
-    return make_shape(this, *data_, polygon, def);
+    return {this, data_->shape_id(data_->create_shape(def, geometry))};
 }
 
 void World::clear() {
@@ -191,7 +174,8 @@ std::vector<Body> World::bodies() {
 std::vector<Shape> World::shapes() {
     std::vector<Shape> all;
     for (uint32_t i = 4; i < data_->shapes.size(); ++i) {
-        if (data_->shape_generations[i] != 0) all.emplace_back(this, data_->shape_id(i));
+        if (data_->shape_generations[i] != 0 && data_->shapes[i].owner == none)
+            all.emplace_back(this, data_->shape_id(i));
     }
     return all;
 }

@@ -6,6 +6,7 @@
 #include <geometry/vertex_pool.h>
 #include <solver/constraint.h>
 #include <solver/motion.h>
+#include <solver/rolling_contact.h>
 #include <solver/stiffness.h>
 #include <wide/kernels.h>
 #include <world/joint_types.h>
@@ -124,12 +125,14 @@ struct WorldData : Columns {
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
     int most_lanes = lanes;                ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
+    std::vector<RollingContact> rolling_contacts;
     JointConstraints joint_constraints;
     std::vector<Strain> strains;
     bool axes_locked = false;      ///< of some awake body, along x or y
     std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
     std::vector<FastBody> fast_bodies;
-    float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio
+    std::vector<ContactRecord> parted;  ///< last touches of an outline's parts that ended
+    float last_substep = 0.0f;          ///< s; warm-start impulses are scaled by the ratio
     uint64_t steps = 0;
     uint32_t sleep_candidates = 0;  ///< bodies that rested long enough, as of the last step
 
@@ -141,11 +144,30 @@ struct WorldData : Columns {
 
     Events& event_sink() { return stepping ? events : pending; }
     BodyId body_id(uint32_t slot) const { return {slot, body_generations[slot]}; }
-    ShapeId shape_id(uint32_t slot) const { return {slot, shape_generations[slot]}; }
+    /// The shape that stands for a slot outside: a part is its owner.
+    uint32_t named_shape(uint32_t slot) const {
+        return shapes[slot].owner == none ? slot : shapes[slot].owner;
+    }
+    ShapeId shape_id(uint32_t slot) const {
+        const uint32_t named = named_shape(slot);
+        return {named, shape_generations[named]};
+    }
+    /// Collides itself; an outline only in its parts.
+    bool is_solid(uint32_t shape) const { return forms[shape].kind != FormKind::outline; }
     Convex convex(uint32_t shape) const {
         const ShapeForm& form = forms[shape];
         return {&pool.vertices[form.begin], &pool.directions[form.begin], &pool.offsets[form.begin],
                 int(form.count), form.radius};
+    }
+
+    Solid solid(uint32_t shape) const {
+        const ShapeForm& form = forms[shape];
+        Solid made = {convex(shape), form.kind};
+        if (form.kind != FormKind::piece) return made;
+        made.limits = &pool.local[form.begin] + form.count;
+        made.normals = &pool.normals[form.begin];
+        if (form.body != none) made.rotation = {states[form.body].cosine, states[form.body].sine};
+        return made;
     }
 
     // slots.cpp: birth and death
@@ -156,9 +178,35 @@ struct WorldData : Columns {
     void destroy_body(uint32_t body);
     uint32_t create_shape(const ShapeDef& def, const Geometry& geometry);
     void set_form(uint32_t shape, const Geometry& geometry, const std::vector<Vec2>& hull);
+    uint32_t new_shape();
+    void reserve_vertices(uint32_t shape, uint32_t count);
     void destroy_shape(uint32_t shape);
     void attach_shape(uint32_t shape, uint32_t body);
     void detach_shape(uint32_t shape);
+
+    // parts.cpp: outlines of many pieces
+    void write_outline(uint32_t shape, std::span<const Vec2> points);
+    void rebuild_parts(uint32_t shape);
+    void drop_parts(uint32_t shape, uint32_t last);
+    void share_surface(uint32_t shape);
+    void link_shape(uint32_t shape, uint32_t body);
+    void unlink_shape(uint32_t shape);
+    std::span<const V2> outline_of(uint32_t shape) const {
+        return {&pool.local[forms[shape].begin], shapes[shape].outline};
+    }
+    /// Itself, or the parts it consists of.
+    template <typename Visit>
+    void for_each_solid(uint32_t shape, Visit&& visit) const {
+        if (is_solid(shape)) {
+            visit(shape);
+            return;
+        }
+        for (uint32_t part = shapes[shape].first_part; part != none;) {
+            const uint32_t next = shapes[part].next_part;
+            visit(part);
+            part = next;
+        }
+    }
 
     // joints.cpp: what links two bodies
     template <class Data>
@@ -250,7 +298,14 @@ struct WorldData : Columns {
     void collide_unusual(const ContactRecord& contact, float margin, Manifold& manifold) const;
     float approach_speed(const ContactRecord& contact, V2 point) const;
     float impact_mass(const ContactRecord& contact, V2 point) const;
+    // touching.cpp
     void set_touching(uint32_t contact, bool touching);
+    void tell_touching(const ContactRecord& contact, bool touching);
+    void tell_parted();
+    bool of_outline(const ContactRecord& contact) const;
+    bool same_pair(const ContactRecord& c, const ContactRecord& d) const;
+    bool touch_elsewhere(uint32_t contact) const;
+    bool tells_for_pair(uint32_t contact) const;
     Contact view(const ContactRecord& contact) const;
     template <typename Visit>
     void for_each_contact(uint32_t body, Visit&& visit) const {

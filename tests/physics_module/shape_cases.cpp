@@ -100,6 +100,25 @@ Cases form_cases() {
     const List tall = {Vec2(-0.5, -0.9), Vec2(0.5, -0.9), Vec2(0, 0.5)};
     cases["Polygon.vertices"] = of("Polygon", make_case(tall, 60, rises_to(0.8)));
     cases["Polygon.rounding"] = of("Polygon", make_case(0.3, 60, rises_to(0.75)));
+    cases["Ellipse.radius_x"] =
+        of("Ellipse",
+           make_case(0.9, 1, [](Stage& s) { return aabb_width(s) == Approx(1.8).margin(0.01); }));
+    cases["Ellipse.radius_y"] = of("Ellipse", make_case(0.4, 60, rises_to(0.35)));
+    cases["Ellipse.center"] = of("Ellipse", make_case(Vec2(0, 0.2), 30, sinks_to(0.1)));
+    cases["Ellipse.angle"] = of("Ellipse", make_case(1.5707963, 15, rises_to(0.35)));
+    cases["Concave.vertices"] =
+        of("Concave", make_case(List{Vec2(-0.5, -0.9), Vec2(0.5, -0.9), Vec2(0.5, 0.5),
+                                     Vec2(0, -0.5), Vec2(-0.5, 0.5)},
+                                60, rises_to(0.8)));
+    // Solid on its left: from right to left it stands on what is below.
+    const List sole = {Vec2(0.5, -0.5), Vec2(-0.5, -0.5), Vec2(0, 0.5)};
+    const List stilts = {Vec2(0.5, -0.9), Vec2(-0.5, -0.9), Vec2(0, 0.5)};
+    const auto stand = [sole](Stage& s) { s.game.set(s.shape, "points", sole); };
+    Case& points = cases["Chain.points"] = of("Chain", make_case(stilts, 60, rises_to(0.8)));
+    points.prepare = stand;
+    Case& closed = cases["Chain.closed"] =
+        of("Chain", make_case(true, 1, [](Stage& s) { return s.draw().figures.size() == 3; }));
+    closed.prepare = stand;
     return cases;
 }
 

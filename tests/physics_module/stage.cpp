@@ -6,7 +6,8 @@ namespace fettle::physics_module::testing {
 
 Stage::Stage(std::string_view shape_class) : world(game.world()), floor(game.floor()) {
     const bool flat = shape_class == "Segment";
-    const double height = flat ? 0.0 : shape_class == "Capsule" ? 0.25 : 0.5;
+    const bool low = shape_class == "Capsule" || shape_class == "Ellipse";
+    const double height = flat ? 0.0 : low ? 0.25 : 0.5;
     body = game.body(shape_class, Vec2(0, height));
     shape = game.shape_of(body);
 }

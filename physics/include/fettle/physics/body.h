@@ -107,10 +107,7 @@ class Body {
     Vec2 velocity_at(const Vec2& world_point) const;
     float kinetic_energy() const;  ///< J
 
-    Shape add(const Circle& circle, const ShapeDef& def = {});
-    Shape add(const Box& box, const ShapeDef& def = {});
-    Shape add(const Segment& segment, const ShapeDef& def = {});
-    Shape add(const Polygon& polygon, const ShapeDef& def = {});
+    Shape add(const Geometry& geometry, const ShapeDef& def = {});
     uint32_t shape_count() const;
     std::vector<Shape> shapes() const;  ///< in the order they were attached
 

@@ -4,6 +4,7 @@
 #include <fettle/physics/types.h>
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 // What is needed to create things: plain aggregates for designated initializers, with the defaults
@@ -107,6 +108,31 @@ struct Polygon {
     std::vector<Vec2> vertices = {};
     float rounding = 0.0f;  ///< radius added all round
 };
+
+/// Exact: no polygon stands for it.
+struct Ellipse {
+    float radius_x = 0.5f;  ///< half its width before it is turned
+    float radius_y = 0.25f;
+    Vec2 center = Vec2::Zero();
+    float angle = 0.0f;
+};
+
+/// A polygon that may be concave, in either sense of rotation: its outline must not touch itself.
+/// One shape, though it collides in convex pieces.
+struct Concave {
+    std::vector<Vec2> vertices = {};
+};
+
+/// A line of segments that things slide along as if it had no seams. One-sided: solid for what
+/// comes from its left, as one walks from point to point. Points from left to right are ground; a
+/// closed counter-clockwise chain holds what is inside, a clockwise one is an island. From behind
+/// everything passes. Points that follow each other in the same place count once.
+struct Chain {
+    std::vector<Vec2> points = {};
+    bool closed = false;  ///< from the last point back to the first
+};
+
+using Geometry = std::variant<Circle, Box, Segment, Polygon, Ellipse, Concave, Chain>;
 
 /// What every joint starts with; the rest is set on the joint.
 struct JointDef {

@@ -5,13 +5,10 @@
 #include <fettle/physics/hull.h>
 
 #include <span>
-#include <variant>
 
 FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
-
-using Geometry = std::variant<Circle, Box, Segment, Polygon>;
 
 /// A light handle to a shape: part of a body, or detached and waiting for one. Errors as for
 /// `Body`; a property that the type of shape does not have (the radius of a box) throws
@@ -40,13 +37,17 @@ class Shape {
 
     float radius() const;  ///< circle
     void set_radius(float radius);
-    Vec2 center() const;  ///< circle, box
+    float radius_x() const;  ///< ellipse
+    void set_radius_x(float radius);
+    float radius_y() const;  ///< ellipse
+    void set_radius_y(float radius);
+    Vec2 center() const;  ///< circle, box, ellipse
     void set_center(const Vec2& center);
     float width() const;  ///< box
     void set_width(float width);
     float height() const;  ///< box
     void set_height(float height);
-    float angle() const;  ///< box
+    float angle() const;  ///< box, ellipse
     void set_angle(float angle);
     float rounding() const;  ///< box, segment, polygon
     void set_rounding(float rounding);
@@ -56,14 +57,20 @@ class Shape {
     void set_to(const Vec2& to);
 
     /// Polygon: its hull, counter-clockwise, body coordinates. Box and segment: their corners,
-    /// without rounding. Circle: nothing. Valid until the next edit of any shape.
+    /// without rounding. Concave and chain: their points as they were given. Circle and ellipse:
+    /// nothing. Valid until the next edit of any shape.
     std::span<const Vec2> vertices() const;
-    /// Polygon: the hull of `points` becomes the shape. On failure nothing changes and
-    /// `std::invalid_argument` says why.
+    /// Polygon: the hull of `points` becomes the shape. Concave, chain: these points. On failure
+    /// nothing changes and `std::invalid_argument` says why.
     void set_vertices(std::span<const Vec2> points);
-    /// As `set_vertices` with a status instead of an exception.
+    /// As `set_vertices` with a status instead of an exception; polygons only.
     HullStatus try_set_vertices(std::span<const Vec2> points);
-    void add_vertex(const Vec2& point);  ///< body coordinates
+    void add_vertex(const Vec2& point);  ///< polygon; body coordinates
+    bool closed() const;                 ///< chain
+    void set_closed(bool closed);
+    /// Concave: the convex pieces it collides as, counter-clockwise, body coordinates. Chain: its
+    /// segments. Others: nothing.
+    std::vector<std::vector<Vec2>> pieces() const;
 
     float density() const;
     void set_density(float density);

@@ -49,6 +49,9 @@ enum class ShapeType : uint8_t {
     box,
     segment,
     polygon,
+    ellipse,
+    concave,
+    chain,
     border  ///< one of the four half-planes of `World::bounds`; only ever seen in contacts, events
             ///< and rays
 };

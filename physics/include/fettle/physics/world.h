@@ -116,11 +116,7 @@ class World {
     void set_before_solve(ContactCallback callback);
 
     Body create_body(const BodyDef& def = {});
-    Shape create_shape(const Circle& circle,
-                       const ShapeDef& def = {});  ///< detached, like the next three
-    Shape create_shape(const Box& box, const ShapeDef& def = {});
-    Shape create_shape(const Segment& segment, const ShapeDef& def = {});
-    Shape create_shape(const Polygon& polygon, const ShapeDef& def = {});
+    Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
     MouseJoint create_mouse_joint(const MouseJointDef& def);
     DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod as long as it is now
     RevoluteJoint create_revolute_joint(const JointDef& def);    ///< the angle now counts as 0

@@ -1,0 +1,313 @@
+#include <collision/clip.h>
+#include <collision/ellipse.h>
+#include <collision/piece.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Corners that turn by less are flat, and directions this near are one (rad).
+constexpr float flat = 1e-3f;
+
+/// Where the least overlap is through an edge that is inside, by so much less than any other (m),
+/// the shape is in front of another piece.
+constexpr float beyond = 0.01f;
+
+float sign_of(V2 v) {
+    return v.x != 0.0f || v.y != 0.0f ? 1.0f : 0.0f;
+}
+
+}  // namespace
+
+Piece::Verdict Piece::judge(int vertex, V2 direction) const {
+    const V2 d = unrotate(rotation_, direction);
+    const V2 before = limits_[2 * vertex], after = limits_[2 * vertex + 1];
+    // A free end of a chain pushes all round, but not backwards.
+    if (sign_of(before) == 0.0f || sign_of(after) == 0.0f) {
+        const V2 front = sign_of(before) == 0.0f ? after : before;
+        return dot(front, d) >= 0.0f ? Verdict::pushes : Verdict::leaves;
+    }
+    if (cross(before, after) <= flat && !(dot(before, after) < 0.0f && cross(before, after) > -flat))
+        return Verdict::flat;
+    const bool between = cross(before, d) >= -flat && cross(d, after) >= -flat;
+    if (!between || dot(before + after, d) < 0.0f) return Verdict::leaves;
+    return is_inner(vertex) ? Verdict::leaves : Verdict::pushes;
+}
+
+int Piece::edge_at(int vertex, V2 direction) const {
+    const int previous = vertex > 0 ? vertex - 1 : form.count - 1;
+    int best = -1;
+    float most = -2.0f;
+    for (int edge : {previous, vertex}) {
+        if (is_inner(edge)) continue;
+        const float along = dot(form.normals[edge], direction);
+        if (along > most) {
+            most = along;
+            best = edge;
+        }
+    }
+    return best;
+}
+
+namespace {
+
+struct Axis {
+    int edge = -1;
+    float separation = -1e30f;
+};
+
+/// The best of the edges that may push, and how far apart the ones inside hold the two.
+struct Axes {
+    Axis outer;
+    float inner = -1e30f;
+    float greatest() const { return max(outer.separation, inner); }
+};
+
+template <class Nearest>
+Axes axes_of(const Convex& form, const Piece* piece, Nearest&& nearest) {
+    Axes axes;
+    for (int i = 0; i < form.count; ++i) {
+        const float s = nearest(form.normals[i]) - form.offsets[i];
+        if (piece != nullptr && piece->is_inner(i))
+            axes.inner = max(axes.inner, s);
+        else if (s > axes.outer.separation)
+            axes.outer = {i, s};
+    }
+    return axes;
+}
+
+int support(const Convex& form, V2 direction) {
+    int best = 0;
+    float most = dot(direction, form.vertices[0]);
+    for (int i = 1; i < form.count; ++i) {
+        const float d = dot(direction, form.vertices[i]);
+        if (d > most) {
+            most = d;
+            best = i;
+        }
+    }
+    return best;
+}
+
+float lowest(const Convex& form, V2 normal) {
+    return dot(normal, form.vertices[support(form, -normal)]);
+}
+
+void one_point(V2 on_a, V2 normal, float gap, float radius_b, V2 offset, float margin,
+               uint16_t feature, Manifold& m) {
+    const float separation = gap - radius_b;
+    if (separation > margin) return;
+    m.normal = normal;
+    const V2 middle = on_a + (0.5f * separation) * normal;
+    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature};
+    m.count = 1;
+}
+
+/// Faces reach this far beyond their ends (m): two that are as good as one leave no gap between
+/// them, whatever is rounded.
+float overhang(float height, V2 where) {
+    return 2.0f * flat * std::fabs(height) + 1e-6f * (std::fabs(where.x) + std::fabs(where.y));
+}
+
+/// A circle: its center is a point, so that the nearest feature of the piece decides.
+void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float margin, Manifold& m) {
+    const Axes axes = axes_of(a.form, &a, [&](V2 n) { return dot(n, center); });
+    if (axes.greatest() > radius + margin || !a.faces(center)) return;
+    // Outside of an inner edge, or nearer to it than to any other: another piece is met first.
+    const bool hidden = axes.inner > max(axes.outer.separation, 0.0f) ||
+                        axes.inner > axes.outer.separation + beyond;
+    const int edge = axes.outer.edge;
+    if (edge < 0) return;
+    const int next = edge + 1 < a.form.count ? edge + 1 : 0;
+    const V2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
+    const V2 n = a.form.normals[edge], along = v2 - v1;
+    const float t1 = dot(center - v1, along), t2 = dot(v2 - center, along);
+    const float over = overhang(axes.outer.separation, v1) * length(along);
+    if (!hidden && t1 >= -over && t2 >= -over) {
+        const float gap = axes.outer.separation;
+        one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
+        return;
+    }
+    // Beside it: the nearest vertex, if the outline's corner is there and this piece tells of it.
+    int vertex = 0;
+    float least = 1e30f;
+    for (int i = 0; i < a.form.count; ++i) {
+        const float d = length_squared(center - a.form.vertices[i]);
+        if (d < least) {
+            least = d;
+            vertex = i;
+        }
+    }
+    const V2 p = a.form.vertices[vertex];
+    const float distance = std::sqrt(least);
+    const V2 direction = distance > 1e-9f ? (1.0f / distance) * (center - p) : n;
+    if (a.judge(vertex, direction) != Piece::Verdict::pushes) return;
+    if (axes.greatest() <= 0.0f) return;
+    one_point(p, direction, distance, radius, offset, margin, feature_of(vertex, 255), m);
+    m.corner = distance;
+}
+
+void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float margin, Manifold& m) {
+    const V2 center = e.center + offset;
+    const Axes axes = axes_of(a.form, &a, [&](V2 n) { return dot(n, center) - e.reach(n); });
+    if (axes.greatest() > margin || !a.faces(center) || axes.outer.edge < 0) return;
+    if (axes.inner > axes.outer.separation + beyond) return;
+    const int edge = axes.outer.edge;
+    const int next = edge + 1 < a.form.count ? edge + 1 : 0;
+    const V2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
+    const V2 n = a.form.normals[edge], along = v2 - v1;
+    const V2 deepest = e.support(-n) + offset;
+    const float over = overhang(axes.outer.separation, v1) * length(along);
+    const bool before = dot(deepest - v1, along) < -over;
+    const bool after = dot(deepest - v2, along) > over;
+    if (!before && !after) {
+        const float gap = axes.outer.separation;
+        one_point(deepest - gap * n, n, gap, 0.0f, offset, margin, feature_of(edge, 254), m);
+        return;
+    }
+    const int vertex = before ? edge : next;
+    const V2 p = before ? v1 : v2;
+    const RimPoint rim = nearest_on_rim(e, p - offset);
+    if (a.judge(vertex, -rim.normal) != Piece::Verdict::pushes) return;
+    one_point(p, -rim.normal, rim.distance, 0.0f, offset, margin, feature_of(vertex, 255), m);
+}
+
+/// A polygon, a capsule, or a piece of another outline.
+class PolygonOnPiece {
+  public:
+    PolygonOnPiece(const Piece& a, const Convex& b, const Piece* piece_b, V2 offset, float margin,
+                   Manifold& m)
+        : a_(a), b_(b), piece_b_(piece_b), offset_(offset), margin_(margin), m_(m) {}
+
+    void collide() {
+        const float reach = b_.radius + margin_;
+        const Axes on_a = axes_of(a_.form, &a_, [&](V2 n) {
+            return lowest(b_, n) + dot(n, offset_);
+        });
+        if (on_a.greatest() > reach || on_a.outer.edge < 0) return;
+        const Axes on_b = axes_of(b_, piece_b_, [&](V2 n) {
+            return lowest(a_.form, n) - dot(n, offset_);
+        });
+        if (on_b.greatest() > reach) return;
+        if (!in_front(a_, b_, offset_) || (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)))
+            return;
+        const float best = max(on_a.outer.separation, on_b.outer.separation);
+        if (max(on_a.inner, on_b.inner) > best + beyond) return;
+        if (on_b.outer.separation > on_a.outer.separation + face_preference)
+            push_with_b(on_b.outer);
+        else
+            push_with_a(on_a.outer.edge, on_a.outer.separation);
+    }
+
+  private:
+    /// More of it before the plane of a one-sided segment than behind.
+    static bool in_front(const Piece& piece, const Convex& other, V2 to_other) {
+        if (!piece.one_sided()) return true;
+        const V2 n = piece.form.normals[0];
+        const float low = lowest(other, n), high = -lowest(other, -n);
+        return 0.5f * (low + high) + dot(n, to_other) >= piece.form.offsets[0];
+    }
+
+    /// Along the normal of an edge of the piece.
+    void push_with_a(int edge, float separation) {
+        const V2 n = a_.form.normals[edge];
+        if (piece_b_ != nullptr) {
+            const int vertex = support(b_, -n);
+            if (piece_b_->judge(vertex, -n) == Piece::Verdict::leaves &&
+                !is_face(*piece_b_, vertex, -n))
+                return;
+        }
+        const int incident = incident_edge(b_, n);
+        if (separation > face_preference &&
+            corner_to_corner(a_.form, edge, b_, incident, offset_, false))
+            return;
+        clip_pieces(a_.form, edge, b_, incident, offset_, false);
+    }
+
+    /// Along the normal of an edge of the other shape: a corner of the outline is pushed.
+    void push_with_b(Axis axis) {
+        const V2 outwards = -b_.normals[axis.edge];
+        const int vertex = support(a_.form, outwards);
+        if (is_face(a_, vertex, outwards)) {
+            push_with_a(a_.edge_at(vertex, outwards), axis.separation);
+            return;
+        }
+        const Piece::Verdict verdict = a_.judge(vertex, outwards);
+        if (verdict == Piece::Verdict::leaves) return;
+        const int edge = a_.edge_at(vertex, outwards);
+        if (edge < 0) return;
+        if (verdict == Piece::Verdict::flat) {
+            push_with_a(edge, axis.separation);
+            return;
+        }
+        if (axis.separation > face_preference &&
+            corner_to_corner(b_, axis.edge, a_.form, edge, -offset_, true))
+            return;
+        clip_pieces(b_, axis.edge, a_.form, edge, -offset_, true);
+    }
+
+    /// Whether a direction is as good as that of an edge of the outline beside the vertex.
+    static bool is_face(const Piece& piece, int vertex, V2 direction) {
+        const int edge = piece.edge_at(vertex, direction);
+        return edge >= 0 && dot(piece.form.normals[edge], direction) > 1.0f - 1e-5f;
+    }
+
+    /// True when two corners are nearest to each other; the point is told if it is to be.
+    bool corner_to_corner(const Convex& reference, int edge, const Convex& other, int incident,
+                          V2 to_other, bool flipped) {
+        const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
+        const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
+        float s, t;
+        if (!nearest_ends(reference.vertices[edge], reference.vertices[edge2],
+                          other.vertices[incident] + to_other,
+                          other.vertices[incident2] + to_other, s, t))
+            return false;
+        const int r = s == 0.0f ? edge : edge2, o = t == 0.0f ? incident : incident2;
+        const V2 d = other.vertices[o] + to_other - reference.vertices[r];
+        const float distance = length(d);
+        const V2 n = reference.normals[edge];
+        if (!(std::fabs(cross(n, d)) > 1e-3f * distance)) return false;
+        const V2 direction = flipped ? (-1.0f / distance) * d : (1.0f / distance) * d;
+        const int on_a = flipped ? o : r, on_b = flipped ? r : o;
+        if (a_.judge(on_a, direction) != Piece::Verdict::pushes) return true;
+        if (piece_b_ != nullptr && piece_b_->judge(on_b, -direction) != Piece::Verdict::pushes)
+            return true;
+        one_point(a_.form.vertices[on_a], direction, distance, b_.radius, offset_, margin_,
+                  feature_of(on_a, on_b), m_);
+        m_.corner = distance;
+        return true;
+    }
+
+    /// As for plain polygons, but what is beside the edge is left to the next piece.
+    void clip_pieces(const Convex& reference, int edge, const Convex& other, int incident,
+                     V2 to_other, bool flipped) {
+        const FacingEdges edges(reference, edge, other, incident, to_other);
+        if (!edges.are_beside()) edges.clip(flipped, margin_, offset_, m_);
+    }
+
+    const Piece& a_;
+    const Convex& b_;
+    const Piece* piece_b_;
+    V2 offset_;
+    float margin_;
+    Manifold& m_;
+};
+
+}  // namespace
+
+void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, Manifold& m) {
+    m.count = 0;
+    m.corner = 0.0f;
+    const Piece a(piece);
+    if (other.kind == FormKind::ellipse) {
+        collide_ellipse(a, ellipse_of(other.form), offset, margin, m);
+    } else if (other.form.count == 1) {
+        collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin, m);
+    } else if (other.kind == FormKind::piece) {
+        const Piece b(other);
+        PolygonOnPiece(a, other.form, &b, offset, margin, m).collide();
+    } else {
+        PolygonOnPiece(a, other.form, nullptr, offset, margin, m).collide();
+    }
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <collision/manifold.h>
+
+#include <span>
+
+namespace fettle::physics::detail {
+
+/// How the vertices of a shape are meant. What is no plain convex form goes through
+/// `collide_unusual`, so that the common pairs ask one question.
+enum class FormKind : uint8_t {
+    convex,   ///< a convex polygon grown by a radius; one vertex: a circle, two: a capsule
+    border,   ///< a half-plane of the border
+    ellipse,  ///< its center; collision/ellipse.h tells where its axes are
+    piece,    ///< a convex part of a longer outline, see collision/piece.h
+    outline   ///< of many pieces, each a shape of its own: nothing collides with it itself
+};
+
+/// A shape of any kind but the border, where it is.
+struct Solid {
+    Convex form;
+    FormKind kind = FormKind::convex;
+    Rotation rotation = {};
+    const V2* limits = nullptr;   ///< of a piece
+    const V2* normals = nullptr;  ///< of a piece: of its edges, body coordinates
+};
+
+}  // namespace fettle::physics::detail

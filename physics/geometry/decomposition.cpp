@@ -1,0 +1,179 @@
+#include <geometry/decomposition.h>
+
+#include <algorithm>
+
+// Cutting along diagonals between vertices. Each cut starts at a reflex vertex and ends where it
+// mends most: best at another reflex vertex, so that both are convex in both halves; next best
+// anywhere in the wedge between the two edges prolonged, so that at least the first is (M. Bayazit,
+// "Decomposing polygons into convex regions", 2008, uses the same wedge). Of equals the shortest.
+// Finally, diagonals that turned out not to be needed are taken out again (S. Hertel and
+// K. Mehlhorn, "Fast triangulation of simple polygons", 1983).
+
+namespace fettle::physics::detail {
+namespace {
+
+using Indices = std::vector<uint32_t>;
+
+class Cutter {
+  public:
+    explicit Cutter(std::span<const V2> points) : p_(points) {
+        double extent = 0.0;
+        for (V2 p : points) extent = std::max(extent, double(length(p - points[0])));
+        tolerance_ = 1e-9 * extent * extent;
+    }
+
+    std::vector<Indices> cut() {
+        Indices all(p_.size());
+        for (uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+        std::vector<Indices> open{std::move(all)};
+        while (!open.empty()) {
+            Indices piece = std::move(open.back());
+            open.pop_back();
+            size_t from, to;
+            if (!best_cut(piece, from, to)) {
+                pieces_.push_back(std::move(piece));
+                continue;
+            }
+            const auto [low, high] = std::minmax(from, to);
+            Indices inner(piece.begin() + std::ptrdiff_t(low),
+                          piece.begin() + std::ptrdiff_t(high) + 1);
+            Indices outer(piece.begin() + std::ptrdiff_t(high), piece.end());
+            outer.insert(outer.end(), piece.begin(), piece.begin() + std::ptrdiff_t(low) + 1);
+            open.push_back(std::move(outer));
+            open.push_back(std::move(inner));
+        }
+        join();
+        return std::move(pieces_);
+    }
+
+  private:
+    double turn(uint32_t o, uint32_t a, uint32_t b) const {
+        const double ax = double(p_[a].x) - double(p_[o].x), ay = double(p_[a].y) - double(p_[o].y);
+        const double bx = double(p_[b].x) - double(p_[o].x), by = double(p_[b].y) - double(p_[o].y);
+        return ax * by - ay * bx;
+    }
+    static uint32_t before(const Indices& q, size_t i) { return q[(i + q.size() - 1) % q.size()]; }
+    static uint32_t after(const Indices& q, size_t i) { return q[(i + 1) % q.size()]; }
+    bool reflex(const Indices& q, size_t i) const {
+        return turn(before(q, i), q[i], after(q, i)) < -tolerance_;
+    }
+    /// Whether vertex k sees into the direction of `target` between its two edges.
+    bool opens_to(const Indices& q, size_t k, uint32_t target) const {
+        const double left = turn(before(q, k), q[k], target), right = turn(q[k], after(q, k), target);
+        return reflex(q, k) ? !(left <= 0.0 && right <= 0.0) : left > 0.0 && right > 0.0;
+    }
+    /// Whether a cut from k to `target` leaves no reflex angle at k.
+    bool mends(const Indices& q, size_t k, uint32_t target) const {
+        return turn(before(q, k), q[k], target) >= -tolerance_ &&
+               turn(target, q[k], after(q, k)) >= -tolerance_;
+    }
+    bool visible(const Indices& q, size_t i, size_t j) const {
+        const uint32_t a = q[i], b = q[j];
+        for (size_t k = 0; k < q.size(); ++k) {
+            const size_t l = (k + 1) % q.size();
+            if (k == i || k == j || l == i || l == j) continue;
+            const double ka = turn(a, b, q[k]), la = turn(a, b, q[l]);
+            if ((ka > 0.0 && la > 0.0) || (ka < 0.0 && la < 0.0)) continue;
+            const double ak = turn(q[k], q[l], a), bk = turn(q[k], q[l], b);
+            if ((ak > 0.0 && bk > 0.0) || (ak < 0.0 && bk < 0.0)) continue;
+            return false;
+        }
+        // The two edges at either end may lie on the way too.
+        for (size_t k : {(i + 1) % q.size(), (i + q.size() - 1) % q.size(), (j + 1) % q.size(),
+                         (j + q.size() - 1) % q.size()}) {
+            if (k == i || k == j || turn(a, b, q[k]) != 0.0) continue;
+            const V2 u = p_[b] - p_[a], v = p_[q[k]] - p_[a];
+            if (dot(u, v) > 0.0f && dot(v, v) < dot(u, u)) return false;
+        }
+        return true;
+    }
+
+    bool best_cut(const Indices& q, size_t& from, size_t& to) const {
+        struct Way {
+            int mended;
+            float length;
+            size_t from, to;
+        };
+        std::vector<Way> ways;
+        // All reflex vertices against all others while that is little; the first few of a long
+        // outline, whose cuts are short anyway.
+        size_t budget = 1u << 18;
+        bool any = false;
+        for (size_t i = 0; i < q.size() && (!any || budget >= q.size()); ++i) {
+            if (!reflex(q, i)) continue;
+            any = true;
+            budget -= std::min(budget, q.size());
+            for (size_t j = 0; j < q.size(); ++j) {
+                const size_t apart = i > j ? i - j : j - i;
+                if (apart < 2 || apart + 1 >= q.size()) continue;
+                if (!opens_to(q, i, q[j]) || !opens_to(q, j, q[i])) continue;
+                const int mended = int(mends(q, i, q[j])) + int(reflex(q, j) && mends(q, j, q[i]));
+                ways.push_back({mended, length(p_[q[i]] - p_[q[j]]), i, j});
+            }
+        }
+        std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
+            if (a.mended != b.mended) return a.mended > b.mended;
+            if (a.length != b.length) return a.length < b.length;
+            return a.from != b.from ? a.from < b.from : a.to < b.to;
+        });
+        for (const Way& way : ways) {
+            if (!visible(q, way.from, way.to)) continue;
+            from = way.from;
+            to = way.to;
+            return true;
+        }
+        return false;
+    }
+
+    /// Two pieces that share an edge, joined; empty when they would not be convex.
+    Indices joined(const Indices& a, size_t edge_a, const Indices& b, size_t edge_b) const {
+        Indices whole;
+        for (size_t k = 1; k <= a.size(); ++k) whole.push_back(a[(edge_a + k) % a.size()]);
+        for (size_t k = 2; k < b.size(); ++k) whole.push_back(b[(edge_b + k) % b.size()]);
+        for (size_t k : {size_t{0}, a.size() - 1})
+            if (turn(before(whole, k), whole[k], after(whole, k)) < -tolerance_) return {};
+        return whole;
+    }
+
+    bool join_one() {
+        for (size_t x = 0; x < pieces_.size(); ++x) {
+            const Indices& a = pieces_[x];
+            for (size_t i = 0; i < a.size(); ++i) {
+                const uint32_t from = a[i], to = after(a, i);
+                if (to == (from + 1) % p_.size()) continue;  // of the outline
+                for (size_t y = x + 1; y < pieces_.size(); ++y) {
+                    const Indices& b = pieces_[y];
+                    const auto at = std::find(b.begin(), b.end(), to);
+                    if (at == b.end()) continue;
+                    const auto k = size_t(at - b.begin());
+                    if (after(b, k) != from) continue;
+                    Indices whole = joined(a, i, b, k);
+                    if (whole.empty()) continue;
+                    pieces_[x] = std::move(whole);
+                    pieces_.erase(pieces_.begin() + std::ptrdiff_t(y));
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+    void join() {
+        constexpr size_t few = 256;  // of more, those joined would be lost among the others
+        if (pieces_.size() > few) return;
+        while (join_one()) {
+        }
+    }
+
+    std::span<const V2> p_;
+    double tolerance_ = 0.0;
+    std::vector<Indices> pieces_;
+};
+
+}  // namespace
+
+std::vector<std::vector<uint32_t>> convex_pieces(std::span<const V2> outline) {
+    if (outline.size() < 3) return {};
+    return Cutter(outline).cut();
+}
+
+}  // namespace fettle::physics::detail

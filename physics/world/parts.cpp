@@ -1,0 +1,190 @@
+#include <geometry/decomposition.h>
+#include <world/world_data.h>
+
+#include <algorithm>
+#include <cstring>
+
+// Outlines: chains and concave polygons. For the user one shape with one set of properties; for the
+// rest of the library a shape for every convex part, each with its own place in the tree, so that a
+// chain of ten thousand segments costs who slides along it no more than one of ten. A part is in
+// the pool with its vertices and, behind them, two unit normals a vertex: those of the edges of the
+// whole outline before and after it, none at a free end. collision/piece.h tells what they are for.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// The parts of an outline, one after the other: vertices, then limits.
+struct Parts {
+    std::vector<V2> values;
+    std::vector<uint32_t> counts;  ///< vertices of each
+};
+
+V2 normal_between(V2 from, V2 to) {
+    return normalized(right_perp(to - from));
+}
+
+/// Points nearer to the one before than this count once, m.
+constexpr float same_point = 1e-5f;
+
+std::vector<V2> distinct(std::span<const V2> points, bool closed) {
+    std::vector<V2> kept;
+    kept.reserve(points.size());
+    for (V2 p : points) {
+        const float near = same_point + 1e-6f * max(std::fabs(p.x), std::fabs(p.y));
+        if (kept.empty() || length(p - kept.back()) > near) kept.push_back(p);
+    }
+    while (closed && kept.size() > 1 && length(kept.back() - kept.front()) <= same_point)
+        kept.pop_back();
+    return kept;
+}
+
+/// Solid on its left: each segment is a piece that runs against the chain, with its outward normal
+/// first.
+Parts chain_parts(std::span<const V2> points, bool closed) {
+    const std::vector<V2> p = distinct(points, closed);
+    const size_t n = p.size();
+    Parts parts;
+    if (n < 2) return parts;
+    closed = closed && n > 2;
+    const size_t segments = closed ? n : n - 1;
+    std::vector<V2> normals(segments);
+    for (size_t i = 0; i < segments; ++i) normals[i] = normal_between(p[(i + 1) % n], p[i]);
+    parts.values.reserve(6 * segments);
+    parts.counts.assign(segments, 2);
+    for (size_t i = 0; i < segments; ++i) {
+        const V2 before = i > 0 ? normals[i - 1] : (closed ? normals.back() : V2{});
+        const V2 after = i + 1 < segments ? normals[i + 1] : (closed ? normals.front() : V2{});
+        for (V2 v : {p[(i + 1) % n], p[i], after, normals[i], normals[i], before})
+            parts.values.push_back(v);
+    }
+    return parts;
+}
+
+/// Without vertices that are on the line of their neighbours: a piece has one edge where the outline
+/// has several in a row.
+std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std::vector<V2>& p) {
+    std::vector<uint32_t> kept = piece;
+    for (size_t i = 0; i < kept.size() && kept.size() > 3;) {
+        const size_t n = kept.size();
+        const V2 a = p[kept[(i + n - 1) % n]], b = p[kept[i]], c = p[kept[(i + 1) % n]];
+        const V2 chord = c - a;
+        if (std::fabs(cross(chord, b - a)) <= 1e-5f * length_squared(chord))
+            kept.erase(kept.begin() + std::ptrdiff_t(i));
+        else
+            ++i;
+    }
+    return kept;
+}
+
+/// Whether a piece goes from one vertex to another along the outline of n vertices.
+bool on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, uint32_t n) {
+    auto at = size_t(std::find(piece.begin(), piece.end(), from) - piece.begin());
+    for (uint32_t vertex = from; vertex != to;) {
+        at = (at + 1) % piece.size();
+        if (piece[at] != (vertex + 1) % n) return false;
+        vertex = piece[at];
+    }
+    return true;
+}
+
+Parts concave_parts(std::span<const V2> points) {
+    std::vector<V2> p = distinct(points, true);
+    Parts parts;
+    if (p.size() < 3) return parts;
+    if (signed_area(p) < 0.0) std::reverse(p.begin(), p.end());
+    const auto n = uint32_t(p.size());
+    std::vector<V2> normals(n);
+    for (uint32_t i = 0; i < n; ++i) normals[i] = normal_between(p[i], p[(i + 1) % n]);
+    for (const std::vector<uint32_t>& whole : convex_pieces(p)) {
+        const std::vector<uint32_t> piece = without_flat(whole, p);
+        const size_t count = piece.size(), begin = parts.values.size();
+        parts.counts.push_back(uint32_t(count));
+        for (uint32_t i : piece) parts.values.push_back(p[i]);
+        for (uint32_t i : piece) {
+            parts.values.push_back(normals[(i + n - 1) % n]);
+            parts.values.push_back(normals[i]);
+        }
+        // An edge of the outline is told by its normal, to the bit.
+        V2* limits = &parts.values[begin + count];
+        for (size_t k = 0; k < count; ++k) {
+            const size_t next = (k + 1) % count;
+            const V2 own = normal_between(p[piece[k]], p[piece[next]]);
+            if (!on_outline(whole, piece[k], piece[next], n)) continue;
+            limits[2 * k + 1] = own;
+            limits[2 * next] = own;
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+/// Takes over the points; the parts are made when somebody needs them.
+void WorldData::write_outline(uint32_t shape, std::span<const Vec2> points) {
+    reserve_vertices(shape, uint32_t(points.size()));
+    shapes[shape].outline = uint32_t(points.size());
+    for (size_t i = 0; i < points.size(); ++i)
+        pool.local[forms[shape].begin + i] = to_v2(points[i]);
+    mark_geometry(shape);
+}
+
+void WorldData::rebuild_parts(uint32_t shape) {
+    const bool chain = shapes[shape].type == ShapeType::chain;
+    const Parts parts =
+        chain ? chain_parts(outline_of(shape), shapes[shape].closed) : concave_parts(outline_of(shape));
+    uint32_t last = none, part = shapes[shape].first_part;
+    const V2* values = parts.values.data();
+    for (const uint32_t count : parts.counts) {
+        if (part == none) {
+            part = new_shape();
+            shapes[part].type = shapes[shape].type;
+            shapes[part].surface = shapes[shape].surface;
+            shapes[part].owner = shape;
+            forms[part].kind = FormKind::piece;
+            (last == none ? shapes[shape].first_part : shapes[last].next_part) = part;
+            if (forms[shape].body != none) attach_shape(part, forms[shape].body);
+        }
+        const size_t size = 3 * size_t{count} * sizeof(V2);
+        // What an edit elsewhere left as it was keeps its contacts undisturbed.
+        if (forms[part].count != count ||
+            std::memcmp(&pool.local[forms[part].begin], values, size) != 0) {
+            reserve_vertices(part, 3 * count);
+            forms[part].count = count;
+            std::memcpy(&pool.local[forms[part].begin], values, size);
+            mark_geometry(part);
+        }
+        values += 3 * count;
+        last = part;
+        part = shapes[part].next_part;
+    }
+    drop_parts(shape, last);
+    // Exact: of the whole outline, whatever it was cut into.
+    ShapeRecord& record = shapes[shape];
+    if (chain) {
+        record.moments = moments_of(outline_of(shape).first(std::min(record.outline, 2u)), 0.0f);
+    } else {
+        std::vector<V2> points(outline_of(shape).begin(), outline_of(shape).end());
+        if (signed_area(points) < 0.0) std::reverse(points.begin(), points.end());
+        record.moments = moments_of(points, 0.0f);
+    }
+}
+
+/// Destroys the parts behind `last`; none: all.
+void WorldData::drop_parts(uint32_t shape, uint32_t last) {
+    uint32_t part = last == none ? shapes[shape].first_part : shapes[last].next_part;
+    (last == none ? shapes[shape].first_part : shapes[last].next_part) = none;
+    while (part != none) {
+        const uint32_t next = shapes[part].next_part;
+        destroy_shape(part);
+        part = next;
+    }
+}
+
+/// An edit of the surface is one of all parts.
+void WorldData::share_surface(uint32_t shape) {
+    if (is_solid(shape)) return;
+    for_each_solid(shape,
+                   [&](uint32_t part) { shapes[part].surface = shapes[shape].surface; });
+}
+
+}  // namespace fettle::physics::detail
