@@ -895,7 +895,7 @@ Body = {}
 ---@field sensor boolean Tells what overlaps it, and pushes nothing. · true or false · default false
 ---@field surface_speed number A conveyor belt: how fast the surface runs, counter-clockwise round the shape. · m/s · any finite number · default 0
 ---@field visible boolean Whether it is drawn; it collides all the same. · true or false · default true
----@field world_vertices vec[] Its corners in the world, without rounding; a circle has none. · m · any length · read-only, simulated
+---@field world_vertices vec[] Its corners or points in the world, without rounding; a circle or an ellipse has none. · m · any length · read-only, simulated
 local fettle_Shape = {}
 
 ---Calls the function when the event happens to it.
@@ -979,6 +979,40 @@ function fettle_Polygon:add_vertex(point) end
 ---@class Class.Polygon : Class
 ---@overload fun(members?: table): Polygon
 Polygon = {}
+
+---An ellipse, exactly.
+---@class Ellipse : Shape
+---@field angle number How far it is turned on its body, counter-clockwise. · rad · any finite number · default 0
+---@field center vec Its middle, in the body's coordinates. · m · any finite vec · default vec(0, 0)
+---@field radius_x number Half its width, before it is turned. · m · 0.00001 to 1000000 · default 0.5
+---@field radius_y number Half its height, before it is turned. · m · 0.00001 to 1000000 · default 0.25
+local fettle_Ellipse = {}
+
+---An ellipse, exactly.
+---@class Class.Ellipse : Class
+---@overload fun(members?: table): Ellipse
+Ellipse = {}
+
+---A polygon that may be concave. It collides in convex pieces, and is one shape all the same.
+---@class Concave : Shape
+---@field vertices vec[] Its corners in the body's coordinates, in either sense of rotation. An outline that crosses or touches itself is refused, and so is a hole. · m · any length · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
+local fettle_Concave = {}
+
+---A polygon that may be concave. It collides in convex pieces, and is one shape all the same.
+---@class Class.Concave : Class
+---@overload fun(members?: table): Concave
+Concave = {}
+
+---A line of segments without seams, solid on its left: points from left to right are ground, a closed counter-clockwise chain holds what is inside. From behind everything passes.
+---@class Chain : Shape
+---@field closed boolean Whether it goes on from the last point to the first. · true or false · default false
+---@field points vec[] In the body's coordinates. · m · any length · default {vec(-0.5, 0), vec(0.5, 0)}
+local fettle_Chain = {}
+
+---A line of segments without seams, solid on its left: points from left to right are ground, a closed counter-clockwise chain holds what is inside. From behind everything passes.
+---@class Class.Chain : Class
+---@overload fun(members?: table): Chain
+Chain = {}
 
 ---It bore more than its break_force or break_torque.
 ---@class Joint.broke

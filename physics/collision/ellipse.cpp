@@ -129,7 +129,7 @@ EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offse
     const V2 v1 = other.vertices[edge] + offset, v2 = other.vertices[next] + offset;
     const V2 deepest = ellipse.support(-n);
     const V2 along = v2 - v1;
-    const bool before = dot(deepest - v1, along) < 0.0f, after = dot(deepest - v2, along) > 0.0f;
+    const bool before = dot(deepest - v1, along)<0.0f, after = dot(deepest - v2, along)> 0.0f;
     if (before || after) {
         const int vertex = before ? edge : next;
         const int previous = vertex > 0 ? vertex - 1 : other.count - 1;
@@ -184,7 +184,8 @@ EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 
     V2 low = directions[(best + count - 1) % count], high = directions[(best + 1) % count];
     V2 d = directions[best];
     for (int round = 0; round < 32; ++round) {
-        const V2 chord = c + (other.support(-d) - other.center) - (ellipse.support(d) - ellipse.center);
+        const V2 chord =
+            c + (other.support(-d) - other.center) - (ellipse.support(d) - ellipse.center);
         const float slope = cross(d, chord);
         (slope > 0.0f ? low : high) = d;
         const V2 middle = normalized(low + high);

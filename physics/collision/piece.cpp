@@ -26,7 +26,8 @@ Piece::Verdict Piece::judge(int vertex, V2 direction) const {
         const V2 front = sign_of(before) == 0.0f ? after : before;
         return dot(front, d) >= 0.0f ? Verdict::pushes : Verdict::leaves;
     }
-    if (cross(before, after) <= flat && !(dot(before, after) < 0.0f && cross(before, after) > -flat))
+    if (cross(before, after) <= flat &&
+        !(dot(before, after) < 0.0f && cross(before, after) > -flat))
         return Verdict::flat;
     const bool between = cross(before, d) >= -flat && cross(d, after) >= -flat;
     if (!between || dot(before + after, d) < 0.0f) return Verdict::leaves;
@@ -180,13 +181,11 @@ class PolygonOnPiece {
 
     void collide() {
         const float reach = b_.radius + margin_;
-        const Axes on_a = axes_of(a_.form, &a_, [&](V2 n) {
-            return lowest(b_, n) + dot(n, offset_);
-        });
+        const Axes on_a =
+            axes_of(a_.form, &a_, [&](V2 n) { return lowest(b_, n) + dot(n, offset_); });
         if (on_a.greatest() > reach || on_a.outer.edge < 0) return;
-        const Axes on_b = axes_of(b_, piece_b_, [&](V2 n) {
-            return lowest(a_.form, n) - dot(n, offset_);
-        });
+        const Axes on_b =
+            axes_of(b_, piece_b_, [&](V2 n) { return lowest(a_.form, n) - dot(n, offset_); });
         if (on_b.greatest() > reach) return;
         if (!in_front(a_, b_, offset_) || (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)))
             return;
@@ -258,8 +257,8 @@ class PolygonOnPiece {
         const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
         float s, t;
         if (!nearest_ends(reference.vertices[edge], reference.vertices[edge2],
-                          other.vertices[incident] + to_other,
-                          other.vertices[incident2] + to_other, s, t))
+                          other.vertices[incident] + to_other, other.vertices[incident2] + to_other,
+                          s, t))
             return false;
         const int r = s == 0.0f ? edge : edge2, o = t == 0.0f ? incident : incident2;
         const V2 d = other.vertices[o] + to_other - reference.vertices[r];

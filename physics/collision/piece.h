@@ -32,9 +32,9 @@ class Piece {
     }
 
     enum class Verdict {
-        pushes,   ///< its corner, and its to tell
-        leaves,   ///< to another piece
-        flat      ///< no corner that sticks out: the edge beside it pushes
+        pushes,  ///< its corner, and its to tell
+        leaves,  ///< to another piece
+        flat     ///< no corner that sticks out: the edge beside it pushes
     };
     /// Of a push along `direction` (unit, outwards) at a vertex.
     Verdict judge(int vertex, V2 direction) const;

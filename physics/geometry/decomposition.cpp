@@ -59,7 +59,8 @@ class Cutter {
     }
     /// Whether vertex k sees into the direction of `target` between its two edges.
     bool opens_to(const Indices& q, size_t k, uint32_t target) const {
-        const double left = turn(before(q, k), q[k], target), right = turn(q[k], after(q, k), target);
+        const double left = turn(before(q, k), q[k], target),
+                     right = turn(q[k], after(q, k), target);
         return reflex(q, k) ? !(left <= 0.0 && right <= 0.0) : left > 0.0 && right > 0.0;
     }
     /// Whether a cut from k to `target` leaves no reflex angle at k.

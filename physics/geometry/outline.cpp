@@ -75,8 +75,8 @@ std::optional<std::string> meeting(const Edge& e, const Edge& f) {
     if ((ea > 0.0) != (eb > 0.0) && (fa > 0.0) != (fb > 0.0) && ea != 0.0 && eb != 0.0 &&
         fa != 0.0 && fb != 0.0)
         return name(e) + " crosses " + name(f) + " at " + name(crossing(e, f));
-    const bool overlap = on_line && (between(f.a, e.a, e.b) || between(f.b, e.a, e.b) ||
-                                     between(e.a, f.a, f.b));
+    const bool overlap =
+        on_line && (between(f.a, e.a, e.b) || between(f.b, e.a, e.b) || between(e.a, f.a, f.b));
     if (overlap) return name(e) + " and " + name(f) + " overlap" + no_hole;
     if (ea == 0.0 && between(f.a, e.a, e.b))
         return "vertex " + number(f.from) + " touches " + name(e) + " at " + name(f.a) + no_hole;
@@ -103,8 +103,7 @@ std::optional<std::string> outline_problem(std::span<const V2> outline) {
     const auto n = uint32_t(outline.size());
     for (uint32_t i = 0; i < n; ++i) {
         const uint32_t next = (i + 1) % n;
-        if (!same(outline[i], outline[next]))
-            edges.push_back({i, next, outline[i], outline[next]});
+        if (!same(outline[i], outline[next])) edges.push_back({i, next, outline[i], outline[next]});
     }
     if (edges.size() < 3) return "a concave polygon needs at least three different vertices";
     // Only edges whose extents along x overlap can meet: a sweep from left to right.
@@ -127,8 +126,7 @@ std::optional<std::string> outline_problem(std::span<const V2> outline) {
         open.push_back(e);
     }
     double extent = 0.0;
-    for (V2 p : outline)
-        extent = std::max(extent, double(length(p - outline[0])));
+    for (V2 p : outline) extent = std::max(extent, double(length(p - outline[0])));
     if (!(std::fabs(signed_area(outline)) > 1e-7 * extent * extent))
         return "the vertices of the polygon lie on one line";
     return {};

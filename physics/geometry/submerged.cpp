@@ -118,16 +118,16 @@ AreaPart part_of_ellipse(const EllipseForm& e, V2 normal, double depth) {
     const Convex circle = {&origin, nullptr, nullptr, 1, 1.0f};
     const double height = (depth - double(dot(normal, e.center))) / double(reach);
     const AreaPart part = part_below(circle, n, height);
-    return {part.area * double(e.first) * double(e.second),
-            e.center + (e.first * part.centroid.x) * e.axis + (e.second * part.centroid.y) * across};
+    return {
+        part.area * double(e.first) * double(e.second),
+        e.center + (e.first * part.centroid.x) * e.axis + (e.second * part.centroid.y) * across};
 }
 
 }  // namespace
 
 AreaPart part_below(const Solid& shape, V2 normal, double depth) {
-    return shape.kind == FormKind::ellipse
-               ? part_of_ellipse(ellipse_of(shape.form), normal, depth)
-               : part_below(shape.form, normal, depth);
+    return shape.kind == FormKind::ellipse ? part_of_ellipse(ellipse_of(shape.form), normal, depth)
+                                           : part_below(shape.form, normal, depth);
 }
 
 }  // namespace fettle::physics::detail

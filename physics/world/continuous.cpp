@@ -27,8 +27,7 @@ Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
     if (obstacle.kind == FormKind::piece) {
         // From behind, everything passes.
         const Piece piece(obstacle);
-        if (piece.one_sided() &&
-            (!piece.faces(from) || dot(obstacle.form.normals[0], way) >= 0.0f))
+        if (piece.one_sided() && (!piece.faces(from) || dot(obstacle.form.normals[0], way) >= 0.0f))
             return {};
     }
     Convex grown = obstacle.form;
@@ -51,12 +50,11 @@ float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 ce
         // Where the farthest vertex arrives, turning left aside.
         float reach = 0.0f;
         const Solid shape = solid(s);
-        if (shape.kind == FormKind::ellipse)
-            reach = ellipse_of(shape.form).reach(plane.normal);
+        if (shape.kind == FormKind::ellipse) reach = ellipse_of(shape.form).reach(plane.normal);
         for (int i = 0; i < shape.form.count; ++i) {
-            reach = max(reach,
-                        -dot(plane.normal, shape.form.vertices[i] + record.center - centroid) +
-                            shape.form.radius);
+            reach =
+                max(reach, -dot(plane.normal, shape.form.vertices[i] + record.center - centroid) +
+                               shape.form.radius);
         }
         const float arrival = (before + core - reach - arrival_gap) / (before - after);
         return clamp(arrival, 0.0f, before / (before - after));

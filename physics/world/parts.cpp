@@ -60,8 +60,8 @@ Parts chain_parts(std::span<const V2> points, bool closed) {
     return parts;
 }
 
-/// Without vertices that are on the line of their neighbours: a piece has one edge where the outline
-/// has several in a row.
+/// Without vertices that are on the line of their neighbours: a piece has one edge where the
+/// outline has several in a row.
 std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std::vector<V2>& p) {
     std::vector<uint32_t> kept = piece;
     for (size_t i = 0; i < kept.size() && kept.size() > 3;) {
@@ -130,8 +130,8 @@ void WorldData::write_outline(uint32_t shape, std::span<const Vec2> points) {
 
 void WorldData::rebuild_parts(uint32_t shape) {
     const bool chain = shapes[shape].type == ShapeType::chain;
-    const Parts parts =
-        chain ? chain_parts(outline_of(shape), shapes[shape].closed) : concave_parts(outline_of(shape));
+    const Parts parts = chain ? chain_parts(outline_of(shape), shapes[shape].closed)
+                              : concave_parts(outline_of(shape));
     uint32_t last = none, part = shapes[shape].first_part;
     const V2* values = parts.values.data();
     for (const uint32_t count : parts.counts) {
@@ -183,8 +183,7 @@ void WorldData::drop_parts(uint32_t shape, uint32_t last) {
 /// An edit of the surface is one of all parts.
 void WorldData::share_surface(uint32_t shape) {
     if (is_solid(shape)) return;
-    for_each_solid(shape,
-                   [&](uint32_t part) { shapes[part].surface = shapes[shape].surface; });
+    for_each_solid(shape, [&](uint32_t part) { shapes[part].surface = shapes[shape].surface; });
 }
 
 }  // namespace fettle::physics::detail

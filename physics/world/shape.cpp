@@ -234,8 +234,8 @@ bool Shape::contains(const Vec2& world_point) const {
     data.refresh();
     if (record.type == ShapeType::border) return false;
     bool inside = false;
-    data.for_each_solid(
-        id_.index, [&](uint32_t s) { inside |= data.shape_contains(s, to_v2(world_point)); });
+    data.for_each_solid(id_.index,
+                        [&](uint32_t s) { inside |= data.shape_contains(s, to_v2(world_point)); });
     return inside;
 }
 

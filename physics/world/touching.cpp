@@ -48,9 +48,8 @@ void WorldData::set_touching(uint32_t slot, bool touching) {
             tell_touching(c, false);
         return;
     }
-    const auto gone = std::find_if(parted.begin(), parted.end(), [&](const ContactRecord& d) {
-        return same_pair(c, d);
-    });
+    const auto gone = std::find_if(parted.begin(), parted.end(),
+                                   [&](const ContactRecord& d) { return same_pair(c, d); });
     if (gone != parted.end()) {
         parted.erase(gone);  // only gone on to another part
         return;

@@ -85,8 +85,7 @@ Fault check_bodies(const WorldData& data) {
             if (record.island == none) return "body " + number(body) + " sleeps in no island";
         }
         uint32_t shapes = 0;
-        for (uint32_t shape = record.first_shape; shape != none;
-             shape = data.shapes[shape].next) {
+        for (uint32_t shape = record.first_shape; shape != none; shape = data.shapes[shape].next) {
             shapes += data.shapes[shape].owner == none;
             if (data.forms[shape].body != body)
                 return "shape " + number(shape) + " is listed in another body";
