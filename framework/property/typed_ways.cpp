@@ -84,7 +84,9 @@ template <class T>
                                         typename Typed<T>::Passed value, const Node& node) {
     if (property.shortcut.write == by_call<T>) [[likely]] {
         try {
-            if (!typed_way<T>(property.binding).put(property.binding, node.row, value)) return true;
+            const Put put = typed_way<T>(property.binding).put(property.binding, node.row, value);
+            if (put != Put::done) [[unlikely]]
+                return put == Put::same;
         } catch (const std::invalid_argument& refusal) {
             refused(s, instance, property, refusal);
         }
@@ -133,8 +135,7 @@ void Tree::State::tell_untold() {
     const std::span<const PlainWrite> told(untold.first.get(), untold.next);
     // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
     untold.next = untold.first.get();
-    for (const PlainWrite& write : told)
-        writes.note(write.instance, write.property->symbol, writer, step);
+    writes.note(told, writer, step);
     if (replaying) return;
     for (Observer* observer : observers) observer->wrote_plain(told);
 }

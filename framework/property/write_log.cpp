@@ -1,5 +1,6 @@
 #include <fettle/property/write_log.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <exception>
@@ -73,26 +74,31 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
     to.put(property.symbol.id());
 }
 
-// What scripts write most: room for all of them at once, then nothing but copies.
+// What scripts write most: put together in the nearest cache, then appended at once.
 void WriteLog::wrote_plain(std::span<const PlainWrite> writes) {
     if (!notes()) return;
-    constexpr std::size_t head = sizeof(Did) + sizeof(Handle) + sizeof(Symbol);
-    const std::size_t before = bytes_.size();
-    bytes_.resize(before + writes.size() * (head + 2 * sizeof(double)));
-    std::byte* to = bytes_.data() + before;
-    const auto add = [&to](const auto& field) {
-        std::memcpy(to, &field, sizeof field);
-        to += sizeof field;
-    };
-    for (const PlainWrite& write : writes) {
-        const bool vector = write.property->type == Type::vec2;
-        add(vector ? Did::vector : Did::number);
-        add(write.instance);
-        add(write.property->symbol);
-        add(write.x);
-        if (vector) add(write.y);
+    constexpr std::size_t longest =
+        sizeof(Did) + sizeof(Handle) + sizeof(Symbol) + 2 * sizeof(double);
+    constexpr std::size_t at_once = 128;
+    std::byte piece[at_once * longest];
+    while (!writes.empty()) {
+        std::byte* to = piece;
+        const auto add = [&to](const auto& field) {
+            std::memcpy(to, &field, sizeof field);
+            to += sizeof field;
+        };
+        const std::size_t count = std::min(writes.size(), at_once);
+        for (const PlainWrite& write : writes.first(count)) {
+            const bool vector = write.property->type == Type::vec2;
+            add(vector ? Did::vector : Did::number);
+            add(write.instance);
+            add(write.property->symbol);
+            add(write.x);
+            if (vector) add(write.y);
+        }
+        bytes_.insert(bytes_.end(), piece, to);
+        writes = writes.subspan(count);
     }
-    bytes_.resize(static_cast<std::size_t>(to - bytes_.data()));
 }
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {

@@ -1,6 +1,25 @@
 #include "writes_log.h"
 
+#include <algorithm>
+
 namespace fettle::property {
+
+void WritesLog::append(std::span<const PlainWrite> writes, std::uint64_t in_common) {
+    Write* to = ring_.get() + next_;
+    for (const PlainWrite& write : writes)
+        *to++ = {write.instance.index, write.property->symbol.id(),
+                 in_common | std::uint64_t{write.instance.generation & 0xffffu} << 8};
+    next_ = (next_ + writes.size()) % most;
+}
+
+void WritesLog::note(std::span<const PlainWrite> writes, Writer writer, std::uint64_t step) {
+    const std::uint64_t in_common = pack({}, writer, step);
+    while (!writes.empty()) {
+        const std::size_t fit = std::min(writes.size(), most - next_);
+        append(writes.first(fit), in_common);
+        writes = writes.subspan(fit);
+    }
+}
 
 Provenance WritesLog::find(Handle instance, Symbol property) const {
     Provenance out;

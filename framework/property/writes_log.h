@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include <fettle/property/history.h>
+#include <fettle/property/observer.h>
 
 #include "watchers.h"
 
@@ -22,6 +24,8 @@ class WritesLog {
         ring_.get()[next_] = {instance.index, property.id(), pack(instance, writer, step)};
         next_ = (next_ + 1) % most;
     }
+    /// Several by one writer in one step: what scripts write most.
+    void note(std::span<const PlainWrite> writes, Writer writer, std::uint64_t step);
     void note_in_full(Handle instance, Symbol property, const Cause& cause) {
         if (full_.size() >= most) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause};
@@ -40,6 +44,8 @@ class WritesLog {
         return step << 24 | std::uint64_t{instance.generation & 0xffffu} << 8 |
                static_cast<std::uint64_t>(writer);
     }
+    /// No more than fit before the end of the ring.
+    void append(std::span<const PlainWrite> writes, std::uint64_t in_common);
 
     // Zeroed by the system as it is first touched, so that a game which writes little has little of
     // it. Zero is nobody's index.

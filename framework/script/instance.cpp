@@ -77,10 +77,7 @@ void push_property(lua_State* L, Machine& machine, Handle instance, const Proper
         default:
             break;
     }
-    if (value.is(Type::vec2) && property.binding.kind != property::BindingKind::ad_hoc)
-        push_vec(L, value.vec2(), instance, property);
-    else
-        push_other(L, value, instance, property);
+    push_other(L, value, instance, property);
 }
 
 // Which way a declared property is read and written.
@@ -185,6 +182,15 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
     throw Error(ErrorKind::wrong_type, "needs an instance, not " + describe_type(L, 1));
 }
 
+[[gnu::noinline]] int read_at_length(lua_State* L, Machine& machine, const InstanceBox& self,
+                                     const Dispatch& slot) {
+    if (!slot.is_property()) return read_slowly(L, machine, self);
+    push_property(L, machine, self.handle, *slot.property);
+    return 1;
+}
+
+constexpr int vec_metatable = lua_upvalueindex(1);  // of `__index`
+
 int instance_index(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     if (!self || self->tag != Tag::instance) no_self(L);
@@ -203,15 +209,11 @@ int instance_index(lua_State* L) {
     } else if (slot.member == Member::vec2) {
         Vec2 vector;
         if (machine.tree.read(self->handle, *slot.property, vector)) [[likely]] {
-            push_vec(L, vector, self->handle, *slot.property);
+            push_vec(L, vector, self->handle, *slot.property, vec_metatable);
             return 1;
         }
     }
-    if (slot.is_property()) {
-        push_property(L, machine, self->handle, *slot.property);
-        return 1;
-    }
-    return read_slowly(L, machine, *self);
+    return read_at_length(L, machine, *self, slot);
 }
 
 // --- Writing
@@ -289,30 +291,46 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     return 0;
 }
 
+/// A declared property whose value is none of the common, or another member.
+[[gnu::noinline]] int write_at_length(lua_State* L, const InstanceBox& self) {
+    Machine& machine = machine_of(L);
+    const void* key = lua_topointer(L, 2);
+    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
+    const bool known = slot.key == key && slot.instance_class == self.instance_class;
+    if (known && slot.is_property() && !machine.recording.active &&
+        write_simple(L, machine, self.handle, *slot.property))
+        return 0;
+    return write_slowly(L, machine, self);
+}
+
+/// Writes what most writes write. The value comes from the stack first: nothing but it and `self`
+/// is then kept over a call.
+template <class T>
+[[gnu::always_inline]] inline bool write_at_once(lua_State* L, const InstanceBox& self, Member kind,
+                                                 const T& value) {
+    const void* key = lua_topointer(L, 2);
+    Machine& machine = machine_of(L);
+    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
+    return slot.key == key && slot.instance_class == self.instance_class && slot.member == kind &&
+           !machine.recording.active && machine.tree.write(self.handle, *slot.property, value);
+}
+
 int instance_newindex(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     if (!self || self->tag != Tag::instance) no_self(L);
-    Machine& machine = machine_of(L);
-    const void* key = lua_topointer(L, 2);
-    const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-    if (slot.key != key || slot.instance_class != self->instance_class || machine.recording.active)
-        [[unlikely]]
-        return write_slowly(L, machine, *self);
-    if (slot.member == Member::number) {
-        if (lua_type(L, 3) == LUA_TNUMBER) [[likely]] {
-            const auto number = static_cast<double>(lua_tonumber(L, 3));
-            // A greater integer may be none that a number can be.
-            const bool exact = std::abs(number) <= exact_in_float || !lua_isinteger(L, 3);
-            if (exact && machine.tree.write(self->handle, *slot.property, number)) return 0;
-        }
-    } else if (slot.member == Member::vec2) {
+    const int type = lua_type(L, 3);
+    if (type == LUA_TNUMBER) [[likely]] {
+        const auto number = static_cast<double>(lua_tonumber(L, 3));
+        // A greater integer may be none that a number can be.
+        const bool exact = std::abs(number) <= exact_in_float || !lua_isinteger(L, 3);
+        if (exact && write_at_once(L, *self, Member::number, number)) [[likely]]
+            return 0;
+    } else if (type == LUA_TUSERDATA) {
         const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
-        if (box != nullptr && box->tag == Tag::vec &&
-            machine.tree.write(self->handle, *slot.property, Vec2(box->x, box->y)))
+        if (box->tag == Tag::vec && write_at_once(L, *self, Member::vec2, Vec2(box->x, box->y)))
             return 0;
     }
-    if (slot.is_property() && write_simple(L, machine, self->handle, *slot.property)) return 0;
-    return write_slowly(L, machine, *self);
+    return write_at_length(L, *self);
 }
 
 // --- The other metamethods
@@ -382,7 +400,9 @@ void open_instance(lua_State* L, Machine& machine) {
     // Roomier than it need be: Lua looks `__index` and `__newindex` up at each use of an instance,
     // and in a full table they may stand behind others.
     lua_createtable(L, 0, 64);
-    add_function<instance_index>(L, "__index");
+    push_registry(L, machine.vec_meta);
+    lua_pushcclosure(L, guarded<instance_index>, 1);
+    lua_setfield(L, -2, "__index");
     add_function<instance_newindex>(L, "__newindex");
     add_function<instance_tostring>(L, "__tostring");
     add_function<instance_length>(L, "__len");

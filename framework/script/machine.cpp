@@ -48,6 +48,7 @@ int open_all(lua_State* L) {
     machine.loaded = new_table(L, nullptr);
     machine.killed = new_table(L, "k");
     machine.last_result = new_table(L, nullptr);
+    define_vec(L, machine);
     open_instance(L, machine);
     open_sets(L, machine);
     open_records(L, machine);

@@ -105,7 +105,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_saves(L);
     open_time(L);
     open_help(L);
-    open_vec(L, machine);
+    open_vec(L);
     open_color(L, machine);
     open_list(L, machine);
     open_globals(L, machine);

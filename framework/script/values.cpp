@@ -55,8 +55,11 @@ void push_vec(lua_State* L, const Vec2& v, const Origin& origin) {
     new (&box->origin) Origin(origin);
 }
 
-void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& property) {
-    auto* box = new_box<VecBox>(L, sizeof(VecBox), machine_of(L).vec_meta);
+void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& property,
+              int metatable) {
+    auto* box = static_cast<VecBox*>(lua_newuserdatauv(L, sizeof(VecBox), 0));
+    lua_pushvalue(L, metatable);
+    lua_setmetatable(L, -2);
     box->tag = Tag::vec;
     box->has_origin = true;
     box->x = v.x();

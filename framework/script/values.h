@@ -92,8 +92,10 @@ double check_number(lua_State* L, int index, const char* what);
 
 void push_vec(lua_State* L, const property::Vec2& v);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);
+/// As read from a property: what scripts do most with vectors. `metatable` is where that of
+/// vectors stands, an upvalue of the caller.
 void push_vec(lua_State* L, const property::Vec2& v, property::Handle instance,
-              const property::Property& property);
+              const property::Property& property, int metatable);
 void push_color(lua_State* L, property::Color color);
 void push_color(lua_State* L, property::Color color, const Origin& origin);
 /// The one proxy of the instance; nil for the null handle.
@@ -119,7 +121,9 @@ void origin_write(Machine& machine, const Origin& origin, const char* component,
 /// "world.ball.vertices[2]"
 std::string origin_path(Machine& machine, const Origin& origin);
 
-void open_vec(lua_State* L, Machine& machine);
+/// The metatable of vectors, which reading a property needs; then what makes one.
+void define_vec(lua_State* L, Machine& machine);
+void open_vec(lua_State* L);
 void open_color(lua_State* L, Machine& machine);
 void open_list(lua_State* L, Machine& machine);
 

@@ -221,7 +221,7 @@ int vec_make(lua_State* L) {
 
 }  // namespace
 
-void open_vec(lua_State* L, Machine& machine) {
+void define_vec(lua_State* L, Machine& machine) {
     lua_newtable(L);
     add_function<vec_index>(L, "__index");
     add_function<vec_newindex>(L, "__newindex");
@@ -243,6 +243,9 @@ void open_vec(lua_State* L, Machine& machine) {
     lua_setfield(L, -2, "methods");
     name_metatable(L, "vec");
     machine.vec_meta = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+void open_vec(lua_State* L) {
     add_function<vec_make>(L, "vec");
 }
 

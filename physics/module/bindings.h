@@ -61,9 +61,24 @@ template <class Get, class Set>
 void put_numbers(Binding& binding, Get, Set) {
     binding.number.put = [](const Binding& self, Row row, double value) {
         auto& h = *static_cast<Hosting*>(self.context);
-        if (property::same_bits(static_cast<double>(Get{}(h, row)), value)) return false;
+        if (property::same_bits(static_cast<double>(Get{}(h, row)), value))
+            return property::Put::same;
         Set{}(h, row, static_cast<float>(value));
-        return true;
+        return property::Put::done;
+    };
+}
+
+/// The same by slot, for what scripts write most.
+template <physics::BodyNumber number>
+void put_by_slot(Binding& binding) {
+    using physics::Written;
+    using property::Put;
+    static_assert(static_cast<int>(Put::same) == static_cast<int>(Written::same) &&
+                  static_cast<int>(Put::done) == static_cast<int>(Written::done) &&
+                  static_cast<int>(Put::declined) == static_cast<int>(Written::refused));
+    binding.number.put = [](const Binding& self, Row row, double value) {
+        physics::World& world = static_cast<Hosting*>(self.context)->world(row);
+        return static_cast<Put>(world.write<number>(slot_of(row), static_cast<float>(value)));
     };
 }
 

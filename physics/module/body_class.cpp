@@ -60,15 +60,23 @@ Binding velocity(Hosting& hosting) {
 }
 
 Binding angular_velocity(Hosting& hosting) {
-    const auto get = [](Hosting& h, Row row) { return h.state(row).angular_velocity; };
-    const auto set = [](Hosting& h, Row row, float wanted) {
-        if (!h.world(row).set_angular_velocity(slot_of(row), wanted) && wanted != 0.0f) [[unlikely]]
-            require_movable(h.body(row));
-    };
-    Binding binding = accessor(hosting, get, [](Hosting& h, Row row, const Value& value) {
-        decltype(set){}(h, row, from_value<float>(value));
-    });
-    put_numbers(binding, get, set);
+    Binding binding = accessor(
+        hosting, [](Hosting& h, Row row) { return h.state(row).angular_velocity; },
+        [](Hosting& h, Row row, const Value& value) {
+            const auto wanted = from_value<float>(value);
+            const Body body = h.body(row);
+            h.body(row).set_angular_velocity(wanted);
+            if (wanted != 0.0f) require_movable(body);
+        });
+    put_by_slot<physics::BodyNumber::angular_velocity>(binding);
+    return binding;
+}
+
+/// A number of the library's that hosts may write by slot.
+template <auto Get, auto Set, physics::BodyNumber number>
+Binding by_slot(Hosting& hosting) {
+    Binding binding = bound<Get, Set>(hosting);
+    put_by_slot<number>(binding);
     return binding;
 }
 
@@ -231,24 +239,27 @@ std::vector<Property> forces(Hosting& hosting) {
         {.name = "torque",
          .unit = "N m",
          .doc = "Turns it in every step until it is changed.",
-         .binding = bound<&Body::torque, &Body::set_torque>(hosting),
+         .binding = by_slot<&Body::torque, &Body::set_torque, physics::BodyNumber::torque>(hosting),
          .single_precision = true},
         {.name = "gravity_scale",
          .default_value = 1.0,
          .doc = "How much of the world's gravity it feels: 0 floats, -1 falls upwards.",
-         .binding = bound<&Body::gravity_scale, &Body::set_gravity_scale>(hosting),
+         .binding = by_slot<&Body::gravity_scale, &Body::set_gravity_scale,
+                            physics::BodyNumber::gravity_scale>(hosting),
          .single_precision = true},
         {.name = "linear_damping",
          .unit = "1/s",
          .range = not_negative,
          .doc = "Share of its velocity it loses in a second, for small values.",
-         .binding = bound<&Body::linear_damping, &Body::set_linear_damping>(hosting),
+         .binding = by_slot<&Body::linear_damping, &Body::set_linear_damping,
+                            physics::BodyNumber::linear_damping>(hosting),
          .single_precision = true},
         {.name = "angular_damping",
          .unit = "1/s",
          .range = not_negative,
          .doc = "Share of its angular velocity it loses in a second, for small values.",
-         .binding = bound<&Body::angular_damping, &Body::set_angular_damping>(hosting),
+         .binding = by_slot<&Body::angular_damping, &Body::set_angular_damping,
+                            physics::BodyNumber::angular_damping>(hosting),
          .single_precision = true},
     };
 }

@@ -61,15 +61,18 @@ enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc }
 
 struct Binding;
 
+/// What became of a value put into a cell: it was there already; it is there now; or it takes the
+/// long way, which knows why it cannot be there.
+enum class Put : std::uint8_t { same, done, declined };
+
 /// A number or a vector as it is read and written without a Value in between: what scripts do most.
 /// Made by the makers below; the binding is handed in so that a column knows its stride.
 template <class T>
 struct Typed {
     using Passed = std::conditional_t<std::is_floating_point_v<T>, T, const T&>;
     T (*get)(const Binding&, Row) = nullptr;
-    /// Writes unless the cell holds these very bits; tells whether it did. May throw as
-    /// `Binding::set` does.
-    bool (*put)(const Binding&, Row, Passed value) = nullptr;
+    /// Writes unless the cell holds these very bits. May throw as `Binding::set` does.
+    Put (*put)(const Binding&, Row, Passed value) = nullptr;
 };
 
 struct Binding {
@@ -349,7 +352,7 @@ Typed<T> typed_column() {
     typed.get = [](const Binding& b, Row row) -> T { return load(at(b, row)); };
     typed.put = [](const Binding& b, Row row, typename Typed<T>::Passed value) {
         std::byte* const cell = at(b, row);
-        if (same_bits(load(cell), value)) return false;
+        if (same_bits(load(cell), value)) return Put::same;
         Kept kept[count];
         if constexpr (count == 1) {
             kept[0] = static_cast<Kept>(value);
@@ -358,7 +361,7 @@ Typed<T> typed_column() {
             kept[1] = static_cast<Kept>(value.y());
         }
         std::memcpy(cell, kept, sizeof kept);
-        return true;
+        return Put::done;
     };
     return typed;
 }
@@ -428,9 +431,9 @@ Binding accessor(Context& context, Get get, Set) {
     if constexpr (!std::is_void_v<T>)
         typed<T>(b).put = [](const Binding& binding, Row row, typename Typed<T>::Passed value) {
             Context& in = *static_cast<Context*>(binding.context);
-            if (same_bits(T(Get{}(in, row)), value)) return false;
+            if (same_bits(T(Get{}(in, row)), value)) return Put::same;
             Set{}(in, row, Value(value));
-            return true;
+            return Put::done;
         };
     return b;
 }

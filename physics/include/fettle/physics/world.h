@@ -35,6 +35,20 @@ struct Columns {
 };
 }  // namespace detail
 
+/// What became of a number written by slot: it was there already, it is there now, or the body
+/// cannot have it and nothing was done.
+enum class Written : uint8_t { same, done, refused };
+
+/// Numbers of a body that hosts write by slot, as the setters of `Body` of the same names do; those
+/// tell what is in range, and here nobody looks.
+enum class BodyNumber : uint8_t {
+    angular_velocity,  ///< refused where the body does not move by itself
+    torque,
+    gravity_scale,
+    linear_damping,
+    angular_damping
+};
+
 /// A world of rigid bodies. It owns everything; `Body`, `Shape` and `Joint` are handles into
 /// it, so it neither moves nor must it die before they are last used. Not thread-safe; different
 /// worlds are independent.
@@ -162,7 +176,8 @@ class World {
     Vec2 velocity(uint32_t index) const;
     /// False, and nothing is done, when the body does not move by itself.
     bool set_velocity(uint32_t index, const Vec2& velocity);
-    bool set_angular_velocity(uint32_t index, float angular_velocity);
+    template <BodyNumber number>
+    Written write(uint32_t index, float value);
     const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
     std::span<const BodyState> states() const { return columns_->states; }
     /// Generation of what lives in a slot, 0 where nothing does. Slots 0 … `body_slots()`-1; slot 0
@@ -225,6 +240,17 @@ class World {
     std::unique_ptr<detail::WorldData> data_;
     detail::Columns* columns_ = nullptr;  ///< base of `*data_`
 };
+
+template <>
+Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value);
+template <>
+Written World::write<BodyNumber::torque>(uint32_t index, float value);
+template <>
+Written World::write<BodyNumber::gravity_scale>(uint32_t index, float value);
+template <>
+Written World::write<BodyNumber::linear_damping>(uint32_t index, float value);
+template <>
+Written World::write<BodyNumber::angular_damping>(uint32_t index, float value);
 
 }  // namespace fettle::physics
 

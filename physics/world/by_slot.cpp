@@ -1,0 +1,105 @@
+// For hosts that keep slots: what they read and write most, without looking whether the body lives.
+
+#include <fettle/physics/world.h>
+#include <world/world_data.h>
+
+#include <bit>
+
+namespace fettle::physics {
+
+using namespace detail;
+
+Vec2 World::velocity(uint32_t index) const {
+    data_->refresh_mass(index);  // a center of mass that moves changes it
+    return data_->states[index].velocity;
+}
+
+namespace {
+
+/// Whether the body moves by itself; then it is awake afterwards, and what touches it too where
+/// that matters.
+bool stir(WorldData& data, uint32_t index) {
+    data.refresh_mass(index);
+    if (data.bodies[index].mobility == Mobility::fixed) return false;
+    data.wake_for_edit(index);
+    return true;
+}
+
+/// Almost every body that is written is like this: stirring it is one store.
+bool stirs(const BodyRecord& record) {
+    return !record.listed && record.mobility == Mobility::dynamic && !record.asleep();
+}
+
+[[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
+    if (!stir(data, index)) return false;
+    data.states[index].velocity = velocity;
+    return true;
+}
+
+[[gnu::noinline]] Written stir_and_turn(WorldData& data, uint32_t index, float angular_velocity) {
+    if (!stir(data, index)) return Written::refused;
+    data.states[index].angular_velocity = angular_velocity;
+    return Written::done;
+}
+
+bool same(float a, float b) {
+    return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
+}
+
+Written turn(WorldData& data, uint32_t index, float angular_velocity) {
+    BodyState& state = data.states[index];
+    BodyRecord& record = data.bodies[index];
+    if (same(state.angular_velocity, angular_velocity)) return Written::same;
+    if (!stirs(record)) [[unlikely]]
+        return stir_and_turn(data, index, angular_velocity);
+    record.sleep_time = 0.0f;
+    state.angular_velocity = angular_velocity;
+    return Written::done;
+}
+
+/// What the next step reads, whatever the body is.
+template <float BodyRecord::*setting>
+Written set(WorldData& data, uint32_t index, float value) {
+    BodyRecord& record = data.bodies[index];
+    if (same(record.*setting, value)) return Written::same;
+    record.*setting = value;
+    if (stirs(record)) [[likely]]
+        record.sleep_time = 0.0f;
+    else
+        data.wake_body(index);
+    return Written::done;
+}
+
+}  // namespace
+
+bool World::set_velocity(uint32_t index, const Vec2& velocity) {
+    BodyRecord& record = data_->bodies[index];
+    if (!stirs(record)) [[unlikely]]
+        return stir_and_set(*data_, index, velocity);
+    record.sleep_time = 0.0f;
+    data_->states[index].velocity = velocity;
+    return true;
+}
+
+template <>
+Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value) {
+    return turn(*data_, index, value);
+}
+template <>
+Written World::write<BodyNumber::torque>(uint32_t index, float value) {
+    return set<&BodyRecord::torque>(*data_, index, value);
+}
+template <>
+Written World::write<BodyNumber::gravity_scale>(uint32_t index, float value) {
+    return set<&BodyRecord::gravity_scale>(*data_, index, value);
+}
+template <>
+Written World::write<BodyNumber::linear_damping>(uint32_t index, float value) {
+    return set<&BodyRecord::linear_damping>(*data_, index, value);
+}
+template <>
+Written World::write<BodyNumber::angular_damping>(uint32_t index, float value) {
+    return set<&BodyRecord::angular_damping>(*data_, index, value);
+}
+
+}  // namespace fettle::physics

@@ -1,0 +1,70 @@
+// Files of saved games: bytes from anywhere, and a true file with some bytes changed. Refused with
+// a reason, or loaded to the very state that was saved.
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <fettle/property/error.h>
+#include <fettle/property/storage/saves.h>
+
+#include "game.h"
+
+using namespace fettle;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("fettle-fuzz-" + std::to_string(::getpid()));
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+};
+
+const std::vector<std::byte> state(600, std::byte{42});
+
+std::string true_file(const property::Saves& saves, const fs::path& file) {
+    property::Thumbnail picture{.width = 4, .height = 2};
+    picture.pixels.assign(32, 7);
+    saves.save("slot", 120, state, picture);
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const Folder folder;
+    static const property::Saves saves(folder.path, "game", "fuzz");
+    static const fs::path file = folder.path / "slot.sqlite";
+    static const std::string saved = true_file(saves, file);
+
+    std::string bytes = saved;
+    if (size > 0 && data[0] % 4 == 0) {
+        bytes.assign(fuzz::text_of(data + 1, size - 1));
+    } else {
+        for (std::size_t i = 1; i + 2 < size; i += 3)
+            bytes[(std::size_t{data[i]} << 8 | data[i + 1]) % bytes.size()] =
+                static_cast<char>(data[i + 2]);
+        if (size % 3 == 2) bytes.resize(bytes.size() * data[size - 1] / 256);
+    }
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+
+    for (const property::SaveInfo& info : saves.list())
+        if (info.slot != "slot") std::abort();
+    try {
+        if (saves.load("slot").state != state) std::abort();
+    } catch (const property::Error&) {
+        // damaged: told so
+    }
+    if (!fs::exists(file)) std::abort();
+    return 0;
+}
