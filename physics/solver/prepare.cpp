@@ -79,32 +79,6 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
                          b.inverse_inertia * p.tangent_lever_b * q.tangent_lever_b;
 }
 
-void pack(const ContactConstraint& c, WideContact& wide, int lane) {
-    wide.a[lane] = c.a;
-    wide.b[lane] = c.b;
-    wide.normal_x[lane] = c.normal.x;
-    wide.normal_y[lane] = c.normal.y;
-    wide.friction[lane] = c.friction;
-    wide.bias_rate[lane] = c.soft.bias_rate;
-    wide.mass_scale[lane] = c.soft.mass_scale;
-    wide.impulse_keep[lane] = 1.0f - c.soft.impulse_scale;
-    wide.coupling_normal[lane] = c.coupling_normal;
-    wide.coupling_tangent[lane] = c.coupling_tangent;
-    for (int k = 0; k < 2; ++k) {
-        const ConstraintPoint& from = c.points[k];
-        WidePoint& to = wide.points[k];
-        to.normal_lever_a[lane] = from.normal_lever_a;
-        to.normal_lever_b[lane] = from.normal_lever_b;
-        to.tangent_lever_a[lane] = from.tangent_lever_a;
-        to.tangent_lever_b[lane] = from.tangent_lever_b;
-        to.separation[lane] = from.separation;
-        to.normal_mass[lane] = from.normal_mass;
-        to.tangent_mass[lane] = from.tangent_mass;
-        to.normal_impulse[lane] = from.normal_impulse;
-        to.tangent_impulse[lane] = from.tangent_impulse;
-    }
-}
-
 /// The cores are half a radius and a bit away from the anchors, along the normal.
 Corner corner_of(const ContactRecord& record, const ShapeForm& form_a, const ShapeForm& form_b) {
     const Manifold& m = record.manifold;
@@ -179,7 +153,8 @@ void WorldData::color_contacts(float dt) {
         }
         if (moves_a) colors_of_body[a] |= uint64_t{1} << color;
         if (moves_b) colors_of_body[b] |= uint64_t{1} << color;
-        colored.push_back({slot, uint32_t(color)});
+        colored.push_back(
+            {slot, uint32_t(color), a, b, record.friction, record.touching, record.hit_events});
         ++color_begin[size_t(color)];
     }
     // From counts to the first lane of each color; every color begins a group of its own.
@@ -190,6 +165,31 @@ void WorldData::color_contacts(float dt) {
         begin += (count + lanes - 1) / lanes * lanes;
     }
     wide_contacts.resize(begin / lanes);
+}
+
+/// Each colored contact gets a lane of its color.
+void WorldData::place_lanes() {
+    contact_lanes.resize(wide_contacts.size());
+    const auto fill = [&](uint32_t place, const ColoredContact& c, Manifold& manifold) {
+        WideContact& wide = wide_contacts[place / lanes];
+        const uint32_t lane = place % lanes;
+        wide.a[lane] = c.a;
+        wide.b[lane] = c.b;
+        wide.friction[lane] = c.friction;
+        contact_lanes[place / lanes].manifolds[lane] = &manifold;
+    };
+    for (ColoredContact& c : colored) {
+        c.place = color_begin[c.place]++;
+        fill(c.place, c, contacts[c.slot].manifold);
+    }
+    // Lanes that no contact came to: body 0 against itself, without mass.
+    for (uint32_t place : color_begin) {
+        for (; place % lanes != 0; ++place) {
+            Manifold& spare = contact_lanes[place / lanes].spare;
+            spare = {};
+            fill(place, {}, spare);
+        }
+    }
 }
 
 void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stiffness) {
@@ -212,19 +212,9 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
         c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
                               max(a.inverse_mass, b.inverse_mass));
     };
-    ContactConstraint c;
-    for (ColoredContact& colored_contact : colored) {
-        uint32_t& place = colored_contact.place;
-        place = color_begin[place]++;
-        prepare(colored_contact.slot, c);
-        pack(c, wide_contacts[place / lanes], int(place % lanes));
-    }
-    // Lanes that no contact came to: body 0 against itself, without mass.
-    const ContactConstraint nothing = {};
-    for (uint32_t place : color_begin) {
-        for (; place % lanes != 0; ++place)
-            pack(nothing, wide_contacts[place / lanes], int(place % lanes));
-    }
+    place_lanes();
+    wide_kernels(most_lanes)
+        .prepare({solver_bodies.data(), &stiffness, ratio}, contact_lanes, wide_contacts.data());
     constraints.clear();
     extras.clear();
     rolling_contacts.clear();
@@ -249,17 +239,14 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
 }
 
 void WorldData::store_contacts() {
-    // In the order of the records, not of the colors: they are far larger than the lanes.
-    for (const auto& [slot, place] : colored) {
-        const WideContact& wide = wide_contacts[place / lanes];
-        const uint32_t lane = place % lanes;
-        Manifold& m = contacts[slot].manifold;
-        for (int k = 0; k < m.count; ++k) {
-            m.points[k].normal_impulse = wide.points[k].normal_impulse[lane];
-            m.points[k].tangent_impulse = wide.points[k].tangent_impulse[lane];
-        }
-        update_touch(slot, false);
-        if (contacts[slot].hit_events) report_hit(slot, nullptr);
+    wide_kernels(most_lanes).store(wide_contacts.data(), contact_lanes, touch_distance);
+    // What came of them is told in the order of the records, not of the colors.
+    for (const ColoredContact& c : colored) {
+        const ContactLanes& group = contact_lanes[c.place / lanes];
+        const uint32_t near = c.touching ? group.within_twice : group.near;
+        const bool touching = (near >> c.place % lanes & 1) != 0;
+        if (touching != c.touching) set_touching(c.slot, touching);
+        if (c.hit_events) report_hit(c.slot, nullptr);
     }
     for (const ContactConstraint& c : constraints) {
         Manifold& m = contacts[c.contact].manifold;

@@ -28,20 +28,27 @@ class ContactStiffness {
 
     /// `impulse`: of the last sub-step, N s; `inverse_mass`: of the lighter body.
     Softness of(bool fixed, float impulse, float inverse_mass) const {
-        const float t =
-            clamp(impulse * inverse_mass * share_ - least_load / (greatest_load - least_load), 0.0f,
-                  1.0f);
+        const float t = clamp(impulse * inverse_mass * share_ - least_share, 0.0f, 1.0f);
         const Softness &u = idle_[fixed], &v = loaded_[fixed];
         return {u.bias_rate + t * (v.bias_rate - u.bias_rate),
                 u.mass_scale + t * (v.mass_scale - u.mass_scale),
                 u.impulse_scale + t * (v.impulse_scale - u.impulse_scale)};
     }
 
+    const Softness& idle(bool fixed) const { return idle_[fixed]; }
+    const Softness& loaded(bool fixed) const { return loaded_[fixed]; }
+    /// Stiffness grows with load · share - least_share, from 0 to 1.
+    float share() const { return share_; }
+
   private:
     static constexpr float idle_share = 0.75f;
     /// Loads in weights of the lighter body, between which stiffness grows.
     static constexpr float least_load = 6.0f, greatest_load = 20.0f;
 
+  public:
+    static constexpr float least_share = least_load / (greatest_load - least_load);
+
+  private:
     Softness idle_[2], loaded_[2];  ///< between two that move; with one fixed side
     float share_ = 0.0f;
 };

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <collision/manifold.h>
 #include <solver/constraint.h>
+#include <solver/stiffness.h>
 
 #include <cstddef>
+#include <span>
 
 // Contacts in groups of sixteen of one color: no two in a color share a body that moves, so the
 // lanes do not know of each other. Structure of arrays; lanes left over have body 0 on both sides
@@ -27,6 +30,21 @@ struct alignas(64) WideContact {
     float bias_rate[lanes], mass_scale[lanes], impulse_keep[lanes];  ///< softness
     float coupling_normal[lanes], coupling_tangent[lanes];
     WidePoint points[2];
+};
+
+/// Where the contacts of a group come from and go back to.
+struct ContactLanes {
+    Manifold* manifolds[lanes];
+    Manifold spare;  ///< of lanes left over
+    // Of the step that was solved, a bit for each lane: an impulse flows, or the shapes are near
+    // each other; the same within twice that distance.
+    uint32_t near = 0, within_twice = 0;
+};
+
+struct PrepareStep {
+    const SolverBody* bodies = nullptr;
+    const ContactStiffness* stiffness = nullptr;
+    float impulse_ratio = 1.0f;
 };
 
 struct WideStep {

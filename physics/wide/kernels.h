@@ -10,6 +10,10 @@ namespace fettle::physics::detail {
 /// those of `ContactSolver`, operation by operation, so the result depends neither on the width nor
 /// on the machine.
 struct WideKernels {
+    /// Of contacts whose bodies and friction are set.
+    void (*prepare)(const PrepareStep&, std::span<const ContactLanes>, WideContact*);
+    /// `near`: distance that counts as touching, m.
+    void (*store)(const WideContact*, std::span<ContactLanes>, float near);
     void (*warm_start)(const WideStep&);
     void (*solve_biased)(const WideStep&);
     void (*relax)(const WideStep&);

@@ -44,8 +44,11 @@ inline constexpr size_t contacts_ahead = 12;
 
 inline constexpr int color_count = 64;
 struct ColoredContact {
-    uint32_t slot;
-    uint32_t place;  ///< its color, until that of every other is known: then its lane
+    uint32_t slot = 0;
+    uint32_t place = 0;     ///< its color, until that of every other is known: then its lane
+    uint32_t a = 0, b = 0;  ///< solver bodies
+    float friction = 0.0f;
+    bool touching = false, hit_events = false;
 };
 
 /// The border is solid where normal·p <= depth.
@@ -120,6 +123,7 @@ struct WorldData : Columns {
     std::vector<ContactConstraint> constraints;  ///< of the serial contacts
     std::vector<uint32_t> serial_contacts;       ///< solved one at a time
     std::vector<WideContact> wide_contacts;      ///< by color
+    std::vector<ContactLanes> contact_lanes;     ///< of the same groups
     std::vector<ColoredContact> colored;
     std::array<uint32_t, color_count> color_begin{};
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
@@ -356,6 +360,7 @@ struct WorldData : Columns {
     // ../solver
     bool on_locked_axis(const ContactRecord& contact) const;
     void color_contacts(float dt);
+    void place_lanes();
     bool passes_corner(const ContactRecord& contact, float dt) const;
     void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);
     void store_contacts();
