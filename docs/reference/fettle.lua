@@ -400,6 +400,8 @@ Game = {}
 ---@field awake_joints integer Of these, with a body that is awake. · any integer · read-only, simulated
 ---@field bodies integer In the world. · any integer · read-only, simulated
 ---@field contacts integer Pairs of shapes near each other. · any integer · read-only, simulated
+---@field direct_failures integer Problems too large for it, or without a solution: solved by sweeps instead. · any integer · read-only, simulated
+---@field direct_solves integer Problems that the direct solver solved: every group of bodies that touch has two in a part of a step. · any integer · read-only, simulated
 ---@field edits_ms number Bringing what was edited up to date. · ms · any finite number · read-only, simulated
 ---@field finish_ms number Poses, boxes, continuous collision. · ms · any finite number · read-only, simulated
 ---@field islands integer Groups of bodies that sleep together. · any integer · read-only, simulated
@@ -512,6 +514,7 @@ StepStatistics = {}
 ---@field sleep_delay number How long something rests before it falls asleep. · s · 0 to inf · default 0.5
 ---@field sleep_speed number What is slower than this rests. · m/s · 0 to inf · default 0.05
 ---@field sleeping boolean What rests falls asleep and costs nothing until it is disturbed. · true or false · default true
+---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" sweeps over them in small steps and remembers; "sequential" goes over the contacts once, the worst first, as in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
 ---@field substeps integer Parts a step is solved in: more is stiffer and slower. · 1 to 64 · default 4
 ---@field step StepStatistics What the last step of a world did, and how long that took.
 local fettle_World = {}

@@ -40,6 +40,29 @@ Property mix_rule(Hosting& hosting, const char* name, const char* default_value,
             .enumerators = {mix_rules.begin(), mix_rules.end()}};
 }
 
+constexpr std::array<const char*, 3> solvers = {"soft_step", "sequential", "direct"};
+
+Property solver(Hosting& hosting) {
+    return {.name = "solver",
+            .type = Type::text,
+            .default_value = solvers[0],
+            .doc =
+                "How contacts and joints are solved: \"soft_step\" sweeps over them in small "
+                "steps and remembers; \"sequential\" goes over the contacts once, the worst "
+                "first, as in 2008; \"direct\" solves all that touch each other as one problem.",
+            .binding = accessor(
+                hosting,
+                [](Hosting& h, Row row) {
+                    return Value(solvers[static_cast<std::size_t>(h.world(row).solver())]);
+                },
+                [](Hosting& h, Row row, const Value& value) {
+                    for (std::size_t i = 0; i < solvers.size(); ++i)
+                        if (value.text() == solvers[i])
+                            h.world(row).set_solver(static_cast<physics::Solver>(i));
+                }),
+            .enumerators = {solvers.begin(), solvers.end()}};
+}
+
 void set_bounds(Hosting& hosting, Row row, const Value& value) {
     World& world = hosting.world(row);
     if (value.is_nil()) return world.set_bounds(std::nullopt);
@@ -65,6 +88,7 @@ std::vector<Property> simulation(Hosting& hosting) {
          .range = {.min = 1, .max = 64},
          .doc = "Parts a step is solved in: more is stiffer and slower.",
          .binding = bound<&World::substeps, &World::set_substeps>(hosting)},
+        solver(hosting),
         {.name = "bounds",
          .type = Type::list,
          .unit = "m",
@@ -179,6 +203,12 @@ void define_step_statistics(Hosting& hosting) {
         statistic<&S::touching>(h, "touching", "Of these, near enough to be solved."),
         statistic<&S::islands>(h, "islands", "Groups of bodies that sleep together."),
         statistic<&S::moved_proxies>(h, "moved_proxies", "Shapes that left their box in the tree."),
+        statistic<&S::direct_solves>(h, "direct_solves",
+                                     "Problems that the direct solver solved: every group of "
+                                     "bodies that touch has two in a part of a step."),
+        statistic<&S::direct_failures>(h, "direct_failures",
+                                       "Problems too large for it, or without a solution: solved "
+                                       "by sweeps instead."),
         statistic<&S::edits_ms>(h, "edits_ms", "Bringing what was edited up to date."),
         statistic<&S::pairs_ms>(h, "pairs_ms", "Broad phase."),
         statistic<&S::narrow_ms>(h, "narrow_ms", "Manifolds."),

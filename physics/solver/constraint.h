@@ -77,6 +77,22 @@ struct Corner {
     float lever_a = 0.0f, lever_b = 0.0f;  ///< of the cores along the tangent, m
 };
 
+/// What the way round a corner adds to the gap that is told along the normal: by now, or when all
+/// has gone on for a time. `along_normal`: how far the cores came apart by then, m. `motion` has
+/// the velocities va, wa of a and vb, wb of b.
+template <class Motion>
+float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
+                 const Motion& motion, float along_normal, float ahead) {
+    const V2 t = right_perp(n);
+    const float moved =
+        dot(t, b.shift - a.shift) + (corner.lever_b * b.turn - corner.lever_a * a.turn);
+    const float velocity =
+        dot(t, motion.vb - motion.va) + (corner.lever_b * motion.wb - corner.lever_a * motion.wa);
+    const float u = moved + ahead * velocity;
+    const float reach = max(corner.distance + along_normal, 0.0f);
+    return u * u / (std::sqrt(reach * reach + u * u) + reach + 1e-12f);
+}
+
 struct ContactExtra {
     Corner corner;
     uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
@@ -89,6 +105,14 @@ struct ContactExtra {
     float approach[2] = {};  ///< relative normal velocity before the step
     float greatest[2] = {};  ///< normal impulse of any sub-step
     float total[2] = {};     ///< sum of normal impulses over the sub-steps
+
+    /// What events and restitution need to know about the impulses of a sub-step.
+    void record(const ContactConstraint& c) {
+        for (int k = 0; k < c.count; ++k) {
+            greatest[k] = max(greatest[k], c.points[k].normal_impulse);
+            total[k] += c.points[k].normal_impulse;
+        }
+    }
 };
 
 }  // namespace fettle::physics::detail

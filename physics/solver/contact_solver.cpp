@@ -65,20 +65,6 @@ struct NormalRow {
     float total(float velocity) const { return max(kept - mass * (velocity + bias), 0.0f); }
 };
 
-/// What the way round a corner adds to the gap that is told along the normal: by now, or when all
-/// has gone on for a time. `along_normal`: how far the cores came apart by then, m.
-inline float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
-                        const Pair& pair, float along_normal, float ahead) {
-    const V2 t = right_perp(n);
-    const float moved =
-        dot(t, b.shift - a.shift) + (corner.lever_b * b.turn - corner.lever_a * a.turn);
-    const float velocity =
-        dot(t, pair.vb - pair.va) + (corner.lever_b * pair.wb - corner.lever_a * pair.wa);
-    const float u = moved + ahead * velocity;
-    const float reach = max(corner.distance + along_normal, 0.0f);
-    return u * u / (std::sqrt(reach * reach + u * u) + reach + 1e-12f);
-}
-
 template <bool biased>
 inline void solve_normals(ContactConstraint& c, const SolverBody& a, const SolverBody& b,
                           Pair& pair, const Corner* corner, float inverse_h, float push_speed) {
@@ -159,14 +145,6 @@ inline void solve_rolling(ContactConstraint& c, ContactExtra& extra, Pair& pair)
     pair.wb += pair.ib * impulse;
 }
 
-/// What events and restitution need to know about the impulses of a sub-step.
-inline void record_impulses(const ContactConstraint& c, ContactExtra& extra) {
-    for (int k = 0; k < c.count; ++k) {
-        extra.greatest[k] = max(extra.greatest[k], c.points[k].normal_impulse);
-        extra.total[k] += c.points[k].normal_impulse;
-    }
-}
-
 }  // namespace
 
 void ContactSolver::follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const {
@@ -233,7 +211,7 @@ void ContactSolver::relax() {
             ContactExtra& extra = extras[c.extra - 1];
             solve_rolling(c, extra, pair);
             solve_friction(c, pair, extra.surface_speed);
-            record_impulses(c, extra);
+            extra.record(c);
         }
         pair.store(a, b);
     }

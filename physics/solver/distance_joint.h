@@ -35,9 +35,9 @@ struct DistanceConstraint {
     void relax(SolverBody& a, SolverBody& b, const JointStep& step);
     V2 push() const { return (impulses.along + impulses.lower - impulses.upper) * axis; }
     float twist() const { return 0.0f; }
+    float follow(const SolverBody& a, const SolverBody& b);
 
   private:
-    float follow(const SolverBody& a, const SolverBody& b);
     float velocity(const SolverBody& a, const SolverBody& b) const;
     void push_along(SolverBody& a, SolverBody& b, float p) const;
     template <bool biased>

@@ -39,9 +39,9 @@ struct MotorConstraint {
     void relax(SolverBody& a, SolverBody& b, const JointStep& step);
     V2 push() const { return impulses.force; }
     float twist() const { return impulses.torque; }
+    V2 follow(const SolverBody& a, const SolverBody& b);
 
   private:
-    V2 follow(const SolverBody& a, const SolverBody& b);
     void drive(SolverBody& a, SolverBody& b, bool springs);
 };
 

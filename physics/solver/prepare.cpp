@@ -133,6 +133,7 @@ void WorldData::color_contacts(float dt) {
     color_begin.fill(0);
     colors_of_body.assign(solver_bodies.size(), 0);
     serial_contacts.clear();
+    const bool serially = settings.solver != Solver::soft_step;  // the others know no groups
     for (size_t i = 0; i < awake_contacts.size(); ++i) {
         const uint32_t slot = awake_contacts[i];
         if (i + contacts_ahead < awake_contacts.size())
@@ -146,7 +147,7 @@ void WorldData::color_contacts(float dt) {
             (moves_a ? colors_of_body[a] : 0) | (moves_b ? colors_of_body[b] : 0);
         const int first = moves_a && moves_b ? 0 : moving_colors;
         const int color = first + std::countr_one(taken >> first);
-        if (record.special || record.curved || on_locked_axis(record) ||
+        if (serially || record.special || record.curved || on_locked_axis(record) ||
             passes_corner(record, dt) || color >= (first == 0 ? moving_colors : color_count)) {
             serial_contacts.push_back(slot);
             continue;

@@ -39,9 +39,9 @@ struct PulleyConstraint {
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) { hold<false>(a, b, step); }
     V2 push() const { return -(ratio * impulses.tension) * side_b.direction; }
     float twist() const { return 0.0f; }
+    void follow(const SolverBody& a, const SolverBody& b);
 
   private:
-    void follow(const SolverBody& a, const SolverBody& b);
     void pull(SolverBody& a, SolverBody& b, float tension) const;
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, const JointStep& step);

@@ -220,6 +220,15 @@ void WorldData::put_group_to_sleep(uint32_t body) {
     compact_awake();
 }
 
+/// Solvers that correct positions without velocities: what is being pushed out does not rest.
+void WorldData::keep_pushed_awake(float dt) {
+    const float way = settings.sleep_speed * dt;
+    for (size_t i = 1; i < solver_bodies.size(); ++i) {
+        if (length_squared(solver_bodies[i].shift) > way * way)
+            bodies[awake_bodies[i - 1]].sleep_time = 0.0f;
+    }
+}
+
 void WorldData::sleep_resting_islands() {
     if (!settings.sleeping || sleep_candidates == 0 || steps % look_interval != 0) return;
     const size_t count = awake_bodies.size();

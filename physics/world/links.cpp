@@ -262,7 +262,8 @@ void check_lists(const WorldData& w, Findings& findings) {
                                [&](uint32_t i) { return w.islands[i].next_free; }),
                      "free islands");
     const WorldDef& s = w.settings;
-    findings.require(s.substeps >= 1 && s.substeps <= 64 &&
+    findings.require(s.substeps >= 1 && s.substeps <= 64 && s.friction_mix <= MixRule::geometric &&
+                         s.restitution_mix <= MixRule::geometric && s.solver <= Solver::direct &&
                          are_bools(s.sleeping, s.continuous, s.persist_events),
                      "the settings");
     if (findings.result()) return;

@@ -98,8 +98,7 @@ bool WorldData::repeats_pushes() {
 }
 
 void WorldData::solve(float dt) {
-    const int substeps = settings.substeps;
-    const float h = dt / float(substeps);
+    const float h = dt / float(settings.substeps);
     gather_bodies(h);
     apply_fields(h, dt);
     const JointStep joint_step = prepare_joints(h);
@@ -108,6 +107,35 @@ void WorldData::solve(float dt) {
     prepare_contacts(dt, h,
                      {settings.contact_hertz, settings.contact_damping, h,
                       gravity > 0.0f ? gravity : usual_gravity});
+    statistics.direct_solves = statistics.direct_failures = 0;
+    switch (settings.solver) {
+        case Solver::soft_step:
+            solve_softly(joint_step);
+            break;
+        case Solver::sequential:
+            solve_sequentially(joint_step);
+            keep_pushed_awake(dt);
+            break;
+        case Solver::direct:
+            solve_directly(joint_step);
+            keep_pushed_awake(dt);
+            break;
+    }
+    last_substep = h;
+    store_joints(joint_step);
+    store_contacts();
+    tell_persisting();
+}
+
+/// How the solvers without warm starting begin a sub-step.
+void WorldData::apply_forces(float h) {
+    integrate_velocities(solver_bodies, solver_forces, {greatest_speed, greatest_turn / h}, false);
+    zero_locked();
+    solver_bodies[0] = {};
+}
+
+void WorldData::solve_softly(const JointStep& joint_step) {
+    const float h = joint_step.h;
     ContactSolver serial;
     serial.bodies = solver_bodies;
     serial.constraints = constraints;
@@ -127,7 +155,7 @@ void WorldData::solve(float dt) {
         else
             pass();
     };
-    for (int substep = 0; substep < substeps; ++substep) {
+    for (int substep = 0; substep < settings.substeps; ++substep) {
         const bool again = repeats && substep > 0;
         integrate_velocities(solver_bodies, solver_forces, {greatest_speed, greatest_turn / h},
                              again);
@@ -151,11 +179,6 @@ void WorldData::solve(float dt) {
     }
     serial.restitute();
     zero_locked();
-
-    last_substep = h;
-    store_joints(joint_step);
-    store_contacts();
-    tell_persisting();
 }
 
 void WorldData::finish_bodies(float dt) {

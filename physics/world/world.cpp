@@ -134,6 +134,14 @@ void World::set_contact_damping(float ratio) {
     data_->wake_all();
 }
 
+Solver World::solver() const {
+    return data_->settings.solver;
+}
+void World::set_solver(Solver solver) {
+    data_->settings.solver = solver;
+    data_->wake_all();
+}
+
 float World::push_speed() const {
     return data_->settings.push_speed;
 }

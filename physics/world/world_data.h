@@ -348,6 +348,8 @@ struct WorldData : Columns {
     // step.cpp
     void step(float dt);
     void solve(float dt);
+    void apply_forces(float h);
+    void solve_softly(const JointStep& joint_step);
     void gather_bodies(float h);
     bool repeats_pushes();
     void finish_bodies(float dt);
@@ -358,6 +360,9 @@ struct WorldData : Columns {
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
     // ../solver
+    void solve_sequentially(const JointStep& joint_step);
+    void solve_directly(const JointStep& joint_step);
+    void keep_pushed_awake(float dt);
     bool on_locked_axis(const ContactRecord& contact) const;
     void color_contacts(float dt);
     void place_lanes();

@@ -80,6 +80,9 @@ Cases world_cases() {
     // An overlap of 5 cm: how much of it goes in a step is ω / (2ζ + hω) of the contact.
     cases["World.contact_damping"] = make_case(
         100, 1, [](Stage& s) { return s.game.y(s.body) < 0.46; }, put(Vec2(0, 0.45)));
+    // Of the same overlap: the direct solver removes a fifth in each part of the step.
+    cases["World.solver"] = make_case(
+        "direct", 1, [](Stage& s) { return s.game.y(s.body) > 0.475; }, put(Vec2(0, 0.45)));
     cases["World.push_speed"] = make_case(
         0.1, 20, [](Stage& s) { return s.game.y(s.body) < 0.4; }, put(Vec2(0, 0.3)));
     return cases;

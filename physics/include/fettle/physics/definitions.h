@@ -17,6 +17,13 @@ namespace fettle::physics {
 /// How the values of two surfaces make that of a contact.
 enum class MixRule : uint8_t { average, minimum, maximum, multiply, geometric };
 
+/// How contacts and joints are solved; docs/design/solvers.md compares the three.
+enum class Solver : uint8_t {
+    soft_step,   ///< sequential impulses with memory on small steps, soft contacts
+    sequential,  ///< one pass over the contacts in order of severity, near ones included, no memory
+    direct       ///< each island as one complementarity problem
+};
+
 struct WorldDef {
     Vec2 gravity = {0.0f, -10.0f};    ///< m/s²
     int substeps = 4;                 ///< solver sub-steps a step, 1 … 64
@@ -35,6 +42,7 @@ struct WorldDef {
     float push_speed = 3.0f;        ///< m/s; the fastest that an overlap is pushed apart
     MixRule friction_mix = MixRule::geometric;
     MixRule restitution_mix = MixRule::maximum;
+    Solver solver = Solver::soft_step;
     bool persist_events = false;  ///< tell of every touch in every step that it lasts
 };
 

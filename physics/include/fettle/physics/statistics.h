@@ -21,6 +21,9 @@ struct StepStatistics {
     uint32_t touching = 0;       ///< awake contacts with a manifold that was solved
     uint32_t islands = 0;        ///< asleep
     uint32_t moved_proxies = 0;  ///< left their fat box
+    uint32_t direct_solves = 0;  ///< complementarity problems that the direct solver solved
+    uint32_t direct_failures =
+        0;  ///< that were too large or had no solution: solved by sweeps over their rows instead
     // Milliseconds of wall time a stage took.
     float edits_ms = 0.0f;   ///< derived data of edited bodies and shapes
     float pairs_ms = 0.0f;   ///< broad phase

@@ -109,6 +109,8 @@ class World {
     void set_contact_damping(float ratio);
     float push_speed() const;
     void set_push_speed(float speed);
+    Solver solver() const;
+    void set_solver(Solver solver);  ///< wakes all
     MixRule friction_mix() const;
     void set_friction_mix(MixRule rule);  ///< wakes all
     MixRule restitution_mix() const;

@@ -1,0 +1,418 @@
+#include <solver/direct_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+// All impulses of an island at once. With v the velocities of its bodies, v₀ before the impulses, M
+// their masses and J the Jacobian of its rows, each row i wants
+//
+//     M·(v - v₀) = Jᵀ·λ,   λᵢ = clamp(-(dᵢ·(J·v)ᵢ + fᵢ), lowᵢ, highᵢ).                          (1)
+//
+// For a stiff row (d → ∞) that is the complementarity condition: at a bound, or J·v = -f/d. Rows of
+// springs have the stiffness of the spring. Contacts have low = 0, friction ±μ times the impulse of
+// its contact (boxed friction), joints no bounds at all.
+//
+// While the bounds stand still, (1) is where a strictly convex, piecewise quadratic function has
+// its minimum: ½|u|² + Σψᵢ with u = √M·(v - v₀) and ψᵢ' = -λᵢ. It is found by Newton's method on
+// active sets, with a line search along each step: which rows are at a bound is guessed, then the
+// others follow from
+//
+//     (I + Σ dᵢ·ĵᵢᵀ·ĵᵢ)·u = Σ_bound ĵᵢᵀ·λᵢ - Σ_free ĵᵢᵀ·(dᵢ·(J·v₀)ᵢ + fᵢ),   ĵ = J·M^(-½),
+//
+// which is sparse as the graph of who touches whom, symmetric and positive definite however
+// redundant the rows are: a sparse Cholesky factorization with three unknowns a body. The sets of
+// the pass before are where it begins, and mostly they are right. (M. Anitescu and F. Potra,
+// "Formulating dynamic multi-rigid-body contact problems with friction as solvable linear
+// complementarity problems", 1997, for the problem; L. Qi and J. Sun, "A nonsmooth version of
+// Newton's method", 1993, for the method. Changing all rows that are in a wrong state at once,
+// without a line search, cycles where contacts are redundant: in a pyramid of ten rows.)
+//
+// Where very stiff rows begin and cease to act within a hair's breadth of velocity, a Newton step
+// goes too far and the line search stops it at once. Then the problem is solved in rounds, with a
+// millionth of the rigidity first, and rows remember what they pushed: λᵢ = clamp(λ' - dᵢ·…), the
+// method of multipliers (M. Hestenes and M. Powell, 1969). Rigidity grows while that costs few
+// steps, until rigid rows leave less than 10⁻⁵ m/s. Heavy chains are solved with full rigidity in a
+// step or two; piles, where hundreds of rows are near a bound, never are.
+//
+// Friction bounds follow the normal impulses from round to round, with the mean of old and new once
+// it takes long. What has not settled after ten rounds is taken as it is.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Islands with more bodies than this are left to the sweeps.
+constexpr size_t most_bodies = 500;
+constexpr int most_first_steps = 6, most_steps = 15, most_factorizations = 120;
+constexpr int most_rounds = 25, most_friction_rounds = 9;
+/// Of the rigidity of rows, where the way to a solution begins when it is not found at once.
+constexpr double softest = 3e-6;
+/// Velocities that rigid rows may leave, m/s: to be content, and when there is no time left.
+constexpr double tolerance = 1e-5, bearable = 1e-3;
+constexpr int sweeps = 40;
+/// Of a friction bound, or a tenth of the largest: they need not be known better.
+constexpr double bound_tolerance = 3e-3;
+
+}  // namespace
+
+DirectProblem::DirectProblem(std::vector<uint32_t> bodies, std::vector<uint32_t> rows,
+                             std::span<const DirectRow> all, std::span<const int32_t> place)
+    : bodies_(std::move(bodies)), rows_(std::move(rows)) {
+    lines_.resize(rows_.size());
+    for (size_t i = 0; i < rows_.size(); ++i) {
+        lines_[i].a = place[all[rows_[i]].jacobian.a];
+        lines_[i].b = place[all[rows_[i]].jacobian.b];
+    }
+    const auto unknowns = Eigen::Index(3 * bodies_.size());
+    u_ = before_ = right_ = trial_ = Eigen::VectorXd::Zero(unknowns);
+}
+
+/// The shape of the matrix: a block of 3 × 3 for each body and for each two that a row joins.
+void DirectProblem::analyze() {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int32_t body = 0; body < int32_t(bodies_.size()); ++body) {
+        for (int column = 0; column < 3; ++column)
+            for (int r = column; r < 3; ++r)
+                entries.emplace_back(3 * body + r, 3 * body + column, 0.0);
+    }
+    for (const Line& line : lines_) {
+        if (line.a < 0 || line.b < 0) continue;
+        const int32_t low = std::min(line.a, line.b), high = std::max(line.a, line.b);
+        for (int column = 0; column < 3; ++column)
+            for (int r = 0; r < 3; ++r) entries.emplace_back(3 * high + r, 3 * low + column, 0.0);
+    }
+    matrix_.resize(Eigen::Index(3 * bodies_.size()), Eigen::Index(3 * bodies_.size()));
+    matrix_.setFromTriplets(entries.begin(), entries.end());
+    matrix_.makeCompressed();
+    for (Line& line : lines_) {
+        if (line.a < 0 || line.b < 0) continue;
+        const int32_t low = std::min(line.a, line.b), high = std::max(line.a, line.b);
+        const int* first = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[3 * low];
+        const int* last = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[3 * low + 1];
+        line.block = uint32_t(std::lower_bound(first, last, 3 * high) - first);
+    }
+    factor_.analyzePattern(matrix_);
+    analyzed_ = true;
+}
+
+double DirectProblem::along(const Line& line, const Eigen::VectorXd& u) const {
+    double sum = 0.0;
+    if (line.a >= 0)
+        for (int k = 0; k < 3; ++k) sum += line.on_a[k] * u[3 * line.a + k];
+    if (line.b >= 0)
+        for (int k = 0; k < 3; ++k) sum += line.on_b[k] * u[3 * line.b + k];
+    return sum;
+}
+
+void DirectProblem::add(const Line& line, double impulse, Eigen::VectorXd& to) const {
+    if (line.a >= 0)
+        for (int k = 0; k < 3; ++k) to[3 * line.a + k] += line.on_a[k] * impulse;
+    if (line.b >= 0)
+        for (int k = 0; k < 3; ++k) to[3 * line.b + k] += line.on_b[k] * impulse;
+}
+
+double DirectProblem::wanted(size_t i, double velocity) {
+    const DirectRow& r = row(i);
+    if (!r.rigid) return -(r.stiffness * velocity + r.push);
+    return lines_[i].memory - share_ * (r.stiffness * velocity + r.push);
+}
+
+double DirectProblem::allowed(size_t i, double velocity) {
+    return std::min(std::max(wanted(i, velocity), row(i).low), row(i).high);
+}
+
+/// Reads rows and velocities. The impulses of before say where to begin.
+void DirectProblem::take(std::span<const MassScale> scales,
+                         std::span<const SolverBody> solver_bodies, bool applied) {
+    before_.setZero();
+    for (size_t i = 0; i < lines_.size(); ++i) {
+        const Jacobian& j = row(i).jacobian;
+        Line& line = lines_[i];
+        const auto scaled_by = [](const MassScale& s, const double(&on)[3], double(&to)[3]) {
+            to[0] = s.x * on[0], to[1] = s.y * on[1], to[2] = s.turn * on[2];
+        };
+        scaled_by(scales[j.a], j.on_a, line.on_a);
+        scaled_by(scales[j.b], j.on_b, line.on_b);
+        if (applied) add(line, -row(i).impulse, before_);
+    }
+    for (size_t i = 0; i < lines_.size(); ++i) {
+        Line& line = lines_[i];
+        const Jacobian& j = row(i).jacobian;
+        const auto moving = [](const SolverBody& body, const double(&on)[3]) {
+            return on[0] * double(body.velocity.x) + on[1] * double(body.velocity.y) +
+                   on[2] * double(body.angular_velocity);
+        };
+        line.base = moving(solver_bodies[j.a], j.on_a) + moving(solver_bodies[j.b], j.on_b) +
+                    along(line, before_);
+        bound_friction(i);
+        line.memory = row(i).impulse;
+    }
+}
+
+/// Writes impulses and velocities.
+void DirectProblem::give(std::span<const MassScale> scales,
+                         std::span<SolverBody> solver_bodies) const {
+    for (const uint32_t i : rows_) all_[i].keep();
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+        SolverBody& body = solver_bodies[bodies_[i]];
+        const MassScale& s = scales[bodies_[i]];
+        const auto at = Eigen::Index(3 * i);
+        const auto change = [&](Eigen::Index k) { return before_[at + k] + u_[at + k]; };
+        const auto moved = [](float from, double by) {
+            return bounded(float(double(from) + by), 1e30f);
+        };
+        body.velocity.x = moved(body.velocity.x, s.x * change(0));
+        body.velocity.y = moved(body.velocity.y, s.y * change(1));
+        body.angular_velocity = moved(body.angular_velocity, s.turn * change(2));
+    }
+}
+
+/// Of what is bounded by the impulses of others, as they are.
+void DirectProblem::bound_friction(size_t i) {
+    DirectRow& r = row(i);
+    if (r.bearers == 0) return;
+    double load = 0.0;
+    for (uint32_t k = 0; k < r.bearers; ++k) load += all_[r.bearer + k].impulse;
+    r.high = r.friction * std::max(load, 0.0);
+    r.low = -r.high;
+}
+
+void DirectProblem::add_block(const Line& line, double stiffness) {
+    double* values = matrix_.valuePtr();
+    const int* outer = matrix_.outerIndexPtr();
+    const auto square = [&](int32_t body, const double(&on)[3]) {
+        for (int column = 0; column < 3; ++column)
+            for (int r = column; r < 3; ++r)
+                values[outer[3 * body + column] + r - column] += stiffness * on[r] * on[column];
+    };
+    if (line.a >= 0) square(line.a, line.on_a);
+    if (line.b >= 0) square(line.b, line.on_b);
+    if (line.a < 0 || line.b < 0) return;
+    const bool in_order = line.a < line.b;
+    const int32_t low = in_order ? line.a : line.b;
+    const double(&columns)[3] = in_order ? line.on_a : line.on_b;
+    const double(&on_rows)[3] = in_order ? line.on_b : line.on_a;
+    for (int column = 0; column < 3; ++column)
+        for (int r = 0; r < 3; ++r)
+            values[outer[3 * low + column] + int(line.block) - column + r] +=
+                stiffness * on_rows[r] * columns[column];
+}
+
+void DirectProblem::assemble() {
+    std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+    for (Eigen::Index i = 0; i < matrix_.cols(); ++i)
+        matrix_.valuePtr()[matrix_.outerIndexPtr()[i]] = 1.0;
+    right_.setZero();
+    for (size_t i = 0; i < lines_.size(); ++i) {
+        const Line& line = lines_[i];
+        if (line.state == State::free) {
+            const double stiffness = row(i).rigid ? share_ * row(i).stiffness : row(i).stiffness;
+            if (stiffness > 0.0) add_block(line, stiffness);
+            add(line, wanted(i, line.base), right_);
+        } else {
+            add(line, line.state == State::low ? row(i).low : row(i).high, right_);
+        }
+    }
+}
+
+/// A row that pulls at its bound by no more than arithmetic errs may stay where it is: what changes
+/// a velocity of 1 m/s by 10⁻⁷.
+DirectProblem::State DirectProblem::next_state(size_t i, double velocity) {
+    const double impulse = wanted(i, velocity);
+    const double slack = 1e-14 * (row(i).rigid ? share_ : 1.0) * row(i).stiffness *
+                         std::max(1.0, std::fabs(lines_[i].base));
+    const double low = row(i).low, high = row(i).high;
+    switch (lines_[i].state) {
+        case State::low:
+            if (impulse <= low + slack) return State::low;
+            break;
+        case State::high:
+            if (impulse >= high - slack) return State::high;
+            break;
+        case State::free:
+            if (impulse >= low - slack && impulse <= high + slack) return State::free;
+            break;
+    }
+    if (impulse <= low) return State::low;
+    return impulse >= high ? State::high : State::free;
+}
+
+/// How far to go along `direction` from u: to where the function to minimize is least, or all the
+/// way.
+double DirectProblem::step_length(const Eigen::VectorXd& direction) {
+    for (Line& line : lines_) {
+        line.velocity = line.base + along(line, u_);
+        line.ahead = along(line, direction);
+    }
+    const double begin = u_.dot(direction), curvature = direction.squaredNorm();
+    const auto rises = [&](double t) {
+        double slope = begin + t * curvature;
+        for (size_t i = 0; i < lines_.size(); ++i) {
+            const Line& line = lines_[i];
+            slope -= allowed(i, line.velocity + t * line.ahead) * line.ahead;
+        }
+        return slope > 0.0;
+    };
+    if (!rises(1.0)) return 1.0;
+    double low = 0.0, high = 1.0;
+    for (int halving = 0; halving < 40; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (rises(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+/// With the bounds as they are.
+bool DirectProblem::solve_boxed(int most) {
+    for (int step = 0; step < most && budget_ > 0; ++step, --budget_) {
+        assemble();
+        factor_.factorize(matrix_);
+        if (factor_.info() != Eigen::Success) return false;
+        trial_ = factor_.solve(right_);
+        if (!trial_.allFinite()) return false;
+        bool right = true;
+        for (size_t i = 0; i < lines_.size(); ++i)
+            right &= next_state(i, lines_[i].base + along(lines_[i], trial_)) == lines_[i].state;
+        if (right) {
+            u_ = trial_;
+            return true;
+        }
+        trial_ -= u_;
+        // The first step comes from nowhere, and goes all the way.
+        u_ += (step == 0 ? 1.0 : step_length(trial_)) * trial_;
+        for (size_t i = 0; i < lines_.size(); ++i)
+            lines_[i].state = next_state(i, lines_[i].base + along(lines_[i], u_));
+    }
+    return false;
+}
+
+/// Impulses from velocities, then the bounds that hang on impulses. True when they were right.
+bool DirectProblem::update_bounds(bool average) {
+    for (size_t i = 0; i < lines_.size(); ++i)
+        row(i).impulse = allowed(i, lines_[i].base + along(lines_[i], u_));
+    double largest = 0.0;
+    for (size_t i = 0; i < lines_.size(); ++i)
+        if (row(i).bearers > 0) largest = std::max(largest, row(i).high);
+    bool settled = true;
+    const auto rebound = [&](size_t i, double bound) {
+        DirectRow& r = row(i);
+        const double old = r.high;
+        const bool at_bound = std::fabs(r.impulse) >= old;
+        const double off = at_bound ? std::fabs(bound - old) : std::fabs(r.impulse) - bound;
+        if (off > bound_tolerance * std::max({bound, old, 0.1 * largest})) {
+            settled = false;
+            if (average) bound = 0.5 * (bound + old);
+        }
+        r.high = bound;
+        r.low = -bound;
+    };
+    for (size_t i = 0; i < lines_.size(); ++i) {
+        DirectRow& r = row(i);
+        if (r.bearers > 0) {
+            double load = 0.0;
+            for (uint32_t k = 0; k < r.bearers; ++k) load += all_[r.bearer + k].impulse;
+            rebound(i, r.friction * std::max(load, 0.0));
+        }
+        if (r.circle != 1 || r.greatest == DirectRow::no_limit || i + 1 >= lines_.size()) continue;
+        const double x = wanted(i, lines_[i].base + along(lines_[i], u_));
+        const double y = wanted(i + 1, lines_[i + 1].base + along(lines_[i + 1], u_));
+        const double size = std::sqrt(x * x + y * y);
+        const double share = size > r.greatest ? 1.0 / size : 0.0;
+        rebound(i, share > 0.0 ? r.greatest * std::fabs(x) * share : r.greatest);
+        rebound(i + 1, share > 0.0 ? r.greatest * std::fabs(y) * share : r.greatest);
+    }
+    return settled;
+}
+
+/// The states to begin with, from the impulses so far.
+void DirectProblem::guess_states() {
+    for (size_t i = 0; i < lines_.size(); ++i) {
+        Line& line = lines_[i];
+        // Where there was no impulse, who approaches touches. As good as at a bound is at it: the
+        // impulse was kept in single precision.
+        const double impulse = line.memory != 0.0 ? line.memory : wanted(i, line.base);
+        const double nearly = 1e-6 * std::fabs(impulse);
+        line.state = impulse - nearly <= row(i).low    ? State::low
+                     : impulse + nearly >= row(i).high ? State::high
+                                                       : State::free;
+    }
+}
+
+/// What is left of the velocities that rigid rows should have stopped, m/s.
+double DirectProblem::residual() {
+    double worst = 0.0;
+    for (size_t i = 0; i < lines_.size(); ++i) {
+        const DirectRow& r = row(i);
+        if (r.rigid && r.stiffness > 0.0)
+            worst = std::max(worst, std::fabs(r.impulse - lines_[i].memory) / r.stiffness);
+    }
+    return worst / share_;
+}
+
+bool DirectProblem::solve_exactly() {
+    if (bodies_.size() > most_bodies) return false;
+    if (!analyzed_) analyze();
+    budget_ = most_factorizations;
+    share_ = begin_;
+    guess_states();
+    double left = infinity;
+    for (int round = 0; round < most_rounds && budget_ > 0; ++round) {
+        const int before = budget_;
+        if (!solve_boxed(share_ == 1.0 ? most_first_steps : most_steps)) {
+            if (budget_ == 0) break;
+            share_ = share_ == 1.0 ? softest : 0.1 * share_;
+            begin_ = softest;  // for the rest of the step
+            guess_states();
+            continue;
+        }
+        const bool settled = update_bounds(round > 3);
+        left = residual();
+        if (left < tolerance && (settled || round >= most_friction_rounds)) return true;
+        for (size_t i = 0; i < lines_.size(); ++i) lines_[i].memory = row(i).impulse;
+        const int steps = before - budget_;
+        if (left >= tolerance)
+            share_ = std::min(1.0, share_ * (steps < 3 ? 10.0 : steps < 8 ? 3.0 : 1.0));
+    }
+    return left < bearable;
+}
+
+/// Projected Gauss-Seidel: what is left when there are too many bodies or no solution. Each row in
+/// its turn gets the impulse that (1) asks of it alone.
+void DirectProblem::sweep() {
+    u_.setZero();
+    for (size_t i = 0; i < lines_.size(); ++i) {
+        DirectRow& r = row(i);
+        if (!std::isfinite(r.impulse)) r.impulse = 0.0;
+        add(lines_[i], r.impulse, u_);
+    }
+    const auto squared = [](const double(&on)[3]) {
+        return on[0] * on[0] + on[1] * on[1] + on[2] * on[2];
+    };
+    for (int pass = 0; pass < sweeps; ++pass) {
+        for (size_t i = 0; i < lines_.size(); ++i) {
+            const Line& line = lines_[i];
+            DirectRow& r = row(i);
+            bound_friction(i);
+            const double velocity = line.base + along(line, u_);
+            const double inverse =
+                (line.a >= 0 ? squared(line.on_a) : 0.0) + (line.b >= 0 ? squared(line.on_b) : 0.0);
+            double total =
+                r.impulse + (wanted(i, velocity) - r.impulse) / (1.0 + r.stiffness * inverse);
+            total = std::min(std::max(total, r.low), r.high);
+            if (!std::isfinite(total)) total = 0.0;
+            add(line, total - r.impulse, u_);
+            r.impulse = total;
+        }
+    }
+}
+
+bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> scales,
+                          std::span<SolverBody> solver_bodies, bool applied) {
+    all_ = all;
+    take(scales, solver_bodies, applied);
+    const bool solved = solve_exactly();
+    if (!solved) sweep();
+    give(scales, solver_bodies);
+    return solved;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,248 @@
+#pragma once
+
+#include <solver/joint_constraint.h>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
+
+// What the direct solver makes of joints and contacts: rows, each a direction in which two bodies
+// act on each other.
+
+namespace fettle::physics::detail {
+
+/// Square roots of the inverse masses along x and y and of the inverse inertia: nothing for what
+/// does not move, or not that way.
+struct MassScale {
+    double x = 0.0, y = 0.0, turn = 0.0;
+};
+
+/// v = on_a·(velocity, turning of a) + on_b·(those of b).
+struct Jacobian {
+    uint32_t a = 0, b = 0;  ///< solver bodies
+    double on_a[3] = {}, on_b[3] = {};
+
+    /// `direction` on b, its opposite on a, at these levers r×direction.
+    static Jacobian along(const JointEnds& ends, V2 direction, float lever_a, float lever_b) {
+        return along(ends.a, ends.b, direction, lever_a, lever_b);
+    }
+    static Jacobian along(uint32_t a, uint32_t b, V2 direction, float lever_a, float lever_b) {
+        const double x = double(direction.x), y = double(direction.y);
+        return {a, b, {-x, -y, -double(lever_a)}, {x, y, double(lever_b)}};
+    }
+    /// Of the anchors of a joint, where they are.
+    static Jacobian at_anchors(const JointEnds& ends, V2 direction) {
+        return along(ends, direction, cross(ends.lever_a, direction),
+                     cross(ends.lever_b, direction));
+    }
+    static Jacobian turning(const JointEnds& ends, float of_a = 1.0f) {
+        return {ends.a, ends.b, {0.0, 0.0, -double(of_a)}, {0.0, 0.0, 1.0}};
+    }
+    Jacobian opposite() const {
+        return {a, b, {-on_a[0], -on_a[1], -on_a[2]}, {-on_b[0], -on_b[1], -on_b[2]}};
+    }
+};
+
+/// λ = clamp(-(stiffness·v + push), low, high): a stiff row holds v = -push/stiffness with what
+/// impulse that takes, a spring has little stiffness, a force has none.
+struct DirectRow {
+    static constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+    Jacobian jacobian;
+    double stiffness = 0.0;
+    double push = 0.0;
+    double low = -no_limit, high = no_limit;
+    bool rigid = false;    ///< the stiffness is not meant: v is to be -push/stiffness
+    double impulse = 0.0;  ///< total: of the pass before, then of this one
+
+    /// Friction: bounded by `friction` times the impulses of `bearers` rows from `bearer` on.
+    uint32_t bearer = 0, bearers = 0;
+    double friction = 0.0;
+    /// Of two rows in a row whose impulse has a greatest length: the other is the next one, or the
+    /// one before.
+    int circle = 0;  ///< 1: the first of them, -1: the second
+    double greatest = no_limit;
+
+    float* kept = nullptr;     ///< where the constraint keeps the impulse
+    V2* kept_along = nullptr;  ///< or the vector that it is a part of, along `axis`
+    V2 axis;
+
+    /// The impulse goes back to the constraint; the first of two parts of a vector begins it anew.
+    void keep() const {
+        const float value = bounded(float(impulse), 1e30f);
+        if (kept != nullptr) *kept = value;
+        if (kept_along == nullptr) return;
+        *kept_along = value * axis + (circle == 1 ? V2{} : *kept_along);
+    }
+};
+
+/// Which of the passes of a sub-step rows are written for. Biased: positions are corrected.
+/// Relaxed, after the bodies moved: they are not, and springs have done their work. Bounced, at the
+/// end of the step: as relaxed, but that what hit leaves again.
+enum class DirectPass { biased, relaxed, bounced };
+
+/// Share of an error that a sub-step corrects.
+inline constexpr float direct_correction = 0.2f;
+
+class RowWriter {
+  public:
+    RowWriter(std::vector<DirectRow>& rows, std::span<const MassScale> scales, float h,
+              DirectPass pass)
+        : rows_(rows), scales_(scales), h_(double(h)), pass_(pass) {
+        rows_.clear();
+    }
+
+    bool biased() const { return pass_ == DirectPass::biased; }
+    DirectPass pass() const { return pass_; }
+    double h() const { return h_; }
+
+    /// Keeps an error at 0.
+    DirectRow& hold(const Jacobian& jacobian, float error, float& impulse) {
+        return rigid(jacobian, biased() ? double(direct_correction) * double(error) / h_ : 0.0,
+                     impulse);
+    }
+    /// Keeps room from becoming negative.
+    DirectRow& limit(const Jacobian& jacobian, float room, float& impulse) {
+        double bias = double(room) / h_;  // it may just close the room
+        if (room < 0.0f) bias = biased() ? double(direct_correction) * bias : 0.0;
+        DirectRow& row = rigid(jacobian, bias, impulse);
+        row.low = 0.0;
+        return row;
+    }
+    /// Drives a velocity with an impulse that has a limit.
+    DirectRow& motor(const Jacobian& jacobian, float speed, float greatest, float& impulse) {
+        DirectRow& row = rigid(jacobian, -double(speed), impulse);
+        row.low = -double(greatest);
+        row.high = double(greatest);
+        return row;
+    }
+    DirectRow& spring(const Jacobian& jacobian, const Spring& spring, float mass, float error,
+                      float& impulse) {
+        DirectRow& row = elastic(jacobian, spring, mass, error);
+        row.kept = &impulse;
+        row.impulse = double(impulse);
+        hold_still(row);
+        return row;
+    }
+    /// Two springs that are the parts of a vector, whose length has a limit.
+    void springs(const JointEnds& ends, const Spring& spring, const PointMass& mass, V2 error,
+                 float greatest, V2& impulse);
+    /// Two rows that drive the velocity of the anchors.
+    void motors(const JointEnds& ends, V2 speed, float greatest, V2& impulse);
+
+    /// A row that is as rigid as the arithmetic bears: it gives by a ten millionth of what the
+    /// impulse would do to the bodies alone.
+    DirectRow& rigid(const Jacobian& jacobian, double bias, float& impulse) {
+        DirectRow& row = rows_.emplace_back();
+        row.jacobian = jacobian;
+        const double inverse = inverse_mass(jacobian);
+        row.stiffness = inverse > 0.0 ? rigidity / inverse : 0.0;
+        row.push = row.stiffness * bias;
+        row.rigid = true;
+        row.kept = &impulse;
+        row.impulse = double(impulse);
+        if (!(inverse > 0.0)) row.low = row.high = row.impulse = 0.0;
+        return row;
+    }
+    size_t size() const { return rows_.size(); }
+
+  private:
+    static constexpr double rigidity = 1e7;
+
+    /// J·M⁻¹·Jᵀ.
+    double inverse_mass(const Jacobian& j) const {
+        double sum = 0.0;
+        const auto add = [&](const MassScale& s, const double(&on)[3]) {
+            sum += s.x * s.x * on[0] * on[0] + s.y * s.y * on[1] * on[1] +
+                   s.turn * s.turn * on[2] * on[2];
+        };
+        add(scales_[j.a], j.on_a);
+        add(scales_[j.b], j.on_b);
+        return sum;
+    }
+    /// `Spring::impulse` where it changes nothing any more.
+    DirectRow& elastic(const Jacobian& jacobian, const Spring& spring, float mass, float error) {
+        DirectRow& row = rows_.emplace_back();
+        row.jacobian = jacobian;
+        const double inverse = inverse_mass(jacobian);
+        const double most = inverse > 0.0 ? rigidity / inverse : 0.0;
+        const double scale = double(mass) / double(spring.impulse_scale);
+        row.stiffness = scale * double(spring.mass_scale);
+        row.push = scale * double(spring.push) * double(error);
+        if (row.stiffness <= most) return row;
+        // Stiffer than rigid; and where single precision ends, it holds the place at once.
+        const double rate = double(spring.push) / double(spring.mass_scale);
+        row.stiffness = most;
+        row.push = most * double(error) * (rate * h_ <= 1.0 ? rate : 1.0 / h_);
+        return row;
+    }
+    /// What pushed with the biased pass is no part of the relaxed one.
+    void hold_still(DirectRow& row) const {
+        if (biased()) return;
+        row.low = row.high = row.impulse;
+        row.greatest = DirectRow::no_limit;
+    }
+    void pair_up(DirectRow& row, int circle, V2 axis, float greatest, V2& vector) {
+        row.kept_along = &vector;
+        row.axis = axis;
+        row.circle = circle;
+        row.greatest = double(greatest);
+        row.impulse = double(dot(axis, vector));
+        row.low = -row.greatest;
+        row.high = row.greatest;
+    }
+
+    std::vector<DirectRow>& rows_;
+    std::span<const MassScale> scales_;
+    double h_;
+    DirectPass pass_;
+};
+
+/// The axes along which a spring at a point swings by itself: eigenvectors of the (inverse) mass
+/// there.
+struct PointAxes {
+    V2 first = {1.0f, 0.0f}, second = {0.0f, 1.0f};
+    float first_mass = 0.0f, second_mass = 0.0f;
+
+    static PointAxes of(const PointMass& m) {
+        const float half = 0.5f * (m.xx - m.yy), radius = std::sqrt(half * half + m.xy * m.xy);
+        const float middle = 0.5f * (m.xx + m.yy);
+        PointAxes axes;
+        axes.first_mass = middle + radius;
+        axes.second_mass = middle - radius;
+        if (radius > 1e-6f * middle) {
+            axes.first =
+                half > 0.0f ? normalized({half + radius, m.xy}) : normalized({m.xy, radius - half});
+            axes.second = {-axes.first.y, axes.first.x};
+        }
+        return axes;
+    }
+};
+
+inline void RowWriter::springs(const JointEnds& ends, const Spring& spring, const PointMass& mass,
+                               V2 error, float greatest, V2& impulse) {
+    const PointAxes axes = PointAxes::of(mass);
+    const auto add = [&](V2 axis, float along, int circle) {
+        DirectRow& row = elastic(Jacobian::at_anchors(ends, axis), spring, along, dot(axis, error));
+        pair_up(row, circle, axis, greatest, impulse);
+        hold_still(row);
+    };
+    add(axes.first, axes.first_mass, 1);
+    add(axes.second, axes.second_mass, -1);
+}
+
+inline void RowWriter::motors(const JointEnds& ends, V2 speed, float greatest, V2& impulse) {
+    const auto add = [&](V2 axis, int circle) {
+        float unused = 0.0f;
+        DirectRow& row = rigid(Jacobian::at_anchors(ends, axis), -double(dot(axis, speed)), unused);
+        row.kept = nullptr;
+        const bool moves = row.stiffness > 0.0;
+        pair_up(row, circle, axis, greatest, impulse);
+        if (!moves) row.low = row.high = row.impulse = 0.0;
+    };
+    add({1.0f, 0.0f}, 1);
+    add({0.0f, 1.0f}, -1);
+}
+
+}  // namespace fettle::physics::detail
