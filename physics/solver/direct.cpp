@@ -66,6 +66,7 @@ class DirectSolver {
     void write(DirectPass pass) {
         RowWriter writer(rows_, scales_, h_, pass);
         auto& bodies = world_.solver_bodies;
+        world_.follow_curved_contacts();
         const auto joints = [&](auto& list) {
             for (auto& c : list) write_rows(writer, c, bodies[c.ends.a], bodies[c.ends.b]);
         };

@@ -56,6 +56,7 @@ class SequentialPass {
     }
 
     void resolve_velocities() {
+        world_.follow_curved_contacts();
         for (ContactConstraint& c : world_.constraints) {
             for (ConstraintPoint& p : c.points) p.normal_impulse = p.tangent_impulse = 0.0f;
         }
@@ -71,6 +72,7 @@ class SequentialPass {
     }
 
     void remove_overlaps() {
+        world_.follow_curved_contacts();
         for (Turn& turn : turns_) turn.severity = bounded(gap_of(turn).separation, 1e30f);
         std::sort(turns_.begin(), turns_.end());
         for (const Turn& turn : turns_) push_apart(turn);

@@ -134,6 +134,16 @@ void WorldData::apply_forces(float h) {
     solver_bodies[0] = {};
 }
 
+/// Contacts of ellipses run along the rim: direction, levers and gap for where the bodies are.
+void WorldData::follow_curved_contacts() {
+    if (rolling_contacts.empty()) return;
+    for (ContactConstraint& c : constraints) {
+        if (c.extra == 0 || extras[c.extra - 1].rolling == 0) continue;
+        rolling_contacts[extras[c.extra - 1].rolling - 1].follow(c, solver_bodies[c.a],
+                                                                 solver_bodies[c.b]);
+    }
+}
+
 void WorldData::solve_softly(const JointStep& joint_step) {
     const float h = joint_step.h;
     ContactSolver serial;

@@ -363,6 +363,7 @@ struct WorldData : Columns {
     void solve_sequentially(const JointStep& joint_step);
     void solve_directly(const JointStep& joint_step);
     void keep_pushed_awake(float dt);
+    void follow_curved_contacts();
     bool on_locked_axis(const ContactRecord& contact) const;
     void color_contacts(float dt);
     void place_lanes();

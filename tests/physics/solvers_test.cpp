@@ -219,6 +219,17 @@ TEST_CASE("locked axes and one-way platforms hold under every solver") {
     CHECK(jumper.position().y() == Approx(0.4f).margin(0.02));
 }
 
+TEST_CASE("an ellipse lies down on its flat side under every solver") {
+    const Solver solver = any_solver();
+    World world({.sleeping = false, .solver = solver});
+    add_floor(world);
+    Body egg = world.create_body({.position = {0, 1.2f}, .angle = 0.6f, .angular_damping = 1.0f});
+    egg.add(Ellipse{.radius_x = 1.0f, .radius_y = 0.5f});
+    run(world, 10.0f);
+    CHECK(egg.position().y() == Approx(0.5f).margin(0.02));
+    CHECK(std::fabs(std::sin(egg.angle())) < 0.05f);
+}
+
 TEST_CASE("bullets stop at walls under every solver") {
     const Solver solver = any_solver();
     World world({.gravity = {0, 0}, .solver = solver});
