@@ -140,7 +140,7 @@ void WorldData::solve_directly(const JointStep& joint_step) {
         apply_forces(h);
         solver.pass(DirectPass::biased);
         zero_locked();
-        integrate_positions(solver_bodies, h);
+        integrate_positions(blocks.bodies_of(blocks[0]), solver_bodies, h);
         solver.pass(DirectPass::relaxed);
         zero_locked();
         strain_joints();

@@ -23,8 +23,9 @@ void store(To* to, Quad v) {
 }
 
 template <bool again>
-void integrate(std::span<SolverBody> bodies, std::span<SolverForce> forces, Quad limit) {
-    for (size_t i = 1; i < bodies.size(); ++i) {
+void integrate(std::span<const uint32_t> which, std::span<SolverBody> bodies,
+               std::span<SolverForce> forces, Quad limit) {
+    for (const uint32_t i : which) {
         SolverBody& b = bodies[i];
         SolverForce& f = forces[i];
         const Quad old = load(&b.velocity);
@@ -45,18 +46,18 @@ void integrate(std::span<SolverBody> bodies, std::span<SolverForce> forces, Quad
 
 }  // namespace
 
-void integrate_velocities(std::span<SolverBody> bodies, std::span<SolverForce> forces,
-                          const SubstepLimits& limits, bool again) {
+void integrate_velocities(std::span<const uint32_t> which, std::span<SolverBody> bodies,
+                          std::span<SolverForce> forces, const SubstepLimits& limits, bool again) {
     const Quad limit = {limits.speed, limits.speed, limits.turn,
                         std::numeric_limits<float>::infinity()};
     if (again)
-        integrate<true>(bodies, forces, limit);
+        integrate<true>(which, bodies, forces, limit);
     else
-        integrate<false>(bodies, forces, limit);
+        integrate<false>(which, bodies, forces, limit);
 }
 
-void integrate_positions(std::span<SolverBody> bodies, float h) {
-    for (size_t i = 1; i < bodies.size(); ++i) {
+void integrate_positions(std::span<const uint32_t> which, std::span<SolverBody> bodies, float h) {
+    for (const uint32_t i : which) {
         SolverBody& b = bodies[i];
         const Quad moved = Quad{h, h, h, 0.0f} * load(&b.velocity) + load(&b.shift);
         store(&b.shift, moved);

@@ -33,10 +33,11 @@ struct SubstepLimits {
     float turn = 0.0f;   ///< rad/s
 };
 
-/// `again`: contacts give each body what they gave it in the last sub-step.
-void integrate_velocities(std::span<SolverBody> bodies, std::span<SolverForce> forces,
-                          const SubstepLimits& limits, bool again);
-void integrate_positions(std::span<SolverBody> bodies, float h);
+/// Of the bodies listed in `which`. `again`: contacts give each what they gave it in the last
+/// sub-step.
+void integrate_velocities(std::span<const uint32_t> which, std::span<SolverBody> bodies,
+                          std::span<SolverForce> forces, const SubstepLimits& limits, bool again);
+void integrate_positions(std::span<const uint32_t> which, std::span<SolverBody> bodies, float h);
 
 /// Keeps what joints do to bodies apart from what contacts do.
 class JointShare {

@@ -1,6 +1,8 @@
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 // Between the records and the solver: constraints are written once a step in the order of the awake
 // contacts, and their impulses are read back.
@@ -97,6 +99,9 @@ V2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
 /// have the last word.
 constexpr int moving_colors = 48;
 
+/// Worlds with fewer contacts have one block: they are in the cache anyway.
+constexpr size_t least_for_blocks = 4000;
+
 /// A path that bends by less in a step is straight, m.
 constexpr float negligible_bend = 5e-5f;
 
@@ -130,7 +135,6 @@ bool WorldData::on_locked_axis(const ContactRecord& contact) const {
 /// none, and what needs more than a plain contact, is solved one at a time.
 void WorldData::color_contacts(float dt) {
     colored.clear();
-    color_begin.fill(0);
     colors_of_body.assign(solver_bodies.size(), 0);
     serial_contacts.clear();
     const bool serially = settings.solver != Solver::soft_step;  // the others know no groups
@@ -156,21 +160,63 @@ void WorldData::color_contacts(float dt) {
         if (moves_b) colors_of_body[b] |= uint64_t{1} << color;
         colored.push_back(
             {slot, uint32_t(color), a, b, record.friction, record.touching, record.hit_events});
-        ++color_begin[size_t(color)];
     }
-    // From counts to the first lane of each color; every color begins a group of its own.
-    uint32_t begin = 0;
-    for (uint32_t& entry : color_begin) {
-        const uint32_t count = entry;
-        entry = begin;
-        begin += (count + lanes - 1) / lanes * lanes;
-    }
-    wide_contacts.resize(begin / lanes);
 }
 
-/// Each colored contact gets a lane of its color.
+/// Each island in one block, where there is enough for several.
+void WorldData::make_blocks() {
+    blocks.begin(uint32_t(solver_bodies.size()));
+    if (colored.size() < least_for_blocks) {
+        blocks.finish_as_one();
+        return;
+    }
+    const auto mover = [&](const ColoredContact& c) {
+        return colors_of_body[c.a] != 0 ? c.a : c.b;
+    };
+    for (const ColoredContact& c : colored) {
+        if (c.place < uint32_t(moving_colors))
+            blocks.link(c.a, c.b);
+        else if (c.a != 0 && c.b != 0)
+            blocks.keep_first(mover(c));  // touches what moves on its own
+    }
+    const auto keep_first = [&](const auto& list) {
+        for (const auto& c : list) blocks.keep_first(c.ends.a), blocks.keep_first(c.ends.b);
+    };
+    std::apply([&](const auto&... list) { (keep_first(list), ...); }, joint_constraints);
+    for (const uint32_t slot : serial_contacts) {
+        blocks.keep_first(solver_ends[contacts[slot].body_a] >> 1);
+        blocks.keep_first(solver_ends[contacts[slot].body_b] >> 1);
+    }
+    for (const uint32_t i : locked) blocks.keep_first(i);
+    for (uint32_t i = 1; i < solver_bodies.size(); ++i) {
+        if ((solver_ends[awake_bodies[i - 1]] & 1) == 0) blocks.keep_first(i);
+    }
+    blocks.find_islands();
+    for (const ColoredContact& c : colored) blocks.count_contact(mover(c));
+    blocks.finish();
+}
+
+/// Each colored contact gets a lane of its color in its block.
 void WorldData::place_lanes() {
-    contact_lanes.resize(wide_contacts.size());
+    const auto entry_of = [&](const ColoredContact& c) -> uint32_t& {
+        const uint32_t block = std::max(blocks.block_of(c.a), blocks.block_of(c.b));
+        return color_begin[block * color_count + c.place];
+    };
+    color_begin.assign(blocks.size() * color_count, 0);
+    for (const ColoredContact& c : colored) ++entry_of(c);
+    // From counts to the first lane of each color; every color begins a group of its own.
+    uint32_t begin = 0;
+    for (size_t block = 0; block < blocks.size(); ++block) {
+        blocks[block].first_group = begin / lanes;
+        for (size_t color = 0; color < color_count; ++color) {
+            uint32_t& entry = color_begin[block * color_count + color];
+            const uint32_t count = std::exchange(entry, begin);
+            begin += (count + lanes - 1) / lanes * lanes;
+        }
+        blocks[block].group_end = begin / lanes;
+    }
+    wide_contacts.resize(begin / lanes);
+    contact_lanes.resize(begin / lanes);
     const auto fill = [&](uint32_t place, const ColoredContact& c, Manifold& manifold) {
         WideContact& wide = wide_contacts[place / lanes];
         const uint32_t lane = place % lanes;
@@ -180,7 +226,7 @@ void WorldData::place_lanes() {
         contact_lanes[place / lanes].manifolds[lane] = &manifold;
     };
     for (ColoredContact& c : colored) {
-        c.place = color_begin[c.place]++;
+        c.place = entry_of(c)++;
         fill(c.place, c, contacts[c.slot].manifold);
     }
     // Lanes that no contact came to: body 0 against itself, without mass.
@@ -213,9 +259,8 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
         c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
                               max(a.inverse_mass, b.inverse_mass));
     };
+    make_blocks();
     place_lanes();
-    wide_kernels(most_lanes)
-        .prepare({solver_bodies.data(), &stiffness, ratio}, contact_lanes, wide_contacts.data());
     constraints.clear();
     extras.clear();
     rolling_contacts.clear();
@@ -240,7 +285,6 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
 }
 
 void WorldData::store_contacts() {
-    wide_kernels(most_lanes).store(wide_contacts.data(), contact_lanes, touch_distance);
     // What came of them is told in the order of the records, not of the colors.
     for (const ColoredContact& c : colored) {
         const ContactLanes& group = contact_lanes[c.place / lanes];

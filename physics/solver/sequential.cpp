@@ -178,7 +178,7 @@ void WorldData::solve_sequentially(const JointStep& joint_step) {
         pass.resolve_velocities();
         solve_joints(joint_step);
         zero_locked();
-        integrate_positions(solver_bodies, joint_step.h);
+        integrate_positions(blocks.bodies_of(blocks[0]), solver_bodies, joint_step.h);
         pass.remove_overlaps();
         relax_joints(joint_step);
         zero_locked();

@@ -174,8 +174,16 @@ inline Bodies gather(const SolverBody* bodies, const uint32_t* index) {
     return {v.a, v.b, v.c, v.d, d.a, d.b, d.c, d.d};
 }
 
-/// Writes the velocities back: the first half of each body, with the inverse mass as it was.
+/// Writes the velocities back: the first half of each body, with the inverse mass as it was. What
+/// no impulse moves may be in several lanes, and other threads may read it: it is left alone.
 inline void scatter(SolverBody* bodies, const uint32_t* index, const Bodies& b) {
+    if (const uint32_t still = bits((b.mass == Wide{}) & (b.inertia == Wide{})); still != 0) {
+        SolverBody spare;
+        scatter4({b.vx, b.vy, b.w, b.mass}, [&](int lane) -> void* {
+            return (still >> lane & 1) != 0 ? &spare : bodies + index[lane];
+        });
+        return;
+    }
     scatter4({b.vx, b.vy, b.w, b.mass},
              [=](int lane) { return static_cast<void*>(bodies + index[lane]); });
 }

@@ -1,5 +1,4 @@
 #include <geometry/trigonometry.h>
-#include <solver/contact_solver.h>
 #include <world/world_data.h>
 
 #include <chrono>
@@ -81,22 +80,6 @@ void WorldData::zero_locked() {
     }
 }
 
-/// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
-/// start them one by one. What many joints do besides takes longer to tell apart than that saves.
-bool WorldData::repeats_pushes() {
-    joint_share.clear();
-    if (!rolling_contacts.empty()) return false;  // what they gave had another direction
-    size_t ends = 0;
-    std::apply([&](const auto&... list) { ((ends += 2 * list.size()), ...); }, joint_constraints);
-    if (ends > (colored.size() + constraints.size()) / 4) return false;
-    const auto add = [&](const auto& list) {
-        for (const auto& c : list) joint_share.add(c.ends.a), joint_share.add(c.ends.b);
-    };
-    std::apply([&](const auto&... list) { (add(list), ...); }, joint_constraints);
-    joint_share.unite();
-    return true;
-}
-
 void WorldData::solve(float dt) {
     const float h = dt / float(settings.substeps);
     gather_bodies(h);
@@ -104,13 +87,13 @@ void WorldData::solve(float dt) {
     const JointStep joint_step = prepare_joints(h);
 
     const float gravity = length(to_v2(settings.gravity));
-    prepare_contacts(dt, h,
-                     {settings.contact_hertz, settings.contact_damping, h,
-                      gravity > 0.0f ? gravity : usual_gravity});
+    const ContactStiffness stiffness(settings.contact_hertz, settings.contact_damping, h,
+                                     gravity > 0.0f ? gravity : usual_gravity);
+    prepare_contacts(dt, h, stiffness);
     statistics.direct_solves = statistics.direct_failures = 0;
     switch (settings.solver) {
         case Solver::soft_step:
-            solve_softly(joint_step);
+            solve_softly(joint_step, stiffness);
             break;
         case Solver::sequential:
             solve_sequentially(joint_step);
@@ -129,7 +112,8 @@ void WorldData::solve(float dt) {
 
 /// How the solvers without warm starting begin a sub-step.
 void WorldData::apply_forces(float h) {
-    integrate_velocities(solver_bodies, solver_forces, {greatest_speed, greatest_turn / h}, false);
+    integrate_velocities(blocks.bodies_of(blocks[0]), solver_bodies, solver_forces,
+                         {greatest_speed, greatest_turn / h}, false);
     zero_locked();
     solver_bodies[0] = {};
 }
@@ -142,53 +126,6 @@ void WorldData::follow_curved_contacts() {
         rolling_contacts[extras[c.extra - 1].rolling - 1].follow(c, solver_bodies[c.a],
                                                                  solver_bodies[c.b]);
     }
-}
-
-void WorldData::solve_softly(const JointStep& joint_step) {
-    const float h = joint_step.h;
-    ContactSolver serial;
-    serial.bodies = solver_bodies;
-    serial.constraints = constraints;
-    serial.extras = extras;
-    serial.rolling = rolling_contacts;
-    serial.inverse_h = 1.0f / h;
-    serial.push_speed = settings.push_speed;
-    serial.restitution_threshold = settings.restitution_threshold;
-    const WideKernels& kernels = wide_kernels(most_lanes);
-    const WideStep wide = {solver_bodies.data(), wide_contacts.data(), wide_contacts.size(),
-                           serial.inverse_h, serial.push_speed};
-
-    const bool repeats = repeats_pushes();
-    const auto around_joints = [&](auto&& pass) {
-        if (repeats)
-            joint_share.around(solver_bodies, solver_forces, pass);
-        else
-            pass();
-    };
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        const bool again = repeats && substep > 0;
-        integrate_velocities(solver_bodies, solver_forces, {greatest_speed, greatest_turn / h},
-                             again);
-        zero_locked();
-        solver_bodies[0] = {};  // every pass writes it back unmoved; whatever happens, it stays so
-        around_joints([&] { warm_start_joints(); });
-        if (!again) {
-            serial.warm_start();
-            kernels.warm_start(wide);
-        }
-        around_joints([&] { solve_joints(joint_step); });
-        serial.solve_biased();
-        kernels.solve_biased(wide);
-        zero_locked();
-        integrate_positions(solver_bodies, h);
-        around_joints([&] { relax_joints(joint_step); });
-        serial.relax();
-        kernels.relax(wide);
-        zero_locked();
-        strain_joints();
-    }
-    serial.restitute();
-    zero_locked();
 }
 
 void WorldData::finish_bodies(float dt) {

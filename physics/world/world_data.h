@@ -4,6 +4,7 @@
 #include <broad_phase/tree.h>
 #include <fettle/physics/world.h>
 #include <geometry/vertex_pool.h>
+#include <solver/blocks.h>
 #include <solver/constraint.h>
 #include <solver/motion.h>
 #include <solver/rolling_contact.h>
@@ -125,7 +126,8 @@ struct WorldData : Columns {
     std::vector<WideContact> wide_contacts;      ///< by color
     std::vector<ContactLanes> contact_lanes;     ///< of the same groups
     std::vector<ColoredContact> colored;
-    std::array<uint32_t, color_count> color_begin{};
+    SolverBlocks blocks;
+    std::vector<uint32_t> color_begin;     ///< lanes, by block and color
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
     int most_lanes = lanes;                ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
@@ -349,9 +351,7 @@ struct WorldData : Columns {
     void step(float dt);
     void solve(float dt);
     void apply_forces(float h);
-    void solve_softly(const JointStep& joint_step);
     void gather_bodies(float h);
-    bool repeats_pushes();
     void finish_bodies(float dt);
     void finish_shapes(uint32_t body, Rotation q, bool many);
     // continuous.cpp
@@ -359,6 +359,13 @@ struct WorldData : Columns {
     float limit_motion(const FastBody& fast) const;
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
+    // ../solver/soft_step.cpp
+    struct BlockStep;
+    void solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness);
+    bool repeats_pushes(const SolverBlock& block);
+    WideStep wide_step(const SolverBlock& block, const BlockStep& step);
+    void solve_first_block(const BlockStep& step, const JointStep& joint_step);
+    void solve_block(const SolverBlock& block, const BlockStep& step);
     // ../solver
     void solve_sequentially(const JointStep& joint_step);
     void solve_directly(const JointStep& joint_step);
@@ -366,6 +373,7 @@ struct WorldData : Columns {
     void follow_curved_contacts();
     bool on_locked_axis(const ContactRecord& contact) const;
     void color_contacts(float dt);
+    void make_blocks();
     void place_lanes();
     bool passes_corner(const ContactRecord& contact, float dt) const;
     void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);

@@ -76,3 +76,36 @@ TEST_CASE("two worlds do not know each other") {
     REQUIRE(x.position().y() < -1.0f);
     REQUIRE(y.position() == Vec2(0, 0));
 }
+
+namespace {
+
+/// Piles side by side on one floor, five leaning boxes each; the bodies in the order of the piles.
+std::vector<Body> piles(World& world, int count) {
+    Body floor = world.create_body({.type = BodyType::static_body});
+    floor.add(Box{.width = 8000, .height = 2, .center = {0, -1}});
+    std::vector<Body> bodies;
+    for (int pile = 0; pile < count; ++pile) {
+        for (int k = 0; k < 5; ++k) {
+            const Vec2 at = {3.0f * float(pile) + 0.13f * float(k % 3), 0.5f + 1.01f * float(k)};
+            bodies.push_back(world.create_body({.position = at, .angle = 0.02f * float(k)}));
+            bodies.back().add(Box{.width = 1, .height = 1});
+        }
+    }
+    return bodies;
+}
+
+}  // namespace
+
+TEST_CASE("a pile falls the same alone and among so many that they are solved in blocks") {
+    World one({.sleeping = false}), many({.sleeping = false});
+    const auto alone = piles(one, 1), among = piles(many, 1000);
+    for (int i = 0; i < 120; ++i) {
+        one.step(frame);
+        many.step(frame);
+        for (size_t k = 0; k < alone.size(); ++k) {
+            REQUIRE(alone[k].position() == among[k].position());
+            REQUIRE(alone[k].angle() == among[k].angle());
+        }
+    }
+    REQUIRE(many.statistics().touching > 4000);
+}

@@ -1,0 +1,83 @@
+#include <solver/blocks.h>
+
+#include <numeric>
+
+namespace fettle::physics::detail {
+
+void SolverBlocks::begin(uint32_t bodies) {
+    parent_.resize(bodies);
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    first_.assign(bodies, 0);
+    contacts_.assign(bodies, 0);
+    block_of_.assign(bodies, 0);
+    blocks_.assign(1, {});
+}
+
+uint32_t SolverBlocks::root(uint32_t body) {
+    while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
+    return body;
+}
+
+/// The lower index is the root, whatever the order.
+void SolverBlocks::link(uint32_t a, uint32_t b) {
+    a = root(a);
+    b = root(b);
+    if (a < b)
+        parent_[b] = a;
+    else
+        parent_[a] = b;
+}
+
+void SolverBlocks::keep_first(uint32_t body) {
+    first_[body] = 1;
+}
+
+/// Roots come before what is below them.
+void SolverBlocks::find_islands() {
+    for (uint32_t i = 1; i < parent_.size(); ++i) {
+        parent_[i] = parent_[parent_[i]];
+        first_[parent_[i]] |= first_[i];
+    }
+}
+
+void SolverBlocks::count_contact(uint32_t body) {
+    ++contacts_[parent_[body]];
+}
+
+void SolverBlocks::finish() {
+    uint32_t contacts = 0, bodies = 0;  // in the last block
+    for (uint32_t i = 1; i < parent_.size(); ++i) {
+        const uint32_t island = parent_[i];
+        if (first_[island] != 0) continue;
+        if (island == i) {
+            if (blocks_.size() == 1 || contacts + contacts_[i] > enough_contacts ||
+                bodies >= enough_bodies) {
+                blocks_.emplace_back();
+                contacts = bodies = 0;
+            }
+            contacts += contacts_[i];
+            block_of_[i] = uint32_t(blocks_.size() - 1);
+        }
+        block_of_[i] = block_of_[island];
+        ++bodies;
+    }
+    order_bodies();
+}
+
+void SolverBlocks::finish_as_one() {
+    order_bodies();
+}
+
+void SolverBlocks::order_bodies() {
+    for (uint32_t i = 1; i < block_of_.size(); ++i) ++blocks_[block_of_[i]].body_end;
+    uint32_t begin = 0;
+    for (SolverBlock& block : blocks_) {
+        const uint32_t count = block.body_end;
+        block.first_body = block.body_end = begin;
+        begin += count;
+    }
+    order_.resize(begin);
+    for (uint32_t i = 1; i < block_of_.size(); ++i) order_[blocks_[block_of_[i]].body_end++] = i;
+}
+
+}  // namespace fettle::physics::detail

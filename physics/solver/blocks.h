@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Bodies in blocks that can be solved one after the other, through all sub-steps, or each by
+// another thread: no contact that moves anything links two of them. A block holds whole islands,
+// and so many that its contacts stay in the cache of a core from the first pass to the last.
+//
+// The first block has whatever needs more than wide contacts: joints, contacts solved one at a
+// time, locked axes, bodies that move on their own and who touches them. Which block an island is
+// in changes nothing of its result.
+
+namespace fettle::physics::detail {
+
+struct SolverBlock {
+    uint32_t first_body = 0, body_end = 0;    ///< in the order of the blocks
+    uint32_t first_group = 0, group_end = 0;  ///< of wide contacts
+};
+
+class SolverBlocks {
+  public:
+    /// Contacts of a block: 112 bytes each, half of the second-level cache of a small core.
+    static constexpr uint32_t enough_contacts = 2000;
+    static constexpr uint32_t enough_bodies = 4000;
+
+    /// `bodies`: one more than there are, since body 0 does not move.
+    void begin(uint32_t bodies);
+    /// They influence each other in this step.
+    void link(uint32_t a, uint32_t b);
+    /// Its island needs more than wide contacts.
+    void keep_first(uint32_t body);
+    /// Of contacts by one of their bodies that moves; then `finish`.
+    void count_contact(uint32_t body);
+    void find_islands();
+    void finish();
+    /// All in the first block, when there is little to do.
+    void finish_as_one();
+
+    uint32_t block_of(uint32_t body) const { return block_of_[body]; }
+    std::size_t size() const { return blocks_.size(); }
+    SolverBlock& operator[](std::size_t block) { return blocks_[block]; }
+    std::span<const uint32_t> bodies_of(const SolverBlock& block) const {
+        return std::span(order_).subspan(block.first_body, block.body_end - block.first_body);
+    }
+
+  private:
+    uint32_t root(uint32_t body);
+    void order_bodies();
+
+    std::vector<uint32_t> parent_;
+    std::vector<uint8_t> first_;      // by root
+    std::vector<uint32_t> contacts_;  // by root
+    std::vector<uint32_t> block_of_;  // by body
+    std::vector<uint32_t> order_;     // bodies by block
+    std::vector<SolverBlock> blocks_;
+};
+
+}  // namespace fettle::physics::detail
