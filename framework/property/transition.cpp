@@ -124,6 +124,17 @@ void Transition::tell_created() {
     }
 }
 
+/// Noted in the order of the slots.
+std::span<const Transition::Known> Transition::known_of(Handle instance) const {
+    const auto first = std::partition_point(known_.begin(), known_.end(), [&](const Known& known) {
+        return known.instance.index < instance.index;
+    });
+    const auto last = std::partition_point(first, known_.end(), [&](const Known& known) {
+        return known.instance.index == instance.index;
+    });
+    return {first, last};
+}
+
 void Transition::tell_changed() {
     const Cause cause = state_.tree.cause();
     for (const Known& known : known_) {
@@ -139,11 +150,11 @@ void Transition::tell_changed() {
     for (const Lived& lived : lived_) {
         const Node* node = state_.nodes.find(lived.instance);
         if (node == nullptr || !node->has_ad_hoc) continue;
-        const auto of_it =
-            std::ranges::equal_range(known_, lived.instance.index, {},
-                                     [](const Known& known) { return known.instance.index; });
+        const std::span<const Known> of_it = known_of(lived.instance);
         for (const Property* property : state_.tree.ad_hoc(lived.instance)) {
-            const bool told = std::ranges::find(of_it, property, &Known::property) != of_it.end();
+            const bool told = std::any_of(of_it.begin(), of_it.end(), [&](const Known& known) {
+                return known.property == property;
+            });
             if (told || !watched(lived.instance, *node, *property)) continue;
             state_.queue_change(lived.instance, *property, Value(),
                                 state_.read(lived.instance.index, *node, *property), cause);

@@ -3,6 +3,7 @@
 // is noted before it, so that afterwards they can be told what is different.
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ class Transition {
         bool fresh;
     };
     void note(std::uint32_t index);
+    std::span<const Known> known_of(Handle instance) const;
     bool watched(Handle self, const Node& node, const Property& property) const;
     void drop_queued();
     void end_instances();

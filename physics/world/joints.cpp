@@ -182,7 +182,7 @@ bool WorldData::joint_forbids_contact(uint32_t body_a, uint32_t body_b) const {
 
 /// After an edit: contacts between the two bodies end, or are looked for.
 void WorldData::refilter_joint(uint32_t joint) {
-    auto [a, b] = joints[joint].bodies;
+    uint32_t a = joints[joint].bodies[0], b = joints[joint].bodies[1];
     if (bodies[a].contact_count > bodies[b].contact_count) std::swap(a, b);
     if (joint_forbids_contact(a, b)) {
         for_each_contact(a, [&](uint32_t contact) {
