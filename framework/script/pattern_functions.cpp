@@ -42,7 +42,7 @@ void push_capture(lua_State* L, const PatternMatcher& matcher, std::string_view 
     const auto& capture = matcher.capture(i);
     if (capture.kind == PatternMatcher::Capture::open)
         throw Error(ErrorKind::rejected, "unfinished capture");
-    if (capture.kind == PatternMatcher::Capture::position)
+    if (capture.kind == PatternMatcher::Capture::place)
         lua_pushinteger(L, static_cast<lua_Integer>(capture.start) + 1);
     else
         lua_pushlstring(L, subject.data() + capture.start, capture.length);

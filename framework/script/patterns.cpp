@@ -212,7 +212,7 @@ std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
         const char first = pattern_[p];
         if (first == '(') {
             return p + 1 < pattern_.size() && pattern_[p + 1] == ')'
-                       ? open_capture(s, p + 2, Capture::position)
+                       ? open_capture(s, p + 2, Capture::place)
                        : open_capture(s, p + 1, Capture::open);
         }
         if (first == ')') return close_capture(s, p + 1);

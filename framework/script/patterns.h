@@ -17,7 +17,7 @@ class PatternMatcher {
     struct Capture {
         std::size_t start = 0;
         std::size_t length = 0;
-        enum Kind : std::uint8_t { open, closed, position } kind = open;
+        enum Kind : std::uint8_t { open, closed, place } kind = open;
     };
 
     /// `pay(context, steps)` is called now and then; it may throw.

@@ -320,7 +320,8 @@ bool ScriptClasses::deliver_ready() {
                      [](const Due& a, const Due& b) { return a.depth > b.depth; });
     const property::Event* event = machine_.tree.object_class().event("ready");
     bool ok = true;
-    for (const auto& [depth, each] : due) {
+    for (const Due& one : due) {
+        const Waiting& each = one.what;
         if (!machine_.tree.alive(each.instance)) continue;
         if (each.announce && event && machine_.tree.listens(each.instance, *event))
             machine_.tree.emit(each.instance, *event, {});

@@ -1,12 +1,10 @@
 #pragma once
 // The tree of a small game, as the fuzzers find it.
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-
 #include <fettle/physics_module/physics_module.h>
 #include <fettle/property/tree.h>
+
+#include "text.h"
 
 namespace fettle::fuzz {
 
@@ -27,9 +25,5 @@ struct Game {
         tree.set_or_add(odd, "scores", property::List{1, 2.5, "three"});
     }
 };
-
-inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
-    return {reinterpret_cast<const char*>(data), size};
-}
 
 }  // namespace fettle::fuzz

@@ -14,7 +14,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/storage/saves.h>
 
-#include "game.h"
+#include "text.h"
 
 using namespace fettle;
 namespace fs = std::filesystem;
