@@ -164,6 +164,19 @@ void check_proxies(const WorldData& w, Findings& findings) {
         const Tree& in = shape.tree == Mobility::fixed ? w.fixed_tree : w.moving_tree;
         findings.require(shape.proxy == Tree::none || in.is_leaf(shape.proxy), "a proxy");
     }
+    // A step moves the proxies of whatever is awake, without looking for them.
+    std::vector<bool> edited(n);
+    for (const uint32_t s : w.edited_shapes)
+        if (s < n) edited[s] = w.shapes[s].listed;
+    for (const BodyRecord& body : w.bodies) {
+        if (body.solver_index == 0) continue;
+        for (uint32_t s = body.first_shape; s != none; s = w.shapes[s].next) {
+            const ShapeRecord& shape = w.shapes[s];
+            findings.require(!w.is_solid(s) || edited[s] ||
+                                 (shape.proxy != Tree::none && shape.tree != Mobility::fixed),
+                             "the proxy of what is awake");
+        }
+    }
 }
 
 void check_contacts(const WorldData& w, Findings& findings) {
