@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
+#include <optional>
 #include <type_traits>
 
 // Whether a world that came as bytes may be walked: every index is in range and every list ends.
@@ -32,6 +34,32 @@ bool are_bools(const Flags&... flags) {
         return value;
     };
     return ((byte(flags) <= 1) && ...);
+}
+
+/// Where an optional keeps whether it holds something: where one that does differs from one that
+/// does not.
+template <class T>
+size_t flag_of_optional() {
+    using Optional = std::optional<T>;
+    alignas(Optional) unsigned char full[sizeof(Optional)] = {}, empty[sizeof(Optional)] = {};
+    new (full) Optional(T{});
+    new (empty) Optional();
+    size_t at = sizeof(T);
+    while (at < sizeof(Optional) && !(full[at] == 1 && empty[at] == 0)) ++at;
+    return at;
+}
+
+/// The same for what optionals hold of themselves.
+template <class... T>
+bool are_optionals(const std::optional<T>&... values) {
+    const auto sound = []<class One>(const std::optional<One>& value) {
+        static_assert(std::is_trivially_destructible_v<One>);
+        static const size_t at = flag_of_optional<One>();
+        unsigned char bytes[sizeof value];
+        std::memcpy(bytes, &value, sizeof value);
+        return at == sizeof value || bytes[at] <= 1;
+    };
+    return (sound(values) && ...);
 }
 
 bool optional_index(uint32_t index, size_t size) {
@@ -75,14 +103,15 @@ void check_bodies(const WorldData& w, Findings& findings) {
         n > 0 && w.states.size() == n && w.previous.size() == n && w.body_generations.size() == n,
         "bodies");
     for (const BodyRecord& body : w.bodies) {
-        findings.require(body.mobility <= Mobility::dynamic &&
-                             body.type <= BodyType::dynamic_body &&
-                             body.solver_index <= w.awake_bodies.size() &&
-                             are_bools(body.locked_x, body.locked_y, body.locked_rotation,
-                                       body.can_sleep, body.bullet, body.never_awake,
-                                       body.mass_dirty, body.placement_dirty, body.listed) &&
-                             optional_index(body.island, w.islands.size()),
-                         "a body");
+        findings.require(
+            body.mobility <= Mobility::dynamic && body.type <= BodyType::dynamic_body &&
+                body.solver_index <= w.awake_bodies.size() &&
+                are_bools(body.locked_x, body.locked_y, body.locked_rotation, body.can_sleep,
+                          body.bullet, body.never_awake, body.mass_dirty, body.placement_dirty,
+                          body.listed) &&
+                are_optionals(body.mass_override, body.inertia_override, body.center_override) &&
+                optional_index(body.island, w.islands.size()),
+            "a body");
         findings.require(
             optional_index(body.last_shape, shapes) &&
                 list_ends(body.first_shape, shapes, [&](uint32_t s) { return w.shapes[s].next; }),
@@ -227,6 +256,8 @@ void check_joints(const WorldData& w, Findings& findings) {
             (places(lists), ...);
         },
         w.joint_lists);
+    for (const RatchetData& ratchet : std::get<std::vector<RatchetData>>(w.joint_lists))
+        findings.require(are_bools(ratchet.backwards, ratchet.impulses.engaged), "a ratchet");
     for (size_t i = 0; i < n; ++i) {
         const JointRecord& joint = w.joints[i];
         const auto type = size_t(joint.type);
@@ -277,7 +308,8 @@ void check_lists(const WorldData& w, Findings& findings) {
     const WorldDef& s = w.settings;
     findings.require(s.substeps >= 1 && s.substeps <= 64 && s.friction_mix <= MixRule::geometric &&
                          s.restitution_mix <= MixRule::geometric && s.solver <= Solver::direct &&
-                         are_bools(s.sleeping, s.continuous, s.persist_events),
+                         are_bools(s.sleeping, s.continuous, s.persist_events) &&
+                         are_optionals(s.bounds),
                      "the settings");
     if (findings.result()) return;
     // Who sleeps is in an island, which knows him.

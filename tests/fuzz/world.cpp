@@ -20,6 +20,14 @@ std::vector<std::byte> true_state() {
             {.position = {0.1f * static_cast<float>(i), 1.0f + static_cast<float>(i)}});
         body.add(Circle{.radius = 0.4f});
     }
+    Body car = world.create_body({.position = {3, 2}});
+    car.add(Box{.width = 2, .height = 0.5f});
+    Body wheel = world.create_body({.position = {3.5f, 1.5f}});
+    wheel.add(Ellipse{.radius_x = 0.4f, .radius_y = 0.3f});
+    car.set_mass(3.0f);
+    world.create_wheel_joint({.body_a = car.id(), .body_b = wheel.id()});
+    world.create_ratchet_joint({.body_a = floor.id(), .body_b = wheel.id()});
+    world.create_field({.force = DragField{}});
     for (int i = 0; i < 40; ++i) world.step(1.0f / 60);
     std::vector<std::byte> bytes;
     world.save(bytes);
