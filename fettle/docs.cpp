@@ -31,6 +31,7 @@ void write(const fs::path& file, const std::string& text) {
 int docs(const DocsOptions& options) {
     RunOptions run;
     run.game = options.game;
+    run.modules = options.modules;
     run.headless = true;
     Session session(run, nullptr, {});
     if (!options.game.empty()) {
@@ -53,6 +54,12 @@ void add_docs(CLI::App& app, int& status) {
     command.add_option("folder", options->folder, "Where to; made when it is missing")->required();
     command.add_option("game", options->game,
                        "A game whose own classes are to be described as well");
+    command
+        .add_option_function<std::string>(
+            "--module", [options](const std::string& name) { options->modules.push_back(name); },
+            "A module whose classes are, too: a shared object, or the name of an installed one "
+            "(repeatable)")
+        ->trigger_on_parse();
     command.callback([options, &status] {
         try {
             status = docs(*options);

@@ -19,6 +19,7 @@ std::string version_text() {
                               std::pair{"SQLite", FETTLE_VERSION_OF_SQLITE},
                               std::pair{"nlohmann-json", FETTLE_VERSION_OF_JSON},
                               std::pair{"CLI11", FETTLE_VERSION_OF_CLI11},
+                              std::pair{"zstd", FETTLE_VERSION_OF_ZSTD},
                               std::pair{"compiler", FETTLE_COMPILER}};
     std::string text = "fettle " FETTLE_VERSION "\n";
     const auto line = [&](std::string_view name, const std::string& version) {

@@ -41,7 +41,10 @@ std::vector<Field> fields(const fettle_array& array, const std::string& of) {
         all.push_back({.name = text_or_empty(field.name),
                        .type = type_of(field.type, of),
                        .unit = text_or_empty(field.unit),
-                       .doc = text_or_empty(field.doc)});
+                       .doc = text_or_empty(field.doc),
+                       .reference_class = text_or_empty(field.reference_class),
+                       .element = type_of(field.element, of),
+                       .nullable = (field.flags & FETTLE_NULLABLE) != 0});
     return all;
 }
 
@@ -311,6 +314,9 @@ void BridgedClass::replace(const fettle_class& native, std::vector<std::string>&
         throw std::runtime_error("class " + name + " derives from " + base + " now, not from " +
                                  (declared_->base() ? declared_->base()->name() : "nothing") +
                                  " as before: that takes a new start");
+    if ((native.flags & FETTLE_SAVED_NATIVELY) != (native_.flags & FETTLE_SAVED_NATIVELY))
+        throw std::runtime_error("rows of class " + name +
+                                 " are saved in another way than before: that takes a new start");
     const auto given = elements<fettle_property>(native.properties);
     for (BridgedProperty& kept : properties_) {
         const auto same = std::find_if(given.begin(), given.end(), [&](const fettle_property& p) {

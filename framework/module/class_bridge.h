@@ -40,6 +40,8 @@ class BridgedClass {
     BridgedClass& operator=(const BridgedClass&) = delete;
 
     const property::Class& declared() const { return *declared_; }
+    /// Snapshots have its rows from the module, not value by value.
+    bool saved_natively() const { return (native_.flags & FETTLE_SAVED_NATIVELY) != 0; }
     /// Those that the module has a row for, also instances of classes that derive from this one.
     const std::set<std::pair<std::uint32_t, std::uint32_t>>& instances() const {
         return instances_;

@@ -56,6 +56,12 @@ OpenModule Plugin::State::open_file() {
 void Plugin::State::attach_native() {
     host.require(open.native.attach(open.native.context), "attach");
     host.define_class = nullptr;
+    if (saves()) return;
+    for (const auto& c : classes)
+        if (c->saved_natively())
+            throw std::runtime_error("class " + c->declared().name() +
+                                     " leaves its rows to `save` and `restore` of the module, "
+                                     "which has not both");
 }
 
 void Plugin::State::check_native() {
@@ -137,7 +143,7 @@ void Plugin::attach(property::Tree& tree) {
         for (const auto& c : s.classes) c->abandon();
         throw LoadError(s.file, "module " + s.name + ": " + error.what());
     }
-    if (s.open.native.save != nullptr && s.open.native.restore != nullptr) tree.add_part(*this);
+    if (s.saves()) tree.add_part(*this);
 }
 
 void Plugin::step(double dt) {

@@ -34,6 +34,8 @@ struct Plugin::State {
     /// The module's own test, if it has one.
     void check_native();
     void close_native();
+    /// Whether it says itself what its rows are, for snapshots.
+    bool saves() const { return open.native.save != nullptr && open.native.restore != nullptr; }
 };
 
 /// The phases of a trial, for the message.

@@ -157,9 +157,9 @@ TEST_CASE("a file that is no module is refused with what it is") {
     };
     says("nothing", "there is no such file");
     says("without_entry", "function fettle_module_open, found a shared object without it");
-    says("newer_major", "expected a module for version 1.0");
+    says("newer_major", "expected a module for version 1.1");
     says("newer_major", "found one for 2.3");
-    says("newer_minor", "found one for 1.1");
+    says("newer_minor", "found one for 1.2");
     says("bad_name", "found \"two words\"");
     says("missing_symbol", "it needs the symbol function_of_another_program");
     says("crash_when_opened", "crashed (Segmentation fault) while it was opened");
@@ -167,9 +167,11 @@ TEST_CASE("a file that is no module is refused with what it is") {
     says("abort_in_check", "crashed (Aborted) in its own test");
     says("exit_in_check", "ended the process with status 3 in its own test");
     says("fail_in_check", "the barometer is stuck");
+    says("forgetful", "class Harbor leaves its rows to `save` and `restore`");
     CHECK(refusal(FETTLE_TEST_MODULES).find("found a folder") != std::string::npos);
     CHECK(refusal(__FILE__).find("found a file of another kind") != std::string::npos);
     CHECK(refusal(built("weather")) == "");
+    CHECK(refusal(built("older_minor")) == "");
 }
 
 TEST_CASE("a module is not loaded twice") {

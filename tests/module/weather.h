@@ -16,6 +16,8 @@ std::filesystem::path built(const std::string& name);
 class ModuleFile {
   public:
     explicit ModuleFile(const std::string& name);
+    ModuleFile(const ModuleFile&) = delete;
+    ModuleFile& operator=(const ModuleFile&) = delete;
     ~ModuleFile();
     const std::filesystem::path& path() const { return file_; }
     void become(const std::string& name) const;

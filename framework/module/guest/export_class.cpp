@@ -90,6 +90,10 @@ void draw(void* context, fettle_handle self, fettle_row row, const fettle_painte
     });
 }
 
+std::uint32_t flag(bool set, std::uint32_t bit) {
+    return set ? bit : 0u;
+}
+
 /// What descriptors in C point to, while the program copies them.
 struct Texts {
     std::deque<std::vector<const char*>> lists;
@@ -108,9 +112,14 @@ struct Texts {
         for (const property::Field& field : from)
             made.push_back({.name = field.name.c_str(),
                             .type = static_cast<std::uint32_t>(field.type),
-                            .reserved = 0,
+                            .flags = flag(field.nullable, FETTLE_NULLABLE),
                             .unit = field.unit.c_str(),
-                            .doc = field.doc.c_str()});
+                            .doc = field.doc.c_str(),
+                            .reference_class = field.reference_class.empty()
+                                                   ? nullptr
+                                                   : field.reference_class.c_str(),
+                            .element = static_cast<std::uint32_t>(field.element),
+                            .reserved = 0});
         return array_of(made);
     }
     template <class Element>
@@ -120,7 +129,6 @@ struct Texts {
 };
 
 std::uint32_t flags(const Property& p) {
-    const auto flag = [](bool set, std::uint32_t bit) { return set ? bit : 0u; };
     return flag(p.read_only, FETTLE_READ_ONLY) | flag(p.transient, FETTLE_TRANSIENT) |
            flag(p.simulated, FETTLE_SIMULATED) | flag(p.clamp, FETTLE_CLAMP) |
            flag(p.infinity, FETTLE_INFINITY) | flag(p.nullable, FETTLE_NULLABLE) |

@@ -27,7 +27,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 0
+#define FETTLE_ABI_MINOR 1
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {
@@ -164,9 +164,12 @@ typedef struct fettle_property {
 typedef struct fettle_field {
     const char* name;
     uint32_t type;
-    uint32_t reserved;
+    uint32_t flags; /* since 1.1: FETTLE_NULLABLE, of what is told: it may be nil */
     const char* unit;
     const char* doc;
+    const char* reference_class; /* since 1.1: of a reference, or of those in a list */
+    uint32_t element;            /* since 1.1: type of a list's elements; 0: any */
+    uint32_t reserved;
 } fettle_field;
 
 enum { FETTLE_ONE_VALUE = 0, FETTLE_RECORD, FETTLE_RECORDS };
