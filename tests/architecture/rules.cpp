@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -251,6 +252,41 @@ Violations public_header_violations(const SourceTree& tree) {
                                    "a public header includes only public headers, std and Eigen, "
                                    "not " +
                                        include.name));
+            }
+        }
+    }
+    return found;
+}
+
+Violations unmarked_declarations(const SourceTree& tree) {
+    // Types in C that both sides of the border have, and a library that is static in any case.
+    static const std::set<std::string_view> without = {"framework/include/fettle/module/abi.h",
+                                                       "framework/include/fettle/module/guest.h"};
+    static const std::regex comment(R"(//.*|/\*.*?\*/|/\*.*)");
+    // Names of other libraries, which are not this one's to show.
+    static const std::regex of_others(R"((namespace [a-z:_]+ \{|(class|struct) \w+;|\}| )*)");
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        const Part* part = part_of(path);
+        if (!part || !file.is_public_header() || without.contains(path)) continue;
+        std::string upper(part->name);
+        std::ranges::transform(upper, upper.begin(), [](char c) { return std::toupper(c); });
+        const std::string begin = "FETTLE_" + upper + "_BEGIN", end = "FETTLE_" + upper + "_END";
+        bool marked = false, commented = false;
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            std::string code = std::regex_replace(file.lines[i], comment, "");
+            if (commented && file.lines[i].find("*/") == std::string::npos) continue;
+            if (commented) code = file.lines[i].substr(file.lines[i].find("*/") + 2);
+            commented = file.lines[i].rfind("/*") != std::string::npos &&
+                        file.lines[i].find("*/") == std::string::npos;
+            code.erase(0, code.find_first_not_of(" \t"));
+            if (code == begin || code == end) {
+                marked = code == begin;
+            } else if (!marked && !code.empty() && code[0] != '#' &&
+                       !std::regex_match(code, of_others)) {
+                found.push_back(at(file, static_cast<int>(i) + 1,
+                                   "a declaration outside of " + begin + " and " + end));
+                break;  // one is enough to know where the marks are missing
             }
         }
     }

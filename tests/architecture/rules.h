@@ -25,6 +25,10 @@ Violations forbidden_links(const SourceTree& tree);
 /// its user needs no SFML, ImGui or Lua; and it lies in include/fettle/<library>/.
 Violations public_header_violations(const SourceTree& tree);
 
+/// What a public header declares stands between the marks FETTLE_<PART>_BEGIN and _END: a shared
+/// library shows nothing else.
+Violations unmarked_declarations(const SourceTree& tree);
+
 /// A private header is included only by its own part and by tests and benchmarks.
 Violations borrowed_private_headers(const SourceTree& tree);
 

@@ -47,6 +47,10 @@ TEST_CASE("public headers need no header of SFML or ImGui or Lua") {
     CHECK(listed(public_header_violations(project())) == "");
 }
 
+TEST_CASE("public headers mark what a shared library shows") {
+    CHECK(listed(unmarked_declarations(project())) == "");
+}
+
 TEST_CASE("private headers stay in their part") {
     CHECK(listed(borrowed_private_headers(project())) == "");
 }

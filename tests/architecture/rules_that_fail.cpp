@@ -98,6 +98,19 @@ TEST_CASE("a public header that includes a private or foreign one is named") {
     CHECK(of(public_header_violations, "physics/include/body.h", "").size() == 1);
 }
 
+TEST_CASE("a declaration in a public header outside of the marks is named") {
+    const auto verdict = [](const std::string& text) {
+        return of(unmarked_declarations, property_tree, "#pragma once\n" + text);
+    };
+    CHECK(verdict("// a tree\n/* of\n   wood */\n#include <vector>\n").empty());
+    CHECK(verdict("FETTLE_PROPERTY_BEGIN\nclass Tree;  // grows\nFETTLE_PROPERTY_END\n").empty());
+    CHECK(verdict("namespace sf {\nclass Event;\n}  // namespace sf\n").empty());
+    CHECK(verdict("FETTLE_PHYSICS_BEGIN\nint grow();\nFETTLE_PHYSICS_END\n").size() == 1);
+    const Violations late = verdict("FETTLE_PROPERTY_BEGIN\nFETTLE_PROPERTY_END\nint grow();\n");
+    REQUIRE(late.size() == 1);
+    CHECK(late[0].find(property_tree + ":4: ") == 0);
+}
+
 TEST_CASE("a private header used by another part is named") {
     CHECK(of(borrowed_private_headers, "physics/solver/solve.cpp", "#include \"island.h\"\n")
               .empty());

@@ -17,6 +17,27 @@ if(WAY STREQUAL "pkgconfig")
   return()
 endif()
 
+# All that the compiler opens for every header of the parts that need neither window nor script.
+if(WAY STREQUAL "headers")
+  file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/fettle/physics/*.h" "${PREFIX}/include/fettle/property/*.h"
+       "${PREFIX}/include/fettle/module/*.h" "${PREFIX}/include/fettle/physics_module/*.h")
+  list(TRANSFORM headers PREPEND "#include <")
+  list(JOIN headers ">\n" text)
+  file(WRITE "${here}/all.cpp" "${text}>\n")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${LIBRARIES}/pkgconfig"
+    "${PKG_CONFIG}" --cflags fettle-physics_module OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  execute_process(COMMAND "${CXX}" -std=c++20 ${flags} -M "${here}/all.cpp" OUTPUT_VARIABLE opened COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "[^ \n]*/(SFML|imgui|lua|lauxlib|sqlite|nlohmann|CLI|zstd)[^ \n]*\\.h(pp)?" foreign "${opened}")
+  string(REGEX MATCHALL "[^ \n]*/fettle/[^ \n]*\\.h" own "${opened}")
+  list(LENGTH own count)
+  if(foreign OR count LESS 30)
+    message(FATAL_ERROR "${count} headers open ${foreign}")
+  endif()
+  message("std and Eigen are enough for ${count} headers")
+  return()
+endif()
+
 set(parts physics)
 set(version 0.1)
 set(link Fettle::physics)

@@ -63,7 +63,7 @@ class Console : public app::Layer {
     void print(std::string_view text);
     void report(const script::ScriptError& error);
 
-    struct State;
+    struct FETTLE_CONSOLE_PRIVATE State;
     State& state() { return *state_; }
 
   private:

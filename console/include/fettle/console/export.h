@@ -6,7 +6,10 @@
 #ifdef FETTLE_CONSOLE_STATIC
 #define FETTLE_CONSOLE_BEGIN
 #define FETTLE_CONSOLE_END
+#define FETTLE_CONSOLE_PRIVATE
 #else
 #define FETTLE_CONSOLE_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_CONSOLE_END _Pragma("GCC visibility pop")
+// Structures that are only named between them, and known to nobody else.
+#define FETTLE_CONSOLE_PRIVATE __attribute__((visibility("hidden")))
 #endif

@@ -68,7 +68,7 @@ class ClockPart : public property::SnapshotPart {
     void redo(const property::Memory& changes) override;
 
   private:
-    struct State;
+    struct FETTLE_APP_PRIVATE State;
     State state() const;
     void set(const State& state);
 

@@ -33,7 +33,7 @@ class ErrorScreen : public Layer {
     void draw(Surface& surface, double seconds) override;
 
   private:
-    struct Line;
+    struct FETTLE_APP_PRIVATE Line;
     std::vector<Line> lines() const;
 
     Actions actions_;

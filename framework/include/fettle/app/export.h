@@ -6,7 +6,10 @@
 #ifdef FETTLE_APP_STATIC
 #define FETTLE_APP_BEGIN
 #define FETTLE_APP_END
+#define FETTLE_APP_PRIVATE
 #else
 #define FETTLE_APP_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_APP_END _Pragma("GCC visibility pop")
+// Structures that are only named between them, and known to nobody else.
+#define FETTLE_APP_PRIVATE __attribute__((visibility("hidden")))
 #endif

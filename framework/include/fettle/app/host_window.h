@@ -37,7 +37,7 @@ class HostWindow {
     Clipboard& clipboard();
 
   private:
-    struct State;
+    struct FETTLE_APP_PRIVATE State;
     std::unique_ptr<State> state_;
 };
 

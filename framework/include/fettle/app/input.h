@@ -63,7 +63,7 @@ class Input {
     bool any_button() const;
     property::Vec2 mouse() const;  // px
 
-    struct State;
+    struct FETTLE_APP_PRIVATE State;
 
   private:
     void point(const InputEvent& event, bool tell);

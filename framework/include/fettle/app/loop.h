@@ -102,7 +102,7 @@ class Loop {
     std::vector<std::pair<std::string, std::uint64_t>> hashes() const;
 
   private:
-    class Stopwatch;
+    class FETTLE_APP_PRIVATE Stopwatch;
     void announce(std::uint64_t step);
     bool prelude(double dt, Stopwatch& watch);
     bool make_step(Stopwatch& watch);

@@ -91,7 +91,7 @@ class Recording {
 
   private:
     friend class Replay;
-    struct Item;
+    struct FETTLE_APP_PRIVATE Item;
     void read_start(const std::string& word, const std::string& rest, int number);
     [[noreturn]] void fail(int number, const std::string& why) const;
 

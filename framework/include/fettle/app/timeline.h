@@ -23,8 +23,8 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-class Packer;
-class PackedBytes;
+class FETTLE_APP_PRIVATE Packer;
+class FETTLE_APP_PRIVATE PackedBytes;
 
 class Timeline {
   public:
@@ -73,7 +73,7 @@ class Timeline {
         std::shared_ptr<PackedBytes> payload;
         property::Snapshot::Memories memories;
     };
-    class Jumps;
+    class FETTLE_APP_PRIVATE Jumps;
 
     bool on() const;
     void take_keyframe();

@@ -72,7 +72,7 @@ class Plugin : public Module {
     /// LoadError and leaves the old module as it was when the new one fails its trial.
     Reloaded reload();
 
-    struct State;
+    struct FETTLE_MODULE_PRIVATE State;
 
   private:
     explicit Plugin(std::unique_ptr<State> state);

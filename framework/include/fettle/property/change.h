@@ -80,7 +80,7 @@ struct WatchOptions {
     std::string label{};
 };
 
-class Watchers;
+class FETTLE_PROPERTY_PRIVATE Watchers;
 
 /// A watcher's registration. Copyable; letting go of it does not end the watch, `stop` does.
 class Connection {

@@ -35,9 +35,10 @@ namespace fettle::property {
 
 class Tree;
 class Class;
-class ClassRegistry;
-class Shadows;
-class StoredColumns;
+class FETTLE_PROPERTY_PRIVATE ClassRegistry;
+class FETTLE_PROPERTY_PRIVATE Shadows;
+class FETTLE_PROPERTY_PRIVATE StoredColumns;
+class FETTLE_PROPERTY_PRIVATE TreeImage;
 
 /// A module's own number for one of its objects: an array index, or whatever the module encodes in
 /// 32 bits.

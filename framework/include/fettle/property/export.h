@@ -6,7 +6,10 @@
 #ifdef FETTLE_PROPERTY_STATIC
 #define FETTLE_PROPERTY_BEGIN
 #define FETTLE_PROPERTY_END
+#define FETTLE_PROPERTY_PRIVATE
 #else
 #define FETTLE_PROPERTY_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_PROPERTY_END _Pragma("GCC visibility pop")
+// Structures that are only named between them, and known to nobody else.
+#define FETTLE_PROPERTY_PRIVATE __attribute__((visibility("hidden")))
 #endif

@@ -288,7 +288,7 @@ class Tree {
     };
     Cause cause() const;
 
-    struct State;
+    struct FETTLE_PROPERTY_PRIVATE State;
     State& state() { return *state_; }
     const State& state() const { return *state_; }
 

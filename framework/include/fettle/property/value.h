@@ -55,6 +55,10 @@ std::string_view type_name(Type type);
 class Value;
 using List = std::vector<Value>;
 
+/// Same type and same bits: 1 is not 1.0, -0.0 is not 0.0, and a NaN equals itself, so that
+/// comparing for a change can never loop.
+bool operator==(const Value& a, const Value& b);
+
 class Value {
   public:
     Value() = default;
@@ -117,12 +121,10 @@ class Value {
         return type_ == Type::integer ? static_cast<double>(data_.integer) : data_.number;
     }
 
-    /// Same type and same bits: 1 is not 1.0, -0.0 is not 0.0, and a NaN equals itself, so that
-    /// comparing for a change can never loop.
     friend bool operator==(const Value& a, const Value& b);
 
   private:
-    struct Shared;
+    struct FETTLE_PROPERTY_PRIVATE Shared;
     union Data {
         Data() : integer(0) {}
         bool boolean;

@@ -59,7 +59,7 @@ class WriteLog : public Observer {
 
   private:
     enum class Did : std::uint8_t;
-    class Player;
+    class FETTLE_PROPERTY_PRIVATE Player;
     void note(Did what, Handle instance, const Property& property);
 
     /// Whether what is done now is to be noted.

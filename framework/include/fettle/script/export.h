@@ -6,7 +6,10 @@
 #ifdef FETTLE_SCRIPT_STATIC
 #define FETTLE_SCRIPT_BEGIN
 #define FETTLE_SCRIPT_END
+#define FETTLE_SCRIPT_PRIVATE
 #else
 #define FETTLE_SCRIPT_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_SCRIPT_END _Pragma("GCC visibility pop")
+// Structures that are only named between them, and known to nobody else.
+#define FETTLE_SCRIPT_PRIVATE __attribute__((visibility("hidden")))
 #endif

@@ -124,7 +124,7 @@ class Runtime {
     std::size_t memory() const;
 
   private:
-    struct State;
+    struct FETTLE_SCRIPT_PRIVATE State;
     std::unique_ptr<State> state_;
 };
 

@@ -6,7 +6,10 @@
 #ifdef FETTLE_PHYSICS_STATIC
 #define FETTLE_PHYSICS_BEGIN
 #define FETTLE_PHYSICS_END
+#define FETTLE_PHYSICS_PRIVATE
 #else
 #define FETTLE_PHYSICS_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_PHYSICS_END _Pragma("GCC visibility pop")
+// Structures that are only named between them, and known to nobody else.
+#define FETTLE_PHYSICS_PRIVATE __attribute__((visibility("hidden")))
 #endif

@@ -8,7 +8,7 @@ FETTLE_PHYSICS_BEGIN
 namespace fettle::physics {
 
 namespace detail {
-struct WorldData;
+struct FETTLE_PHYSICS_PRIVATE WorldData;
 }
 
 /// A light handle to what ties two bodies together, or one to the world. Errors as for `Body`.

@@ -23,7 +23,7 @@ FETTLE_PHYSICS_BEGIN
 namespace fettle::physics {
 
 namespace detail {
-struct WorldData;
+struct FETTLE_PHYSICS_PRIVATE WorldData;
 
 /// The part of a world that is read too often for a call: arrays addressed by `BodyId::index`.
 struct Columns {

@@ -6,7 +6,10 @@
 #ifdef FETTLE_PHYSICS_MODULE_STATIC
 #define FETTLE_PHYSICS_MODULE_BEGIN
 #define FETTLE_PHYSICS_MODULE_END
+#define FETTLE_PHYSICS_MODULE_PRIVATE
 #else
 #define FETTLE_PHYSICS_MODULE_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_PHYSICS_MODULE_END _Pragma("GCC visibility pop")
+// Structures that are only named between them, and known to nobody else.
+#define FETTLE_PHYSICS_MODULE_PRIVATE __attribute__((visibility("hidden")))
 #endif

@@ -13,7 +13,7 @@ FETTLE_PHYSICS_MODULE_BEGIN
 
 namespace fettle::physics_module {
 
-class Hosting;
+class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
 /// Registers the classes World, Body, Shape (Circle, Box, Segment, Capsule, Polygon) and Joint
 /// (MouseJoint), creates `game.world`, and steps every world that hangs below the root.

@@ -6,7 +6,10 @@
 #ifdef FETTLE_STORAGE_STATIC
 #define FETTLE_STORAGE_BEGIN
 #define FETTLE_STORAGE_END
+#define FETTLE_STORAGE_PRIVATE
 #else
 #define FETTLE_STORAGE_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_STORAGE_END _Pragma("GCC visibility pop")
+// Structures that are only named between them, and known to nobody else.
+#define FETTLE_STORAGE_PRIVATE __attribute__((visibility("hidden")))
 #endif

@@ -89,7 +89,7 @@ class Tweaks {
     /// Of the journal; empty before the first commit.
     std::filesystem::path journal() const;
 
-    struct State;
+    struct FETTLE_STORAGE_PRIVATE State;
 
   private:
     std::unique_ptr<State> state_;
