@@ -93,7 +93,7 @@ expect 'physics' somebody fettle run --headless --steps 2 --module physics --eva
 # --- What is built -----------------------------------------------------------------------------------------------------------
 quietly inside apt-get install -y --no-install-recommends "/packages/$(basename -- "${packages[1]}")" g++ cmake make pkgconf
 cp -a "$sources/examples" "$root/examples"
-expect 'find.*' inside sh -c 'cmake -S /examples/bare -B /built >/built.log 2>&1 && cmake --build /built >>/built.log 2>&1 ||
+expect 'found and built' inside sh -c 'cmake -S /examples/bare -B /built >/built.log 2>&1 && cmake --build /built >>/built.log 2>&1 ||
     { cat /built.log; exit 1; }; echo found and built'
 expect 'the ball hit [1-9]' somebody /built/bare
 expect 'did you mean "color"' somebody sh -c 'exec /built/bare_c /usr/lib/*/fettle/modules/physics.so'
