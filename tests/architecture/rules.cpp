@@ -32,7 +32,7 @@ const std::vector<Part>& parts() {
          {"framework/property/storage", "framework/include/fettle/property/storage"},
          {"property"},
          {"Eigen", "JSON", "SQLite", "POSIX"}},
-        {"physics", {"physics", "physics/include/fettle/physics"}, {}, {"Eigen"}},
+        {"physics", {"physics", "physics/include/fettle/physics"}, {}, {"Eigen", "intrinsics"}},
         {"module",
          {"framework/module", "framework/include/fettle/module"},
          {"property"},
@@ -88,6 +88,7 @@ const std::vector<Library>& libraries() {
         {"CLI11", std::regex("CLI/.*"), std::regex("CLI11::.*")},
         {"POSIX", std::regex("(sys/.*|unistd|fcntl|dlfcn|poll|pthread|signal|termios)(\\.h)?"),
          std::regex("dl")},
+        {"intrinsics", std::regex("immintrin\\.h"), std::regex("")},  // the compiler's own
         {"Catch2", std::regex("catch2/.*"), std::regex("Catch2::.*|fettle_catch")},
         {"rapidcheck", std::regex("rapidcheck.*"), std::regex("rapidcheck")},
         {"benchmark", std::regex("benchmark/.*"), std::regex("benchmark::.*")},
