@@ -1,6 +1,8 @@
 #include "costs/bare_lua.h"
 
-#include <lua.hpp>
+#include <lauxlib.h>
+#include <lua.h>
+#include <lualib.h>
 #include <stdexcept>
 
 namespace fettle::bench {
