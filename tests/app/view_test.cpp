@@ -41,7 +41,7 @@ TEST_CASE("width and corners follow height and size of the screen") {
     game.set("view.height", 10);
     CHECK(game.get("view.width").number() == 16);
     CHECK(game.get("view.zoom").number() == 80);
-    CHECK_THROWS_WITH(game.set("view.width", 3.0), Catch::Contains("view.width"));
+    CHECK_THROWS_WITH(game.set("view.width", 3.0), contains("view.width"));
 }
 
 TEST_CASE("zoom is another word for height") {

@@ -203,7 +203,7 @@ TEST_CASE("watchers of instances that a restore ends hear deleted") {
     REQUIRE(heard == std::vector<std::string>{"deleted later restore, step 0", "4"});
     REQUIRE_FALSE(watch.active());
     REQUIRE(stays.active());
-    REQUIRE_THROWS_WITH(r.tree.require(later), Catch::Contains("later was deleted"));
+    REQUIRE_THROWS_WITH(r.tree.require(later), contains("later was deleted"));
 }
 
 TEST_CASE("watchers of creation hear of whom a restore brings back") {
@@ -335,7 +335,7 @@ TEST_CASE("a snapshot of another process is read by names") {
 
     Tree without;
     REQUIRE_THROWS_WITH(without.restore(Snapshot::from_bytes(bytes)),
-                        Catch::Contains("Ball") && Catch::Contains("does not define"));
+                        contains("Ball") && contains("does not define"));
 }
 
 TEST_CASE("damaged bytes are refused and nothing changes") {

@@ -116,7 +116,7 @@ TEST_CASE("files that are no recordings are refused with a reason") {
     const std::string text = file.text();
     const auto refused = [&](const std::string& content, const char* reason) {
         file.write(content);
-        REQUIRE_THROWS_WITH(Recording(file.path), Catch::Contains(reason));
+        REQUIRE_THROWS_WITH(Recording(file.path), contains(reason));
     };
     refused("", "ends before the run begins");
     refused("hello\nworld\n", "is no recording");
