@@ -1,4 +1,5 @@
 #include <collision/ellipse.h>
+#include <collision/large_polygon.h>
 #include <collision/nearest.h>
 #include <collision/sweep.h>
 
@@ -74,6 +75,13 @@ Nearest nearest_points(const Convex& a, const Convex& b, V2 offset) {
 
 Nearest nearest_points(const Solid& a, const Solid& b, V2 offset) {
     const bool round_a = a.kind == FormKind::ellipse, round_b = b.kind == FormKind::ellipse;
+    if (a.kind == FormKind::large || b.kind == FormKind::large) {
+        const auto plain = [](const Solid& s) {
+            return s.kind == FormKind::convex || s.kind == FormKind::large;
+        };
+        if (plain(a) && plain(b)) return nearest_to_large(a, b, offset);
+        return nearest_points(PlainCopy(a).solid(), PlainCopy(b).solid(), offset);
+    }
     if (!round_a && !round_b) return nearest_points(a.form, b.form, offset);
     if (!round_a) {
         Nearest found = nearest_points(b, a, -offset);

@@ -105,6 +105,7 @@ Probe cast_piece(const Piece& piece, V2 p, V2 d) {
 }  // namespace
 
 float signed_distance(const Solid& shape, V2 p) {
+    if (shape.kind == FormKind::large) p = unrotate(shape.rotation, p);
     return shape.kind == FormKind::ellipse ? nearest_on_rim(ellipse_of(shape.form), p).distance
                                            : signed_distance(shape.form, p);
 }
@@ -112,6 +113,12 @@ float signed_distance(const Solid& shape, V2 p) {
 Probe cast_segment(const Solid& shape, V2 p, V2 d) {
     if (shape.kind == FormKind::ellipse) return cast_ellipse(ellipse_of(shape.form), p, d);
     if (shape.kind == FormKind::piece) return cast_piece(Piece(shape), p, d);
+    if (shape.kind == FormKind::large) {
+        Probe probe =
+            cast_segment(shape.form, unrotate(shape.rotation, p), unrotate(shape.rotation, d));
+        probe.normal = rotate(shape.rotation, probe.normal);
+        return probe;
+    }
     return cast_segment(shape.form, p, d);
 }
 

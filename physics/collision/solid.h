@@ -12,6 +12,7 @@ enum class FormKind : uint8_t {
     convex,   ///< a convex polygon grown by a radius; one vertex: a circle, two: a capsule
     border,   ///< a half-plane of the border
     ellipse,  ///< its center; collision/ellipse.h tells where its axes are
+    large,    ///< a convex polygon of many vertices, see collision/large_polygon.h
     piece,    ///< a convex part of a longer outline, see collision/piece.h
     outline   ///< of many pieces, each a shape of its own: nothing collides with it itself
 };
@@ -20,7 +21,7 @@ enum class FormKind : uint8_t {
 struct Solid {
     Convex form;
     FormKind kind = FormKind::convex;
-    Rotation rotation = {};
+    Rotation rotation = {};       ///< of a large polygon, whose vertices are not; of a piece
     const V2* limits = nullptr;   ///< of a piece
     const V2* normals = nullptr;  ///< of a piece: of its edges, body coordinates
 };

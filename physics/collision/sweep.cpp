@@ -50,8 +50,10 @@ float distance(const Convex& a, const Convex& b, V2 offset) {
 }
 
 float distance(const Solid& a, const Solid& b, V2 offset) {
-    if (a.kind == FormKind::ellipse || b.kind == FormKind::ellipse)
-        return nearest_points(a, b, offset).distance;
+    const auto listed = [](FormKind kind) {
+        return kind == FormKind::convex || kind == FormKind::piece;
+    };
+    if (!listed(a.kind) || !listed(b.kind)) return nearest_points(a, b, offset).distance;
     return distance(a.form, b.form, offset);
 }
 
@@ -65,10 +67,16 @@ class TurnedCopy {
         // Behind its center an ellipse has its radii, which do not turn.
         if (from.kind == FormKind::ellipse) vertices_[1] = from.form.vertices[1];
         turned_ = from;
+        if (from.kind == FormKind::large) return;
         turned_.form.vertices = vertices_.data();
         turned_.form.normals = normals_.data();
     }
     const Solid& by(Rotation q) {
+        if (from_.kind == FormKind::large) {
+            const V2 x = rotate(q, {from_.rotation.c, from_.rotation.s});
+            turned_.rotation = {x.x, x.y};
+            return turned_;
+        }
         for (size_t i = 0; i < normals_.size(); ++i) {
             vertices_[i] = rotate(q, from_.form.vertices[i]);
             normals_[i] = rotate(q, from_.form.normals[i]);

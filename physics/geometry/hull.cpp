@@ -37,16 +37,17 @@ std::vector<Point> monotone_chain(const std::vector<Point>& sorted) {
     return chain;
 }
 
-/// Drops corners that stand out of the chord of their neighbours by no more than the tolerance: an
+/// Drops corners that stand out of the chord of their neighbours by no more than rounding does, and
+/// those that are too near to the next: an
 /// edge that short of a direction would give a normal made of rounding errors.
-void drop_flat_corners(std::vector<Point>& hull, double tolerance) {
+void drop_flat_corners(std::vector<Point>& hull, double extent) {
+    const double flat = 2.5e-7 * extent, near = 1e-5 * extent;
     for (size_t i = 0; hull.size() >= 3 && i < hull.size();) {
         const size_t n = hull.size();
         const Point before = hull[(i + n - 1) % n];
         const Point after = hull[(i + 1) % n];
         const double chord = length(before, after);
-        if (turn(before, hull[i], after) <= tolerance * chord ||
-            length(before, hull[i]) <= tolerance) {
+        if (turn(before, hull[i], after) <= flat * chord || length(before, hull[i]) <= near) {
             hull.erase(hull.begin() + std::ptrdiff_t(i));
             i = i > 0 ? i - 1 : 0;
         } else {
@@ -92,7 +93,7 @@ HullStatus convex_hull(std::span<const Vec2> points, std::vector<Vec2>& hull) {
     }
     const double extent = std::max(sorted.back().x - sorted.front().x, high - low);
     std::vector<Point> corners = monotone_chain(sorted);
-    drop_flat_corners(corners, 1e-5 * extent);
+    drop_flat_corners(corners, extent);
     if (corners.size() < 3) return HullStatus::collinear;
 
     hull.clear();

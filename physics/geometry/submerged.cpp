@@ -126,6 +126,11 @@ AreaPart part_of_ellipse(const EllipseForm& e, V2 normal, double depth) {
 }  // namespace
 
 AreaPart part_below(const Solid& shape, V2 normal, double depth) {
+    if (shape.kind == FormKind::large) {
+        AreaPart part = part_below(shape.form, unrotate(shape.rotation, normal), depth);
+        part.centroid = rotate(shape.rotation, part.centroid);
+        return part;
+    }
     return shape.kind == FormKind::ellipse ? part_of_ellipse(ellipse_of(shape.form), normal, depth)
                                            : part_below(shape.form, normal, depth);
 }

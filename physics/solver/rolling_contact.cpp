@@ -1,4 +1,5 @@
 #include <collision/ellipse.h>
+#include <collision/large_polygon.h>
 #include <solver/rolling_contact.h>
 
 namespace fettle::physics::detail {
@@ -27,6 +28,14 @@ float bend_of(const Solid& shape, V2 normal) {
         return ratio * ratio / e.reach(normal);
     }
     constexpr float along = 1.0f - 1e-5f;
+    if (shape.kind == FormKind::large) {
+        const V2 d = unrotate(shape.rotation, normal);
+        const int vertex = farthest_vertex(shape.form, d);
+        const int before = vertex > 0 ? vertex - 1 : shape.form.count - 1;
+        const bool face = dot(shape.form.normals[vertex], d) > along ||
+                          dot(shape.form.normals[before], d) > along;
+        return face ? face_bend : shape.form.radius;
+    }
     for (int i = 0; shape.form.count > 1 && i < shape.form.count; ++i)
         if (dot(shape.form.normals[i], normal) > along) return face_bend;
     return shape.form.radius;

@@ -1,4 +1,5 @@
 #include <collision/ellipse.h>
+#include <collision/large_polygon.h>
 #include <collision/piece.h>
 #include <collision/probe.h>
 #include <collision/sweep.h>
@@ -30,8 +31,9 @@ Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
         if (piece.one_sided() && (!piece.faces(from) || dot(obstacle.form.normals[0], way) >= 0.0f))
             return {};
     }
-    Convex grown = obstacle.form;
-    grown.radius += radius;
+    Solid grown = obstacle;
+    grown.form.radius += radius;
+    if (obstacle.kind == FormKind::piece) grown.kind = FormKind::convex;
     return cast_segment(grown, from, way);
 }
 
@@ -49,7 +51,8 @@ float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 ce
         if (before <= 0.0f || after >= 0.0f) return 1.0f;
         // Where the farthest vertex arrives, turning left aside.
         float reach = 0.0f;
-        const Solid shape = solid(s);
+        const PlainCopy plain(solid(s));
+        const Solid& shape = plain.solid();
         if (shape.kind == FormKind::ellipse) reach = ellipse_of(shape.form).reach(plane.normal);
         for (int i = 0; i < shape.form.count; ++i) {
             reach =

@@ -149,6 +149,7 @@ void WorldData::refresh_shape(uint32_t shape) {
         pool.normals[form.begin + i] =
             normalized(right_perp(local[(i + 1) % form.count] - local[i]));
     }
+    pool.vertices[form.begin] = {infinity, infinity};  // a large polygon is to be centered anew
     record.moments = record.type == ShapeType::ellipse
                          ? moments_of(record.ellipse)
                          : moments_of({local, form.count}, form.radius);
@@ -159,6 +160,10 @@ void WorldData::refresh_shape(uint32_t shape) {
 void WorldData::place_shape(uint32_t shape, Rotation q) {
     ShapeForm& form = forms[shape];
     if (form.count == 0) return;
+    if (form.kind == FormKind::large) {
+        place_large(shape, q);
+        return;
+    }
     V2 center, local_center;
     if (form.body != none) {
         center = bodies[form.body].center;

@@ -1,4 +1,5 @@
 #include <collision/ellipse.h>
+#include <collision/large_polygon.h>
 #include <collision/piece.h>
 #include <geometry/submerged.h>
 #include <geometry/trigonometry.h>
@@ -50,7 +51,8 @@ class FieldOnBody {
 
     void operator()(const WindField& wind) {
         each_shape([&](uint32_t shape) {
-            const Solid solid = data_.solid(shape);
+            const PlainCopy plain(data_.solid(shape));
+            const Solid& solid = plain.solid();
             if (solid.kind == FormKind::ellipse)
                 blow_on_ellipse(wind, ellipse_of(solid.form));
             else

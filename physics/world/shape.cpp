@@ -216,6 +216,11 @@ std::vector<Vec2> Shape::world_vertices() const {
         return all;
     }
     if (form.count < 2) return all;
+    if (form.kind == FormKind::large) {
+        for (const Vec2& v : vertices())
+            all.push_back(form.body == none ? v : body().world_point(v));
+        return all;
+    }
     const V2 center = form.body == none ? V2{} : data.bodies[form.body].center;
     for (uint32_t i = 0; i < form.count; ++i)
         all.push_back(to_vec2(center + data.pool.vertices[form.begin + i]));

@@ -1,4 +1,5 @@
 #include <collision/ellipse.h>
+#include <collision/large_polygon.h>
 #include <collision/nearest.h>
 #include <collision/sweep.h>
 #include <world/arguments.h>
@@ -55,7 +56,8 @@ Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
 /// Where a moving shape meets the border, as a fraction of its motion.
 float meets_border(const Placed& probe, V2 motion, const BorderPlane& plane) {
     float lowest = infinity;
-    const Convex& form = probe.form.form;
+    const PlainCopy plain(probe.form);
+    const Convex& form = plain.solid().form;
     for (int i = 0; i < form.count; ++i)
         lowest = min(lowest, dot(plane.normal, probe.center + form.vertices[i]));
     if (probe.form.kind == FormKind::ellipse) lowest -= ellipse_of(form).reach(plane.normal);

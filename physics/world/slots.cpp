@@ -1,3 +1,4 @@
+#include <collision/large_polygon.h>
 #include <fettle/physics/hull.h>
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
@@ -209,6 +210,7 @@ void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vec
         record.type = ShapeType::polygon;
         record.polygon_rounding = polygon->rounding;
         count = uint32_t(hull.size());
+        if (count > uint32_t(most_small_vertices)) kind = FormKind::large;
     } else if (const Ellipse* ellipse = std::get_if<Ellipse>(&geometry)) {
         record.type = ShapeType::ellipse;
         record.ellipse = *ellipse;

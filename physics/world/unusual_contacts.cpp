@@ -1,4 +1,5 @@
 #include <collision/ellipse.h>
+#include <collision/large_polygon.h>
 #include <collision/piece.h>
 #include <world/world_data.h>
 
@@ -51,21 +52,8 @@ void collide_ellipse(const Solid& ellipse, const Solid& other, V2 offset, float 
     m.count = 1;
 }
 
-}  // namespace
-
-void WorldData::collide_unusual(const ContactRecord& c, float margin, Manifold& m) const {
-    const V2 center_b = bodies[c.body_b].center;
-    const Solid b = solid(c.shape_b);
-    if (forms[c.shape_a].kind == FormKind::border) {  // of a pair it is always the first
-        const BorderPlane plane = border_plane(c.shape_a);
-        if (b.kind == FormKind::ellipse)
-            collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);
-        else
-            collide_half_plane(plane.normal, plane.depth, b.form, center_b, margin, m);
-        return;
-    }
-    const Solid a = solid(c.shape_a);
-    const V2 offset = center_b - bodies[c.body_a].center;
+/// One of them is an ellipse or a piece.
+void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& m) {
     if (a.kind == FormKind::piece) {
         collide_piece(a, b, offset, margin, m);
     } else if (b.kind == FormKind::piece) {
@@ -77,6 +65,33 @@ void WorldData::collide_unusual(const ContactRecord& c, float margin, Manifold& 
         collide_ellipse(b, a, -offset, margin, m);
         turn_round(m);
     }
+}
+
+}  // namespace
+
+void WorldData::collide_unusual(const ContactRecord& c, float margin, Manifold& m) const {
+    const V2 center_b = bodies[c.body_b].center;
+    const Solid b = solid(c.shape_b);
+    if (forms[c.shape_a].kind == FormKind::border) {  // of a pair it is always the first
+        const BorderPlane plane = border_plane(c.shape_a);
+        if (b.kind == FormKind::ellipse)
+            collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);
+        else if (b.kind == FormKind::large)
+            collide_large_half_plane(plane.normal, plane.depth, b, center_b, margin, m);
+        else
+            collide_half_plane(plane.normal, plane.depth, b.form, center_b, margin, m);
+        return;
+    }
+    const Solid a = solid(c.shape_a);
+    const V2 offset = center_b - bodies[c.body_a].center;
+    const auto is_plain = [](const Solid& s) {
+        return s.kind == FormKind::convex || s.kind == FormKind::large;
+    };
+    if (is_plain(a) && is_plain(b)) {
+        collide_large(a, b, offset, margin, m);
+        return;
+    }
+    collide_mixed(PlainCopy(a).solid(), PlainCopy(b).solid(), offset, margin, m);
 }
 
 }  // namespace fettle::physics::detail

@@ -169,7 +169,7 @@ struct WorldData : Columns {
     Solid solid(uint32_t shape) const {
         const ShapeForm& form = forms[shape];
         Solid made = {convex(shape), form.kind};
-        if (form.kind != FormKind::piece) return made;
+        if (form.kind == FormKind::convex || form.kind == FormKind::ellipse) return made;
         made.limits = &pool.local[form.begin] + form.count;
         made.normals = &pool.normals[form.begin];
         if (form.body != none) made.rotation = {states[form.body].cosine, states[form.body].sine};
@@ -273,6 +273,7 @@ struct WorldData : Columns {
     void refresh_edited_mass(uint32_t body);
     void refresh_placement(uint32_t body);
     void place_shape(uint32_t shape, Rotation q);
+    void place_large(uint32_t shape, Rotation q);
     void update_mobility(uint32_t body);
     void mark_moved(uint32_t shape);
     void list_moved(uint32_t shape);

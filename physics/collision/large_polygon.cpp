@@ -1,0 +1,333 @@
+#include <collision/clip.h>
+#include <collision/large_polygon.h>
+
+#include <utility>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Whether u comes before v, counted counter-clockwise from `base`.
+bool turned_less(V2 base, V2 u, V2 v) {
+    const auto half = [base](V2 w) {
+        const float k = cross(base, w);
+        return k < 0.0f || (k == 0.0f && dot(base, w) < 0.0f);
+    };
+    const bool far_u = half(u), far_v = half(v);
+    return far_u != far_v ? far_v : cross(u, v) > 0.0f;
+}
+
+}  // namespace
+
+int farthest_vertex(const Convex& polygon, V2 direction) {
+    const int n = polygon.count;
+    int vertex = 0;
+    if (n > most_small_vertices) {
+        // Vertex i is farthest for directions from the normal of edge i - 1 to that of edge i.
+        int low = 0, high = n;  // the first edge whose normal is not before the direction
+        while (low < high) {
+            const int middle = (low + high) / 2;
+            if (turned_less(polygon.normals[0], polygon.normals[middle], direction))
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        vertex = low < n ? low : 0;
+    }
+    // Rounding may have put it off by one; of a few vertices all are looked at.
+    float most = dot(direction, polygon.vertices[vertex]);
+    for (int way : {1, n - 1}) {
+        for (int i = (vertex + way) % n, left = n; left > 0; i = (i + way) % n, --left) {
+            const float d = dot(direction, polygon.vertices[i]);
+            if (d <= most && n > most_small_vertices) break;
+            if (d <= most) continue;
+            most = d;
+            vertex = i;
+        }
+    }
+    return vertex;
+}
+
+namespace {
+
+/// A convex polygon or circle in world axes, whether its vertices are rotated or not.
+class Facets {
+  public:
+    explicit Facets(const Solid& solid)
+        : form_(solid.form), q_(solid.kind == FormKind::large ? solid.rotation : Rotation{}) {}
+
+    int count() const { return form_.count; }
+    float radius() const { return form_.radius; }
+    float offset(int edge) const { return form_.offsets[edge]; }
+    V2 vertex(int i) const { return rotate(q_, form_.vertices[i]); }
+    V2 normal(int i) const { return rotate(q_, form_.normals[i]); }
+    int next(int i) const { return i + 1 < form_.count ? i + 1 : 0; }
+    int previous(int i) const { return i > 0 ? i - 1 : form_.count - 1; }
+    int farthest(V2 direction) const { return farthest_vertex(form_, unrotate(q_, direction)); }
+    V2 middle() const { return 0.5f * (vertex(0) + vertex(form_.count / 2)); }
+
+    /// One edge of it, as a segment.
+    struct Excerpt {
+        V2 vertices[2], normals[2];
+        float offsets[2];
+        Convex form;
+        Excerpt(const Facets& from, int edge)
+            : vertices{from.vertex(edge), from.vertex(from.next(edge))},
+              normals{from.normal(edge), -from.normal(edge)},
+              offsets{from.offset(edge), -from.offset(edge)},
+              form{vertices, normals, offsets, 2, from.radius()} {}
+        Excerpt(const Excerpt&) = delete;
+        Excerpt& operator=(const Excerpt&) = delete;
+    };
+
+  private:
+    const Convex& form_;
+    Rotation q_;
+};
+
+struct Axis {
+    int edge = 0;
+    float separation = -1e30f;
+};
+
+/// The greatest value round a cycle in which there is one way up from where one starts: strides
+/// that double while it rises, then bisection of the last.
+template <class Value>
+Axis climb(int count, int start, Value&& value) {
+    const auto at = [count](int i) { return ((i % count) + count) % count; };
+    const auto of = [&](int i) { return value(at(i)); };
+    float here = of(start);
+    const float left = of(start - 1), right = of(start + 1);
+    if (left <= here && right <= here) return {at(start), here};
+    const int way = right > left ? 1 : -1;
+    int low = start, high = start + way, stride = 1;
+    here = max(left, right);
+    while (stride < count) {
+        const int ahead = high + way * stride;
+        const float then = of(ahead);
+        if (then <= here) break;
+        low = high;
+        high = ahead;
+        here = then;
+        stride *= 2;
+    }
+    // The summit is between low and one stride beyond high.
+    int a = low, b = high + way * stride;
+    while ((b - a) * way > 2) {
+        const int middle = a + (b - a) / 2;
+        if (of(middle) < of(middle + way))
+            a = middle;
+        else
+            b = middle + way;
+    }
+    Axis best;
+    for (int i = a;; i += way) {
+        const float v = of(i);
+        if (v > best.separation) best = {at(i), v};
+        if (i == b) return best;
+    }
+}
+
+/// The edge of `a` that the points which `nearest` tells of each direction are farthest outside of.
+template <class NearestAlong>
+Axis deepest_axis(const Facets& a, V2 towards, NearestAlong&& nearest) {
+    const auto separation = [&](int i) { return nearest(a.normal(i)) - a.offset(i); };
+    if (a.count() > most_small_vertices) return climb(a.count(), a.farthest(towards), separation);
+    Axis best;
+    for (int i = 0; i < a.count(); ++i) {
+        const float s = separation(i);
+        if (s > best.separation) best = {i, s};
+    }
+    return best;
+}
+
+Axis deepest_axis(const Facets& a, const Facets& b, V2 offset) {
+    return deepest_axis(a, b.middle() + offset - a.middle(),
+                        [&](V2 n) { return dot(n, b.vertex(b.farthest(-n)) + offset); });
+}
+
+/// Of the two edges at the vertex that is deepest along a normal, the one that faces it more.
+int incident_edge_of(const Facets& b, V2 normal) {
+    const int vertex = b.farthest(-normal), before = b.previous(vertex);
+    return dot(b.normal(before), normal) < dot(b.normal(vertex), normal) ? before : vertex;
+}
+
+void tell(V2 p, V2 q, V2 normal, float distance, float radius_a, float radius_b, V2 offset,
+          float margin, Manifold& m) {
+    const float separation = distance - radius_a - radius_b;
+    if (separation > margin) return;
+    m.normal = normal;
+    const V2 middle = 0.5f * (p + radius_a * normal + q - radius_b * normal);
+    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, 0};
+    m.count = 1;
+}
+
+void collide_circle(const Facets& a, V2 center, float radius, V2 offset, float margin,
+                    Manifold& m) {
+    const Axis axis = deepest_axis(a, center - a.middle(), [&](V2 n) { return dot(n, center); });
+    if (axis.separation > a.radius() + radius + margin) return;
+    const V2 n = a.normal(axis.edge);
+    const V2 v1 = a.vertex(axis.edge), v2 = a.vertex(a.next(axis.edge));
+    const bool before = dot(center - v1, v2 - v1)<0.0f, after = dot(center - v2, v2 - v1)> 0.0f;
+    if (axis.separation > 1e-7f && (before || after)) {
+        const V2 p = before ? v1 : v2;
+        const float distance = length(center - p);
+        tell(p, center, (1.0f / distance) * (center - p), distance, a.radius(), radius, offset,
+             margin, m);
+        m.corner = distance;
+    } else {
+        tell(center - axis.separation * n, center, n, axis.separation, a.radius(), radius, offset,
+             margin, m);
+    }
+}
+
+void collide_polygons(const Facets& a, const Facets& b, V2 offset, float margin, Manifold& m) {
+    const float reach = a.radius() + b.radius() + margin;
+    const Axis on_a = deepest_axis(a, b, offset);
+    if (on_a.separation > reach) return;
+    const Axis on_b = deepest_axis(b, a, -offset);
+    if (on_b.separation > reach) return;
+    const bool flipped = on_b.separation > on_a.separation + face_preference;
+    const Facets &reference = flipped ? b : a, &other = flipped ? a : b;
+    const V2 to_other = flipped ? -offset : offset;
+    const Axis axis = flipped ? on_b : on_a;
+    const Facets::Excerpt edge(reference, axis.edge);
+    const Facets::Excerpt facing(other, incident_edge_of(other, edge.normals[0]));
+    float s, t;
+    if (axis.separation > face_preference &&
+        nearest_ends(edge.vertices[0], edge.vertices[1], facing.vertices[0] + to_other,
+                     facing.vertices[1] + to_other, s, t)) {
+        const V2 p = edge.vertices[s == 0.0f ? 0 : 1];
+        const V2 q = facing.vertices[t == 0.0f ? 0 : 1] + to_other;
+        const float distance = length(q - p);
+        if (std::fabs(cross(edge.normals[0], q - p)) > 1e-3f * distance) {
+            // Bare corners of something thick may yet pass each other.
+            constexpr float thin = 20.0f * seam;
+            const float shorter =
+                min(length_squared(edge.vertices[1] - edge.vertices[0]),
+                    length_squared(facing.vertices[1] - facing.vertices[0]));
+            if (a.radius() + b.radius() == 0.0f && shorter > thin * thin) return;
+            const V2 normal = (1.0f / distance) * (q - p);
+            const V2 on_a_side = flipped ? q + offset : p, on_b_side = flipped ? p + offset : q;
+            tell(on_a_side, on_b_side, flipped ? -normal : normal, distance, a.radius(), b.radius(),
+                 offset, margin, m);
+            m.corner = distance;
+            return;
+        }
+    }
+    // Which end of the edges it is stands for a point from step to step: the edges themselves are
+    // others as soon as it rolls.
+    const FacingEdges edges(edge.form, 0, facing.form, 0, to_other);
+    if (!edges.are_a_seam()) edges.clip(flipped, margin, offset, m);
+}
+
+/// Nearest points of two segments.
+Nearest between_edges(const Facets::Excerpt& e, const Facets::Excerpt& f, V2 offset) {
+    const V2 q1 = f.vertices[0] + offset, q2 = f.vertices[1] + offset;
+    float s, t;
+    nearest_ends(e.vertices[0], e.vertices[1], q1, q2, s, t);
+    Nearest found;
+    found.on_a = e.vertices[0] + s * (e.vertices[1] - e.vertices[0]);
+    found.on_b = q1 + clamp(t, 0.0f, 1.0f) * (q2 - q1);
+    found.distance = length(found.on_b - found.on_a);
+    return found;
+}
+
+Nearest to_point(const Facets& a, V2 point) {
+    const Axis axis = deepest_axis(a, point - a.middle(), [&](V2 n) { return dot(n, point); });
+    Nearest found;
+    found.on_a = found.on_b = point;
+    if (axis.separation <= 0.0f) return found;
+    const V2 v1 = a.vertex(axis.edge), along = a.vertex(a.next(axis.edge)) - v1;
+    const float t = clamp(dot(point - v1, along) / length_squared(along), 0.0f, 1.0f);
+    found.on_a = v1 + t * along;
+    found.distance = length(point - found.on_a);
+    return found;
+}
+
+Nearest between_polygons(const Facets& a, const Facets& b, V2 offset) {
+    const Axis on_a = deepest_axis(a, b, offset), on_b = deepest_axis(b, a, -offset);
+    Nearest best;
+    if (max(on_a.separation, on_b.separation) <= 0.0f) {
+        best.on_a = best.on_b =
+            0.5f * (a.vertex(a.farthest(b.middle() + offset - a.middle())) + offset + b.middle());
+        return best;
+    }
+    const bool flipped = on_b.separation > on_a.separation;
+    const int edge_a = flipped ? incident_edge_of(a, b.normal(on_b.edge)) : on_a.edge;
+    const int edge_b = flipped ? on_b.edge : incident_edge_of(b, a.normal(on_a.edge));
+    best.distance = infinity;
+    for (int i : {a.previous(edge_a), edge_a, a.next(edge_a)}) {
+        for (int k : {b.previous(edge_b), edge_b, b.next(edge_b)}) {
+            const Nearest found =
+                between_edges(Facets::Excerpt(a, i), Facets::Excerpt(b, k), offset);
+            if (found.distance < best.distance) best = found;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& m) {
+    m.count = 0;
+    m.corner = 0.0f;
+    const Facets form_a(a), form_b(b);
+    if (b.form.count == 1) {
+        collide_circle(form_a, b.form.vertices[0] + offset, b.form.radius, offset, margin, m);
+    } else if (a.form.count == 1) {
+        collide_circle(form_b, a.form.vertices[0] - offset, a.form.radius, -offset, margin, m);
+        m.normal = -m.normal;
+        std::swap(m.points[0].anchor_a, m.points[0].anchor_b);
+    } else {
+        collide_polygons(form_a, form_b, offset, margin, m);
+    }
+}
+
+void collide_large_half_plane(V2 normal, float depth, const Solid& b, V2 center_b, float margin,
+                              Manifold& m) {
+    const Facets form(b);
+    const int deepest = form.farthest(-normal);
+    const V2 vertices[3] = {form.vertex(form.previous(deepest)), form.vertex(deepest),
+                            form.vertex(form.next(deepest))};
+    collide_half_plane(normal, depth, {vertices, nullptr, nullptr, 3, form.radius()}, center_b,
+                       margin, m);
+}
+
+Nearest nearest_to_large(const Solid& a, const Solid& b, V2 offset) {
+    const Facets form_a(a), form_b(b);
+    Nearest found;
+    if (b.form.count == 1) {
+        found = to_point(form_a, b.form.vertices[0] + offset);
+    } else if (a.form.count == 1) {
+        found = to_point(form_b, a.form.vertices[0] - offset);
+        std::swap(found.on_a, found.on_b);
+        found.on_a = found.on_a + offset;
+        found.on_b = found.on_b + offset;
+    } else {
+        found = between_polygons(form_a, form_b, offset);
+    }
+    const float apart = found.distance - a.form.radius - b.form.radius;
+    if (!(apart > 0.0f)) {
+        found.distance = 0.0f;
+        found.on_a = found.on_b = 0.5f * (found.on_a + found.on_b);
+        return found;
+    }
+    found.normal = normalized(found.on_b - found.on_a);
+    found.distance = apart;
+    found.on_a = found.on_a + a.form.radius * found.normal;
+    found.on_b = found.on_b - b.form.radius * found.normal;
+    return found;
+}
+
+PlainCopy::PlainCopy(const Solid& from) : plain_(from) {
+    if (from.kind != FormKind::large) return;
+    for (int i = 0; i < from.form.count; ++i) {
+        vertices_.push_back(rotate(from.rotation, from.form.vertices[i]));
+        normals_.push_back(rotate(from.rotation, from.form.normals[i]));
+    }
+    plain_.kind = FormKind::convex;
+    plain_.form.vertices = vertices_.data();
+    plain_.form.normals = normals_.data();
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <collision/nearest.h>
+#include <collision/solid.h>
+
+#include <vector>
+
+// Convex polygons of more than eight vertices. They are not rotated with their body in every step:
+// directions are turned into their frame instead, and what is farthest along one is found by
+// bisection, since the normals of a convex polygon are in order. The edge of the greatest
+// separation is climbed to in strides. So a contact costs a time that grows with the logarithm of
+// the number of vertices, and so does a step.
+
+namespace fettle::physics::detail {
+
+inline constexpr int most_small_vertices = 8;
+
+/// The vertex that is farthest along a direction, by bisection.
+int farthest_vertex(const Convex& polygon, V2 direction);
+
+/// Contact points of two convex shapes of which one at least is large; as `collide`.
+void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& manifold);
+void collide_large_half_plane(V2 normal, float depth, const Solid& b, V2 center_b, float margin,
+                              Manifold& manifold);
+
+/// As for plain convex shapes; one at least is large, the other that or plain.
+Nearest nearest_to_large(const Solid& a, const Solid& b, V2 offset);
+
+/// A large polygon with its vertices rotated, for who needs all of them. Any other kind stays as it
+/// is.
+class PlainCopy {
+  public:
+    explicit PlainCopy(const Solid& from);
+    PlainCopy(const PlainCopy&) = delete;
+    PlainCopy& operator=(const PlainCopy&) = delete;
+    const Solid& solid() const { return plain_; }
+
+  private:
+    Solid plain_;
+    std::vector<V2> vertices_, normals_;
+};
+
+}  // namespace fettle::physics::detail
