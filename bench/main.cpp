@@ -83,6 +83,15 @@ void add_stability(CLI::App& app, StabilityOptions& options) {
     add_output(*command, options.output);
 }
 
+void add_shapes(CLI::App& app, ShapesOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("shapes", "What a contact costs by the number of vertices");
+    command->add_option("--runs", options.runs, "Runs; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -102,7 +111,9 @@ int main(int argc, char** argv) {
     add_tree(app, tree);
     add_hosting(app, hosting);
     add_hosted_steps(app, hosted_steps);
+    ShapesOptions shapes;
     add_stability(app, stability);
+    add_shapes(app, shapes);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -120,6 +131,7 @@ int main(int argc, char** argv) {
         if (app.got_subcommand("hosting")) return run_hosting(hosting);
         if (app.got_subcommand("hosted-steps")) return run_hosted_steps(hosted_steps);
         if (app.got_subcommand("stability")) return run_stability(stability);
+        if (app.got_subcommand("shapes")) return run_shapes(shapes);
     } catch (const std::exception& error) {
         std::cerr << "fettle-bench: " << error.what() << "\n";
         return 2;

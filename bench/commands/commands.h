@@ -55,4 +55,10 @@ struct StabilityOptions {
 };
 int run_stability(const StabilityOptions& options);
 
+struct ShapesOptions {
+    int runs = 5;
+    bool json = false;
+};
+int run_shapes(const ShapesOptions& options);
+
 }  // namespace fettle::bench

@@ -51,6 +51,26 @@ struct FixtureMaker {
         geometry.Set(points.data(), static_cast<int32>(points.size()));
         make(geometry);
     }
+    void operator()(const EllipseShape&) const {
+        throw std::invalid_argument("Box2D has no ellipses");
+    }
+    /// Solid on the right of its points: ours, backwards. An open one needs a point before and
+    /// after.
+    void operator()(const ChainShape& chain) const {
+        std::vector<b2Vec2> points;
+        for (auto point = chain.points.rbegin(); point != chain.points.rend(); ++point)
+            points.push_back(vec(*point));
+        const auto count = static_cast<int32>(points.size());
+        b2ChainShape geometry;
+        if (chain.closed) {
+            geometry.CreateLoop(points.data(), count);
+        } else {
+            const b2Vec2 before = 2 * points[0] - points[1];
+            const b2Vec2 after = 2 * points.back() - points[points.size() - 2];
+            geometry.CreateChain(points.data(), count, before, after);
+        }
+        make(geometry);
+    }
 };
 
 class Box2dEngine : public Engine {

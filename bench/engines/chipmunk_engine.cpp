@@ -45,7 +45,28 @@ struct ShapeMaker {
         return cpPolyShapeNew(&body, static_cast<int>(points.size()), points.data(),
                               cpTransformIdentity, polygon.rounding);
     }
+    cpShape* operator()(const EllipseShape&) const {
+        throw std::invalid_argument("Chipmunk has no ellipses");
+    }
+    cpShape* operator()(const ChainShape&) const {
+        throw std::logic_error("a chain is made segment by segment");
+    }
 };
+
+/// A chain as Chipmunk has it: segments that know their neighbors.
+std::vector<cpShape*> make_chain(cpBody& body, const ChainShape& chain) {
+    const std::size_t n = chain.points.size(), segments = chain.closed ? n : n - 1;
+    std::vector<cpShape*> made;
+    for (std::size_t i = 0; i < segments; ++i) {
+        const auto at = [&](std::size_t k) { return vec(chain.points[k % n]); };
+        cpShape* segment = cpSegmentShapeNew(&body, at(i), at(i + 1), 0);
+        const bool first = !chain.closed && i == 0, end = !chain.closed && i + 1 == segments;
+        cpSegmentShapeSetNeighbors(segment, first ? at(i) : at(i + n - 1),
+                                   end ? at(i + 1) : at(i + 2));
+        made.push_back(segment);
+    }
+    return made;
+}
 
 /// The first space greets on standard output, which belongs to tables and JSON lines: it is sent to
 /// the error stream.
@@ -150,7 +171,15 @@ class ChipmunkEngine : public Engine {
     }
 
     void add(cpBody& body, const SceneShape& description, Motion motion) {
-        cpShape* shape = std::visit(ShapeMaker{body}, description.geometry);
+        std::vector<cpShape*> made;
+        if (const auto* chain = std::get_if<ChainShape>(&description.geometry))
+            made = make_chain(body, *chain);
+        else
+            made = {std::visit(ShapeMaker{body}, description.geometry)};
+        for (cpShape* shape : made) finish(shape, description, motion);
+    }
+
+    void finish(cpShape* shape, const SceneShape& description, Motion motion) {
         if (motion == Motion::dynamic) cpShapeSetDensity(shape, description.density);
         cpShapeSetFriction(shape, std::sqrt(description.friction));
         cpShapeSetElasticity(shape, std::sqrt(description.restitution));

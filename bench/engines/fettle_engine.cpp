@@ -38,6 +38,14 @@ struct GeometryMaker {
         for (const Point& point : polygon.vertices) geometry.vertices.push_back(vec(point));
         body.add(geometry, def);
     }
+    void operator()(const EllipseShape& ellipse) const {
+        body.add(physics::Ellipse{.radius_x = ellipse.radii.x, .radius_y = ellipse.radii.y}, def);
+    }
+    void operator()(const ChainShape& chain) const {
+        physics::Chain geometry{.closed = chain.closed};
+        for (const Point& point : chain.points) geometry.points.push_back(vec(point));
+        body.add(geometry, def);
+    }
 };
 
 physics::BodyType type_of(Motion motion) {

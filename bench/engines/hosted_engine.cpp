@@ -52,6 +52,20 @@ struct ShapeMaker {
         tree.set(made, "rounding", polygon.rounding);
         return made;
     }
+    Handle operator()(const EllipseShape& ellipse) const {
+        const Handle made = make("Ellipse");
+        tree.set(made, "radius_x", ellipse.radii.x);
+        tree.set(made, "radius_y", ellipse.radii.y);
+        return made;
+    }
+    Handle operator()(const ChainShape& chain) const {
+        const Handle made = make("Chain");
+        property::List points;
+        for (const Point& point : chain.points) points.push_back(value(point));
+        tree.set(made, "points", std::move(points));
+        tree.set(made, "closed", chain.closed);
+        return made;
+    }
 };
 
 const char* type_name(Motion motion) {

@@ -66,9 +66,11 @@ Scene spinner() {
         return Point{radius * static_cast<float>(std::cos(angle)),
                      32 + radius * static_cast<float>(std::sin(angle))};
     };
-    for (int i = 0; i < corners; ++i)
-        ring.shapes.push_back(
-            {.geometry = SegmentShape{corner(i), corner(i + 1)}, .friction = 0.1f});
+    // Counter-clockwise: it holds what is inside.
+    ChainShape chain;
+    chain.closed = true;
+    for (int i = 0; i < corners; ++i) chain.points.push_back(corner(i));
+    ring.shapes.push_back({.geometry = chain, .friction = 0.1f});
     scene.bodies.push_back(ring);
     SceneBody rotor{.position = {0, 12}, .can_sleep = false};
     rotor.shapes.push_back(

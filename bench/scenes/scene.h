@@ -46,7 +46,18 @@ struct PolygonShape {
     float rounding = 0;  // grows it all round
 };
 
-using Geometry = std::variant<CircleShape, BoxShape, SegmentShape, PolygonShape>;
+struct EllipseShape {
+    Point radii{};
+};
+
+/// Solid on its left, as one walks from point to point.
+struct ChainShape {
+    std::vector<Point> points;
+    bool closed = false;
+};
+
+using Geometry =
+    std::variant<CircleShape, BoxShape, SegmentShape, PolygonShape, EllipseShape, ChainShape>;
 
 struct SceneShape {
     Geometry geometry;

@@ -8,7 +8,7 @@
 namespace fettle::bench {
 
 std::span<const Trial> trials() {
-    static const std::array<Trial, 13> all = {{
+    static const std::array<Trial, 15> all = {{
         {"stack", stack_trial},
         {"card_house", card_house_trial},
         {"arch", arch_trial},
@@ -22,6 +22,8 @@ std::span<const Trial> trials() {
         {"rolling", rolling_trial},
         {"sliding", sliding_trial},
         {"elastic", elastic_trial},
+        {"seams", seams_trial},
+        {"ellipse", ellipse_trial},
     }};
     return all;
 }

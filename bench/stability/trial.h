@@ -19,6 +19,7 @@ struct Figure {
 
 struct Trial {
     std::string_view name;
+    /// Nothing where the engine cannot express the scene.
     std::vector<Figure> (*run)(const EngineKind& kind);
 };
 
@@ -44,6 +45,10 @@ std::vector<Figure> elastic_trial(const EngineKind& kind);
 std::vector<Figure> tiles_trial(const EngineKind& kind);
 std::vector<Figure> rolling_trial(const EngineKind& kind);
 std::vector<Figure> sliding_trial(const EngineKind& kind);
+
+// Chains and ellipses.
+std::vector<Figure> seams_trial(const EngineKind& kind);
+std::vector<Figure> ellipse_trial(const EngineKind& kind);
 
 /// Root of the mean square of the bodies' speeds, m/s, over `steps` steps that are made here.
 double rms_speed(Engine& engine, std::span<const std::size_t> bodies, int steps);

@@ -110,9 +110,10 @@ float overhang(float height, V2 where) {
 }
 
 /// A circle: its center is a point, so that the nearest feature of the piece decides.
-void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float margin, Manifold& m) {
+void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float margin, bool held,
+                    Manifold& m) {
     const Axes axes = axes_of(a.form, &a, [&](V2 n) { return dot(n, center); });
-    if (axes.greatest() > radius + margin || !a.faces(center)) return;
+    if (axes.greatest() > radius + margin || !a.faces(center, held ? radius : 0.0f)) return;
     // Outside of an inner edge, or nearer to it than to any other: another piece is met first.
     const bool hidden = axes.inner > max(axes.outer.separation, 0.0f) ||
                         axes.inner > axes.outer.separation + beyond;
@@ -147,10 +148,12 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
     m.corner = distance;
 }
 
-void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float margin, Manifold& m) {
+void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float margin, bool held,
+                     Manifold& m) {
     const V2 center = e.center + offset;
     const Axes axes = axes_of(a.form, &a, [&](V2 n) { return dot(n, center) - e.reach(n); });
-    if (axes.greatest() > margin || !a.faces(center) || axes.outer.edge < 0) return;
+    const float depth = held ? e.reach(a.form.normals[0]) : 0.0f;
+    if (axes.greatest() > margin || !a.faces(center, depth) || axes.outer.edge < 0) return;
     if (axes.inner > axes.outer.separation + beyond) return;
     const int edge = axes.outer.edge;
     const int next = edge + 1 < a.form.count ? edge + 1 : 0;
@@ -176,8 +179,8 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float marg
 class PolygonOnPiece {
   public:
     PolygonOnPiece(const Piece& a, const Convex& b, const Piece* piece_b, V2 offset, float margin,
-                   Manifold& m)
-        : a_(a), b_(b), piece_b_(piece_b), offset_(offset), margin_(margin), m_(m) {}
+                   bool held, Manifold& m)
+        : a_(a), b_(b), piece_b_(piece_b), offset_(offset), margin_(margin), held_(held), m_(m) {}
 
     void collide() {
         const float reach = b_.radius + margin_;
@@ -199,11 +202,12 @@ class PolygonOnPiece {
 
   private:
     /// More of it before the plane of a one-sided segment than behind.
-    static bool in_front(const Piece& piece, const Convex& other, V2 to_other) {
+    bool in_front(const Piece& piece, const Convex& other, V2 to_other) const {
         if (!piece.one_sided()) return true;
         const V2 n = piece.form.normals[0];
         const float low = lowest(other, n), high = -lowest(other, -n);
-        return 0.5f * (low + high) + dot(n, to_other) >= piece.form.offsets[0];
+        const float counted = held_ ? high : 0.5f * (low + high);
+        return counted + dot(n, to_other) >= piece.form.offsets[0];
     }
 
     /// Along the normal of an edge of the piece.
@@ -288,24 +292,26 @@ class PolygonOnPiece {
     const Piece* piece_b_;
     V2 offset_;
     float margin_;
+    bool held_;
     Manifold& m_;
 };
 
 }  // namespace
 
-void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, Manifold& m) {
+void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, bool held,
+                   Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;
     const Piece a(piece);
     if (other.kind == FormKind::ellipse) {
-        collide_ellipse(a, ellipse_of(other.form), offset, margin, m);
+        collide_ellipse(a, ellipse_of(other.form), offset, margin, held, m);
     } else if (other.form.count == 1) {
-        collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin, m);
+        collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin, held, m);
     } else if (other.kind == FormKind::piece) {
         const Piece b(other);
-        PolygonOnPiece(a, other.form, &b, offset, margin, m).collide();
+        PolygonOnPiece(a, other.form, &b, offset, margin, held, m).collide();
     } else {
-        PolygonOnPiece(a, other.form, nullptr, offset, margin, m).collide();
+        PolygonOnPiece(a, other.form, nullptr, offset, margin, held, m).collide();
     }
 }
 

@@ -41,9 +41,9 @@ class Piece {
     /// The edge of the outline at a vertex whose normal is nearest to `direction`; -1 when neither
     /// is on the outline.
     int edge_at(int vertex, V2 direction) const;
-    /// Outside of the plane of a one-sided segment, or not one-sided at all.
-    bool faces(V2 point) const {
-        return !one_sided() || dot(form.normals[0], point) >= form.offsets[0];
+    /// Outside of the plane of a one-sided segment, give or take `depth`, or not one-sided at all.
+    bool faces(V2 point, float depth = 0.0f) const {
+        return !one_sided() || dot(form.normals[0], point) >= form.offsets[0] - depth;
     }
 
   private:
@@ -53,7 +53,8 @@ class Piece {
 };
 
 /// Contact points of a piece and another shape, as `collide`: the normal points from the piece.
-void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin,
+/// `held`: it was in contact before, so that it did not come from behind, however deep it is.
+void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, bool held,
                    Manifold& manifold);
 
 }  // namespace fettle::physics::detail

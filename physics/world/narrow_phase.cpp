@@ -26,7 +26,7 @@ void WorldData::update_manifold(ContactRecord& c) {
     if (usual_forms(a, b))
         collide(convex(c.shape_a), convex(c.shape_b), b.center - a.center, margin, m);
     else
-        collide_unusual(c, margin, m);
+        collide_unusual(c, margin, old.count > 0, m);
     // Points that are still the same vertex on the same edge go on with their impulses: the warm
     // start.
     for (int i = 0; i < m.count; ++i) {

@@ -53,11 +53,12 @@ void collide_ellipse(const Solid& ellipse, const Solid& other, V2 offset, float 
 }
 
 /// One of them is an ellipse or a piece.
-void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& m) {
+void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, bool held,
+                   Manifold& m) {
     if (a.kind == FormKind::piece) {
-        collide_piece(a, b, offset, margin, m);
+        collide_piece(a, b, offset, margin, held, m);
     } else if (b.kind == FormKind::piece) {
-        collide_piece(b, a, -offset, margin, m);
+        collide_piece(b, a, -offset, margin, held, m);
         turn_round(m);
     } else if (a.kind == FormKind::ellipse) {
         collide_ellipse(a, b, offset, margin, m);
@@ -69,7 +70,8 @@ void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, Mani
 
 }  // namespace
 
-void WorldData::collide_unusual(const ContactRecord& c, float margin, Manifold& m) const {
+void WorldData::collide_unusual(const ContactRecord& c, float margin, bool held,
+                                Manifold& m) const {
     const V2 center_b = bodies[c.body_b].center;
     const Solid b = solid(c.shape_b);
     if (forms[c.shape_a].kind == FormKind::border) {  // of a pair it is always the first
@@ -91,7 +93,7 @@ void WorldData::collide_unusual(const ContactRecord& c, float margin, Manifold& 
         collide_large(a, b, offset, margin, m);
         return;
     }
-    collide_mixed(PlainCopy(a).solid(), PlainCopy(b).solid(), offset, margin, m);
+    collide_mixed(PlainCopy(a).solid(), PlainCopy(b).solid(), offset, margin, held, m);
 }
 
 }  // namespace fettle::physics::detail

@@ -302,7 +302,9 @@ struct WorldData : Columns {
     V2 middle_of(const ContactRecord& contact) const;
     void update_manifold(ContactRecord& contact);
     void follow_note(ContactRecord& contact, uint32_t slot);
-    void collide_unusual(const ContactRecord& contact, float margin, Manifold& manifold) const;
+    /// `held`: they were in contact before.
+    void collide_unusual(const ContactRecord& contact, float margin, bool held,
+                         Manifold& manifold) const;
     float approach_speed(const ContactRecord& contact, V2 point) const;
     float impact_mass(const ContactRecord& contact, V2 point) const;
     // touching.cpp

@@ -179,7 +179,9 @@ TEST_CASE("it rains a column of twenty five dolls every eight steps") {
 
 TEST_CASE("the spinner stirs six thousand bodies in a ring") {
     const Scene scene = spinner();
-    CHECK(scene.bodies[0].shapes.size() == 360);
+    const auto& ring = std::get<ChainShape>(scene.bodies[0].shapes.at(0).geometry);
+    CHECK(ring.closed);
+    CHECK(ring.points.size() == 360);
     CHECK(count(scene, Motion::dynamic) == 6077);
     CHECK_FALSE(scene.bodies[1].can_sleep);
     CHECK(last(scene).position == Point{-23 + 0.5f * 3, 2 + 0.5f * 66});
