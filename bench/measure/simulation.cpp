@@ -30,11 +30,9 @@ StepTime Simulation::advance(int steps) {
     const int before = std::clamp(half - made_, 0, steps);
     if (before > 0) time += timed_steps(before);
     if (before == steps) return time;
-    int rest = steps - before;
-    if (made_ == half) {
-        time += edited_step();
-        --rest;
-    }
+    const int target = made_ - before + steps;
+    if (made_ == half) time += edited_step();
+    const int rest = target - made_;
     if (rest > 0) time += timed_steps(rest);
     return time;
 }

@@ -202,9 +202,8 @@ void collide_polygons(const Facets& a, const Facets& b, V2 offset, float margin,
         if (std::fabs(cross(edge.normals[0], q - p)) > 1e-3f * distance) {
             // Bare corners of something thick may yet pass each other.
             constexpr float thin = 20.0f * seam;
-            const float shorter =
-                min(length_squared(edge.vertices[1] - edge.vertices[0]),
-                    length_squared(facing.vertices[1] - facing.vertices[0]));
+            const float shorter = min(length_squared(edge.vertices[1] - edge.vertices[0]),
+                                      length_squared(facing.vertices[1] - facing.vertices[0]));
             if (a.radius() + b.radius() == 0.0f && shorter > thin * thin) return;
             const V2 normal = (1.0f / distance) * (q - p);
             const V2 on_a_side = flipped ? q + offset : p, on_b_side = flipped ? p + offset : q;

@@ -306,7 +306,8 @@ void collide_piece(const Solid& piece, const Solid& other, V2 offset, float marg
     if (other.kind == FormKind::ellipse) {
         collide_ellipse(a, ellipse_of(other.form), offset, margin, held, m);
     } else if (other.form.count == 1) {
-        collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin, held, m);
+        collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin, held,
+                       m);
     } else if (other.kind == FormKind::piece) {
         const Piece b(other);
         PolygonOnPiece(a, other.form, &b, offset, margin, held, m).collide();

@@ -5,12 +5,12 @@
 
 #include "bindings.h"
 #include "classes.h"
+#include "touches.h"
 
 namespace fettle::physics_module {
 namespace {
 
 using physics::Body;
-using property::List;
 
 bool immovable(const Body& body) {
     return body.type() == physics::BodyType::static_body ||
@@ -101,19 +101,6 @@ Binding awake(Hosting& hosting) {
         return !body.awake() && !immovable(body);
     };
     return binding;
-}
-
-Value touching(Hosting& hosting, Row row) {
-    physics::World& world = hosting.world(row);
-    const Body self = hosting.body(row);
-    List others;
-    for (const physics::Contact& contact : self.contacts()) {
-        const physics::BodyId other = contact.body_a == self.id() ? contact.body_b : contact.body_a;
-        const Handle handle = unpack(world.body(other).user_data());
-        const Value value(handle ? handle : hosting.hosted(row).self);
-        if (std::find(others.begin(), others.end(), value) == others.end()) others.push_back(value);
-    }
-    return others;
 }
 
 Value pressed(Hosting& hosting, Row row) {
@@ -299,15 +286,6 @@ std::vector<Property> switches(Hosting& hosting) {
          .doc = "Fills its shapes that have no color of their own; nil goes by its type.",
          .binding = color(hosting),
          .nullable = true},
-        {.name = "contacts",
-         .type = Type::list,
-         .doc = "The bodies it touches now; the world itself where it touches the bounds. Sensors "
-                "do not count.",
-         .binding = accessor(hosting, [](Hosting& h, Row row) { return touching(h, row); }),
-         .read_only = true,
-         .transient = true,
-         .simulated = true,
-         .element = Type::reference},
         {.name = "contact_force",
          .unit = "N",
          .doc = "How hard what it touches presses on it, all together.",
@@ -327,7 +305,8 @@ void define_body(Hosting& hosting) {
     body.name = "Body";
     body.doc =
         "A rigid body: its shapes are its children. It is simulated while it hangs below a World.";
-    for (const auto& group : {motion(hosting), weight(hosting), forces(hosting), switches(hosting)})
+    for (const auto& group : {motion(hosting), weight(hosting), forces(hosting), switches(hosting),
+                              touch_properties(hosting)})
         body.properties.insert(body.properties.end(), group.begin(), group.end());
     body.methods = body_methods(hosting);
     body.events = contact_events("body");

@@ -2,6 +2,7 @@
 
 #include "bindings.h"
 #include "classes.h"
+#include "touches.h"
 
 namespace fettle::physics_module {
 namespace {
@@ -32,48 +33,6 @@ const Field world_point{.name = "point",
                         .unit = "m",
                         .doc = "In the world; the center of mass when left out."};
 
-const std::vector<Field> touch_fields = {
-    {"other", Type::reference, "", "The other body; the world itself for its bounds."},
-    {"shape", Type::reference, "", "The shape of this body."},
-    {"other_shape", Type::reference, "", "The shape of the other; nil for the bounds."},
-    {"point", Type::vec2, "m", "Where, in the world."},
-    {"normal", Type::vec2, "", "From this body to the other."},
-    {"impulse", Type::number, "N s", "That pressed them apart in the last step."},
-    {"tangent_impulse", Type::number, "N s", "Of friction, clockwise round this body."},
-    {"friction", Type::number, "", "Mixed from both surfaces."},
-    {"restitution", Type::number, "", "Mixed from both surfaces."},
-};
-
-/// Every touch of a body as it sees it, one record a pair of shapes.
-Result touches(void* context, property::Tree&, Handle, Row row, Arguments) {
-    Hosting& hosting = *static_cast<Hosting*>(context);
-    physics::World& world = hosting.world(row);
-    const physics::Body self = hosting.body(row);
-    std::vector<property::Record> records;
-    for (const physics::Contact& contact : self.contacts()) {
-        const bool first = contact.body_a == self.id();
-        const physics::BodyId other = first ? contact.body_b : contact.body_a;
-        const physics::ShapeId own_shape = first ? contact.shape_a : contact.shape_b;
-        const physics::ShapeId other_shape = first ? contact.shape_b : contact.shape_a;
-        physics::Vec2 point = physics::Vec2::Zero();
-        float impulse = 0.0f, tangent = 0.0f;
-        for (int k = 0; k < contact.point_count; ++k) {
-            const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
-            point += p.point / static_cast<float>(contact.point_count);
-            impulse += p.normal_impulse * static_cast<float>(world.substeps());
-            tangent += p.tangent_impulse * static_cast<float>(world.substeps());
-        }
-        const Handle body = unpack(world.body(other).user_data());
-        records.push_back(
-            {&touch_fields,
-             {body ? body : hosting.hosted(row).self, unpack(world.shape(own_shape).user_data()),
-              unpack(world.shape(other_shape).user_data()), to_value(point),
-              to_value(first ? contact.normal : physics::Vec2(-contact.normal)), to_value(impulse),
-              to_value(tangent), to_value(contact.friction), to_value(contact.restitution)}});
-    }
-    return records;
-}
-
 }  // namespace
 
 std::vector<Method> body_methods(Hosting& hosting) {
@@ -81,12 +40,7 @@ std::vector<Method> body_methods(Hosting& hosting) {
         return Field{std::move(name), Type::vec2, std::move(unit), std::move(doc)};
     };
     return {
-        {.name = "touches",
-         .returns = touch_fields,
-         .doc = "What `contacts` lists, with where and how hard: one record a pair of shapes.",
-         .context = &hosting,
-         .call = touches,
-         .effect = Effect::nothing},
+        touches_method(hosting),
         method(hosting,
                {.name = "to_world",
                 .parameters = {vec2("point", "m", "In the body's coordinates.")},

@@ -66,8 +66,9 @@ void draw_lines(std::span<const Vec2> points, bool closed, const property::Color
 void draw_concave(const physics::Shape& shape, const Frame& frame, const Paint& paint,
                   Painter& painter) {
     Paint inside = paint;
-    inside.border = {0, 0, 0, 0};
-    inside.border_width = 0;
+    // No seams between the pieces of what is opaque.
+    inside.border = paint.fill.a < 1 ? property::Color{0, 0, 0, 0} : paint.fill;
+    inside.border_width = paint.fill.a < 1 ? 0.0f : 1.0f;
     for (const auto& piece : shape.pieces())
         painter.polygon(Placed(piece, frame).points(), 0, inside);
     draw_lines(Placed(shape.vertices(), frame).points(), true, paint.border, paint.border_width,

@@ -1,6 +1,8 @@
 // Physics as games in Lua use it: what is asked in a step, joints that break, the two demos.
 
 #include <catch.h>
+#include <fstream>
+#include <sstream>
 
 #include "program.h"
 
@@ -108,6 +110,32 @@ TEST_CASE("the car of the demo drives over its hills and the bridge") {
                         "1500:print(world.car.chassis.position.x > 90, world.car.coins > 5)"});
     CHECK(done.err.empty());
     CHECK(done.out == "true\ttrue\n");
+}
+
+TEST_CASE("a scene of every shape and joint loads and is saved as it was") {
+    const Folder folder;
+    for (const char* name : {"main.lua", "shapes.json"}) {
+        std::ifstream file(std::string("scripts/shapes/") + name);
+        std::stringstream text;
+        text << file.rdbuf();
+        REQUIRE(text.str().size() > 100);
+        folder.write(name, text.str());
+    }
+    const Outcome done =
+        fettle(folder, {"run", (folder / "").string(), "--headless", "--steps", "300", "--at",
+                        "0:scene.save('again.json', world.shapes)", "--at",
+                        "299:print(world.step.joints, world.shapes.marble.position.y > 0, "
+                        "world.shapes.ellipse.position.y > 0)"});
+    CHECK(done.err.empty());
+    CHECK(done.out == "15\ttrue\ttrue\n");
+    CHECK(folder.text("again.json") == folder.text("shapes.json"));
+    for (const char* shape :
+         {"Circle", "Box", "Capsule", "Segment", "Polygon", "Ellipse", "Concave", "Chain"})
+        CHECK(contains(folder.text("shapes.json"), std::string("\"class\": \"") + shape + "\""));
+    for (const char* joint : {"Distance", "Revolute", "Prismatic", "Wheel", "Weld", "Mouse",
+                              "Motor", "Pulley", "Gear", "Groove", "PinSlot", "Ratchet"})
+        CHECK(
+            contains(folder.text("shapes.json"), std::string("\"class\": \"") + joint + "Joint\""));
 }
 
 TEST_CASE("the ragdolls of the demo fall and come to rest in one piece") {

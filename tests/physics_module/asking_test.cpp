@@ -161,6 +161,30 @@ TEST_CASE_METHOD(Game, "forces for the next step go along into another world") {
     CHECK(vec(crate, "velocity").x() == Approx(10).epsilon(0.01));
 }
 
+TEST_CASE_METHOD(Game, "the touches of a body are state that can be watched") {
+    const Handle ground = make("Body", world(), {{"type", "static"}});
+    const Handle chain = make("Chain", ground);
+    List points;
+    for (int i = -8; i <= 8; ++i) points.push_back(Vec2(0.3 * i, 0));
+    set(chain, "points", points);
+    const Handle crate = body("Box", {0, 0.5});
+    int told = 0;
+    tree.watch(crate, "contact_impulses", [&](const property::Change&) { ++told; });
+    step(30);
+    // One touch, in however many pieces of the chain.
+    REQUIRE(get(crate, "contacts").list() == List{ground});
+    REQUIRE(get(crate, "contact_shapes").list() == List{chain});
+    REQUIRE(get(crate, "contact_points").list().size() == 1);
+    CHECK(get(crate, "contact_points").list()[0].vec2().y() == Approx(0).margin(0.01));
+    CHECK(get(crate, "contact_normals").list()[0].vec2().y() == Approx(-1));
+    CHECK(get(crate, "contact_impulses").list()[0].number() == Approx(10.0 / 60).epsilon(0.05));
+    CHECK(told > 1);
+    set(crate, "position", Vec2(0, 5));
+    step(1);
+    CHECK(get(crate, "contacts").list().empty());
+    CHECK(get(crate, "contact_impulses").list().empty());
+}
+
 TEST_CASE_METHOD(Game, "a body tells whom it touches where and how hard") {
     const Handle ground = floor();
     const Handle crate = body("Box", {0, 0.5}), top = body("Box", {0, 1.5});
