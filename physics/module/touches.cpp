@@ -138,7 +138,7 @@ std::vector<property::Property> touch_properties(Hosting& hosting) {
          .type = Type::list,
          .doc = "The bodies it touches now; the world itself where it touches the bounds. Sensors "
                 "do not count.",
-         .binding = accessor(hosting, touching_bodies),
+         .binding = accessor(hosting, [](Hosting& h, Row row) { return touching_bodies(h, row); }),
          .read_only = true,
          .transient = true,
          .simulated = true,

@@ -217,6 +217,73 @@ void ContactSolver::relax() {
     }
 }
 
+namespace {
+
+/// Impulses that turn the velocities v1, v2 of the points of a contact round, each its share.
+struct Bounce {
+    float impulses[2] = {};
+
+    Bounce(const ContactConstraint& c, const float (&v)[2], const bool (&meets)[2], float share) {
+        for (int k = 0; k < 2; ++k)
+            if (meets[k]) impulses[k] = -c.points[k].normal_mass * (1.0f + share) * v[k];
+        if (!meets[0] || !meets[1]) return;
+        // Both at once: one after the other, the first would set the body spinning.
+        const float k11 = 1.0f / c.points[0].normal_mass, k22 = 1.0f / c.points[1].normal_mass;
+        const float k12 = c.coupling_normal, determinant = k11 * k22 - k12 * k12;
+        if (!(determinant > 1e-4f * k11 * k22)) {
+            for (float& impulse : impulses) impulse *= 0.5f;
+            return;
+        }
+        const float scale = -(1.0f + share) / determinant;
+        const float p1 = scale * (k22 * v[0] - k12 * v[1]), p2 = scale * (k11 * v[1] - k12 * v[0]);
+        if (p1 >= 0.0f && p2 >= 0.0f) {
+            impulses[0] = p1;
+            impulses[1] = p2;
+        } else {
+            impulses[v[0] < v[1] ? 1 : 0] = 0.0f;  // the slower one comes round with the other
+        }
+    }
+};
+
+}  // namespace
+
+bool ContactSolver::bounce_once(float dt) {
+    bool any = false;
+    for (const ContactConstraint& c : constraints) {
+        if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
+        ContactExtra& extra = extras[c.extra - 1];
+        Pair pair(c, bodies[c.a], bodies[c.b]);
+        float v[2] = {};
+        bool meets[2] = {};
+        for (int k = 0; k < c.count; ++k) {
+            const ConstraintPoint& p = c.points[k];
+            v[k] = dot(c.normal, pair.vb - pair.va) +
+                   (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
+            extra.approach[k] = v[k];  // as others have left it
+            meets[k] = v[k] < -restitution_threshold && p.separation + dt * v[k] < 0.0f &&
+                       p.normal_mass > 0.0f;
+        }
+        if (!meets[0] && !meets[1]) continue;
+        any = true;
+        const Bounce bounce(c, v, meets, extra.restitution);
+        for (int k = 0; k < c.count; ++k) {
+            const ConstraintPoint& p = c.points[k];
+            const float impulse = bounce.impulses[k];
+            pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
+            extra.greatest[k] = max(extra.greatest[k], impulse);
+            extra.total[k] += impulse;
+        }
+        pair.store(bodies[c.a], bodies[c.b]);
+    }
+    return any;
+}
+
+void ContactSolver::bounce(float dt) {
+    constexpr int most_passes = 32;  // the longest row that a blow goes through in a step
+    for (int pass = 0; pass < most_passes && bounce_once(dt); ++pass) {
+    }
+}
+
 void ContactSolver::restitute() {
     if (extras.empty()) return;
     for (ContactConstraint& c : constraints) {

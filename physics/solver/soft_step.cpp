@@ -79,6 +79,8 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
             pass();
     };
     kernels.prepare(step.prepare, groups, wide.contacts);
+    serial.bounce(step.h * float(settings.substeps));
+    zero_locked();
     for (int substep = 0; substep < settings.substeps; ++substep) {
         const bool again = repeats && substep > 0;
         integrate_velocities(which, solver_bodies, solver_forces, step.limits, again);

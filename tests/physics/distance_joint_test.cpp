@@ -158,6 +158,35 @@ TEST_CASE("a spring of any stiffness stays where it is") {
     }
 }
 
+TEST_CASE("a cradle whose balls touch swings for a minute without fading") {
+    World world({.sleeping = false});
+    std::vector<Body> balls;
+    const float length = 4.0f, aside = 0.5f;
+    for (int i = 0; i < 5; ++i) {
+        balls.push_back(
+            add_ball(world, {float(i), -length}, 0.5f, {.friction = 0, .restitution = 1}));
+        hang(world, balls.back(), {float(i), 0});
+    }
+    balls[0].set_position({-length * std::sin(aside), -length * std::cos(aside)});
+    const auto energy = [&] {
+        float sum = 0.0f;
+        for (Body ball : balls)
+            sum += ball.kinetic_energy() + 10.0f * ball.mass() * (ball.position().y() + length);
+        return sum;
+    };
+    const float before = energy();
+    run(world, 50.0f);
+    float reached = 0.0f, moved = 0.0f;
+    for (int i = 0; i < 600; ++i) {
+        world.step(frame);
+        reached = std::max(reached, balls[4].position().x() - 4.0f);
+        moved = std::max(moved, std::fabs(balls[2].position().x() - 2.0f));
+    }
+    REQUIRE(energy() == Approx(before).epsilon(0.02));
+    REQUIRE(reached == Approx(length * std::sin(aside)).epsilon(0.03));
+    REQUIRE(moved < 0.1f);
+}
+
 TEST_CASE("an elastic cradle passes the blow on to the last ball") {
     World world({.sleeping = false});
     std::vector<Body> balls;
