@@ -123,7 +123,7 @@ TEST_CASE("a scene of every shape and joint loads and is saved as it was") {
     }
     const Outcome done =
         fettle(folder, {"run", (folder / "").string(), "--headless", "--steps", "300", "--at",
-                        "0:scene.save('again.json', world.shapes)", "--at",
+                        "1:scene.save('again.json', world.shapes)", "--at",
                         "299:print(world.step.joints, world.shapes.marble.position.y > 0, "
                         "world.shapes.ellipse.position.y > 0)"});
     CHECK(done.err.empty());
