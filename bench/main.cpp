@@ -92,6 +92,16 @@ void add_shapes(CLI::App& app, ShapesOptions& options) {
     command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
 }
 
+void add_solvers(CLI::App& app, SolversOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("solvers", "How well and how fast the three solvers do the same");
+    command->add_option("--scene", options.scenes, "Only this stability scene (repeatable)")
+        ->type_name("NAME");
+    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+    command->add_option("--plots", options.plots, "Also write curves into this folder")
+        ->type_name("DIR");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -114,6 +124,8 @@ int main(int argc, char** argv) {
     ShapesOptions shapes;
     add_stability(app, stability);
     add_shapes(app, shapes);
+    SolversOptions solvers;
+    add_solvers(app, solvers);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -132,6 +144,7 @@ int main(int argc, char** argv) {
         if (app.got_subcommand("hosted-steps")) return run_hosted_steps(hosted_steps);
         if (app.got_subcommand("stability")) return run_stability(stability);
         if (app.got_subcommand("shapes")) return run_shapes(shapes);
+        if (app.got_subcommand("solvers")) return run_solvers(solvers);
     } catch (const std::exception& error) {
         std::cerr << "fettle-bench: " << error.what() << "\n";
         return 2;

@@ -61,4 +61,11 @@ struct ShapesOptions {
 };
 int run_shapes(const ShapesOptions& options);
 
+struct SolversOptions {
+    std::vector<std::string> scenes;
+    bool json = false;
+    std::string plots;  // a folder for curves, as SVG and as numbers
+};
+int run_solvers(const SolversOptions& options);
+
 }  // namespace fettle::bench

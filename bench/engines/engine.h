@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -55,7 +56,7 @@ std::uint64_t hash_of(const Engine& engine, std::size_t count);
 struct EngineKind {
     std::string_view name;
     /// Null where the engine is not installed.
-    std::unique_ptr<Engine> (*make)(const Scene& scene);
+    std::function<std::unique_ptr<Engine>(const Scene& scene)> make;
     std::string_view package;  // Debian's, of a peer that is not installed
     int max_threads = 1;
 };

@@ -1,10 +1,8 @@
 // A scene in the bare library.
 
-#include <fettle/physics/physics.h>
+#include "engines/fettle_engine.h"
 
 #include <vector>
-
-#include "engines/engine.h"
 
 namespace fettle::bench {
 namespace {
@@ -62,10 +60,12 @@ physics::BodyType type_of(Motion motion) {
 
 class FettleEngine : public Engine {
   public:
-    explicit FettleEngine(const Scene& scene)
+    FettleEngine(const Scene& scene, physics::Solver solver, int substeps)
         : world_({.gravity = vec(scene.gravity),
+                  .substeps = substeps,
                   .sleeping = scene.sleeping,
-                  .continuous = scene.continuous}) {
+                  .continuous = scene.continuous,
+                  .solver = solver}) {
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
         for (const SceneJoint& joint : scene.joints) tie(bodies_, scene.bodies, joint);
@@ -107,6 +107,7 @@ class FettleEngine : public Engine {
 
     std::size_t contacts() const override { return world_.contacts().size(); }
     std::size_t bodies() const override { return world_.body_count(); }
+    physics::World& world() { return world_; }
 
   private:
     static BodyMotion motion_of(const physics::Body& body) {
@@ -174,7 +175,15 @@ class FettleEngine : public Engine {
 }  // namespace
 
 std::unique_ptr<Engine> make_fettle(const Scene& scene) {
-    return std::make_unique<FettleEngine>(scene);
+    return make_fettle(scene, physics::Solver::soft_step, 4);
+}
+
+std::unique_ptr<Engine> make_fettle(const Scene& scene, physics::Solver solver, int substeps) {
+    return std::make_unique<FettleEngine>(scene, solver, substeps);
+}
+
+physics::World& fettle_world(Engine& engine) {
+    return dynamic_cast<FettleEngine&>(engine).world();
 }
 
 }  // namespace fettle::bench

@@ -135,7 +135,7 @@ void store_contacts(const WideContact* from, std::span<ContactLanes> to, float n
                 columns.c = kept ? load(from[i].points[k].tangent_impulse + at) : columns.c;
                 scatter4(columns, state);
                 pushes |= kept & (normal > Wide{});
-                least = kept & (columns.a < least) ? columns.a : least;
+                least = (kept & (columns.a < least)) ? columns.a : least;
             }
             group.near |= bits(pushes | (least <= splat(near))) << at;
             group.within_twice |= bits(pushes | (least <= splat(2.0f * near))) << at;

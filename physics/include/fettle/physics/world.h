@@ -118,6 +118,9 @@ class World {
     bool persist_events() const;
     void set_persist_events(bool enabled);
     void wake_all();
+    /// Numbers that are computed at a time, at most: 4, 8 or 16, and no more than `simd_width`.
+    /// Fewer are slower and give the same bits: for comparisons.
+    void limit_simd_width(int most);
 
     // Callbacks; empty: none, which costs nothing. They are no part of a snapshot: copying, saving
     // and restoring leave those of the world as they are, a new copy has none.

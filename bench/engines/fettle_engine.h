@@ -1,0 +1,17 @@
+#pragma once
+// The bare library, with what only it has.
+
+#include <fettle/physics/physics.h>
+
+#include <memory>
+
+#include "engines/engine.h"
+
+namespace fettle::bench {
+
+std::unique_ptr<Engine> make_fettle(const Scene& scene, physics::Solver solver, int substeps);
+
+/// Of an engine that `make_fettle` made.
+physics::World& fettle_world(Engine& engine);
+
+}  // namespace fettle::bench

@@ -1,0 +1,41 @@
+#pragma once
+// What the three solvers of the library do differently, as curves.
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engines/fettle_engine.h"
+#include "report/plot.h"
+
+namespace fettle::bench {
+
+struct SolverKind {
+    std::string_view name;
+    physics::Solver solver;
+};
+std::span<const SolverKind> solver_kinds();
+/// The bare library under a solver.
+EngineKind engine_of(const SolverKind& kind, int substeps = 4);
+
+// Scenes that grow.
+Scene stack_of(int boxes);
+Scene pyramid_of(int rows);
+Scene chain_under(double mass_ratio);
+
+/// Milliseconds a step, the median of several, after the first ten.
+double step_time(Engine& engine, int steps);
+
+struct Experiment {
+    std::string_view name;  // of its file, too
+    Plot (*run)();
+};
+std::span<const Experiment> experiments();
+
+Plot jitter_plot();
+Plot load_plot();
+Plot chain_plot();
+Plot energy_plot();
+Plot cost_plot();
+
+}  // namespace fettle::bench

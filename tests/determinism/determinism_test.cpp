@@ -1,0 +1,90 @@
+// Equal inputs make equal bits: over runs, instruction sets, and what is saved and restored on the
+// way. Over compilers and their optimizations: `scene_hashes`, which ./check --full builds.
+
+#include <fettle/physics/instruction_set.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "catch.h"
+#include "runs/scene_run.h"
+
+using namespace fettle::scene_run;
+using fettle::physics::Solver;
+using fettle::physics::World;
+
+namespace {
+
+void save_disturb_and_restore(World& world) {
+    std::vector<std::byte> saved;
+    world.save(saved);
+    const auto before = world.hash();
+    world.set_gravity({5, 5});
+    for (int i = 0; i < 3; ++i) world.step(1.0f / 60);
+    CHECK(world.hash() != before);
+    world.restore(saved);
+    CHECK(world.hash() == before);
+}
+
+/// Run again, by every instruction set that this machine has, and restored in the middle.
+void check_scene(const ShortScene& scene, const RunOptions& plain = {}) {
+    INFO(scene.name << ", solver " << static_cast<int>(plain.solver));
+    const std::uint64_t expected = run_scene(scene, plain);
+    CHECK(run_scene(scene, plain) == expected);
+    for (const int width : {4, 8}) {
+        if (width >= fettle::physics::simd_width()) continue;  // the runs above had the widest
+        RunOptions narrow = plain;
+        narrow.simd_width = width;
+        INFO("instructions of " << width << " numbers");
+        CHECK(run_scene(scene, narrow) == expected);
+    }
+    RunOptions restored = plain;
+    restored.in_the_middle = save_disturb_and_restore;
+    INFO("restored in the middle");
+    CHECK(run_scene(scene, restored) == expected);
+}
+
+const ShortScene& scene_of(std::string_view name) {
+    for (const ShortScene& scene : short_scenes())
+        if (scene.name == name) return scene;
+    FAIL("no such scene");
+    return short_scenes()[0];
+}
+
+}  // namespace
+
+TEST_CASE("a grid of joints ends in the same state however it is computed") {
+    check_scene(scene_of("joint_grid"));
+}
+TEST_CASE("a large pyramid ends in the same state however it is computed") {
+    check_scene(scene_of("large_pyramid"));
+}
+TEST_CASE("many pyramids end in the same state however they are computed") {
+    check_scene(scene_of("many_pyramids"));
+}
+TEST_CASE("a smashed wall ends in the same state however it is computed") {
+    check_scene(scene_of("smash"));
+}
+TEST_CASE("a tumbler ends in the same state however it is computed") {
+    check_scene(scene_of("tumbler"));
+}
+TEST_CASE("a spinner ends in the same state however it is computed") {
+    check_scene(scene_of("spinner"));
+}
+TEST_CASE("a washer ends in the same state however it is computed") {
+    check_scene(scene_of("washer"));
+}
+TEST_CASE("falling compounds end in the same state however they are computed") {
+    check_scene(scene_of("compounds"));
+}
+TEST_CASE("a junkyard ends in the same state however it is computed") {
+    check_scene(scene_of("junkyard"));
+}
+TEST_CASE("raining ragdolls end in the same state however they are computed") {
+    check_scene(scene_of("rain"));
+}
+TEST_CASE("a crowd ends in the same state under every solver however it is computed") {
+    for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct})
+        check_scene(small_crowd, {.solver = solver});
+}

@@ -1,0 +1,89 @@
+// Scenes that go on and on: nothing becomes infinite, leaves where it is shut in, or piles up in
+// memory. FETTLE_SOAK=10 runs each ten times as long as the benchmark does; without it they are
+// short.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "catch.h"
+#include "runs/scene_run.h"
+
+using namespace fettle::scene_run;
+using namespace fettle::physics;
+
+namespace {
+
+/// Where a scene keeps its bodies, m; a side that is open is infinite.
+struct Pen {
+    std::string_view scene;
+    Aabb box;
+};
+
+Aabb pen_of(std::string_view scene) {
+    static const Pen pens[] = {
+        {"large_pyramid", {{-infinity, -2}, {infinity, infinity}}},
+        {"many_pyramids", {{-infinity, -2}, {infinity, infinity}}},
+        {"tumbler", {{-16, -6}, {16, 26}}},
+        {"spinner", {{-42, -10}, {42, 74}}},
+        {"washer", {{-20, -10}, {20, 30}}},
+        {"compounds", {{-800, -82}, {800, infinity}}},
+    };
+    for (const Pen& pen : pens)
+        if (pen.scene == scene) return pen.box;
+    return {{-infinity, -infinity}, {infinity, infinity}};
+}
+
+class Watch {
+  public:
+    explicit Watch(std::string_view scene) : pen_(pen_of(scene)) {}
+
+    void look(const World& world) {
+        if (++steps_ % 20 != 0) return;
+        for (uint32_t slot = 1; slot < world.body_slots(); ++slot) {
+            if (world.body_generation(slot) == 0) continue;
+            const BodyState& s = world.state(slot);
+            finite = finite && s.position.allFinite() && s.velocity.allFinite() &&
+                     std::isfinite(s.angle) && std::isfinite(s.angular_velocity);
+            inside = inside && s.position.x() > pen_.min.x() && s.position.y() > pen_.min.y() &&
+                     s.position.x() < pen_.max.x() && s.position.y() < pen_.max.y();
+        }
+        if (steps_ % 100 != 0) return;
+        saved_.clear();
+        world.save(saved_);
+        sizes.push_back(saved_.size());
+    }
+
+    bool finite = true, inside = true;
+    std::vector<std::size_t> sizes;  // of the world, bytes
+
+  private:
+    Aabb pen_;
+    int steps_ = 0;
+    std::vector<std::byte> saved_;
+};
+
+}  // namespace
+
+TEST_CASE("scenes run on without infinities or escape or growing memory", "[soak]") {
+    const char* wanted = std::getenv("FETTLE_SOAK");
+    const int times = wanted != nullptr ? std::atoi(wanted) : 0;
+    for (const ShortScene& scene : short_scenes()) {
+        INFO(scene.name);
+        Watch watch(scene.name);
+        RunOptions options;
+        options.times = times;
+        options.after_step = [&watch](World& world) { watch.look(world); };
+        run_scene(scene, options);
+        CHECK(watch.finite);
+        CHECK(watch.inside);
+        if (watch.sizes.size() < 4) continue;
+        const auto half = watch.sizes.begin() + std::ptrdiff_t(watch.sizes.size() / 2);
+        const std::size_t before = *std::max_element(watch.sizes.begin(), half);
+        const std::size_t after = *std::max_element(half, watch.sizes.end());
+        CHECK(after <= before + before / 4);
+    }
+}
