@@ -131,6 +131,7 @@ class SceneRunner {
         for (std::size_t i = 0; i < count; ++i) {
             if (!able(*engines_[i]) || !scene.runs_on(engines_[i]->name)) continue;
             simulations[i] = std::make_unique<Simulation>(scene, *engines_[i]);
+            simulations[i]->engine().set_threads(options_.threads);
             simulations[i]->advance(1);  // the first step finds every pair anew: not counted
         }
         for (int turn = 1; turn <= turns; ++turn) {

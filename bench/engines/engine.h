@@ -40,6 +40,8 @@ class Engine {
     /// An edit from outside, as a tinkerer makes it: `set_velocity` by the engine's most public
     /// way.
     virtual void edit_velocity(std::size_t body, Point velocity) { set_velocity(body, velocity); }
+    /// Only where the engine can have more than one.
+    virtual void set_threads(int) {}
     /// Pairs of shapes that touch, sleeping ones too.
     virtual std::size_t contacts() const = 0;
     /// Bodies that exist, static ones too.

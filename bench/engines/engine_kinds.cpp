@@ -23,8 +23,8 @@ constexpr std::unique_ptr<Engine> (*chipmunk)(const Scene&) = nullptr;
 std::span<const EngineKind> engine_kinds() {
     constexpr std::unique_ptr<Engine> (*fettle)(const Scene&) = make_fettle;
     static const std::array<EngineKind, 4> kinds = {{
-        {"fettle", fettle, ""},
-        {"hosted", make_hosted, ""},
+        {"fettle", fettle, "", 64},
+        {"hosted", make_hosted, "", 64},
         {"box2d", box2d, "libbox2d-dev"},
         {"chipmunk", chipmunk, "libchipmunk-dev"},
     }};

@@ -78,6 +78,8 @@ class FettleEngine : public Engine {
 
     void step() override { world_.step(time_step); }
 
+    void set_threads(int threads) override { world_.set_threads(threads); }
+
     BodyMotion motion(std::size_t index) const override { return motion_of(bodies_[index]); }
 
     void mix_groups(std::uint64_t& hash) const override {

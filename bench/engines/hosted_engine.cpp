@@ -211,6 +211,10 @@ void HostedEngine::set_velocity(std::size_t body, Point velocity) {
     game_.tree.set(bodies_[body], *velocity_, value(velocity));
 }
 
+void HostedEngine::set_threads(int threads) {
+    property::set(game_.tree, game_.tree.path(world_) + ".threads", threads);
+}
+
 void HostedEngine::edit_velocity(std::size_t body, Point velocity) {
     Tree& tree = game_.tree;
     const Tree::CauseScope cause(tree, property::Writer::console);

@@ -40,6 +40,7 @@ class HostedEngine : public Engine {
     void set_velocity(std::size_t body, Point velocity) override;
     /// By path, as it is typed into a console.
     void edit_velocity(std::size_t body, Point velocity) override;
+    void set_threads(int threads) override;
     void mix_groups(std::uint64_t& hash) const override;
     void arrive(std::size_t group, const SceneGroup& description) override;
     std::size_t contacts() const override;

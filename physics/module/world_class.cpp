@@ -72,6 +72,14 @@ void set_bounds(Hosting& hosting, Row row, const Value& value) {
     world.set_bounds(box);
 }
 
+void set_threads(Hosting& hosting, Row row, const Value& value) {
+    try {
+        hosting.world(row).set_threads(from_value<int>(value));
+    } catch (const std::runtime_error& refusal) {  // the system has no more
+        throw std::invalid_argument(refusal.what());
+    }
+}
+
 std::vector<Property> simulation(Hosting& hosting) {
     const physics::WorldDef defaults;
     return {
@@ -88,6 +96,16 @@ std::vector<Property> simulation(Hosting& hosting) {
          .range = {.min = 1, .max = 64},
          .doc = "Parts a step is solved in: more is stiffer and slower.",
          .binding = bound<&World::substeps, &World::set_substeps>(hosting)},
+        {.name = "threads",
+         .type = Type::integer,
+         .default_value = 1,
+         .range = {.min = 1, .max = 64},
+         .doc = "That a step is shared out to: more than the machine has cores are slower. Changes "
+                "no result.",
+         .binding = accessor(
+             hosting, [](Hosting& h, Row row) { return Value(h.world(row).threads()); },
+             [](Hosting& h, Row row, const Value& value) { set_threads(h, row, value); }),
+         .transient = true},
         solver(hosting),
         {.name = "bounds",
          .type = Type::list,

@@ -203,6 +203,7 @@ void WorldData::place_lanes() {
         return color_begin[block * color_count + c.place];
     };
     color_begin.assign(blocks.size() * color_count, 0);
+    first_groups.resize(blocks.size() * color_count + 1);
     for (const ColoredContact& c : colored) ++entry_of(c);
     // From counts to the first lane of each color; every color begins a group of its own.
     uint32_t begin = 0;
@@ -211,10 +212,12 @@ void WorldData::place_lanes() {
         for (size_t color = 0; color < color_count; ++color) {
             uint32_t& entry = color_begin[block * color_count + color];
             const uint32_t count = std::exchange(entry, begin);
+            first_groups[block * color_count + color] = begin / lanes;
             begin += (count + lanes - 1) / lanes * lanes;
         }
         blocks[block].group_end = begin / lanes;
     }
+    first_groups.back() = begin / lanes;
     wide_contacts.resize(begin / lanes);
     contact_lanes.resize(begin / lanes);
     const auto fill = [&](uint32_t place, const ColoredContact& c, Manifold& manifold) {

@@ -8,6 +8,21 @@
 // one at a time before what is solved sixteen at a time.
 
 namespace fettle::physics::detail {
+namespace {
+
+// What a thread takes at a time.
+constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 512;
+
+/// Holds more than one island that is itself enough for a block.
+bool is_large(const SolverBlock& block) {
+    return block.group_end - block.first_group > 2 * SolverBlocks::enough_contacts / lanes;
+}
+/// Whether sharing out a pass takes less than the pass.
+bool worth_sharing(const SolverBlock& block) {
+    return block.group_end - block.first_group >= 4 * groups_at_a_time;
+}
+
+}  // namespace
 
 /// What holds for all blocks during a step.
 struct WorldData::BlockStep {
@@ -22,21 +37,73 @@ WideStep WorldData::wide_step(const SolverBlock& block, const BlockStep& step) {
             block.group_end - block.first_group, 1.0f / step.h, settings.push_speed};
 }
 
-/// A block of nothing but wide contacts, through all sub-steps.
-void WorldData::solve_block(const SolverBlock& block, const BlockStep& step) {
-    const WideKernels& kernels = step.kernels;
-    const WideStep wide = wide_step(block, step);
-    const std::span groups = std::span(contact_lanes).subspan(block.first_group, wide.count);
-    const std::span which = blocks.bodies_of(block);
-    kernels.prepare(step.prepare, groups, wide.contacts);
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        integrate_velocities(which, solver_bodies, solver_forces, step.limits, substep > 0);
-        if (substep == 0) kernels.warm_start(wide);
-        kernels.solve_biased(wide);
-        integrate_positions(which, solver_bodies, step.h);
-        kernels.relax(wide);
+/// Color by color, where several threads do it.
+void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block,
+                     const BlockStep& step, ThreadPool* helpers) {
+    const WideStep all = wide_step(block, step);
+    if (helpers == nullptr) {
+        kernel(all);
+        return;
     }
-    kernels.store(wide.contacts, groups, touch_distance);
+    const auto* first = &first_groups[size_t(&block - &blocks[0]) * color_count];
+    for (size_t color = 0; color < color_count; ++color) {
+        const uint32_t from = first[color], count = first[color + 1] - from;
+        share_out_range(helpers, count, groups_at_a_time, [&](size_t begin, size_t end) {
+            WideStep part = all;
+            part.contacts = wide_contacts.data() + from + begin;
+            part.count = end - begin;
+            kernel(part);
+        });
+    }
+}
+
+void WorldData::prepare_block(const SolverBlock& block, const BlockStep& step,
+                              ThreadPool* helpers) {
+    const auto part = [&](size_t begin, size_t end) {
+        begin += block.first_group, end += block.first_group;
+        step.kernels.prepare(step.prepare, std::span(contact_lanes).subspan(begin, end - begin),
+                             wide_contacts.data() + begin);
+    };
+    share_out_range(helpers, block.group_end - block.first_group, groups_at_a_time, part);
+}
+
+void WorldData::store_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers) {
+    const auto part = [&](size_t begin, size_t end) {
+        begin += block.first_group, end += block.first_group;
+        step.kernels.store(wide_contacts.data() + begin,
+                           std::span(contact_lanes).subspan(begin, end - begin), touch_distance);
+    };
+    share_out_range(helpers, block.group_end - block.first_group, groups_at_a_time, part);
+}
+
+void WorldData::begin_substep(const SolverBlock& block, const BlockStep& step, bool again,
+                              ThreadPool* helpers) {
+    const std::span which = blocks.bodies_of(block);
+    share_out_range(helpers, which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
+        integrate_velocities(which.subspan(begin, end - begin), solver_bodies, solver_forces,
+                             step.limits, again);
+    });
+}
+
+void WorldData::move_bodies(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers) {
+    const std::span which = blocks.bodies_of(block);
+    share_out_range(helpers, which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
+        integrate_positions(which.subspan(begin, end - begin), solver_bodies, step.h);
+    });
+}
+
+/// A block of nothing but wide contacts, through all sub-steps.
+void WorldData::solve_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers) {
+    const WideKernels& kernels = step.kernels;
+    prepare_block(block, step, helpers);
+    for (int substep = 0; substep < settings.substeps; ++substep) {
+        begin_substep(block, step, substep > 0, helpers);
+        if (substep == 0) pass(kernels.warm_start, block, step, helpers);
+        pass(kernels.solve_biased, block, step, helpers);
+        move_bodies(block, step, helpers);
+        pass(kernels.relax, block, step, helpers);
+    }
+    store_block(block, step, helpers);
 }
 
 /// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
@@ -59,52 +126,51 @@ bool WorldData::repeats_pushes(const SolverBlock& block) {
 /// The first block, with all that the others do not have.
 void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_step) {
     const WideKernels& kernels = step.kernels;
-    const WideStep wide = wide_step(blocks[0], step);
-    const std::span groups = std::span(contact_lanes).first(wide.count);
-    const std::span which = blocks.bodies_of(blocks[0]);
+    const SolverBlock& block = blocks[0];
+    ThreadPool* const helpers = worth_sharing(block) ? threads : nullptr;
     ContactSolver serial;
     serial.bodies = solver_bodies;
     serial.constraints = constraints;
     serial.extras = extras;
     serial.rolling = rolling_contacts;
-    serial.inverse_h = wide.inverse_h;
-    serial.push_speed = wide.push_speed;
+    serial.inverse_h = 1.0f / step.h;
+    serial.push_speed = settings.push_speed;
     serial.restitution_threshold = settings.restitution_threshold;
 
-    const bool repeats = repeats_pushes(blocks[0]);
+    const bool repeats = repeats_pushes(block);
     const auto around_joints = [&](auto&& pass) {
         if (repeats)
             joint_share.around(solver_bodies, solver_forces, pass);
         else
             pass();
     };
-    kernels.prepare(step.prepare, groups, wide.contacts);
+    prepare_block(block, step, helpers);
     serial.bounce(step.h * float(settings.substeps));
     zero_locked();
     for (int substep = 0; substep < settings.substeps; ++substep) {
         const bool again = repeats && substep > 0;
-        integrate_velocities(which, solver_bodies, solver_forces, step.limits, again);
+        begin_substep(block, step, again, helpers);
         zero_locked();
         solver_bodies[0] = {};  // joints write it back unmoved; whatever happens, it stays so
         around_joints([&] { warm_start_joints(); });
         if (!again) {
             serial.warm_start();
-            kernels.warm_start(wide);
+            pass(kernels.warm_start, block, step, helpers);
         }
         around_joints([&] { solve_joints(joint_step); });
         serial.solve_biased();
-        kernels.solve_biased(wide);
+        pass(kernels.solve_biased, block, step, helpers);
         zero_locked();
-        integrate_positions(which, solver_bodies, step.h);
+        move_bodies(block, step, helpers);
         around_joints([&] { relax_joints(joint_step); });
         serial.relax();
-        kernels.relax(wide);
+        pass(kernels.relax, block, step, helpers);
         zero_locked();
         strain_joints();
     }
     serial.restitute();
     zero_locked();
-    kernels.store(wide.contacts, groups, touch_distance);
+    store_block(block, step, helpers);
 }
 
 void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness) {
@@ -114,7 +180,14 @@ void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness
                             h,
                             {greatest_speed, greatest_turn / h}};
     solve_first_block(step, joint_step);
-    for (size_t block = 1; block < blocks.size(); ++block) solve_block(blocks[block], step);
+    // The few that are large are solved one by one, by all threads together.
+    const auto whole = uint32_t(blocks.size() - 1);
+    for (uint32_t block = 1; block <= whole; ++block) {
+        if (is_large(blocks[block])) solve_block(blocks[block], step, threads);
+    }
+    share_out(threads, whole, [&](uint32_t block) {
+        if (!is_large(blocks[block + 1])) solve_block(blocks[block + 1], step, nullptr);
+    });
 }
 
 }  // namespace fettle::physics::detail

@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
 constexpr uint32_t archive_version = 6;
-constexpr size_t world_data_size = 3456;  // without the lists of joints
+constexpr size_t world_data_size = 3512;  // without the lists of joints
 
 /// Another layout of what is copied byte by byte is another format.
 constexpr uint32_t layout() {
@@ -107,10 +107,12 @@ void World::take(World&& other) {
 void WorldData::take(WorldData&& other) {
     const uint32_t issued = std::max(next_generation, other.next_generation);
     const int widest = most_lanes;
+    ThreadPool* const own_threads = threads;
     other.callbacks = std::move(callbacks);
     *this = std::move(other);
     next_generation = issued;
     most_lanes = widest;
+    threads = own_threads;
 }
 
 }  // namespace fettle::physics

@@ -121,7 +121,14 @@ void WorldData::stop_fast_bodies() {
             state.cosine = q.c;
             state.sine = q.s;
             state.position = to_vec2(record.center - rotate(q, record.local_center));
-            finish_shapes(fast.body, q, false);
+            std::vector<uint32_t>& moved = finished.front().moved;
+            moved.clear();
+            finish_shapes(fast.body, q, moved);
+            for (const uint32_t shape : moved) {
+                moving_tree.move(shapes[shape].proxy, fat_boxes[shape]);
+                list_moved(shape);
+            }
+            statistics.moved_proxies += uint32_t(moved.size());
         }
     }
 }

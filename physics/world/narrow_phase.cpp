@@ -13,6 +13,8 @@ namespace {
 
 /// Contacts between two looks at what came out: few enough that they are still in the cache.
 constexpr size_t run_length = 64;
+/// Contacts that a thread takes at a time.
+constexpr size_t piece_length = 512;
 
 }  // namespace
 
@@ -149,9 +151,11 @@ void WorldData::narrow_phase() {
     for (size_t begin = 0; begin < awake_contacts.size();) {
         const size_t end = awake_contacts.size();
         contact_notes.resize(end);
-        NarrowPhase phase(*this);
-        for (size_t i = begin; i < end; i += run_length)
-            phase.run(i, std::min(i + run_length, end));
+        share_out_range(threads, end - begin, piece_length, [&](size_t first, size_t last) {
+            NarrowPhase phase(*this);
+            for (size_t i = begin + first; i < begin + last; i += run_length)
+                phase.run(i, std::min(i + run_length, begin + last));
+        });
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = awake_contacts[i];
             if (contact_notes[i] == pair_is_over) {

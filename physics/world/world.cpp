@@ -22,6 +22,7 @@ World::~World() = default;
 World::World(const World& other)
     : data_(std::make_unique<WorldData>(*other.data_)), columns_(data_.get()) {
     data_->callbacks = {.world = this, .filter = {}, .mix = {}, .before_solve = {}};
+    data_->threads = nullptr;
 }
 
 World& World::operator=(const World& other) {
@@ -148,6 +149,17 @@ float World::push_speed() const {
 void World::set_push_speed(float speed) {
     data_->settings.push_speed = check_not_negative("push_speed", speed);
     data_->wake_all();
+}
+
+int World::threads() const {
+    return pool_ ? pool_->threads() : 1;
+}
+void World::set_threads(int threads) {
+    check_range("threads", float(threads), 1.0f, 64.0f);
+    if (threads == this->threads()) return;
+    auto pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
+    pool_ = std::move(pool);
+    data_->threads = pool_.get();
 }
 
 void World::wake_all() {

@@ -9,6 +9,7 @@
 #include <solver/motion.h>
 #include <solver/rolling_contact.h>
 #include <solver/stiffness.h>
+#include <threads/pool.h>
 #include <wide/kernels.h>
 #include <world/joint_types.h>
 #include <world/records.h>
@@ -42,6 +43,13 @@ struct FastBody {
 
 /// Contacts are in no order in memory: so many before its turn each is asked for.
 inline constexpr size_t contacts_ahead = 12;
+
+/// What is to do for some bodies that have moved.
+struct FinishedPiece {
+    std::vector<uint32_t> moved;  ///< shapes that left their fat boxes
+    std::vector<FastBody> fast;
+    uint32_t sleep_candidates = 0;
+};
 
 inline constexpr int color_count = 64;
 struct ColoredContact {
@@ -128,6 +136,7 @@ struct WorldData : Columns {
     std::vector<ColoredContact> colored;
     SolverBlocks blocks;
     std::vector<uint32_t> color_begin;     ///< lanes, by block and color
+    std::vector<uint32_t> first_groups;    ///< of each color of each block, and the end
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
     int most_lanes = lanes;                ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
@@ -137,6 +146,7 @@ struct WorldData : Columns {
     bool axes_locked = false;      ///< of some awake body, along x or y
     std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
     std::vector<FastBody> fast_bodies;
+    std::vector<FinishedPiece> finished;
     std::vector<ContactRecord> parted;  ///< last touches of an outline's parts that ended
     float last_substep = 0.0f;          ///< s; warm-start impulses are scaled by the ratio
     uint64_t steps = 0;
@@ -146,6 +156,7 @@ struct WorldData : Columns {
     Events pending;  ///< made by edits since
     bool stepping = false;
     Callbacks callbacks;
+    ThreadPool* threads = nullptr;  ///< of the world, not of its state
     StepStatistics statistics;
 
     Events& event_sink() { return stepping ? events : pending; }
@@ -355,8 +366,10 @@ struct WorldData : Columns {
     void solve(float dt);
     void apply_forces(float h);
     void gather_bodies(float h);
+    // finish.cpp
     void finish_bodies(float dt);
-    void finish_shapes(uint32_t body, Rotation q, bool many);
+    void finish_body(size_t place, float dt, FinishedPiece& piece);
+    void finish_shapes(uint32_t body, Rotation q, std::vector<uint32_t>& moved);
     // continuous.cpp
     void stop_fast_bodies();
     float limit_motion(const FastBody& fast) const;
@@ -368,7 +381,14 @@ struct WorldData : Columns {
     bool repeats_pushes(const SolverBlock& block);
     WideStep wide_step(const SolverBlock& block, const BlockStep& step);
     void solve_first_block(const BlockStep& step, const JointStep& joint_step);
-    void solve_block(const SolverBlock& block, const BlockStep& step);
+    void solve_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
+    void pass(void (*kernel)(const WideStep&), const SolverBlock& block, const BlockStep& step,
+              ThreadPool* helpers);
+    void prepare_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
+    void store_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
+    void begin_substep(const SolverBlock& block, const BlockStep& step, bool again,
+                       ThreadPool* helpers);
+    void move_bodies(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
     // ../solver
     void solve_sequentially(const JointStep& joint_step);
     void solve_directly(const JointStep& joint_step);

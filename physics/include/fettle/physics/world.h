@@ -24,6 +24,7 @@ namespace fettle::physics {
 
 namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldData;
+class ThreadPool;
 
 /// The part of a world that is read too often for a call: arrays addressed by `BodyId::index`.
 struct Columns {
@@ -121,6 +122,12 @@ class World {
     /// Numbers that are computed at a time, at most: 4, 8 or 16, and no more than `simd_width`.
     /// Fewer are slower and give the same bits: for comparisons.
     void limit_simd_width(int most);
+
+    /// How many threads a step is shared out to, the caller's included: 1 … 64. It belongs to the
+    /// world and not to its state, and changes no result. Throws std::runtime_error where the system
+    /// gives fewer, and leaves as many as there were. Callbacks run on the caller's thread.
+    int threads() const;
+    void set_threads(int threads);
 
     // Callbacks; empty: none, which costs nothing. They are no part of a snapshot: copying, saving
     // and restoring leave those of the world as they are, a new copy has none.
@@ -244,6 +251,7 @@ class World {
 
     std::unique_ptr<detail::WorldData> data_;
     detail::Columns* columns_ = nullptr;  ///< base of `*data_`
+    std::unique_ptr<detail::ThreadPool> pool_;
 };
 
 template <>

@@ -1,0 +1,93 @@
+#include <geometry/trigonometry.h>
+#include <world/world_data.h>
+
+// After the solver: poses, rotated vertices, boxes. What a body needs besides goes into the lists
+// of its piece; piece after piece, whoever did them, they are then taken over.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Bodies that a thread takes at a time.
+constexpr size_t piece_length = 256;
+
+}  // namespace
+
+void WorldData::finish_body(size_t place, float dt, FinishedPiece& piece) {
+    const uint32_t slot = awake_bodies[place];
+    BodyRecord& record = bodies[slot];
+    BodyState& state = states[slot];
+    const SolverBody& b = solver_bodies[place + 1];
+    const float speed_limit = 1.5f * greatest_speed;
+    state.velocity = {bounded(b.velocity.x, speed_limit), bounded(b.velocity.y, speed_limit)};
+    state.angular_velocity = bounded(b.angular_velocity, 1e6f);
+    record.step_force = {};
+    record.step_torque = 0.0f;
+
+    V2 shift = {bounded(b.shift.x, 1e6f), bounded(b.shift.y, 1e6f)};
+    const float turn = bounded(b.turn, 1e3f);
+    record.center = record.center + shift;
+    record.center = {bounded(record.center.x, greatest_coordinate),
+                     bounded(record.center.y, greatest_coordinate)};
+    if (turn != 0.0f) {
+        // The part of the turn that the angle is too coarse to hold is kept for the next step.
+        const float sum = turn + record.angle_rest;
+        const float angle = state.angle + sum;
+        record.angle_rest = sum - (angle - state.angle);
+        state.angle = angle;
+        const Rotation q = rotation_of(double(angle) + double(record.angle_rest));
+        state.cosine = q.c;
+        state.sine = q.s;
+    }
+    const Rotation q = {state.cosine, state.sine};
+    state.position = to_vec2(record.center - rotate(q, record.local_center));
+    finish_shapes(slot, q, piece.moved);
+    // Slower ones cannot pass the reach of a speculative contact, or leave more than half of
+    // them behind.
+    const float near = max(0.5f * record.thickness, speculative_margin);
+    if (settings.continuous && record.mobility == Mobility::dynamic &&
+        length_squared(shift) > near * near) {
+        piece.fast.push_back({slot, record.center - shift, shift, turn});
+    }
+
+    const float speed =
+        max(length(to_v2(state.velocity)), std::fabs(state.angular_velocity) * record.extent);
+    record.sleep_time = speed < settings.sleep_speed ? record.sleep_time + dt : 0.0f;
+    piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
+}
+
+void WorldData::finish_bodies(float dt) {
+    const size_t count = awake_bodies.size();
+    finished.resize((count + piece_length - 1) / piece_length);
+    share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
+        FinishedPiece& piece = finished[begin / piece_length];
+        piece.moved.clear();
+        piece.fast.clear();
+        piece.sleep_candidates = 0;
+        for (size_t place = begin; place < end; ++place) finish_body(place, dt, piece);
+    });
+    sleep_candidates = 0;
+    fast_bodies.clear();
+    for (const FinishedPiece& piece : finished) {
+        for (const uint32_t shape : piece.moved) {
+            moving_tree.relocate(shapes[shape].proxy, fat_boxes[shape]);
+            list_moved(shape);
+        }
+        statistics.moved_proxies += uint32_t(piece.moved.size());
+        fast_bodies.insert(fast_bodies.end(), piece.fast.begin(), piece.fast.end());
+        sleep_candidates += piece.sleep_candidates;
+    }
+    moving_tree.settle();
+}
+
+/// Lists in `moved` those that have left their fat boxes and have others now.
+void WorldData::finish_shapes(uint32_t body, Rotation q, std::vector<uint32_t>& moved) {
+    for (uint32_t s = bodies[body].first_shape; s != none; s = shapes[s].next) {
+        if (!is_solid(s)) continue;
+        place_shape(s, q);
+        if (contains(fat_boxes[s], grow(boxes[s], speculative_margin))) continue;
+        fat_boxes[s] = grow(boxes[s], fat_margin(s));
+        moved.push_back(s);
+    }
+}
+
+}  // namespace fettle::physics::detail
