@@ -516,6 +516,7 @@ StepStatistics = {}
 ---@field sleeping boolean What rests falls asleep and costs nothing until it is disturbed. · true or false · default true
 ---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" sweeps over them in small steps and remembers; "sequential" goes over the contacts once, the worst first, as in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
 ---@field substeps integer Parts a step is solved in: more is stiffer and slower. · 1 to 64 · default 4
+---@field threads integer That a step is shared out to: more than the machine has cores are slower. Changes no result. · 1 to 64 · default 1 · not saved
 ---@field step StepStatistics What the last step of a world did, and how long that took.
 local fettle_World = {}
 
@@ -727,6 +728,10 @@ World = {}
 ---@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · any finite vec · default vec(0, 0) · simulated
 ---@field color color? Fills its shapes that have no color of their own; nil goes by its type. · channels 0 to 1 · default nil · may be nil
 ---@field contact_force number How hard what it touches presses on it, all together. · N · any finite number · read-only, simulated
+---@field contact_impulses number[] What pressed it and the other apart in the last step. · N s · any length · read-only, simulated
+---@field contact_normals vec[] From this body to the one it touches; of length 1. · any length · read-only, simulated
+---@field contact_points vec[] Where it touches, in the world. · m · any length · read-only, simulated
+---@field contact_shapes Object[] The shapes it touches now, one for each touch; the world itself for its bounds. The next lists have as many entries, in the same order. · any length · read-only, simulated
 ---@field contacts Object[] The bodies it touches now; the world itself where it touches the bounds. Sensors do not count. · any length · read-only, simulated
 ---@field force vec Pushes its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number How much of the world's gravity it feels: 0 floats, -1 falls upwards. · any finite number · default 1

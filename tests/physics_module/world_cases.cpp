@@ -43,7 +43,7 @@ Cases world_cases() {
         put(Vec2(0, 5)));
     // Nothing that is simulated may tell how many there are.
     cases["World.threads"] =
-        make_case(2, 1, [](Stage& s) { return s.game.number(s.world, "threads") == 2; });
+        make_case(2, 1, [](Stage& s) { return s.game.get(s.world, "threads").integer() == 2; });
     cases["World.bounds"] = make_case(
         List{Vec2(-2, -5), Vec2(2, 50)}, 60, [](Stage& s) { return s.game.x(s.body) < 1.6; },
         put(Vec2(0, 3), Vec2(10, 0)));
