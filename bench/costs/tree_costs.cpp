@@ -101,7 +101,8 @@ void add_reads(CostTable& table) {
               each_probe([](ProbeTree& t, std::size_t i) {
                   const Probe* probe = &t.array[i];
                   DoNotOptimize(probe);  // the compiler must not know where it points
-                  DoNotOptimize(probe->mass);
+                  float mass = probe->mass;
+                  DoNotOptimize(mass);
               }));
     const std::string base = "C++: read a float through a pointer";
     table.add("C++: get a number by reference", base, probes,
