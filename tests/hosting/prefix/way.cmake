@@ -66,8 +66,8 @@ target_link_libraries(program PRIVATE ${link})
 ")
 must("${CMAKE_COMMAND}" -S "${here}" -B "${here}/build" -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${PREFIX}" -DCMAKE_BUILD_TYPE=Debug
   "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}" "-DCMAKE_C_COMPILER_LAUNCHER=${LAUNCHER}")
-if(WAY STREQUAL "fetch")  # the same files as above: what is to be built is enough
-  must("${CMAKE_COMMAND}" --build "${here}/build" -- -n)
+if(WAY STREQUAL "fetch")  # the same files as above: that they are to be built is enough
+  must("${CMAKE_COMMAND}" --build "${here}/build" --target help)
   return()
 endif()
 must("${CMAKE_COMMAND}" --build "${here}/build" --parallel 2)
