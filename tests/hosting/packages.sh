@@ -76,7 +76,7 @@ expect() {
 # --- What runs --------------------------------------------------------------------------------------------------------------
 mkdir -- "$root/packages"
 cp -- "${packages[@]}" "$root/packages/"
-quietly inside apt-get update
+inside apt-get -o APT::Update::Error-Mode=any update >"$folder/apt.log" 2>&1 || cannot "no packages can be fetched"
 inside dpkg-query -W -f '${Package}\n' | sort >"$folder/before"
 quietly inside apt-get install -y --no-install-recommends "/packages/$(basename -- "${packages[0]}")"
 installed=$(inside dpkg-query -W -f '${Package}\n' | sort | comm -13 "$folder/before" -)
