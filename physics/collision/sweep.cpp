@@ -79,7 +79,8 @@ class TurnedCopy {
         }
         for (size_t i = 0; i < normals_.size(); ++i) {
             vertices_[i] = rotate(q, from_.form.vertices[i]);
-            normals_[i] = rotate(q, from_.form.normals[i]);
+            // A disc, which has no edges, may come without.
+            if (from_.form.normals != nullptr) normals_[i] = rotate(q, from_.form.normals[i]);
         }
         return turned_;
     }

@@ -349,7 +349,7 @@ double DirectProblem::residual() {
 }
 
 bool DirectProblem::solve_exactly() {
-    if (bodies_.size() > most_bodies) return false;
+    if (bodies_.size() > most_bodies || hopeless_) return false;
     if (!analyzed_) analyze();
     budget_ = most_factorizations;
     share_ = begin_;
@@ -411,6 +411,7 @@ bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> s
     take(scales, solver_bodies, applied);
     const bool solved = solve_exactly();
     if (!solved) sweep();
+    hopeless_ = !solved;  // for the rest of the step, which would else take a hundred times as long
     give(scales, solver_bodies);
     return solved;
 }

@@ -66,6 +66,7 @@ class DirectProblem {
     Eigen::SparseMatrix<double> matrix_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
     bool analyzed_ = false;
+    bool hopeless_ = false;
     double share_ = 1.0, begin_ = 1.0;  ///< of the rigidity of rows: now, and to begin with
     int budget_ = 0;                    ///< factorizations that may still be made
 };

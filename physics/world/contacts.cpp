@@ -54,6 +54,9 @@ void WorldData::find_pairs() {
     }
     // In the order of the shapes, whatever that of the trees.
     std::sort(new_pairs.begin(), new_pairs.end());
+    // A slot is listed twice when what moved in it was destroyed and another came: it meets the
+    // border twice.
+    new_pairs.erase(std::unique(new_pairs.begin(), new_pairs.end()), new_pairs.end());
     for (uint64_t pair : new_pairs) create_contact(uint32_t(pair), uint32_t(pair >> 32));
     for (uint32_t shape : moved_shapes) {
         shapes[shape].moved = false;

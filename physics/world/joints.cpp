@@ -337,8 +337,11 @@ void WorldData::store_joints(const JointStep& step) {
         for (auto& c : list) {
             Data& data = std::get<std::vector<Data>>(joint_lists)[c.ends.place];
             data.impulses = c.impulses;
-            joints[data.joint].force = step.inverse_h * c.push();
-            joints[data.joint].torque = step.inverse_h * c.twist();
+            // What overflowed would begin the next step, and so last for ever.
+            const V2 push = c.push();
+            if (!std::isfinite(push.x + push.y + c.twist())) data.impulses = {};
+            joints[data.joint].force = bounded(step.inverse_h * push, 1e30f);
+            joints[data.joint].torque = bounded(step.inverse_h * c.twist(), 1e30f);
         }
     };
     std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
