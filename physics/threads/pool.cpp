@@ -12,9 +12,15 @@ namespace fettle::physics::detail {
 namespace {
 
 // How long to look for work: first without giving up the processor, since the stages of a step
-// follow each other within microseconds; then politely, since there may be more threads than
-// processors; then asleep, since the next step may be long off.
-constexpr int spins = 400, yields = 2000;
+// follow each other within microseconds; then politely; then asleep, since the next step may be
+// long off. Where there are more threads than processors, whoever looks keeps from working who has
+// work: then briefly.
+constexpr int spins_alone = 20'000, spins_crowded = 100, yields = 2000;
+
+int spins_for(int threads) {
+    const auto processors = std::thread::hardware_concurrency();  // 0: not known
+    return unsigned(threads) <= processors ? spins_alone : spins_crowded;
+}
 
 void pause() {
 #if defined(__SSE2__)
@@ -40,7 +46,7 @@ constexpr uint64_t first_turn(uint64_t round, uint64_t count) {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) {
+ThreadPool::ThreadPool(int threads) : spins_(spins_for(threads)) {
     try {
         workers_.reserve(size_t(threads) - 1);
         while (int(workers_.size()) + 1 < threads) workers_.emplace_back([this] { serve(); });
@@ -95,7 +101,7 @@ void ThreadPool::share_out(uint32_t count, Function function, void* context) {
     if (sleepers_.load() > 0) turn_.notify_all();
     work_until_done(turn);
     for (int looks = 0; done_.load(std::memory_order_acquire) < count; ++looks) {
-        if (looks < spins)
+        if (looks < spins_)
             pause();
         else
             std::this_thread::yield();
@@ -110,9 +116,9 @@ void ThreadPool::serve() {
             work_until_done(turn);
             seen = turn;
             looks = 0;
-        } else if (++looks < spins) {
+        } else if (++looks < spins_) {
             pause();
-        } else if (looks < spins + yields) {
+        } else if (looks < spins_ + yields) {
             std::this_thread::yield();
         } else {
             sleepers_.fetch_add(1);

@@ -49,6 +49,7 @@ class ThreadPool {
     alignas(64) std::atomic<uint32_t> done_ = 0;
     std::atomic<uint32_t> sleepers_ = 0;
     std::atomic<bool> stop_ = false;
+    const int spins_;
     std::vector<std::thread> workers_;
 };
 
