@@ -17,6 +17,12 @@ Value value(Point p) {
     return property::Vec2(static_cast<double>(p.x), static_cast<double>(p.y));
 }
 
+property::List values(const std::vector<Point>& points) {
+    property::List all;
+    for (const Point& point : points) all.push_back(value(point));
+    return all;
+}
+
 /// Makes one shape below `body` and gives it its geometry.
 struct ShapeMaker {
     Tree& tree;
@@ -46,9 +52,7 @@ struct ShapeMaker {
     }
     Handle operator()(const PolygonShape& polygon) const {
         const Handle made = make("Polygon");
-        property::List vertices;
-        for (const Point& point : polygon.vertices) vertices.push_back(value(point));
-        tree.set(made, "vertices", std::move(vertices));
+        tree.set(made, "vertices", values(polygon.vertices));
         tree.set(made, "rounding", polygon.rounding);
         return made;
     }
@@ -60,9 +64,7 @@ struct ShapeMaker {
     }
     Handle operator()(const ChainShape& chain) const {
         const Handle made = make("Chain");
-        property::List points;
-        for (const Point& point : chain.points) points.push_back(value(point));
-        tree.set(made, "points", std::move(points));
+        tree.set(made, "points", values(chain.points));
         tree.set(made, "closed", chain.closed);
         return made;
     }

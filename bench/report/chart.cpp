@@ -1,10 +1,6 @@
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <stdexcept>
 
+#include "report/svg.h"
 #include "report/table.h"
 
 namespace fettle::bench {
@@ -14,20 +10,6 @@ constexpr int bar_height = 16;
 constexpr int label_width = 220;
 constexpr int bar_width = 420;
 constexpr int total_width = label_width + bar_width + 140;
-constexpr std::array colors = {"#e4572e", "#f3a712", "#4f86c6", "#76b041", "#8e6bbf", "#888888"};
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '&')
-            out += "&amp;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 std::string text_at(int x, int y, const std::string& text, const std::string& attributes = "") {
     return "<text x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\"" +
@@ -38,10 +20,6 @@ std::string bar_at(int x, int y, int width, int height, const char* color) {
     return "<rect x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\" width=\"" +
            std::to_string(width) + "\" height=\"" + std::to_string(height) + "\" fill=\"" + color +
            "\"/>\n";
-}
-
-const char* color_of(std::size_t series) {
-    return colors[series % colors.size()];
 }
 
 /// The bars of one group from `y` on; moves `y` below them.
@@ -77,20 +55,11 @@ std::string svg_of(const Chart& chart) {
         y += 26;
     }
     for (const Chart::Group& group : chart.groups) body += bars_of(chart, group, y);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(total_width) +
-           "\" height=\"" + std::to_string(y) +
-           "\" font-family=\"sans-serif\" font-size=\"12\">\n"
-           "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
-           body + "</svg>\n";
+    return svg_of_size(total_width, y, body);
 }
 
 void write_svg(const Chart& chart, const std::filesystem::path& file) {
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    out << svg_of(chart);
-    out.close();
-    if (!out) {
-        throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(errno));
-    }
+    write_svg_text(svg_of(chart), file);
 }
 
 }  // namespace fettle::bench

@@ -1,21 +1,17 @@
 #include "report/plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
-#include <stdexcept>
 
-#include "report/table.h"
+#include "report/svg.h"
 
 namespace fettle::bench {
 namespace {
 
 constexpr double width = 640, height = 380;
 constexpr double left = 72, right = 20, top = 62, bottom = 52;
-constexpr std::array colors = {"#e4572e", "#f3a712", "#4f86c6", "#76b041", "#8e6bbf", "#888888"};
 
 std::string number(double value) {
     char text[32];
@@ -28,19 +24,6 @@ std::string tick_text(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;
-}
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '&')
-            out += "&amp;";
-        else
-            out += c;
-    }
-    return out;
 }
 
 /// One axis: from values to a place between two edges of the frame.
@@ -152,24 +135,17 @@ std::string svg_of(const Plot& plot) {
     std::string body = frame(plot, x, y);
     double at = left;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-        const char* color = colors[i % colors.size()];
+        const char* color = color_of(i);
         body += curve_of(plot.curves[i], x, y, color, plot.points);
         body += "<rect x=\"" + number(at) + "\" y=\"34\" width=\"12\" height=\"12\" fill=\"" +
                 color + "\"/>\n" + text_at(at + 18, 44, plot.curves[i].name, "");
         at += 40 + 7.5 * static_cast<double>(plot.curves[i].name.size());
     }
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
-           number(height) +
-           "\" font-family=\"sans-serif\" font-size=\"12\">\n"
-           "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
-           body + "</svg>\n";
+    return svg_of_size(static_cast<int>(width), static_cast<int>(height), body);
 }
 
 void write_svg(const Plot& plot, const std::filesystem::path& file) {
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    out << svg_of(plot);
-    out.close();
-    if (!out) throw std::runtime_error("cannot write " + file.string());
+    write_svg_text(svg_of(plot), file);
 }
 
 }  // namespace fettle::bench

@@ -23,6 +23,8 @@ std::span<const CatalogueEntry> catalogue();
 const CatalogueEntry& scene_named(std::string_view name);
 
 Scene large_pyramid();
+/// The same with `base` squares in its lowest row.
+Scene pyramid_of(int base);
 Scene many_pyramids();
 Scene joint_grid();
 Scene tumbler();

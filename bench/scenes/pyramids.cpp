@@ -20,10 +20,17 @@ void add_pyramid(Scene& scene, int base, float left, float ground) {
 
 }  // namespace
 
-Scene large_pyramid() {
-    Scene scene{.name = "large_pyramid", .steps = 500, .sleeping = false};
+Scene pyramid_of(int base) {
+    Scene scene{.name = "pyramid", .sleeping = false};
     scene.bodies.push_back(fixed_box({0, -1}, {100, 1}));
-    add_pyramid(scene, 100, 0.5f - 50, 0);
+    add_pyramid(scene, base, 0.5f - 0.5f * static_cast<float>(base), 0);
+    return scene;
+}
+
+Scene large_pyramid() {
+    Scene scene = pyramid_of(100);
+    scene.name = "large_pyramid";
+    scene.steps = 500;
     return scene;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "measure/timing.h"
+#include "scenes/catalogue.h"
 #include "stability/trial.h"
 
 namespace fettle::bench {
@@ -53,51 +53,6 @@ EngineKind engine_of(const SolverKind& kind, int substeps) {
                 return make_fettle(scene, solver, substeps);
             },
             ""};
-}
-
-Scene stack_of(int boxes) {
-    Scene scene{.name = "stack", .sleeping = false};
-    scene.bodies.push_back(fixed_box({0, -1}, {100, 1}));
-    for (int i = 0; i < boxes; ++i)
-        scene.bodies.push_back(dynamic_box({0, 0.5f + static_cast<float>(i)}, 0.5f));
-    return scene;
-}
-
-Scene pyramid_of(int rows) {
-    Scene scene{.name = "pyramid", .sleeping = false};
-    scene.bodies.push_back(fixed_box({0, -1}, {100, 1}));
-    for (int i = 0; i < rows; ++i) {
-        for (int j = i; j < rows; ++j) {
-            const float x = 0.5f * static_cast<float>(i + 1) + static_cast<float>(j - i);
-            scene.bodies.push_back(dynamic_box(
-                {x - 0.5f * static_cast<float>(rows), 0.5f + static_cast<float>(i)}, 0.5f));
-        }
-    }
-    return scene;
-}
-
-Scene chain_under(double mass_ratio) {
-    Scene scene{.name = "chain", .sleeping = false};
-    scene.bodies.push_back({.motion = Motion::fixed});
-    constexpr int links = 30;
-    constexpr float length = 0.5f, half_width = 0.05f, radius = 0.5f;
-    for (int i = 0; i < links; ++i) {
-        const float top = -length * static_cast<float>(i);
-        scene.bodies.push_back(body_of(Motion::dynamic, {0, top - 0.5f * length},
-                                       BoxShape{{half_width, 0.5f * length}}));
-        scene.joints.push_back({.body_a = scene.bodies.size() - 2,
-                                .body_b = scene.bodies.size() - 1,
-                                .anchor = {0, top}});
-    }
-    const float end = -length * links;
-    SceneBody ball = body_of(Motion::dynamic, {0, end - radius}, CircleShape{radius});
-    const double link_mass = 2 * static_cast<double>(length) * static_cast<double>(half_width);
-    const double area = std::numbers::pi * static_cast<double>(radius * radius);
-    ball.shapes[0].density = static_cast<float>(mass_ratio * link_mass / area);
-    scene.bodies.push_back(ball);
-    scene.joints.push_back(
-        {.body_a = scene.bodies.size() - 2, .body_b = scene.bodies.size() - 1, .anchor = {0, end}});
-    return scene;
 }
 
 double step_time(Engine& engine, int steps) {

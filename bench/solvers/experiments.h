@@ -18,11 +18,6 @@ std::span<const SolverKind> solver_kinds();
 /// The bare library under a solver.
 EngineKind engine_of(const SolverKind& kind, int substeps = 4);
 
-// Scenes that grow.
-Scene stack_of(int boxes);
-Scene pyramid_of(int rows);
-Scene chain_under(double mass_ratio);
-
 /// Milliseconds a step, the median of several, after the first ten.
 double step_time(Engine& engine, int steps);
 

@@ -74,13 +74,45 @@ std::vector<double> add_floor(Scene& scene, double left, double pitch,
     return middles;
 }
 
+constexpr int chain_links = 30;
+constexpr float chain_link = 0.5f, chain_ball = 0.5f;  // length, radius, m
+constexpr double chain_length = chain_links * static_cast<double>(chain_link);
+
 }  // namespace
+
+Scene stack_of(int boxes) {
+    Scene scene = on_ground("stack", false);
+    for (int i = 0; i < boxes; ++i)
+        scene.bodies.push_back(dynamic_box({0, 0.5f + static_cast<float>(i)}, 0.5f));
+    return scene;
+}
+
+Scene chain_under(double mass_ratio) {
+    Scene scene{.name = "chain", .sleeping = false};
+    scene.bodies.push_back({.motion = Motion::fixed});
+    constexpr float half_width = 0.05f;
+    for (int i = 0; i < chain_links; ++i) {
+        const float top = -chain_link * static_cast<float>(i);
+        scene.bodies.push_back(body_of(Motion::dynamic, {0, top - 0.5f * chain_link},
+                                       BoxShape{{half_width, 0.5f * chain_link}}));
+        scene.joints.push_back({.body_a = scene.bodies.size() - 2,
+                                .body_b = scene.bodies.size() - 1,
+                                .anchor = {0, top}});
+    }
+    const float end = -chain_link * chain_links;
+    SceneBody ball = body_of(Motion::dynamic, {0, end - chain_ball}, CircleShape{chain_ball});
+    const double link_mass = static_cast<double>(chain_link) * 2 * static_cast<double>(half_width);
+    ball.shapes[0].density =
+        static_cast<float>(mass_ratio * link_mass / (pi * chain_ball * chain_ball));
+    scene.bodies.push_back(ball);
+    scene.joints.push_back(
+        {.body_a = scene.bodies.size() - 2, .body_b = scene.bodies.size() - 1, .anchor = {0, end}});
+    return scene;
+}
 
 /// Twelve boxes of a metre, sleeping off. Jitter: RMS speed in the sixth second.
 std::vector<Figure> stack_trial(const EngineKind& kind) {
-    Scene scene = on_ground("stack", false);
-    for (int i = 0; i < 12; ++i)
-        scene.bodies.push_back(dynamic_box({0, 0.5f + static_cast<float>(i)}, 0.5f));
+    const Scene scene = stack_of(12);
     const auto engine = kind.make(scene);
     run_for(*engine, 5);
     const double jitter = rms_speed(*engine, dynamic_bodies(scene), 60);
@@ -173,33 +205,14 @@ std::vector<Figure> overload_trial(const EngineKind& kind) {
     return {{"deepest overlap", 100 * deepest, "%", "< 5"}};
 }
 
-/// Thirty links of half a metre hang straight down, with a ball of a hundred times a link's mass at
-/// the end.
+/// How far thirty links stretch under a hundred times the mass of one.
 std::vector<Figure> chain_trial(const EngineKind& kind) {
-    Scene scene{.name = "chain", .sleeping = false};
-    scene.bodies.push_back({.motion = Motion::fixed});
-    constexpr int links = 30;
-    constexpr float length = 0.5f, half_width = 0.05f, radius = 0.5f;
-    for (int i = 0; i < links; ++i) {
-        const float top = -length * static_cast<float>(i);
-        scene.bodies.push_back(body_of(Motion::dynamic, {0, top - 0.5f * length},
-                                       BoxShape{{half_width, 0.5f * length}}));
-        scene.joints.push_back({.body_a = scene.bodies.size() - 2,
-                                .body_b = scene.bodies.size() - 1,
-                                .anchor = {0, top}});
-    }
-    const float end = -length * links;
-    SceneBody ball = body_of(Motion::dynamic, {0, end - radius}, CircleShape{radius});
-    const double link_mass = static_cast<double>(length) * 2 * static_cast<double>(half_width);
-    ball.shapes[0].density = static_cast<float>(100 * link_mass / (pi * radius * radius));
-    scene.bodies.push_back(ball);
-    scene.joints.push_back(
-        {.body_a = scene.bodies.size() - 2, .body_b = scene.bodies.size() - 1, .anchor = {0, end}});
+    const Scene scene = chain_under(100);
     const auto engine = kind.make(scene);
     run_for(*engine, 5);
     const double low = static_cast<double>(engine->motion(scene.bodies.size() - 1).position.y);
-    const double stretch = static_cast<double>(end - radius) - low;
-    return {{"stretch", 100 * stretch / static_cast<double>(-end), "%", "< 2"}};
+    const double stretch = -chain_length - static_cast<double>(chain_ball) - low;
+    return {{"stretch", 100 * stretch / chain_length, "%", "< 2"}};
 }
 
 }  // namespace fettle::bench

@@ -50,6 +50,13 @@ std::vector<Figure> sliding_trial(const EngineKind& kind);
 std::vector<Figure> seams_trial(const EngineKind& kind);
 std::vector<Figure> ellipse_trial(const EngineKind& kind);
 
+// What the comparison of the solvers measures, too.
+/// Boxes of a metre on each other, sleeping off.
+Scene stack_of(int boxes);
+/// Thirty links of half a metre hang straight down, with a ball of a metre and so many times a
+/// link's mass at the end.
+Scene chain_under(double mass_ratio);
+
 /// Root of the mean square of the bodies' speeds, m/s, over `steps` steps that are made here.
 double rms_speed(Engine& engine, std::span<const std::size_t> bodies, int steps);
 /// Indices of the dynamic bodies of a scene.

@@ -30,6 +30,10 @@ struct Dispatch {
     int reference = LUA_NOREF;
     Member member = Member::none;
     bool is_property() const { return property != nullptr; }
+    /// Another name may hold the slot.
+    bool is_of(const property::Class* of, const void* name) const {
+        return key == name && instance_class == of;
+    }
 };
 
 class DispatchCache {

@@ -126,7 +126,7 @@ const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of,
 const Dispatch& look_up(lua_State* L, Machine& machine, const property::Class& of) {
     const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine.dispatch.slot(&of, key);
-    if (slot.key == key && slot.instance_class == &of) return slot;
+    if (slot.is_of(&of, key)) return slot;
     std::size_t length = 0;
     const char* name = lua_tolstring(L, 2, &length);
     return learn(L, machine, of, key, {name, length});
@@ -197,8 +197,7 @@ int instance_index(lua_State* L) {
     Machine& machine = machine_of(L);
     const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-    if (slot.key != key || slot.instance_class != self->instance_class || machine.recording.active)
-        [[unlikely]]
+    if (!slot.is_of(self->instance_class, key) || machine.recording.active) [[unlikely]]
         return read_slowly(L, machine, *self);
     if (slot.member == Member::number) {
         double number;
@@ -296,8 +295,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     Machine& machine = machine_of(L);
     const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
-    const bool known = slot.key == key && slot.instance_class == self.instance_class;
-    if (known && slot.is_property() && !machine.recording.active &&
+    if (slot.is_of(self.instance_class, key) && slot.is_property() && !machine.recording.active &&
         write_simple(L, machine, self.handle, *slot.property))
         return 0;
     return write_slowly(L, machine, self);
@@ -311,7 +309,7 @@ template <class T>
     const void* key = lua_topointer(L, 2);
     Machine& machine = machine_of(L);
     const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
-    return slot.key == key && slot.instance_class == self.instance_class && slot.member == kind &&
+    return slot.is_of(self.instance_class, key) && slot.member == kind &&
            !machine.recording.active && machine.tree.write(self.handle, *slot.property, value);
 }
 

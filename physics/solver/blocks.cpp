@@ -1,31 +1,13 @@
 #include <solver/blocks.h>
 
-#include <numeric>
-
 namespace fettle::physics::detail {
 
 void SolverBlocks::begin(uint32_t bodies) {
-    parent_.resize(bodies);
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    islands_.reset(bodies);
     first_.assign(bodies, 0);
     contacts_.assign(bodies, 0);
     block_of_.assign(bodies, 0);
     blocks_.assign(1, {});
-}
-
-uint32_t SolverBlocks::root(uint32_t body) {
-    while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
-    return body;
-}
-
-/// The lower index is the root, whatever the order.
-void SolverBlocks::link(uint32_t a, uint32_t b) {
-    a = root(a);
-    b = root(b);
-    if (a < b)
-        parent_[b] = a;
-    else
-        parent_[a] = b;
 }
 
 void SolverBlocks::keep_first(uint32_t body) {
@@ -34,20 +16,21 @@ void SolverBlocks::keep_first(uint32_t body) {
 
 /// Roots come before what is below them.
 void SolverBlocks::find_islands() {
-    for (uint32_t i = 1; i < parent_.size(); ++i) {
-        parent_[i] = parent_[parent_[i]];
-        first_[parent_[i]] |= first_[i];
+    auto& root = islands_.parent;
+    for (uint32_t i = 1; i < root.size(); ++i) {
+        root[i] = root[root[i]];
+        first_[root[i]] |= first_[i];
     }
 }
 
 void SolverBlocks::count_contact(uint32_t body) {
-    ++contacts_[parent_[body]];
+    ++contacts_[islands_.parent[body]];
 }
 
 void SolverBlocks::finish() {
     uint32_t contacts = 0, bodies = 0;  // in the last block
-    for (uint32_t i = 1; i < parent_.size(); ++i) {
-        const uint32_t island = parent_[i];
+    for (uint32_t i = 1; i < islands_.parent.size(); ++i) {
+        const uint32_t island = islands_.parent[i];
         if (first_[island] != 0) continue;
         if (island == i) {
             if (blocks_.size() == 1 || contacts + contacts_[i] > enough_contacts ||

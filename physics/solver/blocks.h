@@ -1,5 +1,7 @@
 #pragma once
 
+#include <solver/union_find.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,7 +30,7 @@ class SolverBlocks {
     /// `bodies`: one more than there are, since body 0 does not move.
     void begin(uint32_t bodies);
     /// They influence each other in this step.
-    void link(uint32_t a, uint32_t b);
+    void link(uint32_t a, uint32_t b) { islands_.unite(a, b); }
     /// Its island needs more than wide contacts.
     void keep_first(uint32_t body);
     /// Of contacts by one of their bodies that moves; then `finish`.
@@ -46,10 +48,9 @@ class SolverBlocks {
     }
 
   private:
-    uint32_t root(uint32_t body);
     void order_bodies();
 
-    std::vector<uint32_t> parent_;
+    UnionFind islands_;
     std::vector<uint8_t> first_;      // by root
     std::vector<uint32_t> contacts_;  // by root
     std::vector<uint32_t> block_of_;  // by body

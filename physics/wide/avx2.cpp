@@ -3,17 +3,11 @@
 #if defined(__x86_64__)
 #define FETTLE_LANES 8
 
-#include <broad_phase/wide_overlap.h>
-#include <collision/wide_collide.h>
-#include <solver/wide_passes.h>
-#include <solver/wide_prepare.h>
-#include <wide/kernels.h>
+#include <wide/kernels_here.h>
 
 namespace fettle::physics::detail {
 
-const WideKernels wide_kernels_avx2 = {prepare_contacts, store_contacts, warm_start,
-                                       solve_biased,     relax,          collide_batch,
-                                       find_overlaps,    width};
+const WideKernels wide_kernels_avx2 = kernels_here;
 
 }  // namespace fettle::physics::detail
 #endif

@@ -1,17 +1,11 @@
 // The solver's passes for what every machine of this architecture has: four lanes at a time.
 #define FETTLE_LANES 4
 
-#include <broad_phase/wide_overlap.h>
-#include <collision/wide_collide.h>
-#include <solver/wide_passes.h>
-#include <solver/wide_prepare.h>
-#include <wide/kernels.h>
+#include <wide/kernels_here.h>
 
 namespace fettle::physics::detail {
 
-const WideKernels wide_kernels_baseline = {prepare_contacts, store_contacts, warm_start,
-                                           solve_biased,     relax,          collide_batch,
-                                           find_overlaps,    width};
+const WideKernels wide_kernels_baseline = kernels_here;
 
 const WideKernels& wide_kernels(int most) {
 #if defined(__x86_64__)

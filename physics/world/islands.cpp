@@ -1,3 +1,4 @@
+#include <solver/union_find.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -12,28 +13,6 @@ namespace {
 
 /// Steps between two looks for resting islands, while there is a reason to look.
 constexpr uint64_t look_interval = 8;
-
-/// Union by index with path halving: the lowest index is the root, so the result does not depend on
-/// the order of unions.
-struct UnionFind {
-    std::vector<uint32_t> parent;
-
-    explicit UnionFind(size_t size) : parent(size) {
-        for (size_t i = 0; i < size; ++i) parent[i] = uint32_t(i);
-    }
-    uint32_t find(uint32_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    }
-    void unite(uint32_t a, uint32_t b) {
-        a = find(a);
-        b = find(b);
-        if (a < b)
-            parent[b] = a;
-        else
-            parent[a] = b;
-    }
-};
 
 }  // namespace
 
@@ -232,7 +211,8 @@ void WorldData::keep_pushed_awake(float dt) {
 void WorldData::sleep_resting_islands() {
     if (!settings.sleeping || sleep_candidates == 0 || steps % look_interval != 0) return;
     const size_t count = awake_bodies.size();
-    UnionFind sets(count);
+    UnionFind sets;
+    sets.reset(count);
     std::vector<uint8_t> restless(count, 0);
     for (size_t i = 0; i < count; ++i) {
         const BodyRecord& record = bodies[awake_bodies[i]];

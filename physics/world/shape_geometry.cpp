@@ -1,6 +1,7 @@
 #include <world/live_shape.h>
 
 #include <stdexcept>
+#include <type_traits>
 
 // What a shape looks like: each type has properties of its own.
 
@@ -18,6 +19,50 @@ void geometry_changed(WorldData& data, uint32_t shape) {
         data.wake_touching(body);
     }
     data.mark_geometry(shape);
+}
+
+/// Where a record keeps a figure, and of which type a shape is that has it.
+template <class Figure>
+struct Kept;
+template <>
+struct Kept<Circle> {
+    static constexpr ShapeType type = ShapeType::circle;
+    static constexpr auto place = &ShapeRecord::circle;
+};
+template <>
+struct Kept<Box> {
+    static constexpr ShapeType type = ShapeType::box;
+    static constexpr auto place = &ShapeRecord::box;
+};
+template <>
+struct Kept<Segment> {
+    static constexpr ShapeType type = ShapeType::segment;
+    static constexpr auto place = &ShapeRecord::segment;
+};
+template <>
+struct Kept<Ellipse> {
+    static constexpr ShapeType type = ShapeType::ellipse;
+    static constexpr auto place = &ShapeRecord::ellipse;
+};
+
+/// A measure of the figure that the shape is. `name`: as the error calls it for other shapes.
+template <class Figure, class T>
+const T& measure(const ShapeRecord& record, const char* name, T Figure::*member) {
+    if (record.type != Kept<Figure>::type) wrong_type(name, record.type);
+    return record.*Kept<Figure>::place.*member;
+}
+
+/// The figure is written only if it is sound afterwards.
+template <class Figure, class T>
+void set_measure(WorldData& data, uint32_t shape, const char* name, T Figure::*member,
+                 const std::type_identity_t<T>& value) {
+    ShapeRecord& record = data.shapes[shape];
+    if (record.type != Kept<Figure>::type) wrong_type(name, record.type);
+    Figure figure = record.*Kept<Figure>::place;
+    figure.*member = value;
+    check(Geometry(figure));
+    record.*Kept<Figure>::place = figure;
+    geometry_changed(data, shape);
 }
 
 /// The same two floats in either struct.
@@ -71,201 +116,112 @@ void Shape::set_geometry(const Geometry& geometry) {
 
 float Shape::radius() const {
     FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::circle) wrong_type("radius", record.type);
-    return record.circle.radius;
+    return measure(record, "radius", &Circle::radius);
 }
 
 void Shape::set_radius(float radius) {
     FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::circle) wrong_type("radius", record.type);
-    Circle circle = record.circle;
-    circle.radius = radius;
-    check(Geometry(circle));
-    record.circle = circle;
-    geometry_changed(data, id_.index);
+    set_measure(data, id_.index, "radius", &Circle::radius, radius);
 }
 
 Vec2 Shape::center() const {
     FETTLE_LIVE_SHAPE
     if (record.type == ShapeType::circle) return record.circle.center;
     if (record.type == ShapeType::box) return record.box.center;
-    if (record.type == ShapeType::ellipse) return record.ellipse.center;
-    wrong_type("center", record.type);
+    return measure(record, "center", &Ellipse::center);
 }
 
 void Shape::set_center(const Vec2& center) {
     FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::circle) {
-        Circle circle = record.circle;
-        circle.center = center;
-        check(Geometry(circle));
-        record.circle = circle;
-    } else if (record.type == ShapeType::box) {
-        Box box = record.box;
-        box.center = center;
-        check(Geometry(box));
-        record.box = box;
-    } else if (record.type == ShapeType::ellipse) {
-        Ellipse ellipse = record.ellipse;
-        ellipse.center = center;
-        check(Geometry(ellipse));
-        record.ellipse = ellipse;
-    } else {
-        wrong_type("center", record.type);
-    }
-    geometry_changed(data, id_.index);
+    if (record.type == ShapeType::circle)
+        set_measure(data, id_.index, "center", &Circle::center, center);
+    else if (record.type == ShapeType::box)
+        set_measure(data, id_.index, "center", &Box::center, center);
+    else
+        set_measure(data, id_.index, "center", &Ellipse::center, center);
 }
-
-namespace {
-
-float box_value(const ShapeRecord& record, const char* name, float Box::*member) {
-    if (record.type != ShapeType::box) wrong_type(name, record.type);
-    return record.box.*member;
-}
-
-void set_box_value(WorldData& data, uint32_t shape, const char* name, float Box::*member,
-                   float value) {
-    ShapeRecord& record = data.shapes[shape];
-    if (record.type != ShapeType::box) wrong_type(name, record.type);
-    Box box = record.box;
-    box.*member = value;
-    check(Geometry(box));
-    record.box = box;
-    geometry_changed(data, shape);
-}
-
-float ellipse_value(const ShapeRecord& record, const char* name, float Ellipse::*member) {
-    if (record.type != ShapeType::ellipse) wrong_type(name, record.type);
-    return record.ellipse.*member;
-}
-
-void set_ellipse_value(WorldData& data, uint32_t shape, const char* name, float Ellipse::*member,
-                       float value) {
-    ShapeRecord& record = data.shapes[shape];
-    if (record.type != ShapeType::ellipse) wrong_type(name, record.type);
-    Ellipse ellipse = record.ellipse;
-    ellipse.*member = value;
-    check(Geometry(ellipse));
-    record.ellipse = ellipse;
-    geometry_changed(data, shape);
-}
-
-}  // namespace
 
 float Shape::radius_x() const {
     FETTLE_LIVE_SHAPE
-    return ellipse_value(record, "radius_x", &Ellipse::radius_x);
+    return measure(record, "radius_x", &Ellipse::radius_x);
 }
 void Shape::set_radius_x(float radius) {
     FETTLE_LIVE_SHAPE
-    set_ellipse_value(data, id_.index, "radius_x", &Ellipse::radius_x, radius);
+    set_measure(data, id_.index, "radius_x", &Ellipse::radius_x, radius);
 }
 float Shape::radius_y() const {
     FETTLE_LIVE_SHAPE
-    return ellipse_value(record, "radius_y", &Ellipse::radius_y);
+    return measure(record, "radius_y", &Ellipse::radius_y);
 }
 void Shape::set_radius_y(float radius) {
     FETTLE_LIVE_SHAPE
-    set_ellipse_value(data, id_.index, "radius_y", &Ellipse::radius_y, radius);
+    set_measure(data, id_.index, "radius_y", &Ellipse::radius_y, radius);
 }
 
 float Shape::width() const {
     FETTLE_LIVE_SHAPE
-    return box_value(record, "width", &Box::width);
+    return measure(record, "width", &Box::width);
 }
 void Shape::set_width(float width) {
     FETTLE_LIVE_SHAPE
-    set_box_value(data, id_.index, "width", &Box::width, width);
+    set_measure(data, id_.index, "width", &Box::width, width);
 }
 float Shape::height() const {
     FETTLE_LIVE_SHAPE
-    return box_value(record, "height", &Box::height);
+    return measure(record, "height", &Box::height);
 }
 void Shape::set_height(float height) {
     FETTLE_LIVE_SHAPE
-    set_box_value(data, id_.index, "height", &Box::height, height);
+    set_measure(data, id_.index, "height", &Box::height, height);
 }
 float Shape::angle() const {
     FETTLE_LIVE_SHAPE
     if (record.type == ShapeType::ellipse) return record.ellipse.angle;
-    return box_value(record, "angle", &Box::angle);
+    return measure(record, "angle", &Box::angle);
 }
 void Shape::set_angle(float angle) {
     FETTLE_LIVE_SHAPE
     if (record.type == ShapeType::ellipse)
-        set_ellipse_value(data, id_.index, "angle", &Ellipse::angle, angle);
+        set_measure(data, id_.index, "angle", &Ellipse::angle, angle);
     else
-        set_box_value(data, id_.index, "angle", &Box::angle, angle);
+        set_measure(data, id_.index, "angle", &Box::angle, angle);
 }
 
 float Shape::rounding() const {
     FETTLE_LIVE_SHAPE
-    switch (record.type) {
-        case ShapeType::box:
-            return record.box.rounding;
-        case ShapeType::segment:
-            return record.segment.rounding;
-        case ShapeType::polygon:
-            return record.polygon_rounding;
-        default:
-            wrong_type("rounding", record.type);
-    }
+    if (record.type == ShapeType::box) return record.box.rounding;
+    if (record.type == ShapeType::polygon) return record.polygon_rounding;
+    return measure(record, "rounding", &Segment::rounding);
 }
 
 void Shape::set_rounding(float rounding) {
     FETTLE_LIVE_SHAPE
     if (record.type == ShapeType::box) {
-        set_box_value(data, id_.index, "rounding", &Box::rounding, rounding);
-        return;
-    }
-    if (record.type == ShapeType::segment) {
-        Segment segment = record.segment;
-        segment.rounding = rounding;
-        check(Geometry(segment));
-        record.segment = segment;
+        set_measure(data, id_.index, "rounding", &Box::rounding, rounding);
     } else if (record.type == ShapeType::polygon) {
         record.polygon_rounding = check_range("rounding", rounding, 0.0f, 1e6f);
+        geometry_changed(data, id_.index);
     } else {
-        wrong_type("rounding", record.type);
+        set_measure(data, id_.index, "rounding", &Segment::rounding, rounding);
     }
-    geometry_changed(data, id_.index);
 }
 
 Vec2 Shape::from() const {
     FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::segment) wrong_type("from", record.type);
-    return record.segment.from;
+    return measure(record, "from", &Segment::from);
+}
+void Shape::set_from(const Vec2& from) {
+    FETTLE_LIVE_SHAPE
+    set_measure(data, id_.index, "from", &Segment::from, from);
 }
 
 Vec2 Shape::to() const {
     FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::segment) wrong_type("to", record.type);
-    return record.segment.to;
+    return measure(record, "to", &Segment::to);
 }
-
-namespace {
-
-void set_end(WorldData& data, uint32_t shape, const char* name, Vec2 Segment::*end,
-             const Vec2& value) {
-    ShapeRecord& record = data.shapes[shape];
-    if (record.type != ShapeType::segment) wrong_type(name, record.type);
-    Segment segment = record.segment;
-    segment.*end = value;
-    check(Geometry(segment));
-    record.segment = segment;
-    geometry_changed(data, shape);
-}
-
-}  // namespace
-
-void Shape::set_from(const Vec2& from) {
-    FETTLE_LIVE_SHAPE
-    set_end(data, id_.index, "from", &Segment::from, from);
-}
-
 void Shape::set_to(const Vec2& to) {
     FETTLE_LIVE_SHAPE
-    set_end(data, id_.index, "to", &Segment::to, to);
+    set_measure(data, id_.index, "to", &Segment::to, to);
 }
 
 std::span<const Vec2> Shape::vertices() const {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "catch.h"
+#include "scenes.h"
+
+#include <vector>
+
+// Saved worlds, and what becomes of them when some of their bits are flipped.
+
+namespace scenes {
+
+inline std::vector<std::byte> saved(const World& world) {
+    std::vector<std::byte> bytes;
+    world.save(bytes);
+    return bytes;
+}
+
+/// Three bits flipped behind the header, `trials` times: refused, or restored to a world that can
+/// be stepped and looked at with `look(world)`. Both happen.
+template <class Look>
+void check_flipped_bits(const std::vector<std::byte>& bytes, uint64_t seed, int trials, Look look) {
+    uint64_t state = seed;
+    const auto next = [&state] {
+        return state = state * 6364136223846793005u + 1442695040888963407u;
+    };
+    int refused = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        auto damaged = bytes;
+        for (int flips = 0; flips < 3; ++flips)
+            damaged[16 + (next() >> 20) % (bytes.size() - 16)] ^=
+                std::byte(1 << (next() >> 60) % 8);
+        World target;
+        try {
+            target.restore(damaged);
+            for (int i = 0; i < 3; ++i) target.step(frame);
+            look(target);
+        } catch (const std::invalid_argument&) {
+            ++refused;
+        }
+    }
+    REQUIRE(refused > 0);
+    REQUIRE(refused < trials);
+}
+
+}  // namespace scenes
