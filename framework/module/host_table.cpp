@@ -217,6 +217,11 @@ struct HostFunctions {
         // The barrier that follows compares what is watched of the simulation.
         (void)host_of(self).guarded([](property::Tree& tree) { tree.stepped(); });
     }
+    static void refreshing(void* self, std::uint64_t what) {
+        HostTable& host = host_of(self);
+        if (host.tree == nullptr || host.part == nullptr) return;
+        (void)host.guarded([&](property::Tree& tree) { tree.refreshing(*host.part, what); });
+    }
 };
 
 HostTable::HostTable() {
@@ -253,7 +258,8 @@ HostTable::HostTable() {
               .ask = F::ask,
               .accepts = F::accepts,
               .step = F::step,
-              .touched = F::touched};
+              .touched = F::touched,
+              .refreshing = F::refreshing};
 }
 
 }  // namespace fettle::module

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <fettle/module/abi.h>
+#include <fettle/property/snapshot.h>
 #include <fettle/property/tree.h>
 
 #include "border_value.h"
@@ -24,6 +25,8 @@ class HostTable {
     const fettle_host& table() const { return table_; }
     /// The tree that calls act on; null while the module is not attached to one.
     property::Tree* tree = nullptr;
+    /// The module as the tree knows it; null while it is none of its parts.
+    property::SnapshotPart* part = nullptr;
     /// What `define_class` does while the module attaches; null: it refuses.
     std::function<void(const fettle_class&)> define_class{};
     /// Asked first by `create`: an instance that is there already and is to be taken over.

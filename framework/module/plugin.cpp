@@ -143,7 +143,9 @@ void Plugin::attach(property::Tree& tree) {
         for (const auto& c : s.classes) c->abandon();
         throw LoadError(s.file, "module " + s.name + ": " + error.what());
     }
-    if (s.saves()) tree.add_part(*this);
+    if (!s.saves()) return;
+    tree.add_part(*this);
+    s.host.part = this;
 }
 
 void Plugin::step(double dt) {
@@ -184,6 +186,11 @@ std::function<void()> Plugin::restore(property::ByteReader& from, const property
         (void)call(1);
         for (const auto& c : s.classes) c->recount();
     };
+}
+
+void Plugin::refresh(std::uint64_t what) {
+    const fettle_module& native = state_->open.native;
+    if (native.refresh != nullptr) native.refresh(native.context, what);
 }
 
 // --- Plugins

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fettle/property/error.h>
 #include <fettle/property/tree.h>
@@ -41,10 +42,16 @@ constexpr std::string_view tree_block = "tree";
 }  // namespace
 
 Snapshot::Snapshot(std::vector<std::byte> payload, Memories memories)
-    : data_(std::make_shared<const Data>(Data{std::move(payload), std::move(memories)})) {}
+    : data_(std::make_shared<Data>(Data{std::move(payload), std::move(memories)})) {}
 
 std::span<const std::byte> Snapshot::payload() const {
     return data_->payload;
+}
+
+std::vector<std::byte> Snapshot::take_payload() && {
+    const std::shared_ptr<Data> mine = std::exchange(data_, nullptr);
+    if (mine.use_count() > 1) return mine->payload;
+    return std::move(mine->payload);
 }
 
 std::uint64_t Snapshot::step() const {
@@ -97,8 +104,17 @@ const std::vector<SnapshotPart*>& Tree::parts() const {
     return state_->parts;
 }
 
+void Tree::refreshing(SnapshotPart& part, std::uint64_t what) {
+    state_->tell([&](Observer& o) { o.refreshing(part, what); });
+}
+
 Snapshot Tree::snapshot() const {
-    std::vector<std::byte> payload;
+    return snapshot({});
+}
+
+Snapshot Tree::snapshot(std::vector<std::byte> room) const {
+    std::vector<std::byte> payload = std::move(room);
+    payload.clear();
     payload.reserve(state_->snapshot_size + state_->snapshot_size / 8);
     Snapshot::Memories memories;
     ByteWriter to(payload);

@@ -22,7 +22,8 @@ enum class WriteLog::Did : std::uint8_t {
     created,        // handle, class, parent, name, named
     destroyed,      // handle, whether its slot was kept for it
     moved,          // handle, parent, sibling in front, name, named
-    called          // handle, method, arguments, handles made meanwhile
+    called,         // handle, method, arguments, handles made meanwhile
+    refreshed       // number of the part, what: because it was read
 };
 
 std::size_t LoggedWrites::memory() const {
@@ -182,6 +183,17 @@ void WriteLog::call_ends(Handle, const Method&) {
     if (--calls_ == 0 && call_noted_) ByteWriter(bytes_).put(made_);
 }
 
+// Within a call the module is made to read again by the call itself.
+void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
+    if (!notes()) return;
+    const auto& parts = tree_.parts();
+    const auto number = std::find(parts.begin(), parts.end(), &part) - parts.begin();
+    ByteWriter to(bytes_);
+    to.put(Did::refreshed);
+    to.put(static_cast<std::uint32_t>(number));
+    to.put(what);
+}
+
 // What was not taken belongs to a time that is left.
 void WriteLog::restored() {
     bytes_.clear();
@@ -201,6 +213,10 @@ class WriteLog::Player {
     void play() {
         while (!from_.at_end()) {
             const auto did = from_.get<Did>();
+            if (did == Did::refreshed) {
+                refresh();
+                continue;
+            }
             const auto instance = from_.get<Handle>();
             try {
                 if (did >= Did::created)
@@ -215,6 +231,7 @@ class WriteLog::Player {
     }
 
   private:
+    void refresh();
     void value(Did did, Handle instance, Symbol name);
     void structure(Did did, Handle instance);
     void create(Handle instance);
@@ -232,6 +249,12 @@ class WriteLog::Player {
     const LoggedWrites& piece_;
     ByteReader from_;
 };
+
+void WriteLog::Player::refresh() {
+    const auto number = from_.get<std::uint32_t>();
+    const auto what = from_.get<std::uint64_t>();
+    if (number < tree_.parts().size()) tree_.parts()[number]->refresh(what);
+}
 
 void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
     const Property* property = tree_.find(instance, name);

@@ -4,8 +4,9 @@
 
 namespace fettle::physics_module {
 
-Hosting::Hosting(property::Tree& in) : tree(in), joints(*this) {
-    worlds_[limbo] = std::make_unique<HostedWorld>();
+Hosting::Hosting(property::Tree& in, property::SnapshotPart& part)
+    : tree(in), joints(*this), part_(part) {
+    worlds_[limbo] = make_world(limbo);
     const physics::Geometry geometries[] = {
         physics::Circle{},
         physics::Box{},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fettle/physics/world.h>
+#include <fettle/property/snapshot.h>
 #include <fettle/property/tree.h>
 
 #include "joints.h"
@@ -74,7 +75,8 @@ struct PairEvent {
 
 class Hosting {
   public:
-    explicit Hosting(property::Tree& tree);
+    /// `part`: the module, as the tree knows it.
+    Hosting(property::Tree& tree, property::SnapshotPart& part);
 
     // --- From rows to objects
     HostedWorld& hosted(Row row) { return *worlds_[world_number(row)]; }
@@ -131,6 +133,17 @@ class Hosting {
     // --- Snapshots (saving.cpp)
     void save(property::ByteWriter& to) const;
     std::function<void()> restore(property::ByteReader& from);
+    void refresh(std::uint64_t what);
+    /// Reads while one lives are part of what is done, and done again with it.
+    class Doing {
+      public:
+        explicit Doing(Hosting& hosting) : doing_(hosting.doing_) { ++doing_; }
+        ~Doing() { --doing_; }
+        Doing(const Doing&) = delete;
+
+      private:
+        int& doing_;
+    };
 
     // --- Looks (looks.cpp)
     property::Color fill_of(Row shape);
@@ -155,6 +168,7 @@ class Hosting {
     const property::Event* broke = nullptr;
 
   private:
+    std::unique_ptr<HostedWorld> make_world(std::uint32_t number);
     Row migrate_body(Row row, std::uint32_t to);
     /// A shape of `geometry` in another world, as part of `owner` (none: detached), as `from` was.
     Row migrate_shape(Row from, std::uint32_t to, const physics::Body& owner);
@@ -167,7 +181,9 @@ class Hosting {
     void tell(const PairEvent& event, const Party& self, const Party& other,
               const std::vector<property::Value>& rest);
 
+    property::SnapshotPart& part_;
     std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;
+    int doing_ = 0;
     /// What the libraries are asked to tell, since somebody listens.
     struct Wanted {
         bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;

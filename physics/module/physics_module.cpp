@@ -27,7 +27,7 @@ PhysicsModule::~PhysicsModule() = default;
 
 void PhysicsModule::attach(property::Tree& tree) {
     if (hosting_) throw std::logic_error("physics is attached to a tree already");
-    hosting_ = std::make_unique<Hosting>(tree);
+    hosting_ = std::make_unique<Hosting>(tree, *this);
     tree.add_part(*this);
     define_step_statistics(*hosting_);
     define_world(*hosting_);
@@ -39,6 +39,7 @@ void PhysicsModule::attach(property::Tree& tree) {
 }
 
 void PhysicsModule::step(double dt) {
+    const Hosting::Doing step(*hosting_);
     hosting_->follow_listeners();
     hosting_->joints.tighten();
     for (std::uint32_t n = limbo + 1; n < most_worlds; ++n) {
@@ -70,6 +71,10 @@ property::Memory PhysicsModule::save(property::ByteWriter& to) const {
 
 std::function<void()> PhysicsModule::restore(property::ByteReader& from, const property::Memory&) {
     return hosting_->restore(from);
+}
+
+void PhysicsModule::refresh(std::uint64_t what) {
+    hosting_->refresh(what);
 }
 
 std::uint64_t PhysicsModule::hash() const {

@@ -27,11 +27,12 @@ Row row_of(std::uint32_t world, Object made) {
 // --- Worlds
 
 Row Hosting::create_world(Handle self) {
+    const Doing placing(*this);
     std::uint32_t number = limbo + 1;
     while (number < most_worlds && worlds_[number] != nullptr) ++number;
     if (number == most_worlds)
         no_room("there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");
-    worlds_[number] = std::make_unique<HostedWorld>();
+    worlds_[number] = make_world(number);
     worlds_[number]->self = self;
     listen(*worlds_[number], {});
     const Row row = make_row(number, 0);
@@ -40,10 +41,12 @@ Row Hosting::create_world(Handle self) {
 }
 
 void Hosting::place_world(Handle self, Row row) {
+    const Doing placing(*this);
     hosted(row).placed = tree.is_below(self, tree.root());
 }
 
 void Hosting::destroy_world(Row row) {
+    const Doing placing(*this);
     if (world_number(row) == limbo) return;
     worlds_[world_number(row)].reset();
 }
@@ -51,17 +54,20 @@ void Hosting::destroy_world(Row row) {
 // --- Bodies
 
 Row Hosting::create_body(Handle self) {
+    const Doing placing(*this);
     const std::uint32_t number = world_above(self);
     const physics::Body made = worlds_[number]->world.create_body({.user_data = pack(self)});
     return row_of(number, made);
 }
 
 Row Hosting::place_body(Handle self, Row row) {
+    const Doing placing(*this);
     const std::uint32_t number = world_above(self);
     return number == world_number(row) ? row : migrate_body(row, number);
 }
 
 void Hosting::destroy_body(Row row) {
+    const Doing placing(*this);
     HostedWorld& in = hosted(row);
     const physics::Body gone = body(row);
     if (gone.is_touching()) in.departed_bodies[gone.id().generation] = unpack(gone.user_data());
@@ -74,6 +80,7 @@ void Hosting::destroy_body(Row row) {
 // --- Shapes
 
 Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
+    const Doing placing(*this);
     const Handle owner = body_above(self);
     const Row owner_row = owner ? tree.row(owner) : make_row(limbo, 0);
     HostedWorld& in = hosted(owner_row);
@@ -84,6 +91,7 @@ Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
 }
 
 Row Hosting::place_shape(Handle self, Row row) {
+    const Doing placing(*this);
     const Handle owner = body_above(self);
     if (!owner) {
         if (world_number(row) != limbo) return migrate_shape(row, limbo, {});
@@ -99,6 +107,7 @@ Row Hosting::place_shape(Handle self, Row row) {
 }
 
 void Hosting::destroy_shape(Row row) {
+    const Doing placing(*this);
     note_departure(row);
     hosted(row).looks.forget(slot_of(row));
     shape(row).destroy();

@@ -76,7 +76,31 @@ void put_beside(Beside beside, HostedWorld& hosted) {
     hosted.departed_shapes = std::move(beside.shapes);
 }
 
+/// World, kind and slot in one number, for the log of a timeline.
+constexpr std::uint64_t refresh_code(std::uint32_t world, const physics::Refresh& wanted) {
+    return std::uint64_t{world} << 40 | static_cast<std::uint64_t>(wanted.of) << 32 | wanted.slot;
+}
+
 }  // namespace
+
+// --- What readers bring up to date
+
+std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
+    auto made = std::make_unique<HostedWorld>();
+    made->world.on_refresh([this, number](const physics::Refresh& wanted) {
+        if (doing_ == 0) tree.refreshing(part_, refresh_code(number, wanted));
+    });
+    return made;
+}
+
+void Hosting::refresh(std::uint64_t what) {
+    const std::uint64_t number = what >> 40;
+    if (number >= most_worlds || worlds_[number] == nullptr) return;
+    worlds_[number]->world.refresh({.of = static_cast<physics::Refresh::Of>(what >> 32 & 0xff),
+                                    .slot = static_cast<std::uint32_t>(what)});
+}
+
+// --- Saving
 
 void Hosting::save(property::ByteWriter& to) const {
     to.put(std::uint8_t{wanted_.hits});
@@ -126,7 +150,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
             // Who listens is who listens now, not then; a world that stayed kept its callbacks.
             Wanted told = hosted == nullptr ? Wanted{} : wanted_;
             told.hits = hits_wanted;
-            if (hosted == nullptr) hosted = std::make_unique<HostedWorld>();
+            if (hosted == nullptr) hosted = make_world(saved.number);
             hosted->world.take(std::move(*saved.world));
             put_beside(std::move(saved.beside), *hosted);
             listen(*hosted, told);

@@ -97,14 +97,14 @@ void Body::set_pose(const Pose& pose) {
 
 Vec2 Body::velocity() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);  // a center of mass that moves changes it
+    data.read_mass(id_.index);  // a center of mass that moves changes it
     return data.states[id_.index].velocity;
 }
 
 void Body::set_velocity(const Vec2& velocity) {
     FETTLE_LIVE_BODY
     check_finite("velocity", velocity);
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     if (record.mobility == Mobility::fixed) return;
     data.wake_for_edit(id_.index);
     state.velocity = velocity;
@@ -118,7 +118,7 @@ float Body::angular_velocity() const {
 void Body::set_angular_velocity(float angular_velocity) {
     FETTLE_LIVE_BODY
     check_finite("angular_velocity", angular_velocity);
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     if (record.mobility == Mobility::fixed) return;
     data.wake_for_edit(id_.index);
     state.angular_velocity = angular_velocity;
@@ -150,7 +150,7 @@ namespace {
 
 /// Awake from now on; false where a force would only wait for the day it can move something.
 bool moved_by_forces(WorldData& data, uint32_t body) {
-    data.refresh_mass(body);
+    data.read_mass(body);
     if (data.bodies[body].mobility != Mobility::dynamic) return false;
     data.wake_body(body);
     return true;
@@ -193,7 +193,7 @@ float Body::applied_torque() const {
 void Body::apply_impulse(const Vec2& impulse) {
     FETTLE_LIVE_BODY
     check_finite("impulse", impulse);
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     data.wake_body(id_.index);
     kick(record, state, to_v2(impulse), 0.0f);
 }
@@ -202,7 +202,7 @@ void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
     FETTLE_LIVE_BODY
     check_finite("impulse", impulse);
     check_finite("world_point", world_point);
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     data.wake_body(id_.index);
     kick(record, state, to_v2(impulse), cross(to_v2(world_point) - record.center, to_v2(impulse)));
 }
@@ -210,7 +210,7 @@ void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
 void Body::apply_angular_impulse(float impulse) {
     FETTLE_LIVE_BODY
     check_finite("impulse", impulse);
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     data.wake_body(id_.index);
     kick(record, state, {}, impulse);
 }
@@ -250,7 +250,7 @@ void Body::set_angular_damping(float damping) {
 
 bool Body::awake() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);  // an infinite mass does not wake
+    data.read_mass(id_.index);  // an infinite mass does not wake
     return record.solver_index != 0;
 }
 
@@ -259,7 +259,7 @@ void Body::set_awake(bool awake) {
     if (awake) {
         data.wake_body(id_.index);
     } else if (data.settings.sleeping) {
-        data.refresh();
+        data.read_all();
         data.put_group_to_sleep(id_.index);
     }
 }
@@ -354,14 +354,14 @@ Vec2 Body::local_vector(const Vec2& world) const {
 
 Vec2 Body::velocity_at(const Vec2& world_point) const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     return state.velocity +
            to_vec2(cross(state.angular_velocity, to_v2(world_point) - record.center));
 }
 
 float Body::kinetic_energy() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     if (record.mobility != Mobility::dynamic) return 0.0f;
     float energy = 0.5f * record.mass * state.velocity.squaredNorm();
     if (record.inverse_inertia > 0.0f) {

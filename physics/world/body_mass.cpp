@@ -8,7 +8,7 @@ using namespace detail;
 
 float Body::mass() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     return record.mass;
 }
 
@@ -26,7 +26,7 @@ std::optional<float> Body::mass_override() const {
 
 float Body::inertia() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     return record.inertia;
 }
 
@@ -44,7 +44,7 @@ std::optional<float> Body::inertia_override() const {
 
 Vec2 Body::center() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     return to_vec2(record.local_center);
 }
 
@@ -65,19 +65,19 @@ std::optional<Vec2> Body::center_override() const {
 
 Vec2 Body::world_center() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     return to_vec2(record.center);
 }
 
 float Body::area() const {
     FETTLE_LIVE_BODY
-    data.refresh_mass(id_.index);
+    data.read_mass(id_.index);
     return record.area;
 }
 
 Aabb Body::aabb() const {
     FETTLE_LIVE_BODY
-    data.refresh();
+    data.read_all();
     if (record.first_shape == none) return {state.position, state.position};
     Box4 box = no_box;
     for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
@@ -93,7 +93,7 @@ uint32_t Body::rebuilds() const {
 namespace {
 
 [[gnu::noinline]] float edited_mass(WorldData& data, uint32_t index) {
-    data.refresh_mass(index);
+    data.read_mass(index);
     return data.bodies[index].mass;
 }
 

@@ -10,7 +10,7 @@ namespace fettle::physics {
 using namespace detail;
 
 Vec2 World::velocity(uint32_t index) const {
-    data_->refresh_mass(index);  // a center of mass that moves changes it
+    data_->read_mass(index);  // a center of mass that moves changes it
     return data_->states[index].velocity;
 }
 
@@ -19,7 +19,7 @@ namespace {
 /// Whether the body moves by itself; then it is awake afterwards, and what touches it too where
 /// that matters.
 bool stir(WorldData& data, uint32_t index) {
-    data.refresh_mass(index);
+    data.read_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;
     data.wake_for_edit(index);
     return true;

@@ -114,7 +114,7 @@ void World::set_persist_events(bool enabled) {
 void World::set_filter(PairFilter filter) {
     data_->callbacks.filter = std::move(filter);
     WorldData& data = *data_;
-    data.refresh();
+    data.read_all();
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
         const ContactRecord& c = data.contacts[slot];
         if (c.shape_a == none || data.may_collide(c.shape_a, c.shape_b)) continue;
@@ -130,6 +130,12 @@ void World::set_filter(PairFilter filter) {
 void World::set_mixing(ContactCallback mix) {
     data_->callbacks.mix = std::move(mix);
     remix_all(*data_);
+}
+void World::on_refresh(RefreshCallback callback) {
+    data_->callbacks.refresh = std::move(callback);
+}
+void World::refresh(const Refresh& wanted) {
+    data_->refresh(wanted);
 }
 void World::set_before_solve(ContactCallback callback) {
     data_->callbacks.before_solve = std::move(callback);

@@ -84,6 +84,26 @@ void WorldData::refresh() {
     edited_bodies.clear();
 }
 
+void WorldData::read_edited(const Refresh& wanted) {
+    if (callbacks.refresh && !stepping) callbacks.refresh(wanted);
+    refresh(wanted);
+}
+
+void WorldData::refresh(const Refresh& wanted) {
+    switch (wanted.of) {
+        case Refresh::Of::everything:
+            return refresh();
+        case Refresh::Of::body:
+            if (wanted.slot < bodies.size() && body_generations[wanted.slot] != 0)
+                refresh_mass(wanted.slot);
+            return;
+        case Refresh::Of::shape:
+            if (wanted.slot < shapes.size() && shape_generations[wanted.slot] != 0)
+                refresh_shape(wanted.slot);
+            return;
+    }
+}
+
 namespace {
 
 /// What fits into the box. Sides and rounding are set one after the other, in any order: what is

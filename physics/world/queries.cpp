@@ -65,7 +65,7 @@ void cast_all(WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& 
 
 std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filter) {
     check_coordinates("point", point);
-    data_->refresh();
+    data_->read_all();
     std::vector<Shape> found;
     const V2 p = to_v2(point);
     auto visit = [&](uint32_t shape) {
@@ -81,7 +81,7 @@ std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filt
 std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) {
     check_coordinates("box.min", box.min);
     check_coordinates("box.max", box.max);
-    data_->refresh();
+    data_->read_all();
     std::vector<Shape> found;
     const Box4 area = {{min(box.min.x(), box.max.x()), min(box.min.y(), box.max.y())},
                        {max(box.min.x(), box.max.x()), max(box.min.y(), box.max.y())}};
@@ -105,7 +105,7 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
 std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to, const QueryFilter& filter) {
     check_coordinates("from", from);
     check_coordinates("to", to);
-    data_->refresh();
+    data_->read_all();
     std::optional<RayHit> nearest;
     cast_all(*data_, to_v2(from), to_v2(to), filter,
              [&](uint32_t shape, const Probe& probe, float) {
@@ -121,7 +121,7 @@ std::vector<RayHit> World::cast_ray_all(const Vec2& from, const Vec2& to,
                                         const QueryFilter& filter) {
     check_coordinates("from", from);
     check_coordinates("to", to);
-    data_->refresh();
+    data_->read_all();
     std::vector<RayHit> hits;
     cast_all(*data_, to_v2(from), to_v2(to), filter,
              [&](uint32_t shape, const Probe& probe, float far) {

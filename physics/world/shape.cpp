@@ -188,19 +188,19 @@ void Shape::set_group(int32_t group) {
 
 float Shape::area() const {
     FETTLE_LIVE_SHAPE
-    data.refresh_shape(id_.index);
+    data.read_shape(id_.index);
     return float(record.moments.area);
 }
 
 float Shape::mass() const {
     FETTLE_LIVE_SHAPE
-    data.refresh_shape(id_.index);
+    data.read_shape(id_.index);
     return float(record.moments.area * double(record.surface.density));
 }
 
 Aabb Shape::aabb() const {
     FETTLE_LIVE_SHAPE
-    data.refresh();
+    data.read_all();
     Box4 box = no_box;
     data.for_each_solid(id_.index, [&](uint32_t s) { box = unite(box, data.boxes[s]); });
     return {to_vec2(box.low), to_vec2(box.high)};
@@ -208,7 +208,7 @@ Aabb Shape::aabb() const {
 
 std::vector<Vec2> Shape::world_vertices() const {
     FETTLE_LIVE_SHAPE
-    data.refresh();
+    data.read_all();
     std::vector<Vec2> all;
     if (!data.is_solid(id_.index)) {
         for (V2 p : data.outline_of(id_.index))
@@ -229,14 +229,14 @@ std::vector<Vec2> Shape::world_vertices() const {
 
 Vec2 Shape::world_center() const {
     FETTLE_LIVE_SHAPE
-    data.refresh();
+    data.read_all();
     const Vec2 local = {float(record.moments.center_x), float(record.moments.center_y)};
     return form.body == none ? local : body().world_point(local);
 }
 
 bool Shape::contains(const Vec2& world_point) const {
     FETTLE_LIVE_SHAPE
-    data.refresh();
+    data.read_all();
     if (record.type == ShapeType::border) return false;
     bool inside = false;
     data.for_each_solid(id_.index,

@@ -229,7 +229,7 @@ std::span<const Vec2> Shape::vertices() const {
     if (!data.is_solid(id_.index)) return as_vectors(data.outline_of(id_.index));
     if (form.count < 2) return {};
     // A polygon's hull was computed when it was written.
-    if (record.type != ShapeType::polygon) data.refresh_shape(id_.index);
+    if (record.type != ShapeType::polygon) data.read_shape(id_.index);
     return as_vectors({&data.pool.local[form.begin], form.count});
 }
 
@@ -278,7 +278,7 @@ std::vector<std::vector<Vec2>> Shape::pieces() const {
     FETTLE_LIVE_SHAPE
     std::vector<std::vector<Vec2>> all;
     if (data.is_solid(id_.index)) return all;
-    data.refresh_shape(id_.index);
+    data.read_shape(id_.index);
     data.for_each_solid(id_.index, [&](uint32_t part) {
         all.push_back(list_of({&data.pool.local[data.forms[part].begin], data.forms[part].count}));
     });

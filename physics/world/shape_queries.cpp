@@ -26,7 +26,7 @@ struct Placed {
 
 /// Itself, or its parts.
 std::vector<Placed> placed(WorldData& data, uint32_t shape) {
-    data.refresh();
+    data.read_all();
     if (data.forms[shape].kind == FormKind::border)
         throw std::invalid_argument("expected a shape of a body, got the bounds of a world");
     const uint32_t body = data.forms[shape].body;
@@ -102,7 +102,7 @@ std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& f
     const std::vector<Placed> probes = placed(shape.world().data(), shape.index());
     const bool own = &shape.world() == this;
     const uint32_t body = own ? data_->forms[shape.index()].body : none;
-    data_->refresh();
+    data_->read_all();
     std::vector<Shape> found;
     for (const Placed& probe : probes) {
         auto visit = [&](uint32_t other) {
@@ -130,7 +130,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
     const std::vector<Placed> probes = placed(shape.world().data(), shape.index());
     const bool own = &shape.world() == this;
     const uint32_t body = own ? data_->forms[shape.index()].body : none;
-    data_->refresh();
+    data_->read_all();
     const V2 d = to_v2(motion);
     std::optional<RayHit> first;
     float nearest = 1.0f;
@@ -177,7 +177,7 @@ std::optional<RayHit> World::cast_shape(const Geometry& geometry, const Pose& po
 std::optional<PointHit> World::closest(const Vec2& point, float reach, const QueryFilter& filter) {
     check_coordinates("point", point);
     check_range("reach", reach, 0.0f, infinity);
-    data_->refresh();
+    data_->read_all();
     const V2 p = to_v2(point);
     const Point asks;
     std::optional<PointHit> best;
@@ -203,7 +203,7 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
     check_coordinates("point", point);
     check_range("radius", radius, 0.0f, greatest_coordinate);
     check_finite("impulse", impulse);
-    data_->refresh();
+    data_->read_all();
     struct Hit {
         uint32_t body;
         float distance;

@@ -21,7 +21,7 @@ World::~World() = default;
 
 World::World(const World& other)
     : data_(std::make_unique<WorldData>(*other.data_)), columns_(data_.get()) {
-    data_->callbacks = {.world = this, .filter = {}, .mix = {}, .before_solve = {}};
+    data_->callbacks = {.world = this, .filter = {}, .mix = {}, .before_solve = {}, .refresh = {}};
     data_->threads = nullptr;
 }
 

@@ -71,6 +71,7 @@ struct Callbacks {
     World* world = nullptr;  ///< whose they are
     PairFilter filter;
     ContactCallback mix, before_solve;
+    RefreshCallback refresh;
 
     bool see_contacts() const { return mix || before_solve; }
 };
@@ -271,7 +272,19 @@ struct WorldData : Columns {
         }
     }
 
-    // edits.cpp: what an edit leaves to do, and doing it when somebody looks
+    // edits.cpp: what an edit leaves to do, and doing it when somebody looks. `read_...` is for who
+    // looks, before an edit too if it does; `refresh...` for what is part of an edit or a step.
+    void read_all() {
+        if (!edited_bodies.empty() || !edited_shapes.empty()) read_edited({});
+    }
+    void read_shape(uint32_t shape) {
+        if (shapes[shape].geometry_dirty) read_edited({Refresh::Of::shape, shape});
+    }
+    void read_mass(uint32_t body) {
+        if (bodies[body].mass_dirty) read_edited({Refresh::Of::body, body});
+    }
+    void read_edited(const Refresh& wanted);
+    void refresh(const Refresh& wanted);
     void mark_geometry(uint32_t shape);
     void mark_mass(uint32_t body);
     void mark_placement(uint32_t body);

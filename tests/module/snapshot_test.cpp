@@ -3,6 +3,7 @@
 
 #include <catch.h>
 
+#include <fettle/property/observer.h>
 #include <fettle/property/snapshot.h>
 
 #include "weather.h"
@@ -173,5 +174,34 @@ TEST_CASE("physics that is plugged in goes on bit for bit from a snapshot") {
     REQUIRE(game.hashes(120) == expected);
     game.tree.restore(Snapshot::from_bytes(snapshot.to_bytes()));
     REQUIRE(game.hashes(120) == expected);
+}
+
+TEST_CASE("physics that is plugged in tells what a read makes it compute and does it again") {
+    struct Told : property::Observer {
+        void refreshing(property::SnapshotPart& part, std::uint64_t what) override {
+            all.emplace_back(&part, what);
+        }
+        std::vector<std::pair<property::SnapshotPart*, std::uint64_t>> all;
+    } told;
+    Game game(FETTLE_PHYSICS_PLUGIN);
+    const Handle world = game.tree.child(game.tree.root(), "world");
+    const Handle body = game.tree.create(game.tree.class_named("Body"), world, "ball");
+    game.tree.create(game.tree.class_named("Circle"), body, "circle");
+    game.step();
+    game.tree.observe(told);
+    property::set(game.tree, "world.ball.circle.radius", 2.0);
+    CHECK(told.all.empty());
+    const Value mass = property::get(game.tree, "world.ball.mass");
+    REQUIRE(told.all.size() == 1);
+    CHECK(property::get(game.tree, "world.ball.mass") == mass);
+    CHECK(told.all.size() == 1);
+    property::set(game.tree, "world.ball.circle.radius", 1.0);
+    const auto [part, what] = told.all[0];
+    CHECK(part == &game.module);
+    part->refresh(what);
+    CHECK(property::get(game.tree, "world.ball.mass") != mass);
+    CHECK(told.all.size() == 1);
+    part->refresh(~std::uint64_t{0});  // nobody's
+    game.tree.unobserve(told);
 }
 #endif

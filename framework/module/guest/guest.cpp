@@ -81,6 +81,13 @@ fettle_status restore(void* context, const void* data, size_t size, std::uint32_
     });
 }
 
+void refresh(void* context, std::uint64_t what) {
+    Guest& guest = guest_of(context);
+    told(guest, [&] {
+        if (property::SnapshotPart* part = guest.tree.state().part) part->refresh(what);
+    });
+}
+
 void close(void* context) {
     delete &guest_of(context);
 }
@@ -113,6 +120,7 @@ fettle_status open_guest(const fettle_host* host, fettle_module* module, const c
         module->save = save;
         module->restore = restore;
         module->close = close;
+        module->refresh = refresh;
         module->context = guest.release();
         return FETTLE_OK;
     } catch (const std::exception& error) {

@@ -288,6 +288,11 @@ void Tree::remove_part(SnapshotPart&) {
     state_->part = nullptr;
 }
 
+void Tree::refreshing(SnapshotPart&, std::uint64_t what) {
+    const State& s = *state_;
+    s.host->refreshing(s.host->self, what);
+}
+
 // --- Steps
 
 std::uint64_t Tree::step() const {

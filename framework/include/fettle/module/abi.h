@@ -27,7 +27,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 1
+#define FETTLE_ABI_MINOR 2
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {
@@ -328,6 +328,10 @@ typedef struct fettle_host {
     uint64_t (*step)(void* self); /* number of the fixed step */
     /* In `report`: `step` wrote properties of the module that may be watched. */
     void (*touched)(void* self);
+    /* Since 1.2. To be called when somebody *reads* what edits have left out of date, before it is
+       brought up to date, where doing that earlier or later may differ in the last bit; not for
+       what an edit does itself. Who goes back in time gives `what` to the module's `refresh`. */
+    void (*refreshing)(void* self, uint64_t what);
 } fettle_host;
 
 /* ---- The module ------------------------------------------------------------------------------ */
@@ -358,6 +362,9 @@ typedef struct fettle_module {
     fettle_status (*restore)(void* context, const void* data, size_t size, uint32_t commit);
     /* Optional: ends it. Every row is destroyed before. */
     void (*close)(void* context);
+    /* Since 1.2. Optional: brings up to date what it once told by `refreshing`, if it is still
+       there. */
+    void (*refresh)(void* context, uint64_t what);
 } fettle_module;
 
 #define FETTLE_MODULE_ENTRY "fettle_module_open"

@@ -62,6 +62,7 @@ class Plugin : public Module {
     void step(double dt) override;
     void report(property::Tree& tree) override;
     std::uint64_t hash() const override;
+    void refresh(std::uint64_t what) override;
     property::Memory save(property::ByteWriter& to) const override;
     std::function<void()> restore(property::ByteReader& from, const property::Memory&) override;
 

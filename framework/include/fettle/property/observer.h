@@ -13,6 +13,8 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
+class SnapshotPart;
+
 /// A number (in `x`) or a vec2 that was written.
 struct PlainWrite {
     Handle instance;
@@ -54,6 +56,9 @@ class Observer {
     /// does to the tree meanwhile is told as well.
     virtual void call_begins(Handle, const Method&, std::span<const Value> /*arguments*/) {}
     virtual void call_ends(Handle, const Method&) {}
+    /// Somebody reads what edits have left out of date in a module's memory, and it is about to be
+    /// brought up to date (`Tree::refreshing`).
+    virtual void refreshing(SnapshotPart&, std::uint64_t /*what*/) {}
     /// A snapshot was restored: anything may be different. Nothing else is told of it.
     virtual void restored() {}
 };

@@ -40,6 +40,9 @@ class SnapshotPart {
     /// A timeline keeps it for every step and gives it to `redo` when it goes that way again.
     virtual Memory changes() { return {}; }
     virtual void redo(const Memory& /*changes*/) {}
+    /// Brings up to date what a reader once asked for, as told by `Tree::refreshing`, if it is
+    /// still there. A timeline asks for it when it goes that way again, since readers are not.
+    virtual void refresh(std::uint64_t /*what*/) {}
 };
 
 /// The state of a tree at a moment. Cheap to copy: copies share it.
@@ -55,6 +58,8 @@ class Snapshot {
     /// The state itself, without what protects a file.
     std::span<const std::byte> payload() const;
     const Memories& memories() const { return data_->memories; }
+    /// The state itself, out of a snapshot that ends here; a copy of it while others share it.
+    std::vector<std::byte> take_payload() &&;
 
     /// For a file: self-contained, with version and checksum. Functions are not in it: formulas
     /// come back by their text, timers and tweens do not.
@@ -67,7 +72,7 @@ class Snapshot {
         std::vector<std::byte> payload;
         Memories memories;
     };
-    std::shared_ptr<const Data> data_;
+    std::shared_ptr<Data> data_;
 };
 
 }  // namespace fettle::property

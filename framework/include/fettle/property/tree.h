@@ -251,8 +251,15 @@ class Tree {
     void add_part(SnapshotPart& part);
     void remove_part(SnapshotPart& part);
     const std::vector<SnapshotPart*>& parts() const;
+    /// To be called by a part, before it does so, when a *read* makes it bring memory up to date
+    /// that edits had left behind, where doing it earlier or later may differ in the last bit; not
+    /// for what an edit does itself. `what` is given back to it by `SnapshotPart::refresh`.
+    void refreshing(SnapshotPart& part, std::uint64_t what);
     /// All of it: instances, values, formulas, the history of edits, the step, and the parts.
     Snapshot snapshot() const;
+    /// The same, written over `room`, which it keeps. Who takes many gives the memory of an old one
+    /// (`Snapshot::take_payload`): finding new pages takes the system longer than filling them.
+    Snapshot snapshot(std::vector<std::byte> room) const;
     /// Puts the tree back, in place. Who existed then has their handles again; who came since is
     /// deleted, and no handle to them will ever mean anybody else. Watchers stay with the instances
     /// that exist on both sides and are told of what changed, cause `restore`, at the next barrier;

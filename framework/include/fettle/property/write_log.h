@@ -52,6 +52,7 @@ class WriteLog : public Observer {
     void call_begins(Handle instance, const Method& method,
                      std::span<const Value> arguments) override;
     void call_ends(Handle instance, const Method& method) override;
+    void refreshing(SnapshotPart& part, std::uint64_t what) override;
     void restored() override;
 
     /// Bytes one piece may take.

@@ -34,6 +34,14 @@ using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
 /// Sees every contact in every step.
 using ContactCallback = std::function<void(ContactEdit&)>;
 
+/// What a read brings up to date: all that was edited, or what is derived of one body or shape.
+struct Refresh {
+    enum class Of : uint8_t { everything, body, shape };
+    Of of = Of::everything;
+    uint32_t slot = 0;  ///< of the body or shape
+};
+using RefreshCallback = std::function<void(const Refresh&)>;
+
 }  // namespace fettle::physics
 
 FETTLE_PHYSICS_END

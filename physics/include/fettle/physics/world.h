@@ -141,6 +141,13 @@ class World {
     /// Sees every contact before it is solved, and may also disable it for the step.
     void set_before_solve(ContactCallback callback);
 
+    /// Called before a read brings up to date what edits have left behind. When that happens is
+    /// part of what comes later, to the last bit: who wants to do edits again exactly does this
+    /// again between them, by `refresh`. Reads within a step are no news.
+    void on_refresh(RefreshCallback callback);
+    /// As a read would do; nothing where nothing is out of date, or nobody is in the slot.
+    void refresh(const Refresh& wanted);
+
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
     MouseJoint create_mouse_joint(const MouseJointDef& def);

@@ -31,6 +31,7 @@ class PhysicsModule : public module::Module {
     void report(property::Tree& tree) override;
     /// That of the world when there is one, else the worlds' combined in the order they were made.
     std::uint64_t hash() const override;
+    void refresh(std::uint64_t what) override;
 
     /// Every world, bit for bit.
     property::Memory save(property::ByteWriter& to) const override;
