@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "scenes.h"
 
+#include <cstring>
 #include <vector>
 
 // Saved worlds, and what becomes of them when some of their bits are flipped.
@@ -13,6 +14,25 @@ inline std::vector<std::byte> saved(const World& world) {
     std::vector<std::byte> bytes;
     world.save(bytes);
     return bytes;
+}
+
+/// How far a member lies from the beginning of what it is part of.
+template <class Whole, class Member>
+size_t offset_in(const Whole& whole, const Member& member) {
+    return size_t(reinterpret_cast<const std::byte*>(&member) -
+                  reinterpret_cast<const std::byte*>(&whole));
+}
+
+/// Where the number is in the bytes, which hold it once.
+inline size_t place_of(uint64_t number, const std::vector<std::byte>& bytes) {
+    size_t found = bytes.size();
+    for (size_t at = 0; at + sizeof number <= bytes.size(); ++at) {
+        if (std::memcmp(&bytes[at], &number, sizeof number) != 0) continue;
+        REQUIRE(found == bytes.size());
+        found = at;
+    }
+    REQUIRE(found < bytes.size());
+    return found;
 }
 
 /// Three bits flipped behind the header, `trials` times: refused, or restored to a world that can

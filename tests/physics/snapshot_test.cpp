@@ -2,6 +2,8 @@
 
 #include "saved_worlds.h"
 
+#include <world/records.h>
+
 #include <functional>
 
 using namespace scenes;
@@ -271,4 +273,52 @@ TEST_CASE("flipped bits are refused or leave a world that can be stepped") {
     build_stack(world);
     run(world, 1.0f);
     check_flipped_bits(saved(world), 1, 400, [](World&) {});
+}
+
+TEST_CASE("a saved world whose awake shape has no proxy in the broad phase is refused") {
+    constexpr uint64_t mark = 0xfe77'1e00'5ca1'ab1e;
+    World world;
+    add_floor(world);
+    Body ball = add_ball(world, {0, 3}, 0.5f, {.user_data = mark});
+    run(world, 0.2f);
+    REQUIRE(ball.awake());
+    auto bytes = saved(world);
+    World target;
+    REQUIRE_NOTHROW(target.restore(bytes));
+    const detail::ShapeRecord record;
+    const size_t at = place_of(mark, bytes) - offset_in(record, record.surface.user_data);
+    int32_t proxy = -1;
+    std::memcpy(&proxy, &bytes[at + offset_in(record, record.proxy)], sizeof proxy);
+    REQUIRE(proxy >= 0);
+    proxy = -1;
+    std::memcpy(&bytes[at + offset_in(record, record.proxy)], &proxy, sizeof proxy);
+    REQUIRE_THROWS_WITH(target.restore(bytes), contains("the proxy of what is awake"));
+    run(target, 0.2f);
+    REQUIRE_FALSE(target.validate());
+}
+
+TEST_CASE("a saved world is refused where the flag of an optional is no bool") {
+    constexpr uint64_t mark = 0xfe77'1e00'0b0d'1e50;
+    World world({.bounds = Aabb{{-20, 0}, {20, 60}}});
+    Body ball = world.create_body({.position = {0, 3}, .mass = 5.0f, .user_data = mark});
+    ball.add(Circle{});
+    run(world, 0.2f);
+    const auto bytes = saved(world);
+    World target;
+    REQUIRE_NOTHROW(target.restore(bytes));
+    const auto with_flag = [&](size_t at) {
+        REQUIRE(bytes[at] == std::byte{1});
+        auto damaged = bytes;
+        damaged[at] = std::byte{2};
+        return damaged;
+    };
+    const detail::BodyRecord body;
+    const size_t of_body = place_of(mark, bytes) - offset_in(body, body.user_data);
+    const auto bad_mass = with_flag(of_body + offset_in(body, body.mass_override) + sizeof(float));
+    REQUIRE_THROWS_WITH(target.restore(bad_mass), contains("a body"));
+    // The settings are the first thing behind the header of three numbers.
+    const WorldDef settings;
+    const auto bad_bounds = with_flag(12 + offset_in(settings, settings.bounds) + sizeof(Aabb));
+    REQUIRE_THROWS_WITH(target.restore(bad_bounds), contains("the settings"));
+    REQUIRE(target.hash() == world.hash());
 }
