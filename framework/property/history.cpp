@@ -374,7 +374,7 @@ void History::revive(Existence& existence, UndoResult& result) {
             if (&image != &existence.images.front())
                 tree_.destroy(s.nodes.handle(there));
             else
-                name = s.nodes.free_name(parent, name.base.text(), false);
+                name = s.nodes.free_name(parent, name.base.text());
         }
         s.make(*image.of, parent, name, image.position.named, image.handle);
     }

@@ -221,14 +221,15 @@ void Nodes::index_erase(std::uint32_t index) {
     }
 }
 
-NodeName Nodes::free_name(std::uint32_t parent, std::string_view stem, bool first_plain) {
+NodeName Nodes::plain_name(std::uint32_t parent, std::string_view stem, bool itself) const {
+    NodeName name{Symbol(stem), 0};
+    if (itself && child(parent, name) == 0) return name;
+    for (name.number = 2; child(parent, name) != 0;) ++name.number;
+    return name;
+}
+
+NodeName Nodes::free_name(std::uint32_t parent, std::string_view stem) {
     const Symbol base(stem);
-    if (first_plain) {
-        NodeName name{base, 0};
-        if (child(parent, name) == 0) return name;
-        for (name.number = 2; child(parent, name) != 0;) ++name.number;
-        return name;
-    }
     nodes_[parent].counts_children = true;
     std::uint32_t& last = counters_[std::uint64_t{parent} << 32 | base.id()];
     NodeName name{base, last};

@@ -93,9 +93,10 @@ class Nodes {
     /// Puts a child behind its sibling `before`; 0: first.
     void reorder(std::uint32_t index, std::uint32_t before);
     std::uint32_t child(std::uint32_t parent, NodeName name) const;
-    /// `stem_1`, `stem_2` ...; with `first_plain` `stem`, `stem_2` ... Never one used before under
-    /// this parent, unless `first_plain`.
-    NodeName free_name(std::uint32_t parent, std::string_view stem, bool first_plain);
+    /// `stem_1`, `stem_2` ...: never one used before under this parent.
+    NodeName free_name(std::uint32_t parent, std::string_view stem);
+    /// `stem`, `stem_2` ...: the first that is free; `itself`: whether `stem` may be.
+    NodeName plain_name(std::uint32_t parent, std::string_view stem, bool itself) const;
 
   private:
     // Open addressing over (parent, name); a slot holds a node index, 0 is empty. Deletion shifts

@@ -200,8 +200,7 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
     if (parent) s.require(parent);
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
-    if (name.empty() && parent)
-        chosen = s.nodes.free_name(parent.index, instance_class.stem(), false);
+    if (name.empty() && parent) chosen = s.nodes.free_name(parent.index, instance_class.stem());
     const Handle made = s.nodes.handle(s.make(instance_class, parent.index, chosen, !name.empty()));
     if (s.history.recording()) s.history.born(made);
     return made;
@@ -436,10 +435,14 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
         const bool taken = !node.named || s.nodes.child(new_parent.index, node.name) != 0 ||
                            find(new_parent, node.name.text()) != nullptr ||
                            class_of(new_parent).method(node.name.text()) != nullptr;
-        if (taken)
-            chosen = s.nodes.free_name(
-                new_parent.index, node.named ? node.name.base.text() : class_of(instance).stem(),
-                first_plain);
+        if (taken) {
+            const std::string_view stem =
+                node.named ? node.name.base.text() : class_of(instance).stem();
+            const bool plain =
+                find(new_parent, stem) == nullptr && class_of(new_parent).method(stem) == nullptr;
+            chosen = first_plain ? s.nodes.plain_name(new_parent.index, stem, plain)
+                                 : s.nodes.free_name(new_parent.index, stem);
+        }
     } else if (node.parent == new_parent.index) {
         return;
     }

@@ -134,6 +134,9 @@ TEST_CASE("constructors name what they get and refuse what is wrong") {
 world.b = Body { Circle {}, Circle { radius = 2 }, wheel = Circle { radius = 3 }, lives = 3 }
 assert(world.b.circle.radius == 0.5 and world.b.circle_2.radius == 2)
 assert(world.b.wheel.radius == 3 and world.b.lives == 3)
+Mass = class("Mass", Object) {}
+world.heavy = Body { Mass {}, Mass {} }  -- not that of a property
+assert(world.heavy.mass == 1 and world.heavy.mass_2 and world.heavy.mass_3)
 local added = world:add(Body {})
 assert(added.name == "body_1" and world:add(Body {}).name == "body_2")
 assert(added.parent == world and added.class == "Body")

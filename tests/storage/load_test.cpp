@@ -69,11 +69,26 @@ TEST_CASE("a scene is called as the file says or as the loader says") {
     CHECK(w.tree.name(loose) == "demo");
 }
 
-TEST_CASE("an instance without a name is numbered") {
+TEST_CASE("children without a name are called as a constructor calls them") {
     SceneWorld w;
-    const Handle top = w.load(children(R"({"class": "Thing"}, {"class": "Thing"})"));
-    CHECK(w.tree.path(w.tree.children(top)[0]) == "world.demo.thing_1");
-    CHECK(w.tree.path(w.tree.children(top)[1]) == "world.demo.thing_2");
+    const Handle top = w.load(children(R"({"class": "Thing"}, {"class": "Thing"},
+        {"class": "Note"}, {"class": "Thing", "name": "thing_2"}, {"class": "Thing"})"));
+    std::vector<std::string> names;
+    for (const Handle child : w.tree.children(top)) names.push_back(w.tree.name(child));
+    CHECK(names == std::vector<std::string>{"thing", "thing_3", "note", "thing_2", "thing_4"});
+    // Saved, they have these names, and are the same again.
+    const std::string text = scene_text(w.tree, top);
+    const Handle again = load_scene_text(w.tree, text, "level.json", {});
+    CHECK(scene_text(w.tree, again) == text);
+}
+
+TEST_CASE("a child without a name does not take that of a member of its parent") {
+    SceneWorld w;
+    const Handle top = w.load(R"({"fettle_scene": 1, "class": "Note", "name": "demo",
+        "children": [{"class": "Thing"}, {"class": "Thing"}]})");
+    REQUIRE(w.tree.class_of(top).property("thing") != nullptr);
+    CHECK(w.tree.name(w.tree.children(top)[0]) == "thing_2");
+    CHECK(w.tree.name(w.tree.children(top)[1]) == "thing_3");
 }
 
 TEST_CASE("ready comes to children before their parents when all values are there") {

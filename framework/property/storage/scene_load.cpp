@@ -4,6 +4,8 @@
 // it.
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -214,7 +216,6 @@ class SceneLoader {
             }
         }
         if (children == nullptr) return;
-        std::unordered_set<std::string_view> names;
         std::size_t place_of_child = 0;
         for (const Node* child = document_.first(*children); child;
              child = document_.next(*child)) {
@@ -222,7 +223,7 @@ class SceneLoader {
             plan(*child, self);
             instances_[made].place = place_of_child++;
             const Node* name = document_.member(*child, "name");
-            if (name != nullptr && !names.insert(document_.text(*name)).second) {
+            if (name != nullptr && !names_.emplace(self, document_.text(*name)).second) {
                 fail(ErrorKind::bad_name, name->begin,
                      path(self) + " has two children called " + in_quotes(document_.text(*name)));
             }
@@ -284,10 +285,10 @@ class SceneLoader {
             now_ = instance.node;
             const bool top = instance.parent == none;
             const Handle parent = top ? Handle{} : instances_[instance.parent].handle;
-            // Unnamed, the tree numbers it.
             const std::string name = top && !name_.empty()      ? name_
                                      : instance.name != nullptr ? document_.text(*instance.name)
-                                                                : std::string();
+                                     : top                      ? std::string()
+                                                                : free_name(instance);
             const std::size_t offset =
                 instance.name != nullptr ? instance.name->begin : instance.node->begin;
             const std::string where = path(index(instance));
@@ -298,6 +299,20 @@ class SceneLoader {
             }
             if (top) detached.top = instance.handle;
         }
+    }
+
+    /// As a constructor calls a child that is given no name: `circle`, `circle_2`. Names in the
+    /// file come first, wherever they stand.
+    std::string free_name(const Instance& instance) {
+        const Handle parent = instances_[instance.parent].handle;
+        const std::string& stem = instance.instance_class->stem();
+        std::size_t& number = numbers_[{instance.parent, stem}];
+        std::string name;
+        do name = ++number == 1 ? stem : stem + "_" + std::to_string(number);
+        while (names_.contains({instance.parent, name}) || tree_.child(parent, name) ||
+               tree_.find(parent, name) != nullptr ||
+               tree_.class_of(parent).method(name) != nullptr);
+        return name;
     }
 
     /// An instance may make children of its own as it is created; the file then describes those.
@@ -454,6 +469,8 @@ class SceneLoader {
     const Document& document_;
     Handle parent_;
     std::string name_;
+    std::set<std::pair<std::size_t, std::string>> names_;                 // in the file, by parent
+    std::map<std::pair<std::size_t, std::string>, std::size_t> numbers_;  // given, by stem
     std::vector<std::string>* warnings_;
     std::vector<SceneInstance>* described_;
     std::vector<std::string> new_warnings_;
