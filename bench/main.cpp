@@ -74,6 +74,18 @@ void add_hosted_steps(CLI::App& app, HostedStepsOptions& options) {
     command->add_option("--steps", options.steps);
 }
 
+void add_past(CLI::App& app, PastOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "past", "What it costs that the past of a game is kept, and to go back into it");
+    command->add_option("--bodies", options.bodies, "Moving bodies, in hundreds")
+        ->check(CLI::Range(100, 1000000))
+        ->capture_default_str();
+    command->add_option("--seconds", options.seconds, "Of the game, that are simulated")
+        ->check(CLI::Range(2, 60))
+        ->capture_default_str();
+    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+}
+
 void add_stability(CLI::App& app, StabilityOptions& options) {
     CLI::App* command = app.add_subcommand("stability", "How well stacks stand, in every engine");
     command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
@@ -116,6 +128,8 @@ int main(int argc, char** argv) {
     TreeOptions tree;
     HostingOptions hosting;
     HostedStepsOptions hosted_steps;
+    PastOptions past;
+    add_past(app, past);
     StabilityOptions stability;
     add_scenes(app, scenes);
     add_tree(app, tree);
@@ -142,6 +156,7 @@ int main(int argc, char** argv) {
 #endif
         if (app.got_subcommand("hosting")) return run_hosting(hosting);
         if (app.got_subcommand("hosted-steps")) return run_hosted_steps(hosted_steps);
+        if (app.got_subcommand("past")) return run_past(past);
         if (app.got_subcommand("stability")) return run_stability(stability);
         if (app.got_subcommand("shapes")) return run_shapes(shapes);
         if (app.got_subcommand("solvers")) return run_solvers(solvers);

@@ -41,6 +41,13 @@ struct HostedStepsOptions {
 };
 int run_hosted_steps(const HostedStepsOptions& options);
 
+struct PastOptions {
+    int bodies = 10000;
+    int seconds = 60;  // that are simulated
+    bool json = false;
+};
+int run_past(const PastOptions& options);
+
 struct TreeOptions {
     int repetitions = 7;
     std::string only;  // rows whose name has this in it, and what they are compared with

@@ -12,13 +12,12 @@ constexpr int level = 1;
 
 // State is mostly floats: their bytes of the same rank, taken together, repeat far more than they
 // do in a row (a sixth less, in half the time).
-std::vector<std::byte> by_rank(std::span<const std::byte> plain) {
+void sort_by_rank(const std::vector<std::byte>& plain, std::vector<std::byte>& ranks) {
     const std::size_t words = plain.size() / 4;
-    std::vector<std::byte> ranks(plain.size());
+    ranks.resize(plain.size());
     for (std::size_t rank = 0; rank < 4; ++rank)
         for (std::size_t i = 0; i < words; ++i) ranks[rank * words + i] = plain[4 * i + rank];
     for (std::size_t i = 4 * words; i < plain.size(); ++i) ranks[i] = plain[i];
-    return ranks;
 }
 
 std::vector<std::byte> from_ranks(const std::vector<std::byte>& ranks) {
@@ -32,36 +31,31 @@ std::vector<std::byte> from_ranks(const std::vector<std::byte>& ranks) {
 
 }  // namespace
 
-// The snapshot is let go of by the game's thread alone: what it holds beside its bytes is not this
-// thread's to end.
-void PackedBytes::pack() {
-    const std::span<const std::byte> plain = taken_.payload();
-    const std::vector<std::byte> ranks = by_rank(plain);
-    std::vector<std::byte> room(ZSTD_compressBound(ranks.size()));
-    const std::size_t size =
-        ZSTD_compress(room.data(), room.size(), ranks.data(), ranks.size(), level);
+void PackedBytes::pack(Room& room) {
+    sort_by_rank(plain_, room.ranks);
+    room.packed.resize(ZSTD_compressBound(room.ranks.size()));
+    const std::size_t size = ZSTD_compress(room.packed.data(), room.packed.size(),
+                                           room.ranks.data(), room.ranks.size(), level);
     if (ZSTD_isError(size) != 0) return;  // it stays as it is
-    const std::lock_guard lock(mutex_);
-    plain_size_ = plain.size();
-    packed_.assign(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(size));
+    packed_.assign(room.packed.begin(), room.packed.begin() + static_cast<std::ptrdiff_t>(size));
+    is_packed_.store(true, std::memory_order_release);
 }
 
 std::vector<std::byte> PackedBytes::payload() const {
-    const std::lock_guard lock(mutex_);
-    if (packed_.empty()) return {taken_.payload().begin(), taken_.payload().end()};
+    if (!is_packed_.load(std::memory_order_acquire)) return plain_;
     std::vector<std::byte> ranks(plain_size_);
     ZSTD_decompress(ranks.data(), ranks.size(), packed_.data(), packed_.size());
     return from_ranks(ranks);
 }
 
 std::size_t PackedBytes::size() const {
-    const std::lock_guard lock(mutex_);
-    return (taken_.empty() ? 0 : taken_.payload().size()) + packed_.size();
+    const std::size_t packed = is_packed_.load(std::memory_order_acquire) ? packed_.size() : 0;
+    return plain_.capacity() + packed;
 }
 
-void PackedBytes::settle() {
-    const std::lock_guard lock(mutex_);
-    if (!packed_.empty()) taken_ = {};
+std::optional<std::vector<std::byte>> PackedBytes::settle() {
+    if (plain_.empty() || !is_packed_.load(std::memory_order_acquire)) return std::nullopt;
+    return std::exchange(plain_, {});
 }
 
 Packer::Packer() : thread_([this] { work(); }) {}
@@ -75,35 +69,26 @@ Packer::~Packer() {
     thread_.join();
 }
 
-void Packer::pack(std::shared_ptr<PackedBytes> what) {
-    std::vector<std::shared_ptr<PackedBytes>> finished;
+void Packer::pack(const std::shared_ptr<PackedBytes>& what) {
     {
         const std::lock_guard lock(mutex_);
-        finished.swap(finished_);
-        waiting_.push_back(std::move(what));
+        waiting_.push_back(what);
     }
     wake_.notify_one();
 }
 
-void Packer::finish() {
-    std::unique_lock lock(mutex_);
-    idle_.wait(lock, [this] { return waiting_.empty() && !busy_; });
-}
-
 void Packer::work() {
-    std::unique_lock lock(mutex_);
+    PackedBytes::Room room;
     while (true) {
-        wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
-        if (ending_) return;
-        std::shared_ptr<PackedBytes> next = waiting_.front().lock();
-        waiting_.pop_front();
-        busy_ = true;
-        lock.unlock();
-        if (next != nullptr) next->pack();
-        lock.lock();
-        if (next != nullptr) finished_.push_back(std::move(next));
-        busy_ = false;
-        idle_.notify_all();
+        std::shared_ptr<PackedBytes> next;
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+            if (ending_) return;
+            next = waiting_.front().lock();
+            waiting_.pop_front();
+        }
+        if (next != nullptr) next->pack(room);
     }
 }
 

@@ -1,38 +1,46 @@
 #pragma once
-// Keyframes of a timeline, packed by a thread of their own so that no frame waits for it.
+// Keyframes of a timeline, packed by a thread of their own so that no frame waits for it: neither
+// thread ever holds what the other wants. The game hands a state over and looks, when it comes by
+// again, whether it is packed.
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <memory>
 #include <mutex>
-#include <span>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include <fettle/property/snapshot.h>
-
 namespace fettle::app {
 
-/// The state of a keyframe, and later the same in fewer bytes. Shared between the game's thread and
-/// the packing one.
+/// The state of a keyframe, and later the same in fewer bytes.
 class PackedBytes {
   public:
-    explicit PackedBytes(property::Snapshot taken) : taken_(std::move(taken)) {}
+    explicit PackedBytes(std::vector<std::byte> plain)
+        : plain_(std::move(plain)), plain_size_(plain_.size()) {}
+
+    // --- By the game's thread
     std::vector<std::byte> payload() const;
     /// Bytes it takes now.
     std::size_t size() const;
-    /// By the packing thread.
-    void pack();
-    /// By the game's thread, now and then: what was packed is let go of.
-    void settle();
+    /// Once it is packed, the memory of what was packed, for the next; nothing before, and after
+    /// that.
+    std::optional<std::vector<std::byte>> settle();
+
+    // --- By the packing thread
+    struct Room {
+        std::vector<std::byte> ranks, packed;  // kept from one to the next
+    };
+    void pack(Room& room);
 
   private:
-    mutable std::mutex mutex_;
-    property::Snapshot taken_;  // empty when packed
-    std::vector<std::byte> packed_;
+    std::vector<std::byte> plain_;   // the game's again once it is packed
+    std::vector<std::byte> packed_;  // the packing thread's until then
     std::size_t plain_size_ = 0;
+    std::atomic<bool> is_packed_{false};
 };
 
 class Packer {
@@ -40,20 +48,15 @@ class Packer {
     Packer();
     ~Packer();
     Packer(const Packer&) = delete;
-    void pack(std::shared_ptr<PackedBytes> what);
-    /// Until everything handed over is packed.
-    void finish();
+    void pack(const std::shared_ptr<PackedBytes>& what);
 
   private:
     void work();
 
-    std::mutex mutex_;
-    std::condition_variable wake_, idle_;
+    std::mutex mutex_;  // held to hand over, never while packing
+    std::condition_variable wake_;
     std::deque<std::weak_ptr<PackedBytes>> waiting_;
-    // Ended by the game's thread: snapshots hold functions of its scripts.
-    std::vector<std::shared_ptr<PackedBytes>> finished_;
     bool ending_ = false;
-    bool busy_ = false;
     std::thread thread_;
 };
 

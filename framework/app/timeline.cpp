@@ -61,6 +61,7 @@ void Timeline::clear() {
     keyframes_.clear();
     steps_.clear();
     tail_ = {};
+    room_ = {};
     logged_ = 0;
     spacing_ = least_spacing;
     clock_.oldest = clock_.newest = clock_.step;
@@ -140,15 +141,22 @@ void Timeline::begin_anew() {
 
 void Timeline::take_keyframe() {
     const double before = now();
-    Snapshot taken = tree_.snapshot();
+    settle();
+    Snapshot taken = tree_.snapshot(std::exchange(room_, {}));
     (void)log_->take();  // it is in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
-    for (Keyframe& frame : keyframes_) frame.payload->settle();
-    Keyframe frame{here_, std::make_shared<PackedBytes>(taken), taken.memories()};
+    Keyframe frame{here_, nullptr, taken.memories()};
+    frame.payload = std::make_shared<PackedBytes>(std::move(taken).take_payload());
     packer_->pack(frame.payload);
     keyframes_.push_back(std::move(frame));
     cost_ = now() - before;
     worked_ = 0;
+}
+
+/// What is packed gives its memory to the next keyframe, or back to the system.
+void Timeline::settle() {
+    for (Keyframe& frame : keyframes_)
+        if (auto plain = frame.payload->settle()) room_ = std::move(*plain);
 }
 
 /// Often enough to be quick at any moment, and not so often that the game is slower for it.
@@ -223,7 +231,7 @@ std::int64_t Timeline::newest() const {
 }
 
 std::size_t Timeline::memory() const {
-    std::size_t sum = logged_;
+    std::size_t sum = logged_ + room_.capacity();
     for (const Keyframe& frame : keyframes_) sum += frame.payload->size();
     return sum + steps_.size() * (sizeof(Step) + 512);
 }

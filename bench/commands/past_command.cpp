@@ -1,0 +1,106 @@
+// `fettle-bench past`: what it costs a game that its past is kept, and to go back into it.
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands/commands.h"
+#include "engines/hosted_engine.h"
+#include "measure/timing.h"
+#include "report/json_lines.h"
+#include "report/progress.h"
+#include "report/table.h"
+#include "scenes/catalogue.h"
+
+namespace fettle::bench {
+namespace {
+
+constexpr double mebibyte = 1048576;
+constexpr std::int64_t warm_up = 60;  // steps: the first keyframe finds its memory
+
+struct Run {
+    double first_ms = 0;              // step, with the first keyframe
+    std::vector<double> plain_ms;     // steps without a keyframe, after the warm-up
+    std::vector<double> keyframe_ms;  // steps with one
+    double memory = 0;                // bytes
+    std::vector<double> travel_ms;    // to moments spread over all of it
+};
+
+Run measure(const PastOptions& options, Progress& progress) {
+    const Scene scene = crowd_of(100, std::max(1, options.bodies / 100));
+    HostedEngine engine(scene);
+    app::Timeline& past = engine.game().loop.timeline();
+    const std::int64_t steps = 60 * std::int64_t{options.seconds};
+    Run run;
+    for (std::int64_t step = 1; step <= steps; ++step) {
+        const std::size_t before = past.keyframes();
+        const WallClock clock;
+        engine.step();
+        const double ms = clock.elapsed_ms();
+        if (step == 1)
+            run.first_ms = ms;
+        else if (past.keyframes() > before)
+            run.keyframe_ms.push_back(ms);
+        else if (step > warm_up)
+            run.plain_ms.push_back(ms);
+        progress.add(0.8 / static_cast<double>(steps));
+    }
+    if (run.keyframe_ms.empty())
+        throw std::runtime_error("no keyframe was made: let it run longer");
+    run.memory = static_cast<double>(past.memory());
+    const std::uint64_t present = engine.game().loop.hash();
+    constexpr int moments = 8;
+    // The present comes last.
+    const std::int64_t oldest = past.oldest();
+    for (int i = 0; i <= moments; ++i) {
+        const std::int64_t to = oldest + (steps - oldest) * i / moments;
+        const WallClock clock;
+        past.go_to(to);
+        run.travel_ms.push_back(clock.elapsed_ms());
+        progress.add(0.2 / (moments + 1));
+    }
+    if (engine.game().loop.hash() != present)
+        throw std::runtime_error("the present is another one after looking at the past");
+    return run;
+}
+
+double greatest(const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+int run_past(const PastOptions& options) {
+    Run run;
+    {
+        Progress progress(1);
+        progress.begin("steps");
+        run = measure(options, progress);
+    }
+    const std::pair<const char*, std::pair<double, const char*>> figures[] = {
+        {"step, median", {median(run.plain_ms), "ms"}},
+        {"step without a keyframe, worst", {greatest(run.plain_ms), "ms"}},
+        {"step with a keyframe, median", {median(run.keyframe_ms), "ms"}},
+        {"step with a keyframe, worst", {greatest(run.keyframe_ms), "ms"}},
+        {"first step, with the first keyframe", {run.first_ms, "ms"}},
+        {"keyframes", {static_cast<double>(run.keyframe_ms.size() + 1), ""}},
+        {"memory of the past", {run.memory / mebibyte, "MiB"}},
+        {"going to a moment, median", {median(run.travel_ms), "ms"}},
+        {"going to a moment, longest", {greatest(run.travel_ms), "ms"}}};
+    Table table({"past of " + std::to_string(options.bodies) + " bodies, " +
+                     std::to_string(options.seconds) + " s",
+                 "", ""});
+    for (const auto& [name, value] : figures) {
+        if (options.json)
+            std::cout << json_line({{"name", name}, {"value", value.first}, {"unit", value.second}})
+                      << "\n";
+        table.add({name, figure(value.first), value.second});
+    }
+    if (!options.json) std::cout << table.text();
+    return 0;
+}
+
+}  // namespace fettle::bench
