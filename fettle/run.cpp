@@ -34,13 +34,17 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
             status = complain(file_error, error.what());
         }
     }
-    for (const auto& [step, chunk] : options.at)
-        if (static_cast<std::int64_t>(step) > session.services().clock.step && status == success &&
-            !session.runtime().quit_status())
-            std::fprintf(stderr,
-                         "fettle: --at %" PRIu64
-                         " was never reached: the run ended at step %" PRId64 "\n",
-                         step, session.services().clock.step);
+    if (status != success || session.runtime().quit_status()) return status;
+    const auto tell_unreached = [&](const char* option, const auto& all) {
+        for (const auto& [step, chunk] : all)
+            if (step > session.loop().lived())
+                std::fprintf(stderr,
+                             "fettle: %s %" PRIu64
+                             " was never reached: the run ended with its step %" PRIu64 "\n",
+                             option, step, session.loop().lived());
+    };
+    tell_unreached("--at", options.at);
+    tell_unreached("--console", options.console);
     return status;
 }
 
@@ -122,7 +126,7 @@ class WindowRun {
         window_->set_vsync(session_->services().view.vsync);
         // A run of so many steps is nobody's to look at: it also ends when nothing moves any more.
         const bool made =
-            options_.steps && (loop.halted() || static_cast<double>(clock.step) + idle_steps_ >=
+            options_.steps && (loop.halted() || static_cast<double>(loop.lived()) + idle_steps_ >=
                                                     static_cast<double>(*options_.steps));
         const bool last = made || loop.closing() || session_->runtime().quit_status().has_value();
         const bool saves = session_->saves().waits();
@@ -181,13 +185,13 @@ int run_replay(RunOptions options) {
 }
 
 /// "N:LUA"
-std::pair<std::uint64_t, std::string> parse_at(const std::string& text) {
+std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
     const std::size_t colon = text.find(':');
     const std::string number = text.substr(0, colon);
     if (colon == std::string::npos || number.empty() || number.size() > 18 ||
         number.find_first_not_of("0123456789") != std::string::npos || std::stoull(number) == 0)
         throw CLI::ValidationError(
-            "--at", "\"" + text + "\" is not a step from 1 and a chunk, as in 60:print(time.now)");
+            option, "\"" + text + "\" is not a step from 1 and a chunk, as in 60:print(time.now)");
     return {std::stoull(number), text.substr(colon + 1)};
 }
 
@@ -201,6 +205,7 @@ int run(const RunOptions& given) {
         require_game(options.game);
         std::vector<std::string> chunks = options.evals;
         for (const auto& [step, chunk] : options.at) chunks.push_back(chunk);
+        for (const auto& [step, command] : options.console) chunks.push_back(command);
         if (options.headless && !options.steps && !mentions_quit(options.game, chunks))
             return complain(bad_usage,
                             "a headless run needs --steps N, since this game never calls quit()");
@@ -233,7 +238,8 @@ void add_run(CLI::App& app, int& status) {
                      "No window; fixed steps as fast as they go; print() goes to stdout");
     command
         .add_option("--steps", options->steps,
-                    "Stop after so many fixed steps (needed with --headless unless the game calls "
+                    "Stop after so many fixed steps, those made again after going back in time "
+                    "included (needed with --headless unless the game calls "
                     "quit())")
         ->check(CLI::NonNegativeNumber);
     // Each occurrence by itself: a chunk of Lua may hold commas and brackets.
@@ -244,8 +250,19 @@ void add_run(CLI::App& app, int& status) {
         ->trigger_on_parse();
     command
         .add_option_function<std::string>(
-            "--at", [options](const std::string& text) { options->at.push_back(parse_at(text)); },
-            "Run it before step N (repeatable): N:LUA")
+            "--at",
+            [options](const std::string& text) { options->at.push_back(parse_at("--at", text)); },
+            "Run it before step N (repeatable): N:LUA. Steps are counted as the run goes on: going "
+            "back in time does not turn the count back")
+        ->trigger_on_parse();
+    command
+        .add_option_function<std::string>(
+            "--console",
+            [options](const std::string& text) {
+                options->console.push_back(parse_at("--console", text));
+            },
+            "Type it into the console before step N, and print it and what it says (repeatable): "
+            "N:COMMAND")
         ->trigger_on_parse();
     command
         .add_option_function<std::string>(
@@ -260,7 +277,8 @@ void add_run(CLI::App& app, int& status) {
     command
         .add_option("--replay", options->replay,
                     "Make a recorded run again; exit status 1 when it is not the same")
-        ->excludes("--record");
+        ->excludes("--record")
+        ->excludes("--console");
     command.add_flag("--hash", options->hash, "Print the state hash at the end");
     command.callback([options, &status] { status = run(*options); });
 }

@@ -19,7 +19,8 @@ struct RunOptions {
     bool headless = false;
     std::optional<std::int64_t> steps{};
     std::vector<std::string> evals{};
-    std::vector<std::pair<std::uint64_t, std::string>> at{};  // step, chunk
+    std::vector<std::pair<std::uint64_t, std::string>> at{};       // step, chunk
+    std::vector<std::pair<std::uint64_t, std::string>> console{};  // step, command
     std::uint64_t seed = 0;
     std::vector<std::string> modules{};  // files or names, beside those of the game's manifest
     std::filesystem::path screenshot{};

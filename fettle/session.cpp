@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include <fettle/app/error_screen.h>
 #ifdef FETTLE_WITH_CONSOLE
@@ -37,10 +38,12 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         fail(told);
     });
     make_storage();
-    runtime_ = std::make_unique<script::Runtime>(tree_, script::Options{.seed = options.seed,
-                                                                        .assets = assets(),
-                                                                        .saves = saves_.get(),
-                                                                        .tweaks = tweaks_.get()});
+    runtime_ = std::make_unique<script::Runtime>(
+        tree_, script::Options{.seed = options.seed,
+                               .assets = assets(),
+                               .saves = saves_.get(),
+                               .tweaks = tweaks_.get(),
+                               .replay = options.replay.filename().string()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
     runtime_->on_print([this](std::string_view text) { print(text); });
     loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
@@ -86,7 +89,10 @@ void Session::add_modules() {
                     .report = [this, m] { m->report(tree_); },
                     .hash = [m] { return m->hash(); }});
     modules_.on_print([this](std::string_view text) { print(text); });
-    loop_->between_frames([this] { modules_.renew(); });
+    loop_->between_frames([this] {
+        modules_.renew();
+        type_what_is_due();
+    });
 }
 
 void Session::make_console(app::Clipboard* clipboard) {
@@ -156,6 +162,25 @@ void Session::run_at(std::uint64_t step) {
     for (const auto& [when, chunk] : options_.at)
         if (when == step && !loop_->stopped())
             (void)runtime_->run(chunk, "at " + std::to_string(step));
+}
+
+/// Between frames, where a person types: a recording holds it as it holds theirs.
+void Session::type_what_is_due() {
+    const std::uint64_t next = loop_->lived() + 1;
+    if (next == typed_ || loop_->stopped()) return;
+    typed_ = next;
+    for (const auto& [when, command] : options_.console) {
+        if (when != next || loop_->stopped()) continue;
+        print("› " + command);
+        const script::Evaluation said = runtime_->evaluate(command);
+        if (said.incomplete) print("✗ the command ends too early");
+        for (const std::string& line : said.lines) print("  " + line);
+        if (!said.error) continue;
+        std::string mark = "✗ ";
+        for (const std::string& line : script::error_lines(*said.error))
+            print(std::exchange(mark, "  ") + line);
+    }
+    if (!options_.console.empty()) std::fflush(stdout);  // whatever happens to the run next
 }
 
 void Session::fail(const script::ScriptError& error) {

@@ -48,6 +48,7 @@ class Session {
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);
     void run_at(std::uint64_t step);
+    void type_what_is_due();
     void make_storage();
     void make_recorder();
     void note(const std::string& text);
@@ -67,6 +68,7 @@ class Session {
     std::unique_ptr<ConsoleLayer> console_;
     std::unique_ptr<app::Recorder> recorder_;
     std::vector<std::string> early_notes_;  // of before there was a console
+    std::uint64_t typed_ = 0;               // the step whose commands were given
     bool failed_ = false;
 };
 

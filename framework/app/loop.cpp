@@ -125,10 +125,19 @@ void Loop::on_error(std::function<void(const script::ScriptError&)> sink) {
     on_error_ = std::move(sink);
 }
 
-void Loop::announce(std::uint64_t step) {
-    if (step <= announced_ || !before_step_) return;
-    announced_ = step;
-    before_step_(step);
+void Loop::announce_next() {
+    const std::uint64_t next = lived_ + 1;
+    if (next == announced_ || !before_step_) return;
+    announced_ = next;
+    before_step_(next);
+}
+
+/// False when there is no next step.
+bool Loop::live_next() {
+    announce_next();
+    if (stopped()) return false;
+    ++lived_;
+    return true;
 }
 
 /// Input, barrier, update, barrier. False when the frame ends here.
@@ -190,43 +199,40 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
     seconds = std::max(0.0, seconds);
     const double passed = clock.paused ? 0 : seconds * clock.scale;
     const bool will_step = clock.paused ? clock.step_once : owed_ + passed >= clock.dt;
-    if (will_step && !halted_ && clock.step < step_limit)
-        announce(static_cast<std::uint64_t>(clock.step) + 1);
+    const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
+    if (will_step && !halted_ && lived_ < limit) announce_next();
     // update is never told of more time than the frame may step through.
     if (prelude(std::min(passed, clock.max_steps * clock.dt), watch)) {
         if (clock.paused) {
             // A step is due the moment the game goes on, and the picture shows the last one.
             owed_ = clock.dt;
             if (clock.step_once) {
-                announce(static_cast<std::uint64_t>(clock.step) + 1);
-                make_step(watch);
+                if (live_next()) make_step(watch);
                 tree_.set(time_, "step_once", false);
             }
         } else {
             if (clock.step_once) tree_.set(time_, "step_once", false);
             owed_ += passed;
-            catch_up(step_limit, watch);
+            catch_up(limit, watch);
         }
     }
-    clock.alpha = clock.paused || halted_ || clock.step >= step_limit
-                      ? 1.0
-                      : std::clamp(owed_ / clock.dt, 0.0, 1.0);
+    clock.alpha =
+        clock.paused || halted_ || lived_ >= limit ? 1.0 : std::clamp(owed_ / clock.dt, 0.0, 1.0);
     end_frame(watch, seconds);
 }
 
-void Loop::catch_up(std::int64_t step_limit, Stopwatch& watch) {
+void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
     Clock& clock = services_.clock;
     // Sixty frames of 1/60 s are sixty steps although their sum is not quite one second.
     const auto due = [&] { return owed_ >= clock.dt * (1 - 1e-9); };
-    for (int made = 0; due() && !clock.paused && clock.step < step_limit; ++made) {
+    for (int made = 0; due() && !clock.paused && lived_ < limit; ++made) {
         if (made == clock.max_steps) {
             const double dropped = std::floor(owed_ / clock.dt);
             clock.dropped_steps += static_cast<std::int64_t>(dropped);
             owed_ -= dropped * clock.dt;
             break;
         }
-        announce(static_cast<std::uint64_t>(clock.step) + 1);
-        if (stopped()) break;
+        if (!live_next()) break;
         owed_ = std::max(0.0, owed_ - clock.dt);
         if (!make_step(watch)) break;
     }
@@ -237,8 +243,7 @@ void Loop::turn() {
     const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
     Stopwatch watch;
     Clock& clock = services_.clock;
-    announce(++turns_);
-    if (stopped()) return;
+    if (!live_next()) return;
     if (!prelude(clock.paused ? 0 : clock.dt, watch)) return;
     if (!clock.paused || clock.step_once) {
         const bool once = clock.step_once;

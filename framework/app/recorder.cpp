@@ -122,11 +122,12 @@ void Recorder::stepped() {
     line(text);
 }
 
-// What is written between frames by no command and no event, which do it again: by the inspector,
-// or by another layer.
+// What is written between frames by no command, no event and no formula, which do it again: by the
+// inspector, or by another layer.
 bool Recorder::writes_alone() const {
     const property::Cause cause = tree_->cause();
-    return !inside_ && cause.writer != property::Writer::console && cause.where != "window";
+    return !inside_ && cause.writer != property::Writer::console &&
+           cause.writer != property::Writer::formula && cause.where != "window";
 }
 
 void Recorder::wrote(property::Handle instance, const property::Property& property,

@@ -57,6 +57,13 @@ void push_text(lua_State* L, int index) {
     }
 }
 
+bool leaves_files_alone(Machine& machine, const std::string& what) {
+    if (machine.options.replay.empty()) return false;
+    print_line(machine,
+               what + ": nothing is written, since this is a replay of " + machine.options.replay);
+    return true;
+}
+
 void print_line(Machine& machine, std::string text) {
     constexpr std::size_t most_lines = 2000;
     if (!machine.recording.active) {

@@ -47,7 +47,9 @@ int load_game(lua_State* L) {
 
 int delete_save(lua_State* L) {
     Machine& machine = machine_of(L);
-    saves_of(machine, "delete_save").slots().remove(slot_at(L, "delete_save"));
+    GameSaves& saves = saves_of(machine, "delete_save");
+    const std::string slot = slot_at(L, "delete_save");
+    if (!leaves_files_alone(machine, "delete_save")) saves.slots().remove(slot);
     return 0;
 }
 

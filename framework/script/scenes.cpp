@@ -109,6 +109,7 @@ int save(lua_State* L) {
     const Handle node = check_instance(L, 2, "scene.save");
     const fs::path path = below(machine.folder, file, "scene.save");
     if (path.empty()) throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
+    if (leaves_files_alone(machine, "scene.save")) return 0;
     std::vector<std::string> warnings;
     property::save_scene(machine.tree, node, path, &warnings);
     for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <fettle/property/error.h>
+#include <fettle/property/path.h>
 #include <fettle/property/storage/tweaks.h>
 
 #include "guard.h"
@@ -33,7 +34,7 @@ std::string pattern_at(lua_State* L, const char* what) {
                                                describe_type(L, 1));
     std::size_t size = 0;
     const char* chars = lua_tolstring(L, 1, &size);
-    return {chars, size};
+    return property::Pattern(std::string_view(chars, size)).text();
 }
 
 std::string clock_text(std::int64_t seconds, const char* form) {
@@ -89,6 +90,7 @@ void tell(Machine& machine, const char* done, const std::string& pattern,
 int keep(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "keep");
+    if (leaves_files_alone(machine, "keep")) return 0;
     tell(machine, "kept", pattern, tweaks_of(machine, "keep").keep(pattern));
     return 0;
 }
@@ -96,6 +98,7 @@ int keep(lua_State* L) {
 int reapply_tweaks(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "reapply_tweaks");
+    if (leaves_files_alone(machine, "reapply_tweaks")) return 0;
     tell(machine, "made again", pattern, tweaks_of(machine, "reapply_tweaks").reapply(pattern));
     return 0;
 }
@@ -103,6 +106,7 @@ int reapply_tweaks(lua_State* L) {
 int drop_tweaks(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "drop_tweaks");
+    if (leaves_files_alone(machine, "drop_tweaks")) return 0;
     tell(machine, "dropped", pattern, tweaks_of(machine, "drop_tweaks").drop(pattern));
     return 0;
 }

@@ -59,7 +59,13 @@ end
 /// What the game said up to its death. It writes to a terminal, so that each line arrives at once.
 class Victim {
   public:
-    explicit Victim(const std::string& file) {
+    explicit Victim(const std::string& file, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words = {"fettle",     "run",     file,
+                                          "--headless", "--steps", "1000000000"};
+        words.insert(words.end(), more.begin(), more.end());
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
         terminal_ = posix_openpt(O_RDWR | O_NOCTTY);
         REQUIRE(terminal_ >= 0);
         REQUIRE(grantpt(terminal_) == 0);
@@ -75,8 +81,7 @@ class Victim {
         tcsetattr(out, TCSANOW, &raw);
         dup2(out, STDOUT_FILENO);
         unsetenv("DISPLAY");
-        execl(FETTLE_PROGRAM, "fettle", "run", file.c_str(), "--headless", "--steps", "1000000000",
-              static_cast<char*>(nullptr));
+        execv(FETTLE_PROGRAM, arguments.data());
         _exit(127);
     }
     ~Victim() {
@@ -100,6 +105,16 @@ class Victim {
                 FAIL("the game ended by itself: " << said_);
             }
         }
+    }
+    /// Reads until it has said that; false when it does not in a minute.
+    bool says(const std::string& text) {
+        const Clock::time_point end = Clock::now() + std::chrono::minutes(1);
+        while (said_.find(text) == std::string::npos && Clock::now() < end) {
+            pollfd ready{.fd = terminal_, .events = POLLIN, .revents = 0};
+            poll(&ready, 1, 20);
+            if ((ready.revents & POLLIN) != 0) read_some();
+        }
+        return said_.find(text) != std::string::npos;
     }
     std::string die() {
         kill(process_, SIGKILL);
@@ -199,4 +214,79 @@ TEST_CASE("every tweak that was told of is found after a kill at any instant") {
                 silent);
     CHECK(told >= kills - silent);
     CHECK(silent < kills);
+}
+
+TEST_CASE("what is edited undone rewound and kept in the console is there after a kill") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", R"(
+        scene.load("things.json", world)
+        world.floor = Body { type = "static", position = vec(0, -1), Box { width = 40, height = 2 } }
+    )");
+    const std::string scene = R"({
+  "fettle_scene": 1,
+  "class": "Object",
+  "name": "things",
+  "children": [
+    {
+      // what falls
+      "class": "Body",
+      "name": "ball",
+      "properties": {"position": [0, 10]},
+      "children": [{"class": "Circle", "properties": {"radius": 0.5}}]
+    },
+    {"class": "Body", "name": "lamp", "properties": {"type": "static"}}
+  ]
+}
+)";
+    folder.write("things.json", scene);
+    std::vector<std::string> commands;
+    const auto type = [&](int step, const std::string& command) {
+        commands.insert(commands.end(), {"--console", std::to_string(step) + ":" + command});
+    };
+    type(60, "world.things.ball.circle.radius = 0.8");
+    type(65, "world.things.lamp.position is vec(world.things.ball.position.x + 4, 1)");
+    type(70, "why('world.things.lamp.position')");
+    type(80, "world.things.ball.mass = math.huge");
+    type(90, "undo");
+    type(500, "rewind(5)");
+    type(501, "time.step");
+    type(501, "world.things.ball.circle.radius = 1.2");
+    type(502, "keep('world.things.ball.**')");
+    type(503, "world.things.ball.gravity_scale = 3");
+    type(504, "print('now', 'kill it')");
+    Victim victim(file, commands);
+    REQUIRE(victim.says("now\tkill it"));
+    const std::string said = victim.die();
+    INFO(said);
+    const auto follows = [&](const std::string& command, const std::string& answer) {
+        const std::string both = "› " + command + "\n  " + answer;
+        INFO(both);
+        CHECK(contains(said, both));
+    };
+    follows("world.things.ball.circle.radius = 0.8",
+            "world.things.ball.circle.radius: 0.5 → 0.8 m\n");
+    follows(
+        "world.things.lamp.position is vec(world.things.ball.position.x + 4, 1)",
+        "world.things.lamp.position: is vec(world.things.ball.position.x + 4, 1) = vec(4, 1) m");
+    follows("why('world.things.lamp.position')",
+            "world.things.lamp.position = vec(4, 1) m   is vec(world.things.ball.position.x + 4, "
+            "1)\n    world.things.ball.position = ");
+    follows("undo", "undo: world.things.ball.mass = math.huge\n");
+    follows("time.step", "200\n");
+    follows("world.things.ball.circle.radius = 1.2",
+            "world.things.ball.circle.radius: 0.8 → 1.2 m\n");
+    follows("keep('world.things.ball.**')", "kept 1 tweak in things.json\n");
+    std::string kept = scene;
+    kept.replace(kept.find("0.5"), 3, "1.2");
+    CHECK(folder.text("things.json") == kept);
+
+    const Outcome next =
+        fettle(folder, {"run", file, "--headless", "--steps", "1", "--console", "1:tweaks()"});
+    INFO(next.out);
+    CHECK(next.status == 0);
+    CHECK(contains(next.out, "earlier, and not kept"));
+    CHECK(contains(next.out, "world.things.ball.gravity_scale: 1 → 3   step 202, "));
+    CHECK(contains(next.out, "world.things.lamp.position: vec(0, 0) m → is vec("));
+    CHECK_FALSE(contains(next.out, "mass"));
+    CHECK_FALSE(contains(next.out, "radius"));
 }

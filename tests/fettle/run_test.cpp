@@ -190,3 +190,18 @@ TEST_CASE("a module that cannot be plugged in ends the run before it begins") {
     folder.write("game/modules.json", "{ \"module\": [] }");
     CHECK(contains(run({}), "found the key \"module\""));
 }
+
+TEST_CASE("chunks at a step are run as the run goes on whatever time it is in the game") {
+    const Folder folder;
+    const std::string game = folder.write("a.lua", R"(
+        function step()
+            if time.step == 20 and not done then done = true rewind(0.25) end
+        end)");
+    const Outcome run = fettle(
+        folder, {"run", game, "--headless", "--steps", "40", "--at", "5:print('at 5', time.step)",
+                 "--at", "20:print('at 20', time.step)", "--at", "30:print('at 30', time.step)",
+                 "--at", "41:print('never')", "--eval", "done = false"});
+    CHECK(run.status == 0);
+    CHECK(run.out == "at 5\t4\nat 20\t19\nat 30\t14\n");
+    CHECK(run.err == "fettle: --at 41 was never reached: the run ended with its step 40\n");
+}

@@ -255,3 +255,27 @@ TEST_CASE("what is written while one looks at the past is not of the present") {
     game.play(20);
     game.check(45);
 }
+
+TEST_CASE("steps are counted as the run lives whatever moment it goes back to") {
+    Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
+    std::vector<std::uint64_t> announced;
+    game.loop->before_step([&](std::uint64_t n) { announced.push_back(n); });
+    const auto frames = [&](int count) {
+        for (int i = 0; i < count; ++i) game.loop->frame(1.0 / 60, 100);
+    };
+    frames(50);
+    game.time().go_to(20);
+    frames(20);
+    REQUIRE(game.services.clock.step == 40);
+    REQUIRE(game.loop->lived() == 70);
+    game.console("time.paused = true");
+    frames(5);
+    game.console("time.step_once = true");
+    frames(1);
+    game.console("time.paused = false");
+    frames(60);
+    REQUIRE(game.loop->lived() == 100);
+    REQUIRE(game.services.clock.step == 70);
+    REQUIRE(announced.size() == 100);
+    for (std::size_t i = 0; i < announced.size(); ++i) REQUIRE(announced[i] == i + 1);
+}

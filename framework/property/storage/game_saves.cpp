@@ -19,14 +19,18 @@ GameSaves::~GameSaves() {
 
 void GameSaves::save(const std::string& slot) {
     Saves::check_slot(slot);
-    if (!options_.writes) return;
     tree_.at_barrier([alive = alive_, slot] {
         if (*alive != nullptr) (*alive)->take(slot);
     });
 }
 
 void GameSaves::take(const std::string& slot) {
-    waiting_.push_back({slot, tree_.step(), tree_.snapshot().to_bytes()});
+    std::vector<std::byte> state = tree_.snapshot().to_bytes();
+    if (!options_.writes) {
+        unwritten_.insert_or_assign(slot, std::move(state));
+        return;
+    }
+    waiting_.push_back({slot, tree_.step(), std::move(state)});
     if (!options_.pictures) finish({});
 }
 
@@ -42,8 +46,9 @@ void GameSaves::finish(const Thumbnail& picture) {
 }
 
 void GameSaves::load(const std::string& slot) {
-    const SavedGame saved = saves_.load(slot);
-    const Snapshot state = Snapshot::from_bytes(saved.state);
+    const auto unwritten = unwritten_.find(slot);
+    const Snapshot state = Snapshot::from_bytes(
+        unwritten != unwritten_.end() ? unwritten->second : saves_.load(slot).state);
     tree_.at_barrier([alive = alive_, slot, state] {
         if (*alive == nullptr) return;
         GameSaves& self = **alive;

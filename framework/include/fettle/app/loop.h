@@ -56,8 +56,9 @@ class Loop {
     void add(SteppedModule module);
     /// Layers get events last added first, and are drawn last added last. Not owned.
     void add(Layer& layer);
-    /// Called before the callbacks of step `n`, the first being 1. A headless run counts turns, so
-    /// that a paused game can be woken.
+    /// Called before the callbacks of the `n`th step of this run, the first being 1: once each, as
+    /// `lived` counts, wherever `time.step` is meanwhile. A headless run counts turns, so that a
+    /// paused game can be woken.
     void before_step(std::function<void(std::uint64_t n)> hook);
 
     /// Called after each barrier, whatever came of it.
@@ -77,12 +78,17 @@ class Loop {
     /// Not owned; null: nobody.
     void witness(Witness* witness) { witness_ = witness; }
     /// A frame, `seconds` of real time after the last. Steps that are due are made,
-    /// `time.max_steps` at most; `step_limit`: none beyond this step.
+    /// `time.max_steps` at most; `step_limit`: none once this
+    /// run has lived so many.
     void frame(double seconds, std::int64_t step_limit = INT64_MAX);
     /// A frame of a headless run: one step, unless paused, however long it takes.
     void turn();
     /// Draws the game and the layers. `seconds`: real time since the last.
     void draw(Screen& screen, double seconds);
+
+    /// Steps this run has made; a moment gone back to and lived again counts again. Turns of a
+    /// headless run count although they make no step while paused.
+    std::uint64_t lived() const { return lived_; }
 
     /// After an error: input, updates and steps rest, edits still take effect.
     void halt() { halted_ = true; }
@@ -103,11 +109,12 @@ class Loop {
 
   private:
     class FETTLE_APP_PRIVATE Stopwatch;
-    void announce(std::uint64_t step);
+    void announce_next();
+    bool live_next();
     bool prelude(double dt, Stopwatch& watch);
     bool make_step(Stopwatch& watch);
     void step_modules(double dt);
-    void catch_up(std::int64_t step_limit, Stopwatch& watch);
+    void catch_up(std::uint64_t limit, Stopwatch& watch);
     void barrier(bool between_steps = true);
     void end_frame(const Stopwatch& watch, double seconds);
 
@@ -124,8 +131,8 @@ class Loop {
     Timeline timeline_;
     Witness* witness_ = nullptr;
     double owed_ = 0;  // s of simulation time not yet stepped
+    std::uint64_t lived_ = 0;
     std::uint64_t announced_ = 0;
-    std::uint64_t turns_ = 0;
     bool halted_ = false;
     bool closing_ = false;
 };

@@ -34,6 +34,10 @@ struct Options {
     // Not owned; a game has none of what is missing.
     property::GameSaves* saves = nullptr;
     property::Tweaks* tweaks = nullptr;
+    /// Name of the recording whose run this one makes again; "" when it makes none. What was
+    /// written to the game's files then is not written again: functions that would say so and go
+    /// on.
+    std::string replay{};
 };
 
 /// A script went wrong: what the error screen and stderr show.

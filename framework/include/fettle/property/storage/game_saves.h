@@ -1,7 +1,9 @@
 #pragma once
 // Saving and loading a running game: its tree's snapshot, in slots.
 
+#include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,7 +19,7 @@ namespace fettle::property {
 class GameSaves {
   public:
     struct Options {
-        /// False: `save` checks the slot and does nothing else, as in a replay.
+        /// False, as in a replay: what is saved is kept in memory, and found there by `load`.
         bool writes = true;
         /// Somebody shows the game and gives a picture of it to `finish`, after the next barrier.
         /// Without, saves have none and are made at the barrier.
@@ -54,6 +56,7 @@ class GameSaves {
     Saves saves_;
     Options options_;
     std::vector<Waiting> waiting_;
+    std::map<std::string, std::vector<std::byte>> unwritten_;  // by slot
     /// What was asked for at a barrier may come when this is gone.
     std::shared_ptr<GameSaves*> alive_;
 };
