@@ -50,7 +50,7 @@ std::vector<std::byte> PackedBytes::payload() const {
 
 std::size_t PackedBytes::size() const {
     const std::size_t packed = is_packed_.load(std::memory_order_acquire) ? packed_.size() : 0;
-    return plain_.capacity() + packed;
+    return plain_.size() + packed;
 }
 
 std::optional<std::vector<std::byte>> PackedBytes::settle() {

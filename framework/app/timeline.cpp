@@ -61,7 +61,6 @@ void Timeline::clear() {
     keyframes_.clear();
     steps_.clear();
     tail_ = {};
-    room_ = {};
     logged_ = 0;
     spacing_ = least_spacing;
     clock_.oldest = clock_.newest = clock_.step;
@@ -141,8 +140,7 @@ void Timeline::begin_anew() {
 
 void Timeline::take_keyframe() {
     const double before = now();
-    settle();
-    Snapshot taken = tree_.snapshot(std::exchange(room_, {}));
+    Snapshot taken = tree_.snapshot(memory_of_packed());
     (void)log_->take();  // it is in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
     Keyframe frame{here_, nullptr, taken.memories()};
@@ -153,10 +151,13 @@ void Timeline::take_keyframe() {
     worked_ = 0;
 }
 
-/// What is packed gives its memory to the next keyframe, or back to the system.
-void Timeline::settle() {
+/// Of a state that is packed by now, for the next one to be written to; others go back to the
+/// system.
+std::vector<std::byte> Timeline::memory_of_packed() {
+    std::vector<std::byte> found;
     for (Keyframe& frame : keyframes_)
-        if (auto plain = frame.payload->settle()) room_ = std::move(*plain);
+        if (auto plain = frame.payload->settle()) found = std::move(*plain);
+    return found;
 }
 
 /// Often enough to be quick at any moment, and not so often that the game is slower for it.
@@ -212,8 +213,13 @@ void Timeline::trim() {
     const auto limit = static_cast<std::int64_t>(std::ceil(clock_.rewind_limit / clock_.dt));
     while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit) drop_oldest();
     const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
-    // The latest keyframe is not packed yet: what it is going to be is not known.
-    while (keyframes_.size() > 2 && memory() - keyframes_.back().payload->size() > room) {
+    // The latest keyframe is not packed yet. Where it is much of the room, it does not count: what
+    // it is going to be is not known.
+    const auto spared = [&] {
+        const std::size_t latest = keyframes_.back().payload->size();
+        return latest > room / 4 ? latest : 0;
+    };
+    while (keyframes_.size() > 2 && memory() - spared() > room) {
         if (spacing_ < most_spacing && logged_ < room / 2)
             thin_out();
         else
@@ -231,7 +237,7 @@ std::int64_t Timeline::newest() const {
 }
 
 std::size_t Timeline::memory() const {
-    std::size_t sum = logged_ + room_.capacity();
+    std::size_t sum = logged_;
     for (const Keyframe& frame : keyframes_) sum += frame.payload->size();
     return sum + steps_.size() * (sizeof(Step) + 512);
 }

@@ -27,6 +27,38 @@ concept ListsMembers = requires(Io& io, T& value) {
 template <class T>
 inline constexpr bool bytewise = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
 
+/// How many bytes a writer would write: so that room is made once.
+class ArchiveSize {
+  public:
+    template <class T>
+    void operator()(const T& value) {
+        if constexpr (ListsMembers<const T, ArchiveSize>)
+            T::members(*this, value);
+        else
+            bytes_ += sizeof value;
+    }
+    template <class T>
+    void operator()(const std::vector<T>& list) {
+        bytes_ += sizeof(uint64_t);
+        if constexpr (ListsMembers<const T, ArchiveSize>)
+            for (const T& element : list) (*this)(element);
+        else
+            bytes_ += list.size() * sizeof(T);
+    }
+    template <class... T>
+    void operator()(const std::tuple<T...>& tuple) {
+        std::apply([this](const T&... each) { ((*this)(each), ...); }, tuple);
+    }
+    template <class T, std::size_t n>
+    void operator()(const std::array<std::vector<T>, n>& lists) {
+        for (const auto& list : lists) (*this)(list);
+    }
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    std::size_t bytes_ = 0;
+};
+
 class ArchiveWriter {
   public:
     explicit ArchiveWriter(std::vector<std::byte>& out) : out_(out) {}

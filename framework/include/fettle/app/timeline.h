@@ -77,7 +77,7 @@ class Timeline {
 
     bool on() const;
     void take_keyframe();
-    void settle();
+    std::vector<std::byte> memory_of_packed();
     bool keyframe_is_due() const;
     static bool too_much(const Step& step);
     void begin_anew();
@@ -97,7 +97,6 @@ class Timeline {
     std::unique_ptr<property::WriteLog> log_;
     std::unique_ptr<Packer> packer_;
     std::deque<Keyframe> keyframes_;
-    std::vector<std::byte> room_;  // for the next one: writing to memory at hand is cheap
     std::deque<Step> steps_;
     Step tail_;  // done since the newest step, while one is earlier; `before` and `changes` only
     Step open_;
