@@ -357,6 +357,7 @@ void RandomRun::act(Watcher& watcher) {
     Tree::CauseScope scope(tree_, Writer::script);
     const auto target = pick(watcher.number);
     const int action = people_ ? watcher.action % 3 : watcher.action;
+    if (action > 2) handlers_wrote_ = true;
     switch (action) {
         case 1:
             return watcher.connection.stop();
@@ -387,13 +388,14 @@ void RandomRun::act(Watcher& watcher) {
 void RandomRun::settle() {
     runs_.clear();
     in_barrier_ = true;
-    const NaiveWorld before = world_;
+    handlers_wrote_ = false;
     tree_.barrier();
     in_barrier_ = false;
-    // Nothing is computed twice, unless handlers wrote in between. Only circles tied into each
+    // Nothing is computed twice, unless handlers wrote in between, be it that one took back what
+    // another did. Only circles tied into each
     // other take a few rounds until all of them have the same error.
     const auto runs = runs_;
-    if (before == world_)
+    if (!handlers_wrote_)
         for (const auto& [cell, count] : runs) {
             const Handle of = handle(cell.first);
             const bool in_error = !tree_.problem(of, tree_.property(of, cell.second)).empty();

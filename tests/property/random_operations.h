@@ -112,6 +112,7 @@ class RandomRun {
     };
     std::optional<Kept> kept_;
     bool people_, in_edit_ = false, wrote_ = false, in_barrier_ = false;
+    bool handlers_wrote_ = false;  // in the last barrier
     NaiveWorld before_edit_;
     std::size_t entries_before_edit_ = 0;
     std::uint64_t steps_ = 0;
