@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <sys/resource.h>
 #include <zstd.h>
 
 namespace fettle::app {
@@ -27,6 +28,14 @@ std::vector<std::byte> from_ranks(const std::vector<std::byte>& ranks) {
         for (std::size_t i = 0; i < words; ++i) plain[4 * i + rank] = ranks[rank * words + i];
     for (std::size_t i = 4 * words; i < ranks.size(); ++i) plain[i] = ranks[i];
     return plain;
+}
+
+/// Where there is no processor to spare, the game goes first.
+void step_back() {
+#ifdef __linux__  // elsewhere it would be the whole process that does
+    constexpr int niceness = 10;
+    (void)setpriority(PRIO_PROCESS, 0, niceness);
+#endif
 }
 
 }  // namespace
@@ -78,6 +87,7 @@ void Packer::pack(const std::shared_ptr<PackedBytes>& what) {
 }
 
 void Packer::work() {
+    step_back();
     PackedBytes::Room room;
     while (true) {
         std::shared_ptr<PackedBytes> next;
