@@ -167,10 +167,11 @@ void Session::run_at(std::uint64_t step) {
 /// Between frames, where a person types: a recording holds it as it holds theirs.
 void Session::type_what_is_due() {
     const std::uint64_t next = loop_->lived() + 1;
-    if (next == typed_ || loop_->stopped()) return;
-    typed_ = next;
+    if (next == typed_) return;
+    // A frame in a window may have made several steps.
+    const std::uint64_t before = std::exchange(typed_, next);
     for (const auto& [when, command] : options_.console) {
-        if (when != next || loop_->stopped()) continue;
+        if (when <= before || when > next || loop_->stopped()) continue;
         print("› " + command);
         const script::Evaluation said = runtime_->evaluate(command);
         if (said.incomplete) print("✗ the command ends too early");
