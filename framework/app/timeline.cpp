@@ -31,7 +31,9 @@ class Timeline::Jumps : public property::Observer {
     explicit Jumps(property::Tree& tree) : tree_(tree) { tree_.observe(*this); }
     ~Jumps() override { tree_.unobserve(*this); }
     void restored() override { jumped = !travelling; }
-    void wrote_plain(std::span<const property::PlainWrite>) override {}  // not one by one
+    void wrote_plain(const property::Tree&, std::span<const property::PlainWrite>) override {
+        // not one by one
+    }
 
     bool jumped = false;
     bool travelling = false;

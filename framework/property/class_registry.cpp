@@ -71,6 +71,8 @@ Property::Shortcut shortcut_to(const Property& property) {
             shortcut.write = called;
     }
     if (property.read_only || binding.overridden != nullptr) shortcut.write = Way::none;
+    if (binding.kind != BindingKind::stored && binding.invalidate == nullptr)
+        shortcut.at_once = shortcut.write;
     shortcut.narrow = property.precision() == Precision::single_precision;
     const double largest = shortcut.narrow ? static_cast<double>(std::numeric_limits<float>::max())
                                            : std::numeric_limits<double>::max();

@@ -97,7 +97,7 @@ History::Position History::position(Handle instance) const {
     Position at{.parent = s.nodes.handle(node.parent),
                 .before = {},
                 .name = node.name,
-                .named = node.named};
+                .named = node.named != 0};
     if (node.parent != 0 && s.nodes[node.parent].first_child != instance.index)
         at.before = s.nodes.handle(node.previous);
     return at;

@@ -37,15 +37,19 @@ struct Node {
     Row row = 0;
     std::uint32_t stored_row = 0;
     std::uint16_t class_id = 0;
-    bool alive : 1 = false;
-    bool watched : 1 = false;     // somebody watches this very instance
-    bool fresh : 1 = false;       // made since the last barrier: nobody has been told of it
-    bool has_ad_hoc : 1 = false;  // looked up only then
-    bool has_formula : 1 = false;
-    bool has_dependents : 1 = false;  // a formula read something of it
-    bool named : 1 = false;           // the user named it, so that a new parent keeps the name
-    bool counts_children : 1 = false;
-    bool kept : 1 = false;  // dead, and its slot waits for it to come back
+    // Numbers of one bit rather than bools: compilers look at several of them at once.
+    std::uint8_t alive : 1 = 0;
+    std::uint8_t watched : 1 = 0;     // somebody watches this very instance
+    std::uint8_t fresh : 1 = 0;       // made since the last barrier: nobody has been told of it
+    std::uint8_t has_ad_hoc : 1 = 0;  // looked up only then
+    std::uint8_t has_formula : 1 = 0;
+    std::uint8_t has_dependents : 1 = 0;  // a formula read something of it
+    std::uint8_t named : 1 = 0;           // the user named it, so that a new parent keeps the name
+    std::uint8_t counts_children : 1 = 0;
+    std::uint8_t kept : 1 = 0;  // dead, and its slot waits for it to come back
+
+    /// Nobody has to be told at once of what is written.
+    bool plain() const { return !watched && !has_formula && !has_dependents; }
 };
 static_assert(sizeof(Node) == 40);
 

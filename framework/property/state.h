@@ -49,14 +49,6 @@ struct Tombstone {
     Cause cause;
 };
 
-/// Writes of the typed ways, by one writer in one step: what they leave to do is done for many at
-/// a time. No vector, whose growth is a call; room is made when the first one comes.
-struct PlainWrites {
-    static constexpr std::size_t most = 512;  // 16 KB: they stay in the nearest cache
-    std::unique_ptr<PlainWrite[]> first;
-    PlainWrite *next = nullptr, *end = nullptr;
-};
-
 struct Tree::State {
     explicit State(Tree& owner) : tree(owner), watchers(owner), formulas(owner), history(owner) {}
 
@@ -102,7 +94,6 @@ struct Tree::State {
     std::function<std::string()>* locate = nullptr;
     std::vector<Observer*> observers;
     FormulaCompiler formula_compiler;
-    PlainWrites untold;  // by the typed ways: still to be noted, and observers to be told
     Handle root;
     const Event* ready_event = nullptr;
     const Event* deleted_event = nullptr;
@@ -129,7 +120,7 @@ struct Tree::State {
         for (Observer* observer : observers) what(*observer);
     }
     void tell_plain_writes() {
-        if (untold.next != untold.first.get()) tell_untold();
+        if (writes.any_untold()) tell_untold();
     }
 
     // tree.cpp
@@ -155,9 +146,10 @@ struct Tree::State {
     // typed_ways.cpp
     template <class T>
     bool write_typed(Handle instance, const Property& property, T value);
-    void note_typed(Handle instance, const Property& property);
+    template <class T>
+    bool write_by_way(Handle instance, const Property& property, T value, const Node& node);
+    void note_typed(const PlainWrite& done);
     void tell_untold();
-    void make_room_for_untold();
 
     // delivery.cpp
     void note_edit();

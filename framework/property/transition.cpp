@@ -17,7 +17,7 @@ void Transition::note(std::uint32_t index) {
     const Node& node = state_.nodes[index];
     const Handle self = state_.nodes.handle(index);
     const Class& of = state_.classes[node.class_id];
-    lived_.push_back({self, &of, node.fresh});
+    lived_.push_back({self, &of, node.fresh != 0});
     const bool broad = state_.watchers.any_broad();
     if (!node.watched && !broad && !state_.watchers.any_deleted()) return;
     for (const Property* property : state_.tree.properties(self))

@@ -68,76 +68,108 @@ bool put_stored(Tree::State& s, const Node& node, const Property& property, cons
 
 }  // namespace
 
+template <class T>
+static void put_down(PlainWrite& entry, Handle instance, const Property& property, const T& value) {
+    entry.instance = instance;
+    entry.property = property.symbol;
+    entry.is_vec2 = !std::is_same_v<T, double>;
+    if constexpr (std::is_same_v<T, double>) {
+        entry.x = value;
+    } else {
+        entry.x = value.x();
+        entry.y = value.y();
+    }
+}
+
 /// What is left to do in the less usual circumstances.
-[[gnu::noinline]] void Tree::State::note_typed(Handle instance, const Property& property) {
+[[gnu::noinline]] void Tree::State::note_typed(const PlainWrite& done) {
     // The setter may have moved nodes.
-    const Binding& binding = property.binding;
+    const Binding& binding = tree.find(done.instance, done.property)->binding;
     if (binding.invalidate != nullptr)
-        binding.invalidate(binding.context, nodes[instance.index].row);
+        binding.invalidate(binding.context, nodes[done.instance.index].row);
     note_edit();
 }
 
-/// The write itself and what it leaves to do. Apart from the checks before it: those need neither
-/// a frame nor the value anywhere but in a register.
+/// Of properties kept by the tree, and of those that want to hear of writes.
 template <class T>
-[[gnu::noinline]] static bool put_typed(Tree::State& s, Handle instance, const Property& property,
-                                        typename Typed<T>::Passed value, const Node& node) {
-    if (property.shortcut.write == by_call<T>) [[likely]] {
+[[gnu::noinline]] bool Tree::State::write_by_way(Handle instance, const Property& property, T value,
+                                                 const Node& node) {
+    if (property.shortcut.write == by_call<T>) {
         try {
             const Put put = typed_way<T>(property.binding).put(property.binding, node.row, value);
-            if (put != Put::done) [[unlikely]]
-                return put == Put::same;
+            if (put != Put::done) return put == Put::same;
         } catch (const std::invalid_argument& refusal) {
-            refused(s, instance, property, refusal);
+            refused(*this, instance, property, refusal);
         }
-    } else if (!put_stored<T>(s, node, property, value)) {
+    } else if (property.shortcut.write != in_tree<T>) {
+        return false;
+    } else if (!put_stored<T>(*this, node, property, value)) {
         return true;
     }
-    s.edited = true;
-    ++s.epoch;
-    if (!s.shadows.empty() || property.binding.invalidate != nullptr) [[unlikely]]
-        s.note_typed(instance, property);
-    if (s.untold.next == s.untold.end) [[unlikely]]
-        s.make_room_for_untold();
-    // Made where it stays: a copy of one just made stalls on its half-written bytes.
-    PlainWrite& told = *s.untold.next++;
-    told.instance = instance;
-    told.property = &property;
-    if constexpr (std::is_same_v<T, double>) {
-        told.x = value;
-    } else {
-        told.x = value.x();
-        told.y = value.y();
-    }
+    if (writes.full()) [[unlikely]]
+        tell_untold();
+    PlainWrite& entry = writes.begin();
+    put_down(entry, instance, property, value);
+    edited = true;
+    ++epoch;
+    if (!shadows.empty() || property.binding.invalidate != nullptr) note_typed(entry);
     return true;
 }
 
-/// Only where nobody has to be told at once, and no other value stands for the cell's.
+/// The write itself, and what it leaves to do.
 template <class T>
-inline bool Tree::State::write_typed(Handle instance, const Property& property, T value) {
-    const Node* const node = nodes.find(instance);
-    if (node == nullptr || node->watched || node->has_formula || node->has_dependents ||
-        property.interest != 0 || records || formulas.tracking() ||
-        (property.shortcut.write != by_call<T> && property.shortcut.write != in_tree<T>) ||
-        !fit(property.shortcut, value)) [[unlikely]]
-        return false;
-    return put_typed<T>(*this, instance, property, value, *node);
+[[gnu::noinline]] static bool put_at_once(Tree::State& s, PlainWrite& entry,
+                                          const Property& property, Row row,
+                                          typename Typed<T>::Passed value) {
+    try {
+        const Put put = typed_way<T>(property.binding).put(property.binding, row, value);
+        if (put != Put::done) [[unlikely]] {
+            s.writes.take_back(entry);
+            return put == Put::same;
+        }
+    } catch (const std::invalid_argument& refusal) {
+        const PlainWrite was = entry;
+        s.writes.take_back(entry);
+        refused(s, was.instance, *s.tree.find(was.instance, was.property), refusal);
+    } catch (...) {
+        s.writes.take_back(entry);
+        throw;
+    }
+    s.edited = true;
+    ++s.epoch;
+    if (!s.shadows.empty()) [[unlikely]]
+        s.note_typed(entry);
+    return true;
 }
 
-void Tree::State::make_room_for_untold() {
-    if (untold.first != nullptr) return tell_untold();
-    untold.first = std::make_unique<PlainWrite[]>(PlainWrites::most);
-    untold.next = untold.first.get();
-    untold.end = untold.next + PlainWrites::most;
+/// Only where nobody has to be told at once, and no other value stands for the cell's. The entry in
+/// the log is made first: then next to nothing has to be kept over the call of the setter.
+template <class T>
+[[gnu::always_inline]] inline bool Tree::State::write_typed(Handle instance,
+                                                            const Property& property, T value) {
+    const Node* const node = nodes.find(instance);
+    if (node == nullptr || !node->plain() || property.interest != 0 || records ||
+        formulas.tracking() || !fit(property.shortcut, value)) [[unlikely]]
+        return false;
+    if (property.shortcut.at_once != by_call<T> || writes.full()) [[unlikely]]
+        return write_by_way<T>(instance, property, value, *node);
+    PlainWrite& entry = writes.begin();
+    put_down(entry, instance, property, value);
+    return put_at_once<T>(*this, entry, property, node->row, value);
+}
+
+void Observer::wrote_plain(const Tree& tree, std::span<const PlainWrite> writes) {
+    for (const PlainWrite& write : writes)
+        if (write.instance)
+            wrote(write.instance, *tree.find(write.instance, write.property), write.value());
 }
 
 void Tree::State::tell_untold() {
-    const std::span<const PlainWrite> told(untold.first.get(), untold.next);
+    const std::span<const PlainWrite> told = writes.untold();
     // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
-    untold.next = untold.first.get();
-    writes.note(told, writer, step);
+    writes.tell(writer, step);
     if (replaying) return;
-    for (Observer* observer : observers) observer->wrote_plain(told);
+    for (Observer* observer : observers) observer->wrote_plain(tree, told);
 }
 
 bool Tree::read(Handle instance, const Property& property, double& number) const {

@@ -11,8 +11,7 @@
 namespace fettle::property {
 
 enum class WriteLog::Did : std::uint8_t {
-    number,    // handle, property, double
-    vector,    // handle, property, two doubles
+    plain,     // how many, and that many PlainWrites
     value,     // handle, property, value
     computed,  // the same, by the formula of the property
     reset,     // handle, property
@@ -75,31 +74,13 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
     to.put(property.symbol.id());
 }
 
-// What scripts write most: put together in the nearest cache, then appended at once.
-void WriteLog::wrote_plain(std::span<const PlainWrite> writes) {
+void WriteLog::wrote_plain(const Tree&, std::span<const PlainWrite> writes) {
     if (!notes()) return;
-    constexpr std::size_t longest =
-        sizeof(Did) + sizeof(Handle) + sizeof(Symbol) + 2 * sizeof(double);
-    constexpr std::size_t at_once = 128;
-    std::byte piece[at_once * longest];
-    while (!writes.empty()) {
-        std::byte* to = piece;
-        const auto add = [&to](const auto& field) {
-            std::memcpy(to, &field, sizeof field);
-            to += sizeof field;
-        };
-        const std::size_t count = std::min(writes.size(), at_once);
-        for (const PlainWrite& write : writes.first(count)) {
-            const bool vector = write.property->type == Type::vec2;
-            add(vector ? Did::vector : Did::number);
-            add(write.instance);
-            add(write.property->symbol);
-            add(write.x);
-            if (vector) add(write.y);
-        }
-        bytes_.insert(bytes_.end(), piece, to);
-        writes = writes.subspan(count);
-    }
+    ByteWriter to(bytes_);
+    to.put(Did::plain);
+    to.put(static_cast<std::uint32_t>(writes.size()));
+    const auto bytes = std::as_bytes(writes);
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
 }
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
@@ -213,25 +194,19 @@ class WriteLog::Player {
     void play() {
         while (!from_.at_end()) {
             const auto did = from_.get<Did>();
-            if (did == Did::refreshed) {
-                refresh();
-                continue;
-            }
-            const auto instance = from_.get<Handle>();
-            try {
-                if (did >= Did::created)
-                    structure(did, instance);
-                else
-                    value(did, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
-            } catch (const Error& error) {
-                // Whatever is refused now has changed nothing then; the log itself is sound.
-                if (error.kind() == ErrorKind::damaged) throw;
-            }
+            auto times = did == Did::plain ? from_.get<std::uint32_t>() : 1u;
+            for (; times > 0; --times) try {
+                    again(did);
+                } catch (const Error& error) {
+                    // Whatever is refused now has changed nothing then; the log itself is sound.
+                    if (error.kind() == ErrorKind::damaged) throw;
+                }
         }
     }
 
   private:
     void refresh();
+    void again(Did did);
     void value(Did did, Handle instance, Symbol name);
     void structure(Did did, Handle instance);
     void create(Handle instance);
@@ -256,15 +231,21 @@ void WriteLog::Player::refresh() {
     if (number < tree_.parts().size()) tree_.parts()[number]->refresh(what);
 }
 
+void WriteLog::Player::again(Did did) {
+    if (did == Did::refreshed) return refresh();
+    if (did == Did::plain) {
+        const auto done = from_.get<PlainWrite>();
+        if (done.instance) write(done.instance, done.property, done.value());
+        return;
+    }
+    const auto instance = from_.get<Handle>();
+    if (did >= Did::created) return structure(did, instance);
+    value(did, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
+}
+
 void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
     const Property* property = tree_.find(instance, name);
     switch (did) {
-        case Did::number:
-            return write(instance, name, Value(from_.get<double>()));
-        case Did::vector: {
-            const auto x = from_.get<double>(), y = from_.get<double>();
-            return write(instance, name, Value(Vec2(x, y)));
-        }
         case Did::value:
             return write(instance, name, from_.value());
         case Did::computed: {

@@ -1,15 +1,15 @@
 #pragma once
-// Who wrote last. Every edit leaves sixteen bytes in a ring, which costs a callback of a game next
-// to nothing; edits by people and changes of watched cells also keep where they came from.
+// Who wrote last. Every edit leaves its entry in a ring: the typed ways put theirs there as they
+// write, so that it costs a callback of a game next to nothing. Edits by people and changes of
+// watched cells also keep where they came from.
 
 #include <cstdint>
 #include <cstdlib>
+#include <deque>
 #include <memory>
-#include <new>
 #include <span>
-#include <string>
 #include <unordered_map>
-#include <vector>
+#include <utility>
 
 #include <fettle/property/history.h>
 #include <fettle/property/observer.h>
@@ -20,12 +20,24 @@ namespace fettle::property {
 
 class WritesLog {
   public:
+    /// It is time to tell of them: no other write can begin.
+    bool full() const { return next_ == end_; }
+    /// A write of the typed ways begins: its entry, to be filled in. It counts unless it is taken
+    /// back; a setter may itself write before that is known.
+    PlainWrite& begin() { return *next_++; }
+    void take_back(PlainWrite& entry);
+
+    /// What has begun and was not yet told of.
+    std::span<const PlainWrite> untold() const { return {untold_, next_}; }
+    bool any_untold() const { return next_ != untold_; }
+    /// Says who wrote them, and when.
+    void tell(Writer writer, std::uint64_t step);
+
+    /// A write of any other kind. Nothing may be untold.
     void note(Handle instance, Symbol property, Writer writer, std::uint64_t step) {
-        ring_.get()[next_] = {instance.index, property.id(), pack(instance, writer, step)};
-        next_ = (next_ + 1) % most;
+        begin() = {.instance = instance, .property = property};
+        tell(writer, step);
     }
-    /// Several by one writer in one step: what scripts write most.
-    void note(std::span<const PlainWrite> writes, Writer writer, std::uint64_t step);
     void note_in_full(Handle instance, Symbol property, const Cause& cause) {
         if (full_.size() >= most) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause};
@@ -34,31 +46,28 @@ class WritesLog {
 
   private:
     static constexpr std::size_t most = std::size_t{1} << 18;
-    struct Write {
-        std::uint32_t index, property;
-        std::uint64_t packed;
+    static constexpr std::size_t most_untold = 512;  // they stay in the nearest cache
+
+    /// One after the other by one writer in one step.
+    struct Run {
+        std::uint64_t end;  // how many writes there had been after it
+        std::uint64_t step;
+        Writer writer;
     };
-    // 40 bits of step, 16 of generation (a slot's next owner has been written by nobody yet), 8 of
-    // writer.
-    static std::uint64_t pack(Handle instance, Writer writer, std::uint64_t step) {
-        return step << 24 | std::uint64_t{instance.generation & 0xffffu} << 8 |
-               static_cast<std::uint64_t>(writer);
-    }
-    /// No more than fit before the end of the ring.
-    void append(std::span<const PlainWrite> writes, std::uint64_t in_common);
 
     // Zeroed by the system as it is first touched, so that a game which writes little has little of
-    // it. Zero is nobody's index.
+    // it.
     struct Free {
-        void operator()(Write* ring) const { std::free(ring); }
+        void operator()(PlainWrite* ring) const { std::free(ring); }
     };
-    static Write* new_ring() {
-        void* const ring = std::calloc(most, sizeof(Write));
-        if (ring == nullptr) throw std::bad_alloc();
-        return static_cast<Write*>(ring);
-    }
-    std::unique_ptr<Write, Free> ring_{new_ring()};
-    std::size_t next_ = 0;
+    static PlainWrite* new_ring();
+
+    std::unique_ptr<PlainWrite, Free> ring_{new_ring()};
+    PlainWrite* untold_ = ring_.get();
+    PlainWrite* next_ = ring_.get();
+    PlainWrite* end_ = ring_.get() + most_untold;  // of what may be untold
+    std::uint64_t told_ = 0;                       // writes, ever
+    std::deque<Run> runs_;
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
 };
 

@@ -41,7 +41,7 @@ class DispatchCache {
     Dispatch& slot(const property::Class* instance_class, const void* key) {
         const auto a = reinterpret_cast<std::uintptr_t>(key);
         const auto b = reinterpret_cast<std::uintptr_t>(instance_class);
-        return slots_[((a >> 4) ^ (a >> 13) ^ (b >> 5)) & (slots_.size() - 1)];
+        return slots_[(a + b) / 16 & (slots_.size() - 1)];
     }
     void clear() { slots_.fill({}); }
 

@@ -149,7 +149,8 @@ struct Property {
         enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
         Way read = Way::none;
         Way write = Way::none;
-        bool narrow = false;  // rounded to float
+        Way at_once = Way::none;  // as `write`, where a call of the setter is all there is to do
+        bool narrow = false;      // rounded to float
         double min = 0, max = 0;
     } shortcut{};
 

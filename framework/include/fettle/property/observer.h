@@ -7,6 +7,7 @@
 
 #include <fettle/property/class.h>
 #include <fettle/property/export.h>
+#include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
 
 FETTLE_PROPERTY_BEGIN
@@ -14,13 +15,16 @@ FETTLE_PROPERTY_BEGIN
 namespace fettle::property {
 
 class SnapshotPart;
+class Tree;
 
-/// A number (in `x`) or a vec2 that was written.
+/// A number (in `x`) or a vec2 that was written to a declared property. One of nobody (an empty
+/// instance) was refused after all.
 struct PlainWrite {
     Handle instance;
-    const Property* property = nullptr;
+    Symbol property;
+    bool is_vec2 = false;
     double x = 0, y = 0;
-    Value value() const { return property->type == Type::vec2 ? Value(Vec2(x, y)) : Value(x); }
+    Value value() const { return is_vec2 ? Value(Vec2(x, y)) : Value(x); }
 };
 
 /// Members are called in the middle of a write, scripts' writes included: an implementation costs
@@ -34,11 +38,9 @@ class Observer {
     virtual void wrote(Handle, const Property&, const Value& /*now*/) {}
     /// Several writes of the typed ways (`Tree::write`), in their order: what scripts write most,
     /// told together because a call for each would cost more than the write. Told before anything
-    /// else is, and before the writer or the step changes.
-    virtual void wrote_plain(std::span<const PlainWrite> writes) {
-        for (const PlainWrite& write : writes)
-            wrote(write.instance, *write.property, write.value());
-    }
+    /// else is, and before the writer or the step changes. Calls `wrote` for
+    /// each unless it is overridden.
+    virtual void wrote_plain(const Tree& tree, std::span<const PlainWrite> writes);
     /// The property was given back to its owner, or its default.
     virtual void was_reset(Handle, const Property&) {}
     /// An ad-hoc property ended.
