@@ -22,34 +22,49 @@ int spins_for(int threads) {
     return unsigned(threads) <= processors ? spins_alone : spins_crowded;
 }
 
+// How long to wait for who is about to be done, before taking what is left of theirs: pieces that
+// change hands are in the other's cache. A microsecond or two.
+constexpr int patience_alone = 100;
+
 void pause() {
 #if defined(__SSE2__)
     _mm_pause();
 #endif
 }
 
+// A turn or a share: 24 bits of the round, 20 bits of the first block that is left, 20 of the end.
 constexpr int count_bits = 20;
 constexpr uint64_t field = (uint64_t{1} << count_bits) - 1;
+constexpr uint64_t one_first = uint64_t{1} << count_bits;
 
-constexpr uint64_t round_of(uint64_t turn) {
-    return turn >> (2 * count_bits);
+constexpr uint64_t round_of(uint64_t word) {
+    return word >> (2 * count_bits);
 }
-constexpr uint64_t count_of(uint64_t turn) {
-    return turn >> count_bits & field;
+constexpr uint64_t first_of(uint64_t word) {
+    return word >> count_bits & field;
 }
-constexpr uint64_t block_of(uint64_t turn) {
-    return turn & field;
+constexpr uint64_t end_of(uint64_t word) {
+    return word & field;
 }
-constexpr uint64_t first_turn(uint64_t round, uint64_t count) {
-    return round << (2 * count_bits) | count << count_bits;
+constexpr uint64_t word_of(uint64_t round, uint64_t first, uint64_t end) {
+    return round << (2 * count_bits) | first << count_bits | end;
+}
+/// The next one. Round 0 never comes again: a share of it has never been claimed.
+constexpr uint64_t after(uint64_t round) {
+    constexpr uint64_t last = ~uint64_t{0} >> (2 * count_bits);
+    return round == last ? 1 : round + 1;
 }
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) : spins_(spins_for(threads)) {
+ThreadPool::ThreadPool(int threads)
+    : spins_(spins_for(threads)),
+      patience_(spins_ == spins_alone ? patience_alone : 0),
+      shares_(size_t(threads)) {
     try {
         workers_.reserve(size_t(threads) - 1);
-        while (int(workers_.size()) + 1 < threads) workers_.emplace_back([this] { serve(); });
+        for (size_t self = 1; self < size_t(threads); ++self)
+            workers_.emplace_back([this, self] { serve(self); });
     } catch (const std::system_error& error) {
         const std::string had = std::to_string(workers_.size() + 1);
         stop();
@@ -65,42 +80,77 @@ ThreadPool::~ThreadPool() {
 
 void ThreadPool::stop() {
     stop_.store(true);
-    turn_.store(first_turn(round_of(turn_.load()) + 1, 0));
+    turn_.store(word_of(after(round_of(turn_.load())), 0, 0));
     turn_.notify_all();
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
 }
 
-/// Takes the next block, if there is one left: the one in `turn` then.
-bool ThreadPool::claim(uint64_t& turn) {
-    while (block_of(turn) < count_of(turn)) {
-        if (turn_.compare_exchange_weak(turn, turn + 1, std::memory_order_acq_rel,
+/// Of `count` blocks the same part in every round.
+uint64_t ThreadPool::share_of(uint64_t turn, size_t thread) const {
+    const uint64_t count = end_of(turn), threads = shares_.size();
+    return word_of(round_of(turn), count * thread / threads, count * (thread + 1) / threads);
+}
+
+/// Takes a block of a thread's share. Whoever comes first finds that of an earlier round and begins
+/// it; then the round is not over, for all of that share is still to be done.
+bool ThreadPool::claim(uint64_t turn, size_t thread, bool own, uint32_t& block) {
+    std::atomic<uint64_t>& share = shares_[thread].left;
+    uint64_t seen = share.load(std::memory_order_acquire);
+    for (;;) {
+        uint64_t left = seen;
+        if (round_of(seen) != round_of(turn)) {
+            if (turn_.load(std::memory_order_acquire) != turn) return false;  // too late
+            left = share_of(turn, thread);
+        }
+        if (first_of(left) >= end_of(left)) return false;
+        block = uint32_t(own ? first_of(left) : end_of(left) - 1);
+        // Others take from the end: what is farthest from where the owner is.
+        const uint64_t taken = own ? left + one_first : left - 1;
+        if (share.compare_exchange_weak(seen, taken, std::memory_order_acq_rel,
                                         std::memory_order_acquire))
             return true;
+    }
+}
+
+/// Claimed: the round cannot end, nor its function change, before a block is done.
+void ThreadPool::work_on(uint64_t turn, size_t thread, bool own) {
+    uint32_t done = 0;
+    for (uint32_t block = 0; claim(turn, thread, own, block); ++done)
+        function_.load(std::memory_order_relaxed)(context_.load(std::memory_order_relaxed), block);
+    if (done > 0) done_.fetch_add(done, std::memory_order_release);
+}
+
+bool ThreadPool::wait_for_others(uint32_t goal) const {
+    for (int looks = 0; looks < patience_; ++looks) {
+        if (done_.load(std::memory_order_acquire) == goal) return true;
+        pause();
     }
     return false;
 }
 
-void ThreadPool::work_until_done(uint64_t turn) {
-    while (claim(turn)) {
-        // Claimed: the round cannot end before this block is done.
-        function_.load(std::memory_order_relaxed)(context_.load(std::memory_order_relaxed),
-                                                  uint32_t(block_of(turn)));
-        done_.fetch_add(1, std::memory_order_release);
-        turn = turn_.load(std::memory_order_acquire);
-    }
+void ThreadPool::work_until_done(uint64_t turn, uint32_t goal, size_t self) {
+    work_on(turn, self, true);
+    if (wait_for_others(goal)) return;
+    for (size_t i = 1; i < shares_.size(); ++i) work_on(turn, (self + i) % shares_.size(), false);
 }
 
 void ThreadPool::share_out(uint32_t count, Function function, void* context) {
     // All blocks of the last round are done: nobody reads these.
     function_.store(function, std::memory_order_relaxed);
     context_.store(context, std::memory_order_relaxed);
-    done_.store(0, std::memory_order_relaxed);
-    const uint64_t turn = first_turn(round_of(turn_.load(std::memory_order_relaxed)) + 1, count);
+    const uint32_t goal = goal_.load(std::memory_order_relaxed) + count;
+    goal_.store(goal, std::memory_order_relaxed);
+    const uint64_t round = after(round_of(turn_.load(std::memory_order_relaxed)));
+    if (round == 1) {
+        // A share that has been empty ever since may be of any round: forget.
+        for (Share& share : shares_) share.left.store(0, std::memory_order_relaxed);
+    }
+    const uint64_t turn = word_of(round, 0, count);
     turn_.store(turn);
     if (sleepers_.load() > 0) turn_.notify_all();
-    work_until_done(turn);
-    for (int looks = 0; done_.load(std::memory_order_acquire) < count; ++looks) {
+    work_until_done(turn, goal, 0);
+    for (int looks = 0; done_.load(std::memory_order_acquire) != goal; ++looks) {
         if (looks < spins_)
             pause();
         else
@@ -108,12 +158,12 @@ void ThreadPool::share_out(uint32_t count, Function function, void* context) {
     }
 }
 
-void ThreadPool::serve() {
+void ThreadPool::serve(size_t self) {
     uint64_t seen = 0;
     for (int looks = 0; !stop_.load(std::memory_order_relaxed);) {
         const uint64_t turn = turn_.load(std::memory_order_acquire);
         if (round_of(turn) != round_of(seen)) {
-            work_until_done(turn);
+            work_until_done(turn, goal_.load(std::memory_order_relaxed), self);
             seen = turn;
             looks = 0;
         } else if (++looks < spins_) {

@@ -10,10 +10,15 @@
 namespace fettle::physics::detail {
 
 /// Threads that share out the blocks of a loop. Whoever calls works too and returns when all is
-/// done. Which thread does a block is chance; that it makes no difference is up to the caller.
-/// Nothing is allocated to share out work.
+/// done. Each thread begins with a range of blocks of its own, the same one in every loop, so that
+/// what it wrote last time is still in its cache; then it takes what others have left. Which thread
+/// does a block is chance; that it makes no difference is up to the caller. Nothing is allocated to
+/// share out work.
 class ThreadPool {
   public:
+    /// Blocks of a loop.
+    static constexpr uint32_t most_blocks = (1u << 20) - 1;
+
     /// `threads`: how many work at a time, the caller's included. Throws std::runtime_error that
     /// says how many there are, if the system gives no more.
     explicit ThreadPool(int threads);
@@ -34,22 +39,31 @@ class ThreadPool {
 
   private:
     using Function = void (*)(void* context, uint32_t block);
+    /// What is left of a thread's blocks: round, first and end in one word, so that nobody who is
+    /// late claims a block that is not there.
+    struct alignas(64) Share {
+        std::atomic<uint64_t> left = 0;
+    };
 
     void share_out(uint32_t count, Function function, void* context);
-    bool claim(uint64_t& turn);
-    void work_until_done(uint64_t turn);
-    void serve();
+    uint64_t share_of(uint64_t turn, std::size_t thread) const;
+    bool claim(uint64_t turn, std::size_t thread, bool own, uint32_t& block);
+    void work_on(uint64_t turn, std::size_t thread, bool own);
+    bool wait_for_others(uint32_t goal) const;
+    void work_until_done(uint64_t turn, uint32_t goal, std::size_t self);
+    void serve(std::size_t self);
     void stop();
 
-    // Round, number of blocks and next block in one word, so that nobody who is late claims a block
-    // that is not there.
+    // What is told to all, read by all: round and number of blocks in one word.
     alignas(64) std::atomic<uint64_t> turn_ = 0;
     std::atomic<Function> function_ = nullptr;
     std::atomic<void*> context_ = nullptr;
-    alignas(64) std::atomic<uint32_t> done_ = 0;
-    std::atomic<uint32_t> sleepers_ = 0;
+    std::atomic<uint32_t> goal_ = 0;  ///< `done_` when the round is over
     std::atomic<bool> stop_ = false;
-    const int spins_;
+    alignas(64) std::atomic<uint32_t> done_ = 0;  ///< blocks of all rounds, modulo 2³²
+    alignas(64) std::atomic<uint32_t> sleepers_ = 0;
+    const int spins_, patience_;
+    std::vector<Share> shares_;
     std::vector<std::thread> workers_;
 };
 
