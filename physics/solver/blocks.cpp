@@ -1,6 +1,29 @@
 #include <solver/blocks.h>
 
+#include <algorithm>
+
 namespace fettle::physics::detail {
+namespace {
+
+/// Steps after which blocks are made anew: islands come apart.
+constexpr int old_age = 64;
+
+}  // namespace
+
+void SolverBlocks::remember(std::span<const uint32_t> bodies, bool plain, bool several) {
+    bodies_.assign(bodies.begin(), bodies.end());
+    plain_ = plain;
+    several_ = several;
+    age_ = 0;
+}
+
+bool SolverBlocks::know(std::span<const uint32_t> bodies) const {
+    return block_of_.size() == bodies.size() + 1 && std::ranges::equal(bodies_, bodies);
+}
+
+bool SolverBlocks::may_stay(bool plain, bool several) {
+    return plain && plain_ && several == several_ && ++age_ < old_age;
+}
 
 void SolverBlocks::begin(uint32_t bodies) {
     islands_.reset(bodies);

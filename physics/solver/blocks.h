@@ -40,6 +40,14 @@ class SolverBlocks {
     /// All in the first block, when there is little to do.
     void finish_as_one();
 
+    /// From here on these blocks are of those bodies; `plain`: nothing had to be in the first one;
+    /// `several`: there was enough for more than one.
+    void remember(std::span<const uint32_t> bodies, bool plain, bool several);
+    /// They are of these bodies, in this order.
+    bool know(std::span<const uint32_t> bodies) const;
+    /// For another step, in which no contact links two of them.
+    bool may_stay(bool plain, bool several);
+
     uint32_t block_of(uint32_t body) const { return block_of_[body]; }
     std::size_t size() const { return blocks_.size(); }
     SolverBlock& operator[](std::size_t block) { return blocks_[block]; }
@@ -56,6 +64,9 @@ class SolverBlocks {
     std::vector<uint32_t> block_of_;  // by body
     std::vector<uint32_t> order_;     // bodies by block
     std::vector<SolverBlock> blocks_;
+    std::vector<uint32_t> bodies_;  // whose blocks these are: slots
+    bool plain_ = false, several_ = false;
+    int age_ = 0;  // steps
 };
 
 }  // namespace fettle::physics::detail

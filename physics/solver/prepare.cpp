@@ -1,8 +1,6 @@
 #include <world/world_data.h>
 
-#include <algorithm>
 #include <bit>
-#include <utility>
 
 // Between the records and the solver: constraints are written once a step in the order of the awake
 // contacts, and their impulses are read back.
@@ -95,13 +93,6 @@ V2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
     return {record.locked_x ? 0.0f : body.inverse_mass, record.locked_y ? 0.0f : body.inverse_mass};
 }
 
-/// Colors of contacts between two that move, then those with something fixed: solved last, they
-/// have the last word.
-constexpr int moving_colors = 48;
-
-/// Worlds with fewer contacts have one block: they are in the cache anyway.
-constexpr size_t least_for_blocks = 4000;
-
 /// A path that bends by less in a step is straight, m.
 constexpr float negligible_bend = 5e-5f;
 
@@ -131,119 +122,9 @@ bool WorldData::on_locked_axis(const ContactRecord& contact) const {
     return a.locked_x || a.locked_y || b.locked_x || b.locked_y;
 }
 
-/// Greedy coloring, anew in every step: the lowest color that neither body has yet. What finds
-/// none, and what needs more than a plain contact, is solved one at a time.
-void WorldData::color_contacts(float dt) {
-    colored.clear();
-    colors_of_body.assign(solver_bodies.size(), 0);
-    serial_contacts.clear();
-    const bool serially = settings.solver != Solver::soft_step;  // the others know no groups
-    for (size_t i = 0; i < awake_contacts.size(); ++i) {
-        const uint32_t slot = awake_contacts[i];
-        if (i + contacts_ahead < awake_contacts.size())
-            contacts[awake_contacts[i + contacts_ahead]].prefetch();
-        const ContactRecord& record = contacts[slot];
-        if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
-        const uint32_t end_a = solver_ends[record.body_a], end_b = solver_ends[record.body_b];
-        const uint32_t a = end_a >> 1, b = end_b >> 1;
-        const bool moves_a = end_a & 1, moves_b = end_b & 1;
-        const uint64_t taken =
-            (moves_a ? colors_of_body[a] : 0) | (moves_b ? colors_of_body[b] : 0);
-        const int first = moves_a && moves_b ? 0 : moving_colors;
-        const int color = first + std::countr_one(taken >> first);
-        if (serially || record.special || record.curved || on_locked_axis(record) ||
-            passes_corner(record, dt) || color >= (first == 0 ? moving_colors : color_count)) {
-            serial_contacts.push_back(slot);
-            continue;
-        }
-        if (moves_a) colors_of_body[a] |= uint64_t{1} << color;
-        if (moves_b) colors_of_body[b] |= uint64_t{1} << color;
-        colored.push_back(
-            {slot, uint32_t(color), a, b, record.friction, record.touching, record.hit_events});
-    }
-}
-
-/// Each island in one block, where there is enough for several.
-void WorldData::make_blocks() {
-    blocks.begin(uint32_t(solver_bodies.size()));
-    if (colored.size() < least_for_blocks) {
-        blocks.finish_as_one();
-        return;
-    }
-    const auto mover = [&](const ColoredContact& c) {
-        return colors_of_body[c.a] != 0 ? c.a : c.b;
-    };
-    for (const ColoredContact& c : colored) {
-        if (c.place < uint32_t(moving_colors))
-            blocks.link(c.a, c.b);
-        else if (c.a != 0 && c.b != 0)
-            blocks.keep_first(mover(c));  // touches what moves on its own
-    }
-    const auto keep_first = [&](const auto& list) {
-        for (const auto& c : list) blocks.keep_first(c.ends.a), blocks.keep_first(c.ends.b);
-    };
-    std::apply([&](const auto&... list) { (keep_first(list), ...); }, joint_constraints);
-    for (const uint32_t slot : serial_contacts) {
-        blocks.keep_first(solver_ends[contacts[slot].body_a] >> 1);
-        blocks.keep_first(solver_ends[contacts[slot].body_b] >> 1);
-    }
-    for (const uint32_t i : locked) blocks.keep_first(i);
-    for (uint32_t i = 1; i < solver_bodies.size(); ++i) {
-        if ((solver_ends[awake_bodies[i - 1]] & 1) == 0) blocks.keep_first(i);
-    }
-    blocks.find_islands();
-    for (const ColoredContact& c : colored) blocks.count_contact(mover(c));
-    blocks.finish();
-}
-
-/// Each colored contact gets a lane of its color in its block.
-void WorldData::place_lanes() {
-    const auto entry_of = [&](const ColoredContact& c) -> uint32_t& {
-        const uint32_t block = std::max(blocks.block_of(c.a), blocks.block_of(c.b));
-        return color_begin[block * color_count + c.place];
-    };
-    color_begin.assign(blocks.size() * color_count, 0);
-    first_groups.resize(blocks.size() * color_count + 1);
-    for (const ColoredContact& c : colored) ++entry_of(c);
-    // From counts to the first lane of each color; every color begins a group of its own.
-    uint32_t begin = 0;
-    for (size_t block = 0; block < blocks.size(); ++block) {
-        blocks[block].first_group = begin / lanes;
-        for (size_t color = 0; color < color_count; ++color) {
-            uint32_t& entry = color_begin[block * color_count + color];
-            const uint32_t count = std::exchange(entry, begin);
-            first_groups[block * color_count + color] = begin / lanes;
-            begin += (count + lanes - 1) / lanes * lanes;
-        }
-        blocks[block].group_end = begin / lanes;
-    }
-    first_groups.back() = begin / lanes;
-    wide_contacts.resize(begin / lanes);
-    contact_lanes.resize(begin / lanes);
-    const auto fill = [&](uint32_t place, const ColoredContact& c, Manifold& manifold) {
-        WideContact& wide = wide_contacts[place / lanes];
-        const uint32_t lane = place % lanes;
-        wide.a[lane] = c.a;
-        wide.b[lane] = c.b;
-        wide.friction[lane] = c.friction;
-        contact_lanes[place / lanes].manifolds[lane] = &manifold;
-    };
-    for (ColoredContact& c : colored) {
-        c.place = entry_of(c)++;
-        fill(c.place, c, contacts[c.slot].manifold);
-    }
-    // Lanes that no contact came to: body 0 against itself, without mass.
-    for (uint32_t place : color_begin) {
-        for (; place % lanes != 0; ++place) {
-            Manifold& spare = contact_lanes[place / lanes].spare;
-            spare = {};
-            fill(place, {}, spare);
-        }
-    }
-}
-
 void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stiffness) {
-    color_contacts(dt);
+    find_acting(dt);
+    color_contacts();
     const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
     auto prepare = [&](uint32_t slot, ContactConstraint& c) {
         const ContactRecord& record = contacts[slot];
@@ -262,8 +143,6 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
         c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
                               max(a.inverse_mass, b.inverse_mass));
     };
-    make_blocks();
-    place_lanes();
     constraints.clear();
     extras.clear();
     rolling_contacts.clear();
@@ -287,15 +166,29 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
     }
 }
 
-void WorldData::store_contacts() {
-    // What came of them is told in the order of the records, not of the colors.
-    for (const ColoredContact& c : colored) {
-        const ContactLanes& group = contact_lanes[c.place / lanes];
-        const uint32_t near = c.touching ? group.within_twice : group.near;
-        const bool touching = (near >> c.place % lanes & 1) != 0;
-        if (touching != c.touching) set_touching(c.slot, touching);
-        if (c.hit_events) report_hit(c.slot, nullptr);
+/// What came of the wide contacts is told in the order of the records, not of the colors.
+void WorldData::tell_of_groups() {
+    told.assign((acting.size() + 63) / 64, 0);
+    for (size_t group = 0; group < contact_lanes.size(); ++group) {
+        for (uint32_t left = news[group]; left != 0; left &= left - 1) {
+            const uint32_t i = lane_contacts[group * lanes + size_t(std::countr_zero(left))];
+            told[i / 64] |= uint64_t{1} << i % 64;
+        }
     }
+    for (size_t word = 0; word < told.size(); ++word) {
+        for (uint64_t left = told[word]; left != 0; left &= left - 1) {
+            const ActingContact& c = acting[word * 64 + size_t(std::countr_zero(left))];
+            const ContactLanes& group = contact_lanes[c.place / lanes];
+            const uint32_t near = c.touching ? group.within_twice : group.near;
+            const bool touching = (near >> c.place % lanes & 1) != 0;
+            if (touching != c.touching) set_touching(c.slot, touching);
+            if (c.hit_events) report_hit(c.slot, nullptr);
+        }
+    }
+}
+
+void WorldData::store_contacts() {
+    tell_of_groups();
     for (const ContactConstraint& c : constraints) {
         Manifold& m = contacts[c.contact].manifold;
         for (int k = 0; k < m.count; ++k) {

@@ -1,6 +1,7 @@
 #include <solver/contact_solver.h>
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <tuple>
 
 // The soft step (E. Catto, "Solver2D", 2024) over all blocks: per sub-step velocities, warm start,
@@ -57,23 +58,44 @@ void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block,
     }
 }
 
+/// `work(begin, end)` over the groups of a block in parts. A part has its share of every color, the
+/// same one as in the passes: so what a thread prepares is in its cache when it solves.
+template <typename Work>
+void WorldData::for_groups(const SolverBlock& block, ThreadPool* helpers, Work&& work) {
+    const uint32_t groups = block.group_end - block.first_group;
+    if (helpers == nullptr) {
+        work(block.first_group, block.group_end);
+        return;
+    }
+    const auto* first = &first_groups[size_t(&block - &blocks[0]) * color_count];
+    const auto parts = uint32_t(groups / (2 * groups_at_a_time));
+    share_out(helpers, parts, [&](uint32_t part) {
+        for (size_t color = 0; color < color_count; ++color) {
+            const size_t from = first[color], count = first[color + 1] - from;
+            const size_t begin = count * part / parts, end = count * (part + 1) / parts;
+            if (begin < end) work(from + begin, from + end);
+        }
+    });
+}
+
 void WorldData::prepare_block(const SolverBlock& block, const BlockStep& step,
                               ThreadPool* helpers) {
-    const auto part = [&](size_t begin, size_t end) {
-        begin += block.first_group, end += block.first_group;
-        step.kernels.prepare(step.prepare, std::span(contact_lanes).subspan(begin, end - begin),
-                             wide_contacts.data() + begin);
-    };
-    share_out_range(helpers, block.group_end - block.first_group, groups_at_a_time, part);
+    for_groups(block, helpers, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; i += groups_at_a_time) {
+            const size_t next = std::min(i + groups_at_a_time, end);
+            fill_groups(i, next);
+            step.kernels.prepare(step.prepare, std::span(contact_lanes).subspan(i, next - i),
+                                 wide_contacts.data() + i);
+        }
+    });
 }
 
 void WorldData::store_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers) {
-    const auto part = [&](size_t begin, size_t end) {
-        begin += block.first_group, end += block.first_group;
+    for_groups(block, helpers, [&](size_t begin, size_t end) {
         step.kernels.store(wide_contacts.data() + begin,
                            std::span(contact_lanes).subspan(begin, end - begin), touch_distance);
-    };
-    share_out_range(helpers, block.group_end - block.first_group, groups_at_a_time, part);
+        note_news(begin, end);
+    });
 }
 
 void WorldData::begin_substep(const SolverBlock& block, const BlockStep& step, bool again,

@@ -35,7 +35,9 @@ struct alignas(64) WideContact {
 /// Where the contacts of a group come from and go back to.
 struct ContactLanes {
     Manifold* manifolds[lanes];
-    Manifold spare;  ///< of lanes left over
+    Manifold spare;             ///< of lanes left over
+    uint32_t touching = 0;      ///< before the step, a bit for each lane
+    uint32_t tells_always = 0;  ///< whoever listens hears of it in every step
     // Of the step that was solved, a bit for each lane: an impulse flows, or the shapes are near
     // each other; the same within twice that distance.
     uint32_t near = 0, within_twice = 0;

@@ -49,8 +49,8 @@ class NarrowPhase {
                   world.pool.offsets.data()},
           kernels_(wide_kernels(world.most_lanes)) {}
 
-    /// Manifolds of some of the awake contacts, and notes for all of them.
-    void run(size_t begin, size_t end) {
+    /// Manifolds of some of the awake contacts, and notes for all of them: whether there is one.
+    bool run(size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             if (i + contacts_ahead < world_.awake_contacts.size())
                 world_.contacts[world_.awake_contacts[i + contacts_ahead]].prefetch();
@@ -64,11 +64,14 @@ class NarrowPhase {
                 collide_pair(c);
         }
         if (batch_.count > 0) flush();
+        uint8_t noted = 0;
         for (size_t i = begin; i < end; ++i) {
             if (world_.contact_notes[i] == 0 &&
                 needs_more(world_.contacts[world_.awake_contacts[i]]))
                 world_.contact_notes[i] = WorldData::needs_more;
+            noted |= world_.contact_notes[i];
         }
+        return noted != 0;
     }
 
   private:
@@ -145,18 +148,34 @@ void WorldData::follow_note(ContactRecord& c, uint32_t slot) {
     }
 }
 
+/// Manifolds of the awake contacts from `begin` on, and what the pieces noted.
+void WorldData::collide_from(size_t begin) {
+    const size_t end = awake_contacts.size();
+    contact_notes.resize(end);
+    piece_notes.resize((end - begin + piece_length - 1) / piece_length);
+    share_out_range(threads, end - begin, piece_length, [&](size_t first, size_t last) {
+        NarrowPhase phase(*this);
+        bool noted = false;
+        for (size_t i = first; i < last; i += run_length)
+            noted |= phase.run(begin + i, begin + std::min(i + run_length, last));
+        piece_notes[first / piece_length] = noted;
+    });
+}
+
 void WorldData::narrow_phase() {
     size_t kept = 0;
     // Waking appends to the list: what is new is collided in a round of its own.
     for (size_t begin = 0; begin < awake_contacts.size();) {
         const size_t end = awake_contacts.size();
-        contact_notes.resize(end);
-        share_out_range(threads, end - begin, piece_length, [&](size_t first, size_t last) {
-            NarrowPhase phase(*this);
-            for (size_t i = begin + first; i < begin + last; i += run_length)
-                phase.run(i, std::min(i + run_length, begin + last));
-        });
+        collide_from(begin);
         for (size_t i = begin; i < end; ++i) {
+            if (kept == i && (i - begin) % piece_length == 0 &&
+                piece_notes[(i - begin) / piece_length] == 0) {
+                // Nothing more of all of them, and they stay where they are.
+                kept = std::min(i + piece_length, end);
+                i = kept - 1;
+                continue;
+            }
             const uint32_t slot = awake_contacts[i];
             if (contact_notes[i] == pair_is_over) {
                 destroy_contact(slot, true);

@@ -13,6 +13,9 @@ namespace {
 /// Where there is none, loads are told as if it were this, m/s².
 constexpr float usual_gravity = 10.0f;
 
+/// What a thread takes at a time.
+constexpr size_t bodies_at_a_time = 256;
+
 class StageClock {
   public:
     /// Milliseconds since the last call.
@@ -29,43 +32,63 @@ class StageClock {
 
 }  // namespace
 
+/// What a piece of the awake bodies has that few have.
+enum Gathered : uint8_t { some_locked = 1, some_axis_locked = 2, some_driven = 4 };
+
+uint8_t WorldData::gather_body(size_t i, float h) {
+    const uint32_t slot = awake_bodies[i];
+    const BodyRecord& record = bodies[slot];
+    const BodyState& state = states[slot];
+    const bool dynamic = record.mobility == Mobility::dynamic;
+    solver_ends[slot] = uint32_t(i + 1) << 1 | dynamic;
+    previous[slot] = {state.position, state.angle};
+    SolverBody& b = solver_bodies[i + 1];
+    b.velocity = to_v2(state.velocity);
+    b.angular_velocity = state.angular_velocity;
+    b.inverse_mass = record.inverse_mass;
+    b.inverse_inertia = record.inverse_inertia;
+    b.shift = {};
+    b.turn = 0.0f;
+    SolverForce& f = solver_forces[i + 1];
+    f = {};
+    if (!dynamic) return some_driven;
+    const V2 gravity = to_v2(settings.gravity);
+    const V2 force = record.force + record.step_force;
+    const float torque = record.torque + record.step_torque;
+    f.change = {bounded(h * (record.gravity_scale * gravity.x + record.inverse_mass * force.x),
+                        2 * greatest_speed),
+                bounded(h * (record.gravity_scale * gravity.y + record.inverse_mass * force.y),
+                        2 * greatest_speed)};
+    f.turn_change = bounded(h * record.inverse_inertia * torque, 2 * greatest_speed);
+    // Implicit: stable for any damping.
+    f.keep.x = f.keep.y = 1.0f / (1.0f + h * record.linear_damping);
+    f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
+    const bool axis = record.locked_x || record.locked_y;
+    return uint8_t((axis ? some_axis_locked | some_locked : 0) |
+                   (record.locked_rotation ? some_locked : 0));
+}
+
 void WorldData::gather_bodies(float h) {
     const size_t count = awake_bodies.size();
     solver_bodies.resize(count + 1);
     solver_forces.resize(count + 1);
-    locked.clear();
-    axes_locked = false;
     solver_bodies[0] = {};
     solver_ends.assign(bodies.size(), 0);
-    const V2 gravity = to_v2(settings.gravity);
-    for (size_t i = 0; i < count; ++i) {
-        const uint32_t slot = awake_bodies[i];
-        const BodyRecord& record = bodies[slot];
-        const BodyState& state = states[slot];
-        solver_ends[slot] = uint32_t(i + 1) << 1 | (record.mobility == Mobility::dynamic);
-        previous[slot] = {state.position, state.angle};
-        SolverBody& b = solver_bodies[i + 1];
-        b.velocity = to_v2(state.velocity);
-        b.angular_velocity = state.angular_velocity;
-        b.inverse_mass = record.inverse_mass;
-        b.inverse_inertia = record.inverse_inertia;
-        b.shift = {};
-        b.turn = 0.0f;
-        SolverForce& f = solver_forces[i + 1];
-        f = {};
-        if (record.mobility != Mobility::dynamic) continue;
-        const V2 force = record.force + record.step_force;
-        const float torque = record.torque + record.step_torque;
-        f.change = {bounded(h * (record.gravity_scale * gravity.x + record.inverse_mass * force.x),
-                            2 * greatest_speed),
-                    bounded(h * (record.gravity_scale * gravity.y + record.inverse_mass * force.y),
-                            2 * greatest_speed)};
-        f.turn_change = bounded(h * record.inverse_inertia * torque, 2 * greatest_speed);
-        // Implicit: stable for any damping.
-        f.keep.x = f.keep.y = 1.0f / (1.0f + h * record.linear_damping);
-        f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
-        axes_locked |= record.locked_x || record.locked_y;
-        if (record.locked_x || record.locked_y || record.locked_rotation)
+    gathered.resize((count + bodies_at_a_time - 1) / bodies_at_a_time);
+    share_out_range(threads, count, bodies_at_a_time, [&](size_t begin, size_t end) {
+        uint8_t found = 0;
+        for (size_t i = begin; i < end; ++i) found |= gather_body(i, h);
+        gathered[begin / bodies_at_a_time] = found;
+    });
+    uint8_t found = 0;
+    for (const uint8_t piece : gathered) found |= piece;
+    axes_locked = (found & some_axis_locked) != 0;
+    driven = (found & some_driven) != 0;
+    locked.clear();
+    for (size_t i = 0; (found & some_locked) != 0 && i < count; ++i) {
+        const BodyRecord& record = bodies[awake_bodies[i]];
+        if (record.mobility == Mobility::dynamic &&
+            (record.locked_x || record.locked_y || record.locked_rotation))
             locked.push_back(uint32_t(i + 1));
     }
 }
@@ -164,7 +187,7 @@ void WorldData::step(float dt) {
     statistics.contacts = contact_count;
     statistics.awake_bodies = uint32_t(awake_bodies.size());
     statistics.awake_contacts = uint32_t(awake_contacts.size());
-    statistics.touching = uint32_t(constraints.size() + colored.size());
+    statistics.touching = uint32_t(constraints.size() + colored_count);
     statistics.islands = island_count;
 }
 

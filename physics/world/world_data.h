@@ -4,6 +4,7 @@
 #include <broad_phase/tree.h>
 #include <fettle/physics/world.h>
 #include <geometry/vertex_pool.h>
+#include <solver/acting.h>
 #include <solver/blocks.h>
 #include <solver/constraint.h>
 #include <solver/motion.h>
@@ -52,13 +53,6 @@ struct FinishedPiece {
 };
 
 inline constexpr int color_count = 64;
-struct ColoredContact {
-    uint32_t slot = 0;
-    uint32_t place = 0;     ///< its color, until that of every other is known: then its lane
-    uint32_t a = 0, b = 0;  ///< solver bodies
-    float friction = 0.0f;
-    bool touching = false, hit_events = false;
-};
 
 /// The border is solid where normal·p <= depth.
 struct BorderPlane {
@@ -124,6 +118,7 @@ struct WorldData : Columns {
     // Of the step; kept for their capacity.
     enum ContactNote : uint8_t { nothing_else, needs_more, pair_is_over };
     std::vector<uint8_t> contact_notes;  ///< by place among the awake contacts
+    std::vector<uint8_t> piece_notes;    ///< whether a piece of them has one
     std::vector<SolverBody> solver_bodies;
     /// By body slot: solver index << 1 | takes impulses; 0 for what is fixed or asleep. Dense,
     /// where the records are not: every contact asks.
@@ -134,7 +129,13 @@ struct WorldData : Columns {
     std::vector<uint32_t> serial_contacts;       ///< solved one at a time
     std::vector<WideContact> wide_contacts;      ///< by color
     std::vector<ContactLanes> contact_lanes;     ///< of the same groups
-    std::vector<ColoredContact> colored;
+    std::vector<ActingContact> acting;
+    std::vector<ActingPiece> acting_pieces;
+    size_t colored_count = 0;             ///< of the acting ones, those in groups
+    std::vector<uint32_t> lane_contacts;  ///< by lane: which of the acting ones
+    std::vector<uint32_t> spare_lanes;
+    std::vector<uint16_t> news;  ///< of each group, a bit for each lane: something is to be told
+    std::vector<uint64_t> told;  ///< a bit for each acting contact
     SolverBlocks blocks;
     std::vector<uint32_t> color_begin;     ///< lanes, by block and color
     std::vector<uint32_t> first_groups;    ///< of each color of each block, and the end
@@ -144,8 +145,10 @@ struct WorldData : Columns {
     std::vector<RollingContact> rolling_contacts;
     JointConstraints joint_constraints;
     std::vector<Strain> strains;
-    bool axes_locked = false;      ///< of some awake body, along x or y
-    std::vector<uint32_t> locked;  ///< solver indices of bodies with one axis locked
+    std::vector<uint8_t> gathered;  ///< what pieces of the awake bodies have
+    bool axes_locked = false;       ///< of some awake body, along x or y
+    bool driven = false;            ///< some awake body moves on its own
+    std::vector<uint32_t> locked;   ///< solver indices of bodies with one axis locked
     std::vector<FastBody> fast_bodies;
     std::vector<FinishedPiece> finished;
     std::vector<ContactRecord> parted;  ///< last touches of an outline's parts that ended
@@ -321,6 +324,7 @@ struct WorldData : Columns {
     void remix(ContactRecord& contact) const;
     void remix_shape(uint32_t shape);
     void narrow_phase();
+    void collide_from(size_t begin);
     void consult_callbacks();
     void tell_persisting();
     V2 middle_of(const ContactRecord& contact) const;
@@ -379,6 +383,7 @@ struct WorldData : Columns {
     void solve(float dt);
     void apply_forces(float h);
     void gather_bodies(float h);
+    uint8_t gather_body(size_t place, float h);
     // finish.cpp
     void finish_bodies(float dt);
     void finish_body(size_t place, float dt, FinishedPiece& piece);
@@ -397,6 +402,8 @@ struct WorldData : Columns {
     void solve_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
     void pass(void (*kernel)(const WideStep&), const SolverBlock& block, const BlockStep& step,
               ThreadPool* helpers);
+    template <typename Work>
+    void for_groups(const SolverBlock& block, ThreadPool* helpers, Work&& work);
     void prepare_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
     void store_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
     void begin_substep(const SolverBlock& block, const BlockStep& step, bool again,
@@ -408,9 +415,18 @@ struct WorldData : Columns {
     void keep_pushed_awake(float dt);
     void follow_curved_contacts();
     bool on_locked_axis(const ContactRecord& contact) const;
-    void color_contacts(float dt);
-    void make_blocks();
+    void find_acting(float dt);
+    void color_contacts();
+    void update_blocks();
+    void make_blocks(bool plain);
+    size_t entry_of(const ActingContact& contact) const;
+    template <typename Visit>
+    void for_each_colored(Visit&& visit);
+    void count_places();
     void place_lanes();
+    void fill_groups(size_t begin, size_t end);
+    void note_news(size_t begin, size_t end);
+    void tell_of_groups();
     bool passes_corner(const ContactRecord& contact, float dt) const;
     void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);
     void store_contacts();
