@@ -43,6 +43,8 @@ void Tree::move(int32_t leaf, const Box4& box) {
     Node& moved = nodes_[size_t(leaf)];
     moved.box = box;
     moved.moved = epoch_;
+    built_ = std::min(built_, epoch_ - 1);
+    ++worn_;
     update_bucket(leaf);
     for (int32_t i = moved.parent; i != none; i = nodes_[size_t(i)].parent) {
         Node& node = nodes_[size_t(i)];
@@ -70,6 +72,7 @@ void Tree::rest() {
 
 /// What is above something that moved has moved.
 void Tree::flag(int32_t index) {
+    built_ = std::min(built_, epoch_ - 1);
     for (nodes_[size_t(index)].moved = epoch_, index = nodes_[size_t(index)].parent;
          index != none && !has_moved(nodes_[size_t(index)]); index = nodes_[size_t(index)].parent)
         nodes_[size_t(index)].moved = epoch_;
@@ -209,7 +212,8 @@ void Tree::exchange(int32_t child, int32_t grandchild) {
                                               : nodes_[size_t(inner)].right) = child;
     nodes_[size_t(grandchild)].parent = top;
     nodes_[size_t(child)].parent = inner;
-    if (has_moved(nodes_[size_t(child)])) nodes_[size_t(inner)].moved = epoch_;
+    nodes_[size_t(inner)].moved =
+        std::max(nodes_[size_t(inner)].moved, nodes_[size_t(child)].moved);
     nodes_[size_t(inner)].box = unite(nodes_[size_t(nodes_[size_t(inner)].left)].box,
                                       nodes_[size_t(nodes_[size_t(inner)].right)].box);
 }
@@ -219,7 +223,7 @@ void Tree::exchange(int32_t child, int32_t grandchild) {
 void Tree::settle() {
     if (settled_) return;
     settled_ = true;
-    if (root_ == none || nodes_[size_t(root_)].is_leaf() || !has_moved(nodes_[size_t(root_)]))
+    if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
         return;
     drop_buckets();
     bucket_of_.assign(nodes_.size(), -1);
@@ -227,6 +231,22 @@ void Tree::settle() {
     next_vacant_ = 0;
     root_ = build(parts_.data(), parts_.data() + parts_.size());
     nodes_[size_t(root_)].parent = none;
+    built_ = epoch_;
+    worn_ = 0;
+}
+
+void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& parts) const {
+    parts.clear();
+    if (root_ == none || other.root_ == none || !may_have_pairs(other, root_, other.root_)) return;
+    parts.push_back({root_, other.root_});
+    // The oldest first: level by level. Whatever is opened leaves a gap, closed at the end.
+    size_t next = 0, bottom = 0;
+    for (; next < parts.size() && parts.size() - next + bottom < enough; ++next) {
+        const NodePair pair = parts[next];
+        const auto push = [&](NodePair below) { parts.push_back(below); };
+        if (!open(other, pair, push)) parts[bottom++] = pair;
+    }
+    parts.erase(parts.begin() + std::ptrdiff_t(bottom), parts.begin() + std::ptrdiff_t(next));
 }
 
 /// A leaf has moved since its bucket was made.
@@ -274,7 +294,7 @@ void Tree::take_apart() {
     while (!open.empty()) {
         const int32_t index = open.pop();
         const Node& node = nodes_[size_t(index)];
-        if (node.is_leaf() || !has_moved(node)) {
+        if (node.is_leaf() || node.moved <= built_) {
             parts_.push_back({node.box.low + node.box.high, index});
             continue;
         }
@@ -299,7 +319,7 @@ int32_t Tree::build(Part* begin, Part* end, bool in_bucket) {
     node.right = right;
     l.parent = r.parent = index;
     node.box = unite(l.box, r.box);
-    node.moved = has_moved(l) || has_moved(r) ? epoch_ : 0;
+    node.moved = std::max(l.moved, r.moved);
     return index;
 }
 
@@ -358,7 +378,7 @@ bool Tree::is_consistent() const {
         for (int32_t child : {node.left, node.right}) {
             if (nodes_[size_t(child)].parent != index) return false;
             if (!contains(node.box, nodes_[size_t(child)].box)) return false;
-            if (has_moved(nodes_[size_t(child)]) && !has_moved(node)) return false;
+            if (nodes_[size_t(child)].moved > node.moved) return false;
             open.push_back(child);
         }
     }

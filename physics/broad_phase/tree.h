@@ -11,10 +11,11 @@
 namespace fettle::physics::detail {
 
 /// A dynamic tree of boxes. What is new is inserted by the surface-area heuristic; what moves only
-/// enlarges the boxes above it, and once a step the parts that moved are built anew from the top
-/// (`settle`), which costs less than to take leaves out and put them in again one by one. Pairs are
-/// found by one walk of the tree against itself, below which nothing is visited that did not move
-/// and in which up to sixteen leaves that were built anew are one bucket.
+/// enlarges the boxes above it, and when enough have moved the parts they are in are built anew
+/// from the top (`settle`), which costs less than to take leaves out and put them in again one by
+/// one. Pairs are found by one walk of the tree against itself, below which nothing is visited that
+/// did not move and in which up to sixteen leaves that were built anew are one bucket; or, of few
+/// that moved, by looking around each.
 /// Plain indices in one vector, so that a copy of it is a snapshot that behaves identically.
 class Tree {
   public:
@@ -25,20 +26,36 @@ class Tree {
     void remove(int32_t leaf);
     /// Replaces the box of a leaf, which has moved then. The leaf keeps its index.
     void move(int32_t leaf, const Box4& box);
+    /// Whether so many had better be moved one by one than relocated.
+    bool are_few(std::size_t leaves) const {
+        return 8 * leaves <= leaves_ && 2 * (worn_ + leaves) <= leaves_;
+    }
     /// The same for many leaves: before anything else, call `settle`.
     void relocate(int32_t leaf, const Box4& box);
     /// Counts the leaf as moved where it is.
     void touch(int32_t leaf);
 
-    /// Builds the parts that have moved anew, if some were relocated, inserted or removed since it
-    /// last did. Leaves keep their indices.
+    /// Builds the parts that have moved since they were built anew, if some were relocated,
+    /// inserted or removed since it last did. Leaves keep their indices.
     void settle();
-    /// Calls `visit(item, item)` for every two leaves that overlap and of which one has moved.
-    template <typename Visit>
-    void pairs(FindOverlaps overlaps, Visit&& visit) const;
-    /// The same for a leaf of this tree and one of another.
+
+    /// A part of a walk: two nodes, or one of a tree against itself.
+    struct NodePair {
+        int32_t a, b;
+    };
+    /// Calls `visit(item, item)` for every two leaves, one of this tree and one of the other, or
+    /// any two if that is this one too, that overlap and of which one has moved.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
+    /// Parts of that walk, about `enough` if there is so much to do, which can be made in any
+    /// order.
+    void begin_walk(const Tree& other, std::size_t enough, std::vector<NodePair>& parts) const;
+    template <typename Visit>
+    void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;
+    /// Calls `visit(item)` for the other leaves that overlap one that has moved. Asked for each
+    /// that has, every pair is found once.
+    template <typename Visit>
+    void look_around(int32_t leaf, Visit&& visit) const;
     /// From here on nothing has moved.
     void rest();
 
@@ -67,7 +84,7 @@ class Tree {
     template <class Io, class Self>
     static void members(Io& io, Self& self) {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
-        io(self.settled_);
+        io(self.settled_), io(self.built_), io(self.worn_);
     }
     int height() const { return root_ == none ? 0 : height_of(root_); }
 
@@ -88,9 +105,6 @@ class Tree {
     struct Part {
         V2 middle;  // twice the center of its box
         int32_t node;
-    };
-    struct NodePair {
-        int32_t a, b;
     };
 
     /// What is still to visit. Trees are shallow; one made by hostile coordinates may not be.
@@ -124,9 +138,12 @@ class Tree {
     void take_apart();
     int32_t build(Part* begin, Part* end, bool in_bucket = false);
     static Part* split(Part* begin, Part* end);
-    template <typename Visit>
-    static void cross_pairs(const Tree& left, const Tree& right, Stack<NodePair>& open,
-                            FindOverlaps overlaps, Visit&& visit);
+    template <typename Push>
+    bool open(const Tree& other, NodePair pair, Push&& push) const;
+    bool may_have_pairs(const Tree& other, int32_t a, int32_t b) const {
+        const Node &u = nodes_[size_t(a)], &v = other.nodes_[size_t(b)];
+        return (has_moved(u) || other.has_moved(v)) && overlap(u.box, v.box);
+    }
     /// The bucket that a node is, or nothing.
     const BoxBucket* bucket(int32_t node) const {
         const size_t index = size_t(node);
@@ -156,6 +173,8 @@ class Tree {
     uint32_t leaves_ = 0;
     uint32_t epoch_ = 1;
     bool settled_ = true;  ///< nothing was relocated, inserted or removed since the last building
+    uint32_t built_ = 0;   ///< the parts that moved in later epochs are due for the next building
+    uint32_t worn_ = 0;    ///< how often a leaf moved since
     // Made by `settle`, dropped when the tree changes otherwise: without them, pairs are found one
     // by one.
     std::vector<int32_t> bucket_of_;  ///< by node; -1: none
@@ -196,69 +215,72 @@ void bucket_pairs(const BoxBucket& a, const BoxBucket& b, FindOverlaps overlaps,
     }
 }
 
-/// `open` holds pairs of subtrees that overlap and of which one has moved.
-template <typename Visit>
-void Tree::cross_pairs(const Tree& left, const Tree& right, Stack<NodePair>& open,
-                       FindOverlaps overlaps, Visit&& visit) {
-    const auto push = [&](int32_t a, int32_t b) {
-        const Node &u = left.nodes_[size_t(a)], &v = right.nodes_[size_t(b)];
-        if ((left.has_moved(u) || right.has_moved(v)) && overlap(u.box, v.box)) open.push({a, b});
+/// Pushes the pairs below a pair; false if there are none but in it: two leaves or two buckets.
+template <typename Push>
+bool Tree::open(const Tree& other, NodePair pair, Push&& push) const {
+    const auto [a, b] = pair;
+    const auto push_pair = [&](int32_t c, int32_t d) {
+        if (may_have_pairs(other, c, d)) push(NodePair{c, d});
     };
-    while (!open.empty()) {
-        const auto [a, b] = open.pop();
-        const Node &u = left.nodes_[size_t(a)], &v = right.nodes_[size_t(b)];
-        const BoxBucket *bucket_a = left.bucket(a), *bucket_b = right.bucket(b);
-        if (u.is_leaf() && v.is_leaf()) {
-            visit(u.item(), v.item());
-        } else if (bucket_a != nullptr && bucket_b != nullptr) {
-            bucket_pairs(*bucket_a, *bucket_b, overlaps, visit);
-        } else if (v.is_leaf() || bucket_b != nullptr ||
-                   (!u.is_leaf() && bucket_a == nullptr && perimeter(u.box) >= perimeter(v.box))) {
-            if (u.is_leaf()) {  // against a bucket
-                push(a, v.left);
-                push(a, v.right);
-                continue;
-            }
-            push(u.left, b);
-            push(u.right, b);
-        } else {
-            push(a, v.left);
-            push(a, v.right);
-        }
+    const Node &u = nodes_[size_t(a)], &v = other.nodes_[size_t(b)];
+    const bool bucket_a = bucket(a) != nullptr;
+    if (this == &other && a == b) {
+        if (u.is_leaf() || bucket_a) return false;
+        push_pair(u.left, u.left);
+        push_pair(u.right, u.right);
+        push_pair(u.left, u.right);
+        return true;
     }
+    const bool bucket_b = other.bucket(b) != nullptr;
+    if ((u.is_leaf() && v.is_leaf()) || (bucket_a && bucket_b)) return false;
+    const bool bottom_a = u.is_leaf() || bucket_a, bottom_b = v.is_leaf() || bucket_b;
+    const bool larger = !bottom_a && perimeter(u.box) >= perimeter(v.box);
+    if (!u.is_leaf() && (bottom_b || larger)) {
+        push_pair(u.left, b);
+        push_pair(u.right, b);
+    } else {
+        push_pair(a, v.left);
+        push_pair(a, v.right);
+    }
+    return true;
 }
 
 template <typename Visit>
-void Tree::pairs(FindOverlaps overlaps, Visit&& visit) const {
-    if (root_ == none) return;
-    Stack<int32_t> inner;
-    Stack<NodePair> open;
-    inner.push(root_);
-    while (!inner.empty()) {
-        const int32_t index = inner.pop();
-        const Node& node = nodes_[size_t(index)];
-        if (node.is_leaf() || !has_moved(node)) continue;
-        if (const BoxBucket* own = bucket(index)) {
-            bucket_pairs(*own, *own, overlaps, visit);
-            continue;
-        }
-        inner.push(node.left);
-        inner.push(node.right);
-        const Node &left = nodes_[size_t(node.left)], &right = nodes_[size_t(node.right)];
-        if (!(has_moved(left) || has_moved(right)) || !overlap(left.box, right.box)) continue;
-        open.push({node.left, node.right});
-        cross_pairs(*this, *this, open, overlaps, visit);
+void Tree::pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const {
+    Stack<NodePair> stack;
+    stack.push(part);
+    while (!stack.empty()) {
+        const NodePair pair = stack.pop();
+        if (open(other, pair, [&](NodePair below) { stack.push(below); })) continue;
+        if (const BoxBucket* mine = bucket(pair.a))
+            bucket_pairs(*mine, *other.bucket(pair.b), overlaps, visit);
+        else if (this != &other || pair.a != pair.b)
+            visit(nodes_[size_t(pair.a)].item(), other.nodes_[size_t(pair.b)].item());
     }
 }
 
 template <typename Visit>
 void Tree::pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const {
-    if (root_ == none || other.root_ == none) return;
-    const Node &mine = nodes_[size_t(root_)], &theirs = other.nodes_[size_t(other.root_)];
-    if (!(has_moved(mine) || other.has_moved(theirs)) || !overlap(mine.box, theirs.box)) return;
-    Stack<NodePair> open;
-    open.push({root_, other.root_});
-    cross_pairs(*this, other, open, overlaps, visit);
+    if (root_ == none || other.root_ == none || !may_have_pairs(other, root_, other.root_)) return;
+    pairs(other, {root_, other.root_}, overlaps, visit);
+}
+
+template <typename Visit>
+void Tree::look_around(int32_t leaf, Visit&& visit) const {
+    const Box4 around = nodes_[size_t(leaf)].box;
+    Stack<int32_t> stack;
+    stack.push(root_);
+    while (!stack.empty()) {
+        const int32_t index = stack.pop();
+        const Node& node = nodes_[size_t(index)];
+        if (!overlap(node.box, around)) continue;
+        if (!node.is_leaf()) {
+            stack.push(node.right);
+            stack.push(node.left);
+        } else if (index > leaf || (index < leaf && !has_moved(node))) {
+            visit(node.item());
+        }
+    }
 }
 
 template <typename Visit>

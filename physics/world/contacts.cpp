@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-// Pairs of shapes: found by the trees, kept while their fat boxes overlap, given a manifold each
-// step while one of the two bodies is awake.
+// Pairs of shapes: kept while their fat boxes overlap, given a manifold each step while one of the
+// two bodies is awake.
 
 namespace fettle::physics::detail {
 
@@ -22,49 +22,13 @@ bool WorldData::filters_agree(uint32_t a, uint32_t b) const {
 }
 
 bool WorldData::may_collide(uint32_t a, uint32_t b) const {
-    if (!filters_agree(a, b) || joint_forbids_contact(forms[a].body, forms[b].body)) return false;
+    return filters_agree(a, b) && !joint_forbids_contact(forms[a].body, forms[b].body) &&
+           callback_agrees(a, b);
+}
+
+bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
     return !callbacks.filter || callbacks.filter({callbacks.world, shape_id(std::min(a, b))},
                                                  {callbacks.world, shape_id(std::max(a, b))});
-}
-
-/// Of two whose fat boxes overlap, and of which one moved.
-void WorldData::look_at_pair(uint32_t shape, uint32_t other) {
-    if (overlap(paired_boxes[shape], paired_boxes[other])) return;  // known, one way or the other
-    if (!may_collide(shape, other) || pairs.find(shape, other) != PairSet::absent) return;
-    new_pairs.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
-}
-
-void WorldData::find_pairs() {
-    relocated.resize(shapes.size(), 0);
-    if (moved_shapes.empty()) return;
-    new_pairs.clear();
-    const auto look = [&](uint32_t shape, uint32_t other) { look_at_pair(shape, other); };
-    moving_tree.settle();
-    fixed_tree.settle();
-    const FindOverlaps overlaps = wide_kernels(most_lanes).overlaps;
-    moving_tree.pairs(overlaps, look);
-    moving_tree.pairs(fixed_tree, overlaps, look);
-    for (uint32_t shape : moved_shapes) {
-        if (forms[shape].body == none || shape_generations[shape] == 0) continue;
-        if (settings.bounds && bodies[forms[shape].body].mobility == Mobility::dynamic) {
-            for (uint32_t side = 0; side < 4; ++side) {
-                if (overlap(fat_boxes[shape], fat_boxes[side])) look_at_pair(shape, side);
-            }
-        }
-    }
-    // In the order of the shapes, whatever that of the trees.
-    std::sort(new_pairs.begin(), new_pairs.end());
-    // A slot is listed twice when what moved in it was destroyed and another came: it meets the
-    // border twice.
-    new_pairs.erase(std::unique(new_pairs.begin(), new_pairs.end()), new_pairs.end());
-    for (uint64_t pair : new_pairs) create_contact(uint32_t(pair), uint32_t(pair >> 32));
-    for (uint32_t shape : moved_shapes) {
-        shapes[shape].moved = false;
-        relocated[shape] = 1;
-        paired_boxes[shape] = fat_boxes[shape];
-    }
-    moving_tree.rest();
-    fixed_tree.rest();
 }
 
 namespace {

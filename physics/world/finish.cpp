@@ -67,12 +67,19 @@ void WorldData::finish_bodies(float dt) {
     });
     sleep_candidates = 0;
     fast_bodies.clear();
+    size_t moved = 0;
+    for (const FinishedPiece& piece : finished) moved += piece.moved.size();
+    const bool few = moving_tree.are_few(moved);
+    statistics.moved_proxies += uint32_t(moved);
     for (const FinishedPiece& piece : finished) {
         for (const uint32_t shape : piece.moved) {
-            moving_tree.relocate(shapes[shape].proxy, fat_boxes[shape]);
+            const int32_t proxy = shapes[shape].proxy;
+            if (few)
+                moving_tree.move(proxy, fat_boxes[shape]);
+            else
+                moving_tree.relocate(proxy, fat_boxes[shape]);
             list_moved(shape);
         }
-        statistics.moved_proxies += uint32_t(piece.moved.size());
         fast_bodies.insert(fast_bodies.end(), piece.fast.begin(), piece.fast.end());
         sleep_candidates += piece.sleep_candidates;
     }

@@ -107,11 +107,13 @@ struct WorldData : Columns {
 
     Tree fixed_tree, moving_tree;
     PairSet pairs;
-    std::vector<uint32_t> moved_shapes;    ///< look for new pairs
-    std::vector<uint8_t> relocated;        ///< of the step, by shape: its fat box is another
-    std::vector<uint64_t> new_pairs;       ///< of the step: upper << 32 | lower
-    std::vector<uint32_t> awake_bodies;    ///< slots; solver index is the place + 1
-    std::vector<uint32_t> awake_contacts;  ///< slots
+    std::vector<uint32_t> moved_shapes;  ///< look for new pairs
+    std::vector<uint8_t> relocated;      ///< of the step, by shape: its fat box is another
+    std::vector<uint64_t> new_pairs;     ///< of the step: upper << 32 | lower
+    std::vector<std::vector<uint64_t>> found_pairs;  ///< of the step, by piece
+    std::vector<Tree::NodePair> parts_of_walk;       ///< of the step
+    std::vector<uint32_t> awake_bodies;              ///< slots; solver index is the place + 1
+    std::vector<uint32_t> awake_contacts;            ///< slots
     std::array<std::vector<uint32_t>, joint_type_count> awake_joints;  ///< slots, by type
     std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
 
@@ -312,11 +314,18 @@ struct WorldData : Columns {
         if (bodies[body].mobility != Mobility::dynamic) wake_touching(body);
     }
 
-    // contacts.cpp: pairs and manifolds
+    // pairs.cpp
     void find_pairs();
+    void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const;
+    template <typename Look>
+    void look_in_pieces(size_t count, Look&& look);
+    void look_around_moved();
+    void walk_trees();
+    void look_at_border();
+    // contacts.cpp: pairs and manifolds
     bool filters_agree(uint32_t shape_a, uint32_t shape_b) const;
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const;
-    void look_at_pair(uint32_t shape, uint32_t other);
+    bool callback_agrees(uint32_t shape_a, uint32_t shape_b) const;
     void create_contact(uint32_t shape_a, uint32_t shape_b);
     void destroy_contact(uint32_t contact, bool in_narrow_phase = false);
     void destroy_contacts_of_shape(uint32_t shape);

@@ -141,7 +141,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
             for (const auto& [b, v] : models[1])
                 if ((u.moved || v.moved) && overlap(u.box, v.box)) expected_cross.insert({a, b});
         }
-        trees[0].pairs(overlaps, [&](uint32_t a, uint32_t b) {
+        trees[0].pairs(trees[0], overlaps, [&](uint32_t a, uint32_t b) {
             REQUIRE(own.insert({std::min(a, b), std::max(a, b)}).second);
         });
         trees[0].pairs(trees[1], overlaps, [&](uint32_t a, uint32_t b) {

@@ -1,0 +1,113 @@
+#include <world/world_data.h>
+
+#include <algorithm>
+
+// New pairs of shapes. Where few have moved, each looks around itself; else the trees are walked
+// against each other. Either is shared out: what is found is put into order before anything is made
+// of it.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Moved shapes that a thread takes at a time, and parts that a walk is shared out in.
+constexpr size_t shapes_at_a_time = 32, walk_parts = 64;
+
+}  // namespace
+
+/// Of two whose fat boxes overlap, and of which one moved.
+void WorldData::look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
+    if (overlap(paired_boxes[shape], paired_boxes[other])) return;  // known, one way or the other
+    if (!filters_agree(shape, other) ||
+        joint_forbids_contact(forms[shape].body, forms[other].body) ||
+        pairs.find(shape, other) != PairSet::absent)
+        return;
+    found.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
+}
+
+/// `look(piece, found)` for every piece, each with a list of its own.
+template <typename Look>
+void WorldData::look_in_pieces(size_t count, Look&& look) {
+    if (found_pairs.size() < count) found_pairs.resize(count);
+    share_out(threads, uint32_t(count), [&](uint32_t piece) {
+        found_pairs[piece].clear();
+        look(piece, found_pairs[piece]);
+    });
+    for (size_t piece = 0; piece < count; ++piece) {
+        const std::vector<uint64_t>& found = found_pairs[piece];
+        new_pairs.insert(new_pairs.end(), found.begin(), found.end());
+    }
+}
+
+/// Of those that have moved, one by one.
+void WorldData::look_around_moved() {
+    const size_t count = (moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
+    look_in_pieces(count, [&](size_t piece, std::vector<uint64_t>& found) {
+        const size_t begin = piece * shapes_at_a_time;
+        const size_t end = std::min(begin + shapes_at_a_time, moved_shapes.size());
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t shape = moved_shapes[i];
+            const ShapeRecord& record = shapes[shape];
+            if (record.proxy == Tree::none) continue;
+            const auto look = [&](uint32_t other) { look_at_pair(shape, other, found); };
+            if (record.tree == Mobility::fixed) {
+                moving_tree.query(fixed_tree.box(record.proxy), look);
+            } else {
+                moving_tree.look_around(record.proxy, look);
+                fixed_tree.query(moving_tree.box(record.proxy), look);
+            }
+        }
+    });
+}
+
+void WorldData::walk_trees() {
+    const FindOverlaps overlaps = wide_kernels(most_lanes).overlaps;
+    for (const Tree* other : {&moving_tree, &fixed_tree}) {
+        moving_tree.begin_walk(*other, threads != nullptr ? walk_parts : 1, parts_of_walk);
+        look_in_pieces(parts_of_walk.size(), [&](size_t piece, std::vector<uint64_t>& found) {
+            const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
+            moving_tree.pairs(*other, parts_of_walk[piece], overlaps, look);
+        });
+    }
+}
+
+/// The border is in no tree.
+void WorldData::look_at_border() {
+    for (const uint32_t shape : moved_shapes) {
+        if (forms[shape].body == none || shape_generations[shape] == 0) continue;
+        if (bodies[forms[shape].body].mobility != Mobility::dynamic) continue;
+        for (uint32_t side = 0; side < 4; ++side) {
+            if (overlap(fat_boxes[shape], fat_boxes[side])) look_at_pair(shape, side, new_pairs);
+        }
+    }
+}
+
+void WorldData::find_pairs() {
+    relocated.resize(shapes.size(), 0);
+    if (moved_shapes.empty()) return;
+    new_pairs.clear();
+    moving_tree.settle();
+    fixed_tree.settle();
+    if (4 * moved_shapes.size() < moving_tree.size())
+        look_around_moved();
+    else
+        walk_trees();
+    if (settings.bounds) look_at_border();
+    // In the order of the shapes, whatever that of the trees.
+    std::sort(new_pairs.begin(), new_pairs.end());
+    // A slot is listed twice when what moved in it was destroyed and another came: it is seen
+    // twice. So is a pair of which one is fixed, if both moved.
+    new_pairs.erase(std::unique(new_pairs.begin(), new_pairs.end()), new_pairs.end());
+    for (const uint64_t pair : new_pairs) {
+        const auto a = uint32_t(pair), b = uint32_t(pair >> 32);
+        if (callback_agrees(a, b)) create_contact(a, b);
+    }
+    for (const uint32_t shape : moved_shapes) {
+        shapes[shape].moved = false;
+        relocated[shape] = 1;
+        paired_boxes[shape] = fat_boxes[shape];
+    }
+    moving_tree.rest();
+    fixed_tree.rest();
+}
+
+}  // namespace fettle::physics::detail
