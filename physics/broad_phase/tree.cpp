@@ -237,14 +237,19 @@ void Tree::settle() {
 
 void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& parts) const {
     parts.clear();
-    if (root_ == none || other.root_ == none || !may_have_pairs(other, root_, other.root_)) return;
+    if (!has_pairs(other)) return;
     parts.push_back({root_, other.root_});
-    // The oldest first: level by level. Whatever is opened leaves a gap, closed at the end.
+    // The oldest first: level by level. What is at the bottom stays, in the place of one opened.
     size_t next = 0, bottom = 0;
     for (; next < parts.size() && parts.size() - next + bottom < enough; ++next) {
         const NodePair pair = parts[next];
-        const auto push = [&](NodePair below) { parts.push_back(below); };
-        if (!open(other, pair, push)) parts[bottom++] = pair;
+        const bool bucket_a = bucket(pair.a) != nullptr, bucket_b = other.bucket(pair.b) != nullptr;
+        const bool leaves = nodes_[size_t(pair.a)].is_leaf() && other.is_leaf(pair.b);
+        if (leaves || (bucket_a && bucket_b)) {
+            parts[bottom++] = pair;
+            continue;
+        }
+        open(other, pair, bucket_a, bucket_b, [&](NodePair below) { parts.push_back(below); });
     }
     parts.erase(parts.begin() + std::ptrdiff_t(bottom), parts.begin() + std::ptrdiff_t(next));
 }

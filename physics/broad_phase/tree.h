@@ -139,10 +139,12 @@ class Tree {
     int32_t build(Part* begin, Part* end, bool in_bucket = false);
     static Part* split(Part* begin, Part* end);
     template <typename Push>
-    bool open(const Tree& other, NodePair pair, Push&& push) const;
-    bool may_have_pairs(const Tree& other, int32_t a, int32_t b) const {
-        const Node &u = nodes_[size_t(a)], &v = other.nodes_[size_t(b)];
-        return (has_moved(u) || other.has_moved(v)) && overlap(u.box, v.box);
+    void open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const;
+    /// It may have.
+    bool has_pairs(const Tree& other) const {
+        if (root_ == none || other.root_ == none) return false;
+        const Node &mine = nodes_[size_t(root_)], &theirs = other.nodes_[size_t(other.root_)];
+        return (has_moved(mine) || other.has_moved(theirs)) && overlap(mine.box, theirs.box);
     }
     /// The bucket that a node is, or nothing.
     const BoxBucket* bucket(int32_t node) const {
@@ -215,34 +217,27 @@ void bucket_pairs(const BoxBucket& a, const BoxBucket& b, FindOverlaps overlaps,
     }
 }
 
-/// Pushes the pairs below a pair; false if there are none but in it: two leaves or two buckets.
+/// Pushes the pairs below a pair that is no two leaves and no two buckets.
 template <typename Push>
-bool Tree::open(const Tree& other, NodePair pair, Push&& push) const {
+void Tree::open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const {
     const auto [a, b] = pair;
     const auto push_pair = [&](int32_t c, int32_t d) {
-        if (may_have_pairs(other, c, d)) push(NodePair{c, d});
+        const Node &u = nodes_[size_t(c)], &v = other.nodes_[size_t(d)];
+        if ((has_moved(u) || other.has_moved(v)) && overlap(u.box, v.box)) push(NodePair{c, d});
     };
     const Node &u = nodes_[size_t(a)], &v = other.nodes_[size_t(b)];
-    const bool bucket_a = bucket(a) != nullptr;
     if (this == &other && a == b) {
-        if (u.is_leaf() || bucket_a) return false;
-        push_pair(u.left, u.left);
-        push_pair(u.right, u.right);
+        if (has_moved(nodes_[size_t(u.left)])) push(NodePair{u.left, u.left});
+        if (has_moved(nodes_[size_t(u.right)])) push(NodePair{u.right, u.right});
         push_pair(u.left, u.right);
-        return true;
-    }
-    const bool bucket_b = other.bucket(b) != nullptr;
-    if ((u.is_leaf() && v.is_leaf()) || (bucket_a && bucket_b)) return false;
-    const bool bottom_a = u.is_leaf() || bucket_a, bottom_b = v.is_leaf() || bucket_b;
-    const bool larger = !bottom_a && perimeter(u.box) >= perimeter(v.box);
-    if (!u.is_leaf() && (bottom_b || larger)) {
+    } else if (v.is_leaf() || (bucket_b && !u.is_leaf()) ||
+               (!u.is_leaf() && !bucket_a && perimeter(u.box) >= perimeter(v.box))) {
         push_pair(u.left, b);
         push_pair(u.right, b);
     } else {
         push_pair(a, v.left);
         push_pair(a, v.right);
     }
-    return true;
 }
 
 template <typename Visit>
@@ -251,18 +246,22 @@ void Tree::pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&
     stack.push(part);
     while (!stack.empty()) {
         const NodePair pair = stack.pop();
-        if (open(other, pair, [&](NodePair below) { stack.push(below); })) continue;
-        if (const BoxBucket* mine = bucket(pair.a))
-            bucket_pairs(*mine, *other.bucket(pair.b), overlaps, visit);
-        else if (this != &other || pair.a != pair.b)
-            visit(nodes_[size_t(pair.a)].item(), other.nodes_[size_t(pair.b)].item());
+        const Node &u = nodes_[size_t(pair.a)], &v = other.nodes_[size_t(pair.b)];
+        const BoxBucket *mine = bucket(pair.a), *theirs = other.bucket(pair.b);
+        if (mine != nullptr && theirs != nullptr) {
+            bucket_pairs(*mine, *theirs, overlaps, visit);
+        } else if (u.is_leaf() && v.is_leaf()) {
+            if (&u != &v) visit(u.item(), v.item());
+        } else {
+            open(other, pair, mine != nullptr, theirs != nullptr,
+                 [&](NodePair below) { stack.push(below); });
+        }
     }
 }
 
 template <typename Visit>
 void Tree::pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const {
-    if (root_ == none || other.root_ == none || !may_have_pairs(other, root_, other.root_)) return;
-    pairs(other, {root_, other.root_}, overlaps, visit);
+    if (has_pairs(other)) pairs(other, {root_, other.root_}, overlaps, visit);
 }
 
 template <typename Visit>

@@ -17,12 +17,17 @@ void SolverBlocks::remember(std::span<const uint32_t> bodies, bool plain, bool s
     age_ = 0;
 }
 
-bool SolverBlocks::know(std::span<const uint32_t> bodies) const {
+bool SolverBlocks::are_of(std::span<const uint32_t> bodies) const {
     return block_of_.size() == bodies.size() + 1 && std::ranges::equal(bodies_, bodies);
 }
 
-bool SolverBlocks::may_stay(bool plain, bool several) {
-    return plain && plain_ && several == several_ && ++age_ < old_age;
+bool SolverBlocks::may_be_linked(std::span<const uint32_t> bodies) const {
+    return plain_ && several_ && are_of(bodies);
+}
+
+bool SolverBlocks::may_stay(std::span<const uint32_t> bodies, bool plain, bool several) {
+    if (several != several_ || !are_of(bodies)) return false;
+    return !several || (plain && plain_ && ++age_ < old_age);
 }
 
 void SolverBlocks::begin(uint32_t bodies) {

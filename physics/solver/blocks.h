@@ -43,10 +43,10 @@ class SolverBlocks {
     /// From here on these blocks are of those bodies; `plain`: nothing had to be in the first one;
     /// `several`: there was enough for more than one.
     void remember(std::span<const uint32_t> bodies, bool plain, bool several);
-    /// They are of these bodies, in this order.
-    bool know(std::span<const uint32_t> bodies) const;
-    /// For another step, in which no contact links two of them.
-    bool may_stay(bool plain, bool several);
+    /// They are of these bodies, in this order, and it matters whether something links two of them.
+    bool may_be_linked(std::span<const uint32_t> bodies) const;
+    /// For another step of these bodies, in which no contact links two of them.
+    bool may_stay(std::span<const uint32_t> bodies, bool plain, bool several);
 
     uint32_t block_of(uint32_t body) const { return block_of_[body]; }
     std::size_t size() const { return blocks_.size(); }
@@ -56,6 +56,7 @@ class SolverBlocks {
     }
 
   private:
+    bool are_of(std::span<const uint32_t> bodies) const;
     void order_bodies();
 
     UnionFind islands_;

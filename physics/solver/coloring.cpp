@@ -30,7 +30,7 @@ constexpr size_t piece_length = 512;
 void WorldData::find_acting(float dt) {
     const size_t count = awake_contacts.size();
     const bool serially = settings.solver != Solver::soft_step;  // the others know no groups
-    const bool known = blocks.know(awake_bodies);
+    const bool blocks_stay = blocks.may_be_linked(awake_bodies);
     acting.resize(count);
     acting_pieces.resize((count + piece_length - 1) / piece_length);
     share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
@@ -47,7 +47,7 @@ void WorldData::find_acting(float dt) {
             c.touching = record.touching;
             c.hit_events = record.hit_events;
             piece.serially += c.serially;
-            if (known && c.both_move())
+            if (blocks_stay && c.both_move())
                 piece.links_blocks |= blocks.block_of(c.a()) != blocks.block_of(c.b());
         }
         acting_pieces[begin / piece_length] = piece;
@@ -62,6 +62,7 @@ void WorldData::color_contacts() {
     color_begin.assign(blocks.size() * color_count, 0);
     serial_contacts.clear();
     size_t out_of_colors = 0;
+    bool not_first = false;
     for (const ActingPiece& piece : acting_pieces) {
         for (uint32_t i = piece.begin; i < piece.end; ++i) {
             ActingContact& c = acting[i];
@@ -73,6 +74,7 @@ void WorldData::color_contacts() {
             if (!c.serially && color >= end_of_colors(c.both_move())) {
                 c.serially = true;
                 ++out_of_colors;
+                not_first |= blocks.block_of(a) != 0 || blocks.block_of(b) != 0;
             }
             if (c.serially) {
                 serial_contacts.push_back(c.slot);
@@ -84,8 +86,8 @@ void WorldData::color_contacts() {
             c.place = color_begin[entry_of(c)]++;
         }
     }
-    if (out_of_colors > 0) {
-        colored_count -= out_of_colors;
+    colored_count -= out_of_colors;
+    if (not_first) {
         make_blocks(false);
         count_places();
     }
@@ -126,7 +128,7 @@ void WorldData::update_blocks() {
         std::apply([](const auto&... list) { return (list.empty() && ...); }, joint_constraints);
     colored_count = count - serially;
     const bool several = colored_count >= least_for_blocks;
-    if (blocks.know(awake_bodies) && !linked && blocks.may_stay(plain, several)) return;
+    if (!linked && blocks.may_stay(awake_bodies, plain, several)) return;
     make_blocks(plain);
 }
 
