@@ -149,6 +149,34 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         });
         REQUIRE(own == expected_own);
         REQUIRE(cross == expected_cross);
+        // In parts, as several threads walk.
+        std::vector<Tree::NodePair> parts;
+        for (const size_t enough : {2, 7, 1000}) {
+            own.clear(), cross.clear();
+            trees[0].begin_walk(trees[0], enough, parts);
+            for (const auto part : parts) {
+                trees[0].pairs(trees[0], part, overlaps, [&](uint32_t a, uint32_t b) {
+                    REQUIRE(own.insert({std::min(a, b), std::max(a, b)}).second);
+                });
+            }
+            trees[0].begin_walk(trees[1], enough, parts);
+            for (const auto part : parts) {
+                trees[0].pairs(trees[1], part, overlaps, [&](uint32_t a, uint32_t b) {
+                    REQUIRE(cross.insert({a, b}).second);
+                });
+            }
+            REQUIRE(own == expected_own);
+            REQUIRE(cross == expected_cross);
+        }
+        // One by one, as where few have moved.
+        own.clear();
+        for (const auto& [a, u] : models[0]) {
+            if (!u.moved) continue;
+            trees[0].look_around(u.node, [&, item = a](uint32_t b) {
+                REQUIRE(own.insert({std::min(item, b), std::max(item, b)}).second);
+            });
+        }
+        REQUIRE(own == expected_own);
         for (uint32_t side = 0; side < 2; ++side) {
             trees[side].rest();
             for (auto& [item, leaf] : models[side]) leaf.moved = false;
