@@ -1,9 +1,14 @@
 #include <threads/pool.h>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
+#if defined(__linux__)
+#include <sched.h>
+#endif
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -13,18 +18,16 @@ namespace {
 
 // How long to look for work: first without giving up the processor, since the stages of a step
 // follow each other within microseconds; then politely; then asleep, since the next step may be
-// long off. Where there are more threads than processors, whoever looks keeps from working who has
-// work: then briefly.
-constexpr int spins_alone = 20'000, spins_crowded = 100, yields = 2000;
-
-int spins_for(int threads) {
-    const auto processors = std::thread::hardware_concurrency();  // 0: not known
-    return unsigned(threads) <= processors ? spins_alone : spins_crowded;
-}
+// long off.
+constexpr int spins = 20'000, yields = 2000;
 
 // How long to wait for who is about to be done, before taking what is left of theirs: pieces that
 // change hands are in the other's cache. A microsecond or two.
-constexpr int patience_alone = 100;
+constexpr int patience = 100;
+
+// How long the caller waits for the last blocks before giving up the processor: whoever has one may
+// have lost theirs.
+constexpr int spins_at_end = 2000;
 
 void pause() {
 #if defined(__SSE2__)
@@ -57,13 +60,20 @@ constexpr uint64_t after(uint64_t round) {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads)
-    : spins_(spins_for(threads)),
-      patience_(spins_ == spins_alone ? patience_alone : 0),
-      shares_(size_t(threads)) {
+int processors() {
+#if defined(__linux__)
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
+#endif
+    const auto known = int(std::thread::hardware_concurrency());
+    return known > 0 ? known : std::numeric_limits<int>::max();
+}
+
+ThreadPool::ThreadPool(int threads, int at_a_time)
+    : threads_(threads), shares_(size_t(std::min(threads, at_a_time))) {
     try {
-        workers_.reserve(size_t(threads) - 1);
-        for (size_t self = 1; self < size_t(threads); ++self)
+        workers_.reserve(shares_.size() - 1);
+        for (size_t self = 1; self < shares_.size(); ++self)
             workers_.emplace_back([this, self] { serve(self); });
     } catch (const std::system_error& error) {
         const std::string had = std::to_string(workers_.size() + 1);
@@ -122,7 +132,7 @@ void ThreadPool::work_on(uint64_t turn, size_t thread, bool own) {
 }
 
 bool ThreadPool::wait_for_others(uint32_t goal) const {
-    for (int looks = 0; looks < patience_; ++looks) {
+    for (int looks = 0; looks < patience; ++looks) {
         if (done_.load(std::memory_order_acquire) == goal) return true;
         pause();
     }
@@ -151,7 +161,7 @@ void ThreadPool::share_out(uint32_t count, Function function, void* context) {
     if (sleepers_.load() > 0) turn_.notify_all();
     work_until_done(turn, goal, 0);
     for (int looks = 0; done_.load(std::memory_order_acquire) != goal; ++looks) {
-        if (looks < spins_)
+        if (looks < spins_at_end)
             pause();
         else
             std::this_thread::yield();
@@ -166,9 +176,9 @@ void ThreadPool::serve(size_t self) {
             work_until_done(turn, goal_.load(std::memory_order_relaxed), self);
             seen = turn;
             looks = 0;
-        } else if (++looks < spins_) {
+        } else if (++looks < spins) {
             pause();
-        } else if (looks < spins_ + yields) {
+        } else if (looks < spins + yields) {
             std::this_thread::yield();
         } else {
             sleepers_.fetch_add(1);

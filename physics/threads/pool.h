@@ -9,6 +9,9 @@
 
 namespace fettle::physics::detail {
 
+/// That this process may use: fewer than the machine has, if it is bound to some.
+int processors();
+
 /// Threads that share out the blocks of a loop. Whoever calls works too and returns when all is
 /// done. Each thread begins with a range of blocks of its own, the same one in every loop, so that
 /// what it wrote last time is still in its cache; then it takes what others have left. Which thread
@@ -19,14 +22,15 @@ class ThreadPool {
     /// Blocks of a loop.
     static constexpr uint32_t most_blocks = (1u << 20) - 1;
 
-    /// `threads`: how many work at a time, the caller's included. Throws std::runtime_error that
-    /// says how many there are, if the system gives no more.
-    explicit ThreadPool(int threads);
+    /// `threads`: how many to work, the caller's included; `at_a_time`: how many of them do. More
+    /// than there are processors would only keep each other from working. Throws
+    /// std::runtime_error that says how many there are, if the system gives no more.
+    explicit ThreadPool(int threads, int at_a_time = processors());
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    int threads() const { return int(workers_.size()) + 1; }
+    int threads() const { return threads_; }
 
     /// `work(block)` for every block below `count`, each once.
     template <typename Work>
@@ -62,7 +66,7 @@ class ThreadPool {
     std::atomic<bool> stop_ = false;
     alignas(64) std::atomic<uint32_t> done_ = 0;  ///< blocks of all rounds, modulo 2³²
     alignas(64) std::atomic<uint32_t> sleepers_ = 0;
-    const int spins_, patience_;
+    const int threads_;
     std::vector<Share> shares_;
     std::vector<std::thread> workers_;
 };

@@ -1,7 +1,11 @@
 #include <threads/pool.h>
 
+#include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <numeric>
+#include <set>
+#include <thread>
 #include <vector>
 
 #include "catch.h"
@@ -87,7 +91,7 @@ std::vector<uint64_t> history(void (*fill)(World&), int threads, int steps) {
 
 TEST_CASE("a pool does every block once whatever the number of threads") {
     for (const int threads : {1, 2, 3, 8}) {
-        ThreadPool pool(threads);
+        ThreadPool pool(threads, threads);
         REQUIRE(pool.threads() == threads);
         for (int round = 0; round < 300; ++round) {
             const auto count = uint32_t(round % 37);
@@ -98,8 +102,23 @@ TEST_CASE("a pool does every block once whatever the number of threads") {
     }
 }
 
+TEST_CASE("no more threads work than there are processors") {
+    ThreadPool pool(8, 2);
+    REQUIRE(pool.threads() == 8);
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    for (int round = 0; round < 200; ++round) {
+        pool.run(16, [&](uint32_t) {
+            const std::lock_guard lock(mutex);
+            seen.insert(std::this_thread::get_id());
+        });
+    }
+    REQUIRE(seen.size() <= 2);
+    REQUIRE(fettle::physics::detail::processors() >= 1);
+}
+
 TEST_CASE("pieces cover a range once") {
-    ThreadPool pool(3);
+    ThreadPool pool(3, 3);
     for (size_t size : {0, 1, 7, 8, 9, 1000}) {
         std::vector<int> times(size);
         share_out_range(&pool, size, 8, [&](size_t begin, size_t end) {

@@ -125,7 +125,8 @@ class World {
 
     /// How many threads a step is shared out to, the caller's included: 1 … 64. It belongs to the
     /// world and not to its state, and changes no result. Throws std::runtime_error where the
-    /// system gives fewer, and leaves as many as there were. Callbacks run on the caller's thread.
+    /// system gives fewer, and leaves as many as there were. Of more than there are processors,
+    /// only as many work as there are. Callbacks run on the caller's thread.
     int threads() const;
     void set_threads(int threads);
 
