@@ -104,6 +104,16 @@ void add_shapes(CLI::App& app, ShapesOptions& options) {
     command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
 }
 
+void add_growth(CLI::App& app, GrowthOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "growth", "What a body costs in small and in large worlds, in time and in memory");
+    command->add_option("--runs", options.runs, "Runs; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", options.output.json,
+                      "Print a JSON object a line instead of a table");
+}
+
 void add_solvers(CLI::App& app, SolversOptions& options) {
     CLI::App* command =
         app.add_subcommand("solvers", "How well and how fast the three solvers do the same");
@@ -140,6 +150,8 @@ int main(int argc, char** argv) {
     add_shapes(app, shapes);
     SolversOptions solvers;
     add_solvers(app, solvers);
+    GrowthOptions growth;
+    add_growth(app, growth);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -159,6 +171,7 @@ int main(int argc, char** argv) {
         if (app.got_subcommand("past")) return run_past(past);
         if (app.got_subcommand("stability")) return run_stability(stability);
         if (app.got_subcommand("shapes")) return run_shapes(shapes);
+        if (app.got_subcommand("growth")) return run_growth(growth);
         if (app.got_subcommand("solvers")) return run_solvers(solvers);
     } catch (const std::exception& error) {
         std::cerr << "fettle-bench: " << error.what() << "\n";

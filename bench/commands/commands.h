@@ -68,6 +68,12 @@ struct ShapesOptions {
 };
 int run_shapes(const ShapesOptions& options);
 
+struct GrowthOptions {
+    int runs = 9;
+    OutputOptions output;
+};
+int run_growth(const GrowthOptions& options);
+
 struct SolversOptions {
     std::vector<std::string> scenes;
     bool json = false;

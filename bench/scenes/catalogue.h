@@ -26,6 +26,8 @@ Scene large_pyramid();
 /// The same with `base` squares in its lowest row.
 Scene pyramid_of(int base);
 Scene many_pyramids();
+/// The same with so many pyramids, twenty a row.
+Scene pyramids_of(int count);
 Scene joint_grid();
 Scene tumbler();
 Scene smash();

@@ -35,17 +35,23 @@ Scene large_pyramid() {
 }
 
 Scene many_pyramids() {
-    Scene scene{.name = "many_pyramids", .steps = 200, .sleeping = false};
+    Scene scene = pyramids_of(400);
+    scene.name = "many_pyramids";
+    scene.steps = 200;
+    return scene;
+}
+
+Scene pyramids_of(int count) {
+    Scene scene{.name = "pyramids", .sleeping = false};
     constexpr int base = 10;
-    constexpr int rows = 20;
     constexpr int columns = 20;
     constexpr float pitch = 11;
     constexpr float reach = 110;
-    for (int r = 0; r < rows; ++r) {
+    for (int r = 0; r * columns < count; ++r) {
         const float ground = pitch * static_cast<float>(r);
         scene.bodies.push_back(
             body_of(Motion::fixed, {}, SegmentShape{{-reach, ground}, {reach, ground}}));
-        for (int c = 0; c < columns; ++c) {
+        for (int c = 0; c < columns && r * columns + c < count; ++c) {
             const float center = -reach + pitch * static_cast<float>(c) + 1;
             add_pyramid(scene, base, center, ground);
         }

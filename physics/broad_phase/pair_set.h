@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,32 +14,31 @@ class PairSet {
 
     uint32_t find(uint32_t a, uint32_t b) const {
         if (slots_.empty()) return absent;
-        const uint64_t key = key_of(a, b);
-        for (std::size_t i = home(key);; i = (i + 1) & mask_) {
-            if (slots_[i].key == key) return slots_[i].contact;
-            if (slots_[i].key == 0) return absent;
+        const Pair pair = pair_of(a, b);
+        for (std::size_t i = home(pair);; i = after(i)) {
+            if (slots_[i].pair == pair) return slots_[i].contact;
+            if (slots_[i].is_empty()) return absent;
         }
     }
 
     /// The pair must not be in the set.
     void insert(uint32_t a, uint32_t b, uint32_t contact) {
-        if ((count_ + 1) * 2 > slots_.size()) enlarge();
-        place({key_of(a, b), contact});
+        if (!has_room(count_ + 1)) enlarge();
+        place({pair_of(a, b), contact});
         ++count_;
     }
 
     void erase(uint32_t a, uint32_t b) {
         if (slots_.empty()) return;
-        const uint64_t key = key_of(a, b);
-        std::size_t hole = home(key);
-        while (slots_[hole].key != key) {
-            if (slots_[hole].key == 0) return;
-            hole = (hole + 1) & mask_;
+        const Pair pair = pair_of(a, b);
+        std::size_t hole = home(pair);
+        while (!(slots_[hole].pair == pair)) {
+            if (slots_[hole].is_empty()) return;
+            hole = after(hole);
         }
         // Whoever was pushed past the hole by it moves back.
-        for (std::size_t i = (hole + 1) & mask_; slots_[i].key != 0; i = (i + 1) & mask_) {
-            const std::size_t distance = (i - home(slots_[i].key)) & mask_;
-            if (distance >= ((i - hole) & mask_)) {
+        for (std::size_t i = after(hole); !slots_[i].is_empty(); i = after(i)) {
+            if (distance(home(slots_[i].pair), i) >= distance(hole, i)) {
                 slots_[hole] = slots_[i];
                 hole = i;
             }
@@ -52,55 +50,65 @@ class PairSet {
     std::size_t size() const { return count_; }
     /// Every contact is below `contacts` and a search ends, whatever the set came from.
     bool is_walkable(uint32_t contacts) const {
-        if (slots_.empty()) return count_ == 0;
-        if (!std::has_single_bit(slots_.size()) || mask_ != slots_.size() - 1) return false;
         std::size_t used = 0;
         for (const Slot& slot : slots_) {
-            if (slot.key == 0) continue;
+            if (slot.is_empty()) continue;
             if (slot.contact >= contacts) return false;
             ++used;
         }
-        return used == count_ && used * 2 <= slots_.size();
+        return used == count_ && has_room(used);
     }
 
     /// For saving and restoring.
     template <class Io, class Self>
     static void members(Io& io, Self& self) {
-        io(self.slots_), io(self.mask_), io(self.count_);
+        io(self.slots_), io(self.count_);
     }
     void clear() { *this = {}; }
 
   private:
-    struct Slot {
-        uint64_t key = 0;  // 0: empty
-        uint32_t contact = 0;
+    struct Pair {
+        uint32_t lower = 0, upper = 0;
+        bool operator==(const Pair&) const = default;
     };
+    struct Slot {
+        Pair pair;
+        uint32_t contact = 0;
+        bool is_empty() const { return pair.upper == 0; }  // that of a pair is at least 1
+    };
+    static_assert(sizeof(Slot) == 12);
 
-    /// Never 0: the greater index is at least 1.
-    static uint64_t key_of(uint32_t a, uint32_t b) {
-        return a < b ? (uint64_t{b} << 32 | a) : (uint64_t{a} << 32 | b);
-    }
-    std::size_t home(uint64_t key) const {
+    static Pair pair_of(uint32_t a, uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+    /// The upper half of a hash, as a fraction of the table: any size will do, and a table that
+    /// grows is read and written from front to back.
+    std::size_t home(Pair pair) const {
+        uint64_t key = uint64_t{pair.upper} << 32 | pair.lower;
         key ^= key >> 29;
         key *= 0x9e3779b97f4a7c15u;  // 2⁶⁴ over the golden ratio
-        return std::size_t(key >> 32) & mask_;
+        key ^= key >> 32;
+        key *= 0x9e3779b97f4a7c15u;
+        return std::size_t((key >> 32) * slots_.size() >> 32);
     }
+    std::size_t after(std::size_t i) const { return i + 1 < slots_.size() ? i + 1 : 0; }
+    std::size_t distance(std::size_t from, std::size_t to) const {
+        return to >= from ? to - from : to + slots_.size() - from;
+    }
+    /// Two thirds full at the most.
+    bool has_room(std::size_t count) const { return count * 3 <= slots_.size() * 2; }
     void place(const Slot& slot) {
-        std::size_t i = home(slot.key);
-        while (slots_[i].key != 0) i = (i + 1) & mask_;
+        std::size_t i = home(slot.pair);
+        while (!slots_[i].is_empty()) i = after(i);
         slots_[i] = slot;
     }
     void enlarge() {
-        std::vector<Slot> old(slots_.empty() ? 64 : slots_.size() * 2);
+        std::vector<Slot> old(slots_.size() + slots_.size() / 5 + 32);
         old.swap(slots_);
-        mask_ = slots_.size() - 1;
         for (const Slot& slot : old) {
-            if (slot.key != 0) place(slot);
+            if (!slot.is_empty()) place(slot);
         }
     }
 
     std::vector<Slot> slots_;
-    std::size_t mask_ = 0;
     std::size_t count_ = 0;
 };
 

@@ -11,6 +11,7 @@ int32_t Tree::allocate() {
         nodes_[size_t(node)] = Node{};
         return node;
     }
+    make_room(nodes_);
     nodes_.emplace_back();
     return int32_t(nodes_.size()) - 1;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <broad_phase/bucket.h>
+#include <geometry/growth.h>
 #include <geometry/vector.h>
 
 #include <bit>
@@ -85,6 +86,11 @@ class Tree {
     static void members(Io& io, Self& self) {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
         io(self.settled_), io(self.built_), io(self.worn_);
+    }
+    /// What can be made anew.
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.bucket_of_), io(self.buckets_), io(self.parts_), io(self.vacant_);
     }
     int height() const { return root_ == none ? 0 : height_of(root_); }
 

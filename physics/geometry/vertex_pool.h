@@ -1,5 +1,6 @@
 #pragma once
 
+#include <geometry/growth.h>
 #include <geometry/vector.h>
 
 #include <array>
@@ -30,6 +31,8 @@ struct VertexPool {
         }
         const uint32_t begin = uint32_t(local.size());
         const size_t size = local.size() + capacity;
+        make_room(local, capacity), make_room(normals, capacity), make_room(vertices, capacity);
+        make_room(directions, capacity), make_room(offsets, capacity);
         local.resize(size);
         normals.resize(size);
         vertices.resize(size);

@@ -55,6 +55,13 @@ class SolverBlocks {
         return std::span(order_).subspan(block.first_body, block.body_end - block.first_body);
     }
 
+    /// All of it is made anew in every step.
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.islands_.parent), io(self.first_), io(self.contacts_), io(self.block_of_);
+        io(self.order_), io(self.blocks_);
+    }
+
   private:
     bool are_of(std::span<const uint32_t> bodies) const;
     void order_bodies();

@@ -56,6 +56,12 @@ class JointShare {
         add_change(bodies, forces);
     }
 
+    /// All of it is made anew in every step.
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.bodies_), io(self.velocities_);
+    }
+
   private:
     struct Velocity {
         V2 linear;

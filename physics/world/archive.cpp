@@ -22,9 +22,10 @@ constexpr size_t world_data_size = 3784;  // without the lists of joints
 constexpr uint32_t layout() {
     uint32_t mixed = 0x811c9dc5u;
     const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
-    for (const size_t size : {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord),
-                              sizeof(ShapeRecord), sizeof(ShapeForm), sizeof(ContactRecord),
-                              sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics)})
+    for (const size_t size :
+         {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(ShapeRecord),
+          sizeof(ShapeForm), sizeof(ContactRecord), sizeof(ContactLinks), sizeof(Island),
+          sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics)})
         add(size);
     [&]<class... Data>(const std::tuple<std::vector<Data>...>*) {
         (add(sizeof(Data)), ...);
@@ -38,14 +39,6 @@ struct Header {
     uint32_t layout = detail::layout();
 };
 
-template <class Io, class Happened>
-void event_members(Io& io, Happened& e) {
-    static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
-    io(e.contact_begin), io(e.contact_persist), io(e.contact_end), io(e.contact_hit);
-    io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke);
-    io(e.slept), io(e.woke);
-}
-
 /// Every member that outlives a step, once. The capacity kept for the step (`solver_bodies` to
 /// `fast_bodies`) is not state.
 template <class Io, class World>
@@ -53,7 +46,8 @@ void world_members(Io& io, World& w) {
     io(w.settings);
     io(w.states), io(w.previous);
     io(w.body_generations), io(w.shape_generations), io(w.joint_generations);
-    io(w.bodies), io(w.shapes), io(w.contacts), io(w.joints), io(w.joint_lists), io(w.islands);
+    io(w.bodies), io(w.shapes), io(w.contacts), io(w.contact_links);
+    io(w.joints), io(w.joint_lists), io(w.islands);
     io(w.fields), io(w.free_field), io(w.field_count);
     io(w.free_body), io(w.free_shape), io(w.free_contact), io(w.free_joint), io(w.free_island);
     io(w.body_count), io(w.shape_count), io(w.contact_count), io(w.joint_count), io(w.island_count);
@@ -66,7 +60,7 @@ void world_members(Io& io, World& w) {
     event_members(io, w.events), event_members(io, w.pending);
     io(w.statistics);
     // A reminder for who adds a member: it belongs into the list above, unless it is made anew in
-    // every step. Then the number here changes.
+    // every step: then it is a scratch member in memory.cpp. Either way the number here changes.
     constexpr size_t of_joints = sizeof(JointLists) + sizeof(JointConstraints);
     static_assert(sizeof(void*) != 8 || sizeof(WorldData) - of_joints == world_data_size);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fettle/physics/events.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +28,15 @@ concept ListsMembers = requires(Io& io, T& value) {
 /// whoever owns memory has a destructor that does something.
 template <class T>
 inline constexpr bool bytewise = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
+
+/// What happened, list by list.
+template <class Io, class Happened>
+void event_members(Io& io, Happened& e) {
+    static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
+    io(e.contact_begin), io(e.contact_persist), io(e.contact_end), io(e.contact_hit);
+    io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke);
+    io(e.slept), io(e.woke);
+}
 
 /// How many bytes a writer would write: so that room is made once.
 class ArchiveSize {

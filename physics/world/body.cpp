@@ -379,7 +379,10 @@ Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
 
 uint32_t Body::shape_count() const {
     FETTLE_LIVE_BODY
-    return record.shape_count;
+    uint32_t count = 0;
+    for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
+        count += data.shapes[s].owner == none;
+    return count;
 }
 
 std::vector<Shape> Body::shapes() const {

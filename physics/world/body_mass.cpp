@@ -6,6 +6,14 @@ namespace fettle::physics {
 
 using namespace detail;
 
+namespace {
+
+std::optional<float> if_given(float value) {
+    return is_given(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
 float Body::mass() const {
     FETTLE_LIVE_BODY
     data.read_mass(id_.index);
@@ -14,14 +22,14 @@ float Body::mass() const {
 
 void Body::set_mass(std::optional<float> mass) {
     FETTLE_LIVE_BODY
-    record.mass_override = check_inertial("mass", mass);
+    record.given_mass = check_inertial("mass", mass).value_or(not_given);
     data.wake_for_edit(id_.index);
     data.mark_mass(id_.index);
 }
 
 std::optional<float> Body::mass_override() const {
     FETTLE_LIVE_BODY
-    return record.mass_override;
+    return if_given(record.given_mass);
 }
 
 float Body::inertia() const {
@@ -32,14 +40,14 @@ float Body::inertia() const {
 
 void Body::set_inertia(std::optional<float> inertia) {
     FETTLE_LIVE_BODY
-    record.inertia_override = check_inertial("inertia", inertia);
+    record.given_inertia = check_inertial("inertia", inertia).value_or(not_given);
     data.wake_body(id_.index);
     data.mark_mass(id_.index);
 }
 
 std::optional<float> Body::inertia_override() const {
     FETTLE_LIVE_BODY
-    return record.inertia_override;
+    return if_given(record.given_inertia);
 }
 
 Vec2 Body::center() const {
@@ -50,17 +58,16 @@ Vec2 Body::center() const {
 
 void Body::set_center(std::optional<Vec2> center) {
     FETTLE_LIVE_BODY
-    std::optional<V2> wanted;
-    if (center) wanted = to_v2(check_coordinates("center", *center));
-    record.center_override = wanted;
+    record.given_center =
+        center ? to_v2(check_coordinates("center", *center)) : V2{not_given, not_given};
     data.wake_body(id_.index);
     data.mark_mass(id_.index);
 }
 
 std::optional<Vec2> Body::center_override() const {
     FETTLE_LIVE_BODY
-    if (!record.center_override) return std::nullopt;
-    return to_vec2(*record.center_override);
+    if (!is_given(record.given_center.x)) return std::nullopt;
+    return to_vec2(record.given_center);
 }
 
 Vec2 Body::world_center() const {
@@ -72,7 +79,10 @@ Vec2 Body::world_center() const {
 float Body::area() const {
     FETTLE_LIVE_BODY
     data.read_mass(id_.index);
-    return record.area;
+    float area = 0.0f;
+    for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
+        if (data.shapes[s].owner == none) area += data.shapes[s].area;
+    return area;
 }
 
 Aabb Body::aabb() const {

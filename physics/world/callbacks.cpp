@@ -60,7 +60,9 @@ void WorldData::tell_persisting() {
     if (!settings.persist_events) return;
     for (const uint32_t slot : awake_contacts) {
         const ContactRecord& c = contacts[slot];
-        if (!c.touching || c.sensor || c.began == steps || c.manifold.count == 0) continue;
+        if (!c.touching || c.sensor || contact_links[slot].began == uint32_t(steps) ||
+            c.manifold.count == 0)
+            continue;
         if (!tells_for_pair(slot)) continue;
         const V2 point = middle_of(c);
         float impulse = 0.0f;

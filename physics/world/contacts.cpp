@@ -1,3 +1,4 @@
+#include <geometry/growth.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -73,11 +74,13 @@ void WorldData::remix_shape(uint32_t shape) {
 void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
     uint32_t slot = free_contact;
     if (slot != none) {
-        free_contact = contacts[slot].next_free;
+        free_contact = contact_links[slot].edges[0].next;
         contacts[slot] = {};
     } else {
         slot = uint32_t(contacts.size());
+        make_room_in_each(contacts, contact_links);
         contacts.emplace_back();
+        contact_links.emplace_back();
     }
     ++contact_count;
     ContactRecord& c = contacts[slot];
@@ -92,9 +95,9 @@ void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = bodies[owners[side]];
         const uint32_t edge = slot << 1 | side;
-        c.edges[side] = {none, body.first_contact};
+        contact_links[slot].edges[side] = {none, body.first_contact};
         if (body.first_contact != none) {
-            contacts[body.first_contact >> 1].edges[body.first_contact & 1].previous = edge;
+            contact_links[body.first_contact >> 1].edges[body.first_contact & 1].previous = edge;
         }
         body.first_contact = edge;
         ++body.contact_count;
@@ -111,18 +114,18 @@ void WorldData::destroy_contact(uint32_t slot, bool in_narrow_phase) {
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = bodies[owners[side]];
-        const ListEdge edge = c.edges[side];
+        const ListEdge edge = contact_links[slot].edges[side];
         if (edge.previous != none)
-            contacts[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
+            contact_links[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
         else
             body.first_contact = edge.next;
         if (edge.next != none)
-            contacts[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
+            contact_links[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
         --body.contact_count;
     }
     pairs.erase(c.shape_a, c.shape_b);
     c = {};
-    c.next_free = free_contact;
+    contact_links[slot].edges[0].next = free_contact;
     free_contact = slot;
     --contact_count;
 }

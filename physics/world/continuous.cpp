@@ -81,9 +81,7 @@ float WorldData::limit_motion(const FastBody& fast) const {
     float limit = 1.0f;
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
         if (shapes[s].surface.sensor || !is_solid(s)) continue;
-        const AreaMoments& m = shapes[s].moments;
-        const V2 local = V2{float(m.center_x), float(m.center_y)} - record.local_center;
-        const V2 centroid = record.center + rotate(q, local);
+        const V2 centroid = record.center + rotate(q, shapes[s].centroid - record.local_center);
         const Box4 start = {boxes[s].low - fast.shift, boxes[s].high - fast.shift};
         const Box4 swept = grow(unite(boxes[s], start), speculative_margin);
         auto meet = [&](uint32_t other) {

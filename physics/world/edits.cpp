@@ -145,34 +145,35 @@ void WorldData::refresh_shape(uint32_t shape) {
     V2* local = &pool.local[form.begin];
     switch (record.type) {
         case ShapeType::circle:
-            local[0] = to_v2(record.circle.center);
-            form.radius = record.circle.radius;
+            local[0] = to_v2(record.figure.as<Circle>().center);
+            form.radius = record.figure.as<Circle>().radius;
             break;
         case ShapeType::box:
-            box_corners(record.box, local);
-            form.radius = fitting_rounding(record.box);
+            box_corners(record.figure.as<Box>(), local);
+            form.radius = fitting_rounding(record.figure.as<Box>());
             break;
         case ShapeType::segment:
-            local[0] = to_v2(record.segment.from);
-            local[1] = apart(to_v2(record.segment.to), local[0]);
-            form.radius = record.segment.rounding;
+            local[0] = to_v2(record.figure.as<Segment>().from);
+            local[1] = apart(to_v2(record.figure.as<Segment>().to), local[0]);
+            form.radius = record.figure.as<Segment>().rounding;
             break;
         case ShapeType::ellipse:
-            write_ellipse(record.ellipse, form.begin, pool);
+            write_ellipse(record.figure.as<Ellipse>(), form.begin, pool);
             form.radius = 0.0f;
             break;
         default:
-            form.radius = record.polygon_rounding;
-            break;  // its hull is already in the pool
+            // Its vertices are already in the pool. A piece has no rounding.
+            form.radius = record.figure.as<PolygonFigure>().rounding;
+            break;
     }
     for (uint32_t i = 0; i < form.count && form.count > 1; ++i) {
         pool.normals[form.begin + i] =
             normalized(right_perp(local[(i + 1) % form.count] - local[i]));
     }
     pool.vertices[form.begin] = {infinity, infinity};  // a large polygon is to be centered anew
-    record.moments = record.type == ShapeType::ellipse
-                         ? moments_of(record.ellipse)
-                         : moments_of({local, form.count}, form.radius);
+    record.set_moments(record.type == ShapeType::ellipse
+                           ? moments_of(record.figure.as<Ellipse>())
+                           : moments_of({local, form.count}, form.radius));
     remix_shape(shape);  // rolling resistance depends on the radius
     if (form.body == none) place_shape(shape, {});
 }
@@ -215,58 +216,57 @@ void WorldData::refresh_edited_mass(uint32_t body) {
     record.mass_dirty = false;
     ++record.rebuilds;
 
-    double area = 0.0, mass = 0.0, first_x = 0.0, first_y = 0.0;
+    double mass = 0.0, first_x = 0.0, first_y = 0.0;
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
         if (shapes[s].owner != none) continue;  // its owner knows better
-        const AreaMoments& m = shapes[s].moments;
-        const double part = m.area * double(shapes[s].surface.density);
-        area += m.area;
+        const ShapeRecord& shape = shapes[s];
+        const double part = double(shape.area) * double(shape.surface.density);
         mass += part;
-        first_x += part * m.center_x;
-        first_y += part * m.center_y;
+        first_x += part * double(shape.centroid.x);
+        first_y += part * double(shape.centroid.y);
     }
     double cx = mass > 0.0 ? first_x / mass : 0.0, cy = mass > 0.0 ? first_y / mass : 0.0;
-    if (record.center_override) {
-        cx = record.center_override->x;
-        cy = record.center_override->y;
+    if (is_given(record.given_center.x)) {
+        cx = record.given_center.x;
+        cy = record.given_center.y;
     }
     double inertia = 0.0;
     float extent = 0.0f, thickness = infinity;
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
-        const AreaMoments& m = shapes[s].moments;
-        const double dx = m.center_x - cx, dy = m.center_y - cy;
-        if (shapes[s].owner == none)
-            inertia +=
-                double(shapes[s].surface.density) * (m.moment + m.area * (dx * dx + dy * dy));
+        const ShapeRecord& shape = shapes[s];
+        const double dx = double(shape.centroid.x) - cx, dy = double(shape.centroid.y) - cy;
+        if (shape.owner == none)
+            inertia += double(shape.surface.density) *
+                       (double(shape.moment) + double(shape.area) * (dx * dx + dy * dy));
         if (!is_solid(s)) continue;
         const ShapeForm& form = forms[s];
-        V2 middle = {float(m.center_x), float(m.center_y)};
         float inner = infinity;
         for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
             const V2 v = pool.local[i] - V2{float(cx), float(cy)};
             extent = max(extent, length(v) + form.radius);
-            if (form.count > 2) inner = min(inner, dot(pool.normals[i], pool.local[i] - middle));
+            if (form.count > 2)
+                inner = min(inner, dot(pool.normals[i], pool.local[i] - shape.centroid));
         }
         if (form.kind == FormKind::ellipse) {
-            extent += max(shapes[s].ellipse.radius_x, shapes[s].ellipse.radius_y);
-            thickness = min(thickness, min(shapes[s].ellipse.radius_x, shapes[s].ellipse.radius_y));
+            const Ellipse ellipse = shape.figure.as<Ellipse>();
+            extent += max(ellipse.radius_x, ellipse.radius_y);
+            thickness = min(thickness, min(ellipse.radius_x, ellipse.radius_y));
             continue;
         }
         thickness = min(thickness, form.count > 2 ? max(inner, 0.0f) + form.radius : form.radius);
     }
     const bool weightless = !(mass > 0.0);
-    if (record.mass_override) {
-        const double wanted = double(*record.mass_override);
+    if (is_given(record.given_mass)) {
+        const double wanted = double(record.given_mass);
         if (std::isfinite(wanted)) inertia = weightless ? 0.0 : inertia * (wanted / mass);
         mass = wanted;
     } else if (weightless && record.type == BodyType::dynamic_body) {
         mass = 1.0;
     }
-    if (record.inertia_override) inertia = double(*record.inertia_override);
+    if (is_given(record.given_inertia)) inertia = double(record.given_inertia);
 
     const BodyState& state = states[body];
     const V2 old_center = record.center;
-    record.area = float(area);
     record.mass = float(mass);
     record.inertia = float(inertia);
     record.extent = extent;

@@ -62,11 +62,11 @@ class FieldOnBody {
 
     void operator()(const DragField& drag) {
         each_shape([&](uint32_t shape) {
-            const AreaMoments& m = data_.shapes[shape].moments;
+            const ShapeRecord& m = data_.shapes[shape];
             const V2 arm = centroid_of(shape);
             const V2 u = to_v2(drag.flow) - velocity_at(arm);
-            push_.at(arm, (float(m.area) * (drag.linear + drag.quadratic * length(u))) * u);
-            push_.torque -= float(m.moment) * drag.linear * spin_;
+            push_.at(arm, (m.area * (drag.linear + drag.quadratic * length(u))) * u);
+            push_.torque -= m.moment * drag.linear * spin_;
         });
     }
 
@@ -82,9 +82,9 @@ class FieldOnBody {
             push_.at(part.centroid, -(mass * gravity));
             const V2 u = to_v2(liquid.flow) - velocity_at(part.centroid);
             push_.at(part.centroid, (liquid.drag * mass) * u);
-            const AreaMoments& m = data_.shapes[shape].moments;
-            const float share = m.area > 0.0 ? float(part.area / m.area) : 0.0f;
-            push_.torque -= liquid.drag * liquid.density * share * float(m.moment) * spin_;
+            const ShapeRecord& m = data_.shapes[shape];
+            const float share = m.area > 0.0f ? float(part.area / double(m.area)) : 0.0f;
+            push_.torque -= liquid.drag * liquid.density * share * m.moment * spin_;
         });
     }
 
@@ -144,8 +144,7 @@ class FieldOnBody {
     }
     V2 velocity_at(V2 arm) const { return velocity_ + cross(spin_, arm); }
     V2 centroid_of(uint32_t shape) const {
-        const AreaMoments& m = data_.shapes[shape].moments;
-        const V2 local = V2{float(m.center_x), float(m.center_y)} - body_.local_center;
+        const V2 local = data_.shapes[shape].centroid - body_.local_center;
         const BodyState& state = data_.states[data_.forms[shape].body];
         return rotate({state.cosine, state.sine}, local);
     }

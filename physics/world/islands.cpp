@@ -1,7 +1,9 @@
+#include <geometry/growth.h>
 #include <solver/union_find.h>
 #include <world/world_data.h>
 
 #include <algorithm>
+#include <utility>
 
 // Sleeping. What is awake is listed; what sleeps is in an island with all that fell asleep with it,
 // costs nothing in a step, and wakes as a whole. Islands are found by union-find over the active
@@ -55,23 +57,25 @@ void WorldData::leave_island(uint32_t body) {
     const uint32_t island = bodies[body].island;
     if (island == none) return;
     bodies[body].island = none;
-    auto& members = islands[island].bodies;
-    members.erase(std::find(members.begin(), members.end(), body));
-    if (!members.empty()) return;
-    islands[island].next_free = free_island;
+    uint32_t* link = &islands[island].first;
+    while (*link != body) link = &bodies[*link].next;
+    *link = std::exchange(bodies[body].next, none);
+    if (islands[island].first == none) free_island_slot(island);
+}
+
+void WorldData::free_island_slot(uint32_t island) {
+    islands[island] = {none, free_island};
     free_island = island;
     --island_count;
 }
 
 void WorldData::wake_sleeping(uint32_t body) {
     const uint32_t island = bodies[body].island;
-    const std::vector<uint32_t> members = std::move(islands[island].bodies);
-    islands[island].bodies.clear();
-    islands[island].next_free = free_island;
-    free_island = island;
-    --island_count;
+    std::vector<uint32_t> members;
+    for_each_asleep(island, [&](uint32_t member) { members.push_back(member); });
+    free_island_slot(island);
     for (uint32_t member : members) {
-        bodies[member].island = none;
+        bodies[member].island = bodies[member].next = none;
         bodies[member].sleep_time = 0.0f;
         bodies[member].never_awake = false;
         add_awake(member);
@@ -121,12 +125,15 @@ void WorldData::put_to_sleep(std::span<const uint32_t> group) {
         free_island = islands[island].next_free;
     } else {
         island = uint32_t(islands.size());
+        make_room(islands);
         islands.emplace_back();
     }
     ++island_count;
-    islands[island].bodies.assign(group.begin(), group.end());
+    uint32_t* link = &islands[island].first;
     for (uint32_t body : group) {
         BodyRecord& record = bodies[body];
+        *link = body;
+        link = &record.next;
         record.island = island;
         record.solver_index = 0;
         record.sleep_time = 0.0f;

@@ -103,23 +103,22 @@ void check_bodies(const WorldData& w, Findings& findings) {
         n > 0 && w.states.size() == n && w.previous.size() == n && w.body_generations.size() == n,
         "bodies");
     for (const BodyRecord& body : w.bodies) {
-        findings.require(
-            body.mobility <= Mobility::dynamic && body.type <= BodyType::dynamic_body &&
-                body.solver_index <= w.awake_bodies.size() &&
-                are_bools(body.locked_x, body.locked_y, body.locked_rotation, body.can_sleep,
-                          body.bullet, body.never_awake, body.mass_dirty, body.placement_dirty,
-                          body.listed) &&
-                are_optionals(body.mass_override, body.inertia_override, body.center_override) &&
-                optional_index(body.island, w.islands.size()),
-            "a body");
+        findings.require(body.mobility <= Mobility::dynamic &&
+                             body.type <= BodyType::dynamic_body &&
+                             body.solver_index <= w.awake_bodies.size() &&
+                             are_bools(body.locked_x, body.locked_y, body.locked_rotation,
+                                       body.can_sleep, body.bullet, body.never_awake,
+                                       body.mass_dirty, body.placement_dirty, body.listed) &&
+                             optional_index(body.island, w.islands.size()),
+                         "a body");
         findings.require(
             optional_index(body.last_shape, shapes) &&
                 list_ends(body.first_shape, shapes, [&](uint32_t s) { return w.shapes[s].next; }),
             "the shapes of a body");
-        findings.require(edges_end(body.first_contact, w.contacts), "the contacts of a body");
+        findings.require(edges_end(body.first_contact, w.contact_links), "the contacts of a body");
         findings.require(edges_end(body.first_joint, w.joints), "the joints of a body");
     }
-    findings.require(list_ends(w.free_body, n, [&](uint32_t i) { return w.bodies[i].next_free; }),
+    findings.require(list_ends(w.free_body, n, [&](uint32_t i) { return w.bodies[i].next; }),
                      "free bodies");
 }
 
@@ -181,7 +180,7 @@ void check_shapes(const WorldData& w, Findings& findings) {
                          "the vertices of a shape");
     }
     check_parts(w, findings);
-    findings.require(list_ends(w.free_shape, n, [&](uint32_t i) { return w.shapes[i].next_free; }),
+    findings.require(list_ends(w.free_shape, n, [&](uint32_t i) { return w.shapes[i].next; }),
                      "free shapes");
 }
 
@@ -210,6 +209,7 @@ void check_proxies(const WorldData& w, Findings& findings) {
 
 void check_contacts(const WorldData& w, Findings& findings) {
     const size_t n = w.contacts.size();
+    findings.require(w.contact_links.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
         const bool used = c.shape_a != none;
         findings.require(!used || (c.shape_a < w.shapes.size() && c.shape_b < w.shapes.size() &&
@@ -218,17 +218,20 @@ void check_contacts(const WorldData& w, Findings& findings) {
         findings.require(
             optional_index(c.awake_index, w.awake_contacts.size()) && c.manifold.count >= 0 &&
                 c.manifold.count <= 2 &&
-                are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled, c.curved) &&
-                edge_in_range(c.edges[0], n) && edge_in_range(c.edges[1], n),
+                are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled, c.curved),
             "a contact");
     }
+    for (const ContactLinks& links : w.contact_links)
+        findings.require(edge_in_range(links.edges[0], n) && edge_in_range(links.edges[1], n),
+                         "a contact");
     findings.require(
-        list_ends(w.free_contact, n, [&](uint32_t i) { return w.contacts[i].next_free; }),
+        list_ends(w.free_contact, n, [&](uint32_t i) { return w.contact_links[i].edges[0].next; }),
         "free contacts");
     findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
     // A contact in a list of bodies or of what is awake is one that is used.
     for (const BodyRecord& body : w.bodies)
-        for (uint32_t e = body.first_contact; e != none; e = w.contacts[e >> 1].edges[e & 1].next)
+        for (uint32_t e = body.first_contact; e != none;
+             e = w.contact_links[e >> 1].edges[e & 1].next)
             findings.require(w.contacts[e >> 1].shape_a != none, "the contacts of a body");
     for (size_t i = 0; i < w.awake_contacts.size(); ++i) {
         const ContactRecord& c = w.contacts[w.awake_contacts[i]];
@@ -301,7 +304,9 @@ void check_lists(const WorldData& w, Findings& findings) {
                          all_below(w.awake_contacts, w.contacts.size()),
                      "the lists of what is awake or edited");
     for (const Island& island : w.islands)
-        findings.require(all_below(island.bodies, bodies), "an island");
+        findings.require(
+            list_ends(island.first, bodies, [&](uint32_t i) { return w.bodies[i].next; }),
+            "an island");
     findings.require(list_ends(w.free_island, w.islands.size(),
                                [&](uint32_t i) { return w.islands[i].next_free; }),
                      "free islands");
@@ -314,10 +319,11 @@ void check_lists(const WorldData& w, Findings& findings) {
     if (findings.result()) return;
     // Who sleeps is in an island, which knows him.
     size_t sleepers = 0;
-    for (size_t i = 0; i < w.islands.size(); ++i) {
-        for (const uint32_t body : w.islands[i].bodies)
+    for (uint32_t i = 0; i < w.islands.size(); ++i) {
+        w.for_each_asleep(i, [&](uint32_t body) {
             findings.require(w.bodies[body].island == i, "an island");
-        sleepers += w.islands[i].bodies.size();
+            ++sleepers;
+        });
     }
     for (const BodyRecord& body : w.bodies) {
         findings.require(!body.asleep() || body.island != none, "a sleeping body");

@@ -161,11 +161,11 @@ void WorldData::rebuild_parts(uint32_t shape) {
     // Exact: of the whole outline, whatever it was cut into.
     ShapeRecord& record = shapes[shape];
     if (chain) {
-        record.moments = moments_of(outline_of(shape).first(std::min(record.outline, 2u)), 0.0f);
+        record.set_moments(moments_of(outline_of(shape).first(std::min(record.outline, 2u)), 0.0f));
     } else {
         std::vector<V2> points(outline_of(shape).begin(), outline_of(shape).end());
         if (signed_area(points) < 0.0) std::reverse(points.begin(), points.end());
-        record.moments = moments_of(points, 0.0f);
+        record.set_moments(moments_of(points, 0.0f));
     }
 }
 

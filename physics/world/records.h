@@ -6,8 +6,9 @@
 #include <geometry/mass.h>
 #include <geometry/vector.h>
 
-#include <optional>
-#include <vector>
+#include <cmath>
+#include <cstring>
+#include <limits>
 
 // What a world keeps per body, shape, contact and joint. Indices instead of pointers and no
 // ownership anywhere, so that the vectors of these records can be copied as they are.
@@ -23,6 +24,12 @@ enum class Mobility : uint8_t { fixed, kinematic, dynamic };
 struct ListEdge {
     uint32_t previous = none, next = none;  ///< edges: index << 1 | side
 };
+
+/// What somebody gave in place of what follows from the shapes; NaN: nobody.
+inline constexpr float not_given = std::numeric_limits<float>::quiet_NaN();
+inline bool is_given(float value) {
+    return !std::isnan(value);
+}
 
 struct BodyRecord {
     // What the step gathers of an awake body.
@@ -55,19 +62,19 @@ struct BodyRecord {
     bool placement_dirty =
         false;            ///< moved by an edit: rotated vertices, boxes and proxies are out of date
     bool listed = false;  ///< in the list of bodies to refresh
-    uint32_t first_shape = none, last_shape = none, shape_count = 0;
+    uint32_t first_shape = none, last_shape = none;
     uint32_t first_contact = none;  ///< edge: contact << 1 | side
     uint32_t contact_count = 0;
     uint32_t touching = 0;        ///< contacts, sensors not counted
     uint32_t island = none;       ///< among the sleeping islands
+    uint32_t next = none;         ///< who sleeps in the same island; of a free slot: the next one
     uint32_t first_joint = none;  ///< edge: joint << 1 | side
     uint32_t joint_count = 0;
 
-    float mass = 0.0f, inertia = 0.0f, area = 0.0f;
-    std::optional<float> mass_override, inertia_override;
-    std::optional<V2> center_override;
+    float mass = 0.0f, inertia = 0.0f;
+    float given_mass = not_given, given_inertia = not_given;
+    V2 given_center = {not_given, not_given};
     uint32_t rebuilds = 0;
-    uint32_t next_free = none;
     uint64_t user_data = 0;
 
     bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
@@ -85,15 +92,41 @@ struct ShapeForm {
     bool is_small_polygon() const { return kind == FormKind::convex && (count == 3 || count == 4); }
 };
 
+/// Circle, Box, Segment or Ellipse: the type of the shape tells which, so that all of them share
+/// the memory of the largest.
+class Figure {
+  public:
+    template <class Kind>
+    Kind as() const {
+        static_assert(sizeof(Kind) <= sizeof numbers_);
+        Kind kind;
+        std::memcpy(static_cast<void*>(&kind), numbers_, sizeof kind);
+        return kind;
+    }
+    template <class Kind>
+    void become(const Kind& kind) {
+        static_assert(sizeof(Kind) <= sizeof numbers_);
+        std::memcpy(numbers_, static_cast<const void*>(&kind), sizeof kind);
+    }
+
+  private:
+    float numbers_[6] = {};
+};
+
+/// What a polygon has besides its vertices.
+struct PolygonFigure {
+    float rounding = 0.0f;
+};
+
 struct ShapeRecord {
-    ShapeType type = ShapeType::circle;
     ShapeDef surface;
-    Circle circle;
-    Box box;
-    Segment segment;
-    Ellipse ellipse;
-    float polygon_rounding = 0.0f;
-    bool closed = false;    ///< a chain
+    Figure figure;
+    ShapeType type = ShapeType::circle;
+    Mobility tree = Mobility::fixed;  ///< which tree the proxy is in: fixed or another
+    bool closed = false;              ///< a chain
+    bool geometry_dirty = false;
+    bool moved = false;     ///< in the list of shapes to find pairs for
+    bool listed = false;    ///< in the list of shapes to refresh
     uint32_t capacity = 0;  ///< vertices reserved in the pool
 
     // A chain or a concave polygon collides as its parts, which are shapes that only the library
@@ -102,19 +135,24 @@ struct ShapeRecord {
     uint32_t owner = none;                         ///< of a part
     uint32_t first_part = none, next_part = none;  ///< of an owner, of a part
 
-    bool geometry_dirty = false;
-    bool moved = false;   ///< in the list of shapes to find pairs for
-    bool listed = false;  ///< in the list of shapes to refresh
     int32_t proxy = -1;
-    Mobility tree = Mobility::fixed;        ///< which tree the proxy is in: fixed or another
-    uint32_t previous = none, next = none;  ///< in the body
+    uint32_t previous = none, next = none;  ///< in the body; of a free slot: the next one
     uint32_t touching = 0;
-    AreaMoments moments;
     uint32_t rebuilds = 0;
-    uint32_t next_free = none;
+    float area = 0.0f, moment = 0.0f;  ///< m², m⁴ about the centroid
+    V2 centroid;
+
+    void set_moments(const AreaMoments& m) {
+        area = float(m.area);
+        moment = float(m.moment);
+        centroid = {float(m.center_x), float(m.center_y)};
+    }
 };
 
 static_assert(sizeof(ShapeForm) == 24);
+// A world has one of each for every body: whoever adds a member pays for it a hundred thousand
+// times.
+static_assert(sizeof(BodyRecord) <= 168 && sizeof(ShapeRecord) <= 144);
 
 /// Both plain convex.
 inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
@@ -122,7 +160,6 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
 }
 
 /// A pair of shapes whose fat boxes overlap. Lives in a slot; the awake ones are listed by slot.
-/// What every step reads and writes of every pair is in the first two of its three cache lines.
 struct alignas(64) ContactRecord {
     uint32_t shape_a = none, shape_b = none;  ///< shape_a < shape_b
     uint32_t body_a = none, body_b = none;
@@ -137,16 +174,19 @@ struct alignas(64) ContactRecord {
     Manifold manifold;
     float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
     float rolling_impulse = 0.0f;
-    uint64_t began = 0;  ///< in which step it began to touch
-    ListEdge edges[2];   ///< in the contact lists of body a and b
-    uint32_t next_free = none;
 
     void prefetch() const {
         __builtin_prefetch(this, 1);
         __builtin_prefetch(reinterpret_cast<const char*>(this) + 64, 1);
     }
 };
-static_assert(sizeof(ContactRecord) == 192);
+static_assert(sizeof(ContactRecord) == 128);
+
+/// What steps do not ask of a contact.
+struct ContactLinks {
+    ListEdge edges[2];   ///< in the contact lists of body a and b; of a free slot: the next one
+    uint32_t began = 0;  ///< the last digits of the step in which it began to touch
+};
 
 /// What all joints have. What a type adds is in the list of that type, without gaps.
 struct JointRecord {
@@ -175,15 +215,10 @@ struct FieldRecord {
     uint32_t next_free = none;
 };
 
-/// Bodies that fell asleep together and wake together.
+/// Bodies that fell asleep together and wake together, a list through their records.
 struct Island {
-    std::vector<uint32_t> bodies;
+    uint32_t first = none;
     uint32_t next_free = none;
-
-    template <class Io, class Self>
-    static void members(Io& io, Self& self) {
-        io(self.bodies), io(self.next_free);
-    }
 };
 
 }  // namespace fettle::physics::detail

@@ -189,13 +189,13 @@ void Shape::set_group(int32_t group) {
 float Shape::area() const {
     FETTLE_LIVE_SHAPE
     data.read_shape(id_.index);
-    return float(record.moments.area);
+    return record.area;
 }
 
 float Shape::mass() const {
     FETTLE_LIVE_SHAPE
     data.read_shape(id_.index);
-    return float(record.moments.area * double(record.surface.density));
+    return float(double(record.area) * double(record.surface.density));
 }
 
 Aabb Shape::aabb() const {
@@ -230,7 +230,7 @@ std::vector<Vec2> Shape::world_vertices() const {
 Vec2 Shape::world_center() const {
     FETTLE_LIVE_SHAPE
     data.read_all();
-    const Vec2 local = {float(record.moments.center_x), float(record.moments.center_y)};
+    const Vec2 local = to_vec2(record.centroid);
     return form.body == none ? local : body().world_point(local);
 }
 

@@ -21,48 +21,40 @@ void geometry_changed(WorldData& data, uint32_t shape) {
     data.mark_geometry(shape);
 }
 
-/// Where a record keeps a figure, and of which type a shape is that has it.
-template <class Figure>
-struct Kept;
+/// Of which type a shape is that is such a figure.
+template <class Kind>
+inline constexpr ShapeType type_of = ShapeType::border;
 template <>
-struct Kept<Circle> {
-    static constexpr ShapeType type = ShapeType::circle;
-    static constexpr auto place = &ShapeRecord::circle;
-};
+inline constexpr ShapeType type_of<Circle> = ShapeType::circle;
 template <>
-struct Kept<Box> {
-    static constexpr ShapeType type = ShapeType::box;
-    static constexpr auto place = &ShapeRecord::box;
-};
+inline constexpr ShapeType type_of<Box> = ShapeType::box;
 template <>
-struct Kept<Segment> {
-    static constexpr ShapeType type = ShapeType::segment;
-    static constexpr auto place = &ShapeRecord::segment;
-};
+inline constexpr ShapeType type_of<Segment> = ShapeType::segment;
 template <>
-struct Kept<Ellipse> {
-    static constexpr ShapeType type = ShapeType::ellipse;
-    static constexpr auto place = &ShapeRecord::ellipse;
-};
+inline constexpr ShapeType type_of<Ellipse> = ShapeType::ellipse;
 
 /// A measure of the figure that the shape is. `name`: as the error calls it for other shapes.
-template <class Figure, class T>
-const T& measure(const ShapeRecord& record, const char* name, T Figure::*member) {
-    if (record.type != Kept<Figure>::type) wrong_type(name, record.type);
-    return record.*Kept<Figure>::place.*member;
+template <class Kind, class T>
+T measure(const ShapeRecord& record, const char* name, T Kind::*member) {
+    if (record.type != type_of<Kind>) wrong_type(name, record.type);
+    return record.figure.as<Kind>().*member;
 }
 
 /// The figure is written only if it is sound afterwards.
-template <class Figure, class T>
-void set_measure(WorldData& data, uint32_t shape, const char* name, T Figure::*member,
+template <class Kind, class T>
+void set_measure(WorldData& data, uint32_t shape, const char* name, T Kind::*member,
                  const std::type_identity_t<T>& value) {
     ShapeRecord& record = data.shapes[shape];
-    if (record.type != Kept<Figure>::type) wrong_type(name, record.type);
-    Figure figure = record.*Kept<Figure>::place;
-    figure.*member = value;
-    check(Geometry(figure));
-    record.*Kept<Figure>::place = figure;
+    if (record.type != type_of<Kind>) wrong_type(name, record.type);
+    Kind kind = record.figure.as<Kind>();
+    kind.*member = value;
+    check(Geometry(kind));
+    record.figure.become(kind);
     geometry_changed(data, shape);
+}
+
+float polygon_rounding(const ShapeRecord& record) {
+    return record.figure.as<PolygonFigure>().rounding;
 }
 
 /// The same two floats in either struct.
@@ -82,17 +74,17 @@ Geometry Shape::geometry() const {
     FETTLE_LIVE_SHAPE
     switch (record.type) {
         case ShapeType::circle:
-            return record.circle;
+            return record.figure.as<Circle>();
         case ShapeType::box:
-            return record.box;
+            return record.figure.as<Box>();
         case ShapeType::segment:
-            return record.segment;
+            return record.figure.as<Segment>();
         case ShapeType::polygon: {
             const auto corners = vertices();
-            return Polygon{{corners.begin(), corners.end()}, record.polygon_rounding};
+            return Polygon{{corners.begin(), corners.end()}, polygon_rounding(record)};
         }
         case ShapeType::ellipse:
-            return record.ellipse;
+            return record.figure.as<Ellipse>();
         case ShapeType::concave:
             return Concave{list_of(data.outline_of(id_.index))};
         case ShapeType::chain:
@@ -126,8 +118,8 @@ void Shape::set_radius(float radius) {
 
 Vec2 Shape::center() const {
     FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::circle) return record.circle.center;
-    if (record.type == ShapeType::box) return record.box.center;
+    if (record.type == ShapeType::circle) return record.figure.as<Circle>().center;
+    if (record.type == ShapeType::box) return record.figure.as<Box>().center;
     return measure(record, "center", &Ellipse::center);
 }
 
@@ -176,7 +168,7 @@ void Shape::set_height(float height) {
 }
 float Shape::angle() const {
     FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::ellipse) return record.ellipse.angle;
+    if (record.type == ShapeType::ellipse) return record.figure.as<Ellipse>().angle;
     return measure(record, "angle", &Box::angle);
 }
 void Shape::set_angle(float angle) {
@@ -189,8 +181,8 @@ void Shape::set_angle(float angle) {
 
 float Shape::rounding() const {
     FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::box) return record.box.rounding;
-    if (record.type == ShapeType::polygon) return record.polygon_rounding;
+    if (record.type == ShapeType::box) return record.figure.as<Box>().rounding;
+    if (record.type == ShapeType::polygon) return polygon_rounding(record);
     return measure(record, "rounding", &Segment::rounding);
 }
 
@@ -199,7 +191,7 @@ void Shape::set_rounding(float rounding) {
     if (record.type == ShapeType::box) {
         set_measure(data, id_.index, "rounding", &Box::rounding, rounding);
     } else if (record.type == ShapeType::polygon) {
-        record.polygon_rounding = check_range("rounding", rounding, 0.0f, 1e6f);
+        record.figure.become(PolygonFigure{check_range("rounding", rounding, 0.0f, 1e6f)});
         geometry_changed(data, id_.index);
     } else {
         set_measure(data, id_.index, "rounding", &Segment::rounding, rounding);
@@ -241,7 +233,7 @@ HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
     if (status != HullStatus::ok) return status;
     for (const Vec2& v : hull) check_range("vertices", v.lpNorm<Eigen::Infinity>(), 0.0f, 1e6f);
     geometry_changed(data, id_.index);
-    data.set_form(id_.index, Polygon{{}, record.polygon_rounding}, hull);
+    data.set_form(id_.index, Polygon{{}, polygon_rounding(record)}, hull);
     return status;
 }
 

@@ -1,5 +1,6 @@
 #include <collision/large_polygon.h>
 #include <fettle/physics/hull.h>
+#include <geometry/growth.h>
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
@@ -71,11 +72,12 @@ BorderPlane WorldData::border_plane(uint32_t side) const {
 uint32_t WorldData::create_body(const BodyDef& def) {
     uint32_t slot = free_body;
     if (slot != none) {
-        free_body = bodies[slot].next_free;
+        free_body = bodies[slot].next;
         bodies[slot] = {};
         states[slot] = {};
     } else {
         slot = uint32_t(bodies.size());
+        make_room_in_each(bodies, states, previous, body_generations);
         bodies.emplace_back();
         states.emplace_back();
         previous.emplace_back();
@@ -96,9 +98,9 @@ uint32_t WorldData::create_body(const BodyDef& def) {
     record.locked_rotation = def.locked_rotation;
     record.can_sleep = def.can_sleep;
     record.bullet = def.bullet;
-    record.mass_override = def.mass;
-    record.inertia_override = def.inertia;
-    if (def.center) record.center_override = to_v2(*def.center);
+    record.given_mass = def.mass.value_or(not_given);
+    record.given_inertia = def.inertia.value_or(not_given);
+    if (def.center) record.given_center = record.local_center = to_v2(*def.center);
     record.user_data = def.user_data;
 
     BodyState& state = states[slot];
@@ -108,7 +110,6 @@ uint32_t WorldData::create_body(const BodyDef& def) {
     state.cosine = q.c;
     state.sine = q.s;
     previous[slot] = {def.position, def.angle};
-    record.local_center = record.center_override.value_or(V2{});
     record.center = to_v2(def.position) + rotate(q, record.local_center);
     mark_mass(slot);
     refresh_mass(slot);  // finds its mobility: no shapes yet, nothing else to compute
@@ -138,7 +139,7 @@ void WorldData::destroy_body(uint32_t body) {
     if (bodies[body].solver_index != 0) remove_awake(body);
     leave_island(body);
     bodies[body] = {};
-    bodies[body].next_free = free_body;
+    bodies[body].next = free_body;
     free_body = body;
     body_generations[body] = 0;
     --body_count;
@@ -161,11 +162,12 @@ uint32_t WorldData::create_shape(const ShapeDef& def, const Geometry& geometry) 
 uint32_t WorldData::new_shape() {
     uint32_t slot = free_shape;
     if (slot != none) {
-        free_shape = shapes[slot].next_free;
+        free_shape = shapes[slot].next;
         shapes[slot] = {};
         forms[slot] = {};
     } else {
         slot = uint32_t(shapes.size());
+        make_room_in_each(shapes, forms, boxes, fat_boxes, paired_boxes, shape_generations);
         shapes.emplace_back();
         forms.emplace_back();
         boxes.emplace_back();
@@ -196,24 +198,24 @@ void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vec
     std::span<const Vec2> outline;
     if (const Circle* circle = std::get_if<Circle>(&geometry)) {
         record.type = ShapeType::circle;
-        record.circle = *circle;
+        record.figure.become(*circle);
         count = 1;
     } else if (const Box* box = std::get_if<Box>(&geometry)) {
         record.type = ShapeType::box;
-        record.box = *box;
+        record.figure.become(*box);
         count = 4;
     } else if (const Segment* segment = std::get_if<Segment>(&geometry)) {
         record.type = ShapeType::segment;
-        record.segment = *segment;
+        record.figure.become(*segment);
         count = 2;
     } else if (const Polygon* polygon = std::get_if<Polygon>(&geometry)) {
         record.type = ShapeType::polygon;
-        record.polygon_rounding = polygon->rounding;
+        record.figure.become(PolygonFigure{polygon->rounding});
         count = uint32_t(hull.size());
         if (count > uint32_t(most_small_vertices)) kind = FormKind::large;
     } else if (const Ellipse* ellipse = std::get_if<Ellipse>(&geometry)) {
         record.type = ShapeType::ellipse;
-        record.ellipse = *ellipse;
+        record.figure.become(*ellipse);
         kind = FormKind::ellipse;
         count = 1;
         room = 2;  // its axes
@@ -254,7 +256,7 @@ void WorldData::destroy_shape(uint32_t shape) {
     pool.release(forms[shape].begin, shapes[shape].capacity);
     shapes[shape] = {};
     forms[shape] = {};
-    shapes[shape].next_free = free_shape;
+    shapes[shape].next = free_shape;
     free_shape = shape;
     shape_generations[shape] = 0;
 }
@@ -264,7 +266,6 @@ void WorldData::attach_shape(uint32_t shape, uint32_t body) {
     if (!bodies[body].never_awake) wake_for_edit(body);
     link_shape(shape, body);
     if (!is_solid(shape)) for_each_solid(shape, [&](uint32_t part) { link_shape(part, body); });
-    if (shapes[shape].owner == none) ++bodies[body].shape_count;
     mark_mass(body);
     mark_placement(body);
 }
@@ -288,7 +289,6 @@ void WorldData::detach_shape(uint32_t shape) {
     wake_touching(body);
     for_each_solid(shape, [&](uint32_t solid) { unlink_shape(solid); });
     if (!is_solid(shape)) unlink_shape(shape);
-    if (shapes[shape].owner == none) --bodies[body].shape_count;
     mark_mass(body);
     mark_placement(body);
     // Alone, its box is in its own coordinates again.

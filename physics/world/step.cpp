@@ -189,6 +189,7 @@ void WorldData::step(float dt) {
     statistics.awake_contacts = uint32_t(awake_contacts.size());
     statistics.touching = uint32_t(constraints.size() + colored_count);
     statistics.islands = island_count;
+    trim();
 }
 
 }  // namespace fettle::physics::detail

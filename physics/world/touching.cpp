@@ -36,7 +36,7 @@ void WorldData::set_touching(uint32_t slot, bool touching) {
         bodies[c.body_b].touching += touching ? 1u : ~0u;
     }
     if (!of_outline(c)) {
-        if (touching) c.began = steps;
+        if (touching) contact_links[slot].began = uint32_t(steps);
         tell_touching(c, touching);
         return;
     }
@@ -54,7 +54,7 @@ void WorldData::set_touching(uint32_t slot, bool touching) {
         parted.erase(gone);  // only gone on to another part
         return;
     }
-    c.began = steps;
+    contact_links[slot].began = uint32_t(steps);
     tell_touching(c, true);
 }
 

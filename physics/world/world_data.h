@@ -86,6 +86,7 @@ struct WorldData : Columns {
     std::vector<BodyRecord> bodies;
     std::vector<ShapeRecord> shapes;
     std::vector<ContactRecord> contacts;
+    std::vector<ContactLinks> contact_links;  ///< of the same
     std::vector<JointRecord> joints;
     JointLists joint_lists;
     std::vector<Island> islands;
@@ -356,7 +357,7 @@ struct WorldData : Columns {
     template <typename Visit>
     void for_each_contact(uint32_t body, Visit&& visit) const {
         for (uint32_t edge = bodies[body].first_contact; edge != none;) {
-            const uint32_t next = contacts[edge >> 1].edges[edge & 1].next;
+            const uint32_t next = contact_links[edge >> 1].edges[edge & 1].next;
             visit(edge >> 1);
             edge = next;
         }
@@ -385,6 +386,7 @@ struct WorldData : Columns {
     void add_awake_contact(uint32_t contact);
     void remove_awake_contact(uint32_t contact);
     void leave_island(uint32_t body);
+    void free_island_slot(uint32_t island);
     bool in_motion(uint32_t body) const;
 
     // step.cpp
@@ -442,6 +444,18 @@ struct WorldData : Columns {
     void update_touch(uint32_t contact, bool pushed);
     void report_hit(uint32_t contact, const ContactExtra* extra);
     void zero_locked();
+
+    template <typename Visit>
+    void for_each_asleep(uint32_t island, Visit&& visit) const {
+        for (uint32_t body = islands[island].first; body != none;) {
+            const uint32_t next = bodies[body].next;
+            visit(body);
+            body = next;
+        }
+    }
+
+    // memory.cpp
+    void trim();
 
     // archive.cpp, links.cpp: saved worlds
     void take(WorldData&& other);

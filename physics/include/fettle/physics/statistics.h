@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <fettle/physics/export.h>
@@ -32,6 +33,13 @@ struct StepStatistics {
     float finish_ms = 0.0f;  ///< poses, boxes, continuous collision
     float sleep_ms = 0.0f;   ///< islands
     float total_ms = 0.0f;
+};
+
+/// Memory that a world has reserved for one purpose, bytes.
+struct MemoryShare {
+    const char* purpose = "";
+    std::size_t used = 0;      ///< what is there
+    std::size_t reserved = 0;  ///< the room for more included
 };
 
 }  // namespace fettle::physics

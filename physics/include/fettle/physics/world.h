@@ -218,6 +218,9 @@ class World {
 
     const Events& events() const;  ///< of the last step
     const StepStatistics& statistics() const;
+    /// What the world has on the heap, by purpose, but for callbacks and threads. What a step needs
+    /// and can make anew is given back when most of what was awake sleeps.
+    std::vector<MemoryShare> memory() const;
     /// Of position, angle and velocities of all bodies, in slot order: equal for equal histories.
     uint64_t hash() const;
 

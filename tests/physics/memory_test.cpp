@@ -1,0 +1,148 @@
+// What a world takes: bytes that were asked for, counted where they are asked for.
+
+#include "catch.h"
+#include "scenes.h"
+
+#include <malloc.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+using namespace scenes;
+
+namespace {
+
+std::atomic<std::size_t> bytes_in_use = 0;
+
+void* counted(void* memory) {
+    if (memory == nullptr) throw std::bad_alloc();
+    bytes_in_use += malloc_usable_size(memory);
+    return memory;
+}
+
+void discount(void* memory) {
+    bytes_in_use -= malloc_usable_size(memory);
+    std::free(memory);
+}
+
+}  // namespace
+
+// Of the whole program: the tests beside these count too, which harms nobody.
+void* operator new(std::size_t size) {
+    return counted(std::malloc(size > 0 ? size : 1));
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    const auto unit = static_cast<std::size_t>(alignment);
+    return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+}
+void operator delete(void* memory) noexcept {
+    discount(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    discount(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    discount(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    discount(memory);
+}
+
+namespace {
+
+/// Boxes in a row, each of which rests on the ground; they sleep after some steps.
+void add_row(World& world, int count) {
+    Body ground = world.create_body({.type = BodyType::static_body});
+    ground.add(Box{.width = 4.0f * float(count), .height = 1});
+    for (int i = 0; i < count; ++i)
+        world.create_body({.position = {2.0f * float(i - count / 2), 1.0f}}).add(Box{});
+}
+
+void settle(World& world) {
+    for (int i = 0; i < 1000 && (i == 0 || world.statistics().awake_bodies > 0); ++i)
+        world.step(frame);
+    world.step(frame);  // who fell asleep is told no more
+}
+
+std::size_t reserved(const World& world) {
+    std::size_t sum = 0;
+    for (const MemoryShare& share : world.memory()) sum += share.reserved;
+    return sum;
+}
+
+std::size_t reserved(const World& world, const std::string& purpose) {
+    for (const MemoryShare& share : world.memory())
+        if (share.purpose == purpose) return share.reserved;
+    FAIL("no memory for " << purpose);
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("a sleeping body with a box that rests on the ground takes less than a kilobyte") {
+    // Of any number of them, wherever the vectors are on the way to their next size.
+    for (const int count : {500, 1000, 3300, 9000, 20000}) {
+        const std::size_t before = bytes_in_use;
+        auto world = std::make_unique<World>(WorldDef{.sleep_delay = 0.05f});
+        add_row(*world, count);
+        settle(*world);
+        REQUIRE(world->statistics().awake_bodies == 0);
+        REQUIRE(world->contacts().size() == std::size_t(count));
+        const auto bytes = double(bytes_in_use - before) / count;
+        INFO(count << " bodies, " << bytes << " bytes each");
+        REQUIRE(bytes < 1024);
+        REQUIRE(bytes > 500);  // it counts
+    }
+}
+
+TEST_CASE("a world tells where its memory is") {
+    const std::size_t before = bytes_in_use;
+    auto world = std::make_unique<World>(WorldDef{.sleep_delay = 0.05f});
+    const std::size_t empty = bytes_in_use - before;
+    add_row(*world, 2000);
+    world->step(frame);
+    // All but the world itself, and what the heap rounds up.
+    const auto difference = double(bytes_in_use - before) - double(reserved(*world));
+    REQUIRE(difference >= 0);
+    REQUIRE(difference < double(empty) + 4096);
+    for (const MemoryShare& share : world->memory()) REQUIRE(share.used <= share.reserved);
+}
+
+TEST_CASE("what a step needs besides is given back when most bodies sleep") {
+    World world({.sleep_delay = 0.05f});
+    add_row(world, 1000);
+    world.step(frame);
+    const std::size_t awake = reserved(world, "step");
+    settle(world);
+    REQUIRE(world.statistics().awake_bodies == 0);
+    REQUIRE(reserved(world, "step") < awake / 20);
+    // One that wakes brings back what one needs.
+    world.bodies()[500].apply_impulse({0, 1});
+    world.step(frame);
+    REQUIRE(world.statistics().awake_bodies == 1);
+    REQUIRE(reserved(world, "step") < awake / 20);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("a world whose memory was given back goes on as its copy does") {
+    World world({.sleep_delay = 0.05f});
+    add_row(world, 100);
+    for (int i = 0; i < 20; ++i) add_box(world, {0.02f * float(i % 3), 1.5f + 1.01f * float(i)});
+    settle(world);
+    REQUIRE(world.statistics().awake_bodies == 0);
+    const auto bytes = [&] {
+        std::vector<std::byte> saved;
+        world.save(saved);
+        return saved;
+    }();
+    World other;
+    other.restore(bytes);  // its vectors are as long as what they hold
+    for (World* each : {&world, &other}) {
+        each->bodies()[50].apply_impulse({0.3f, 4});
+        for (int i = 0; i < 100; ++i) each->step(frame);
+    }
+    REQUIRE(world.hash() == other.hash());
+    REQUIRE_FALSE(world.validate());
+}
