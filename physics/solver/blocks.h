@@ -19,6 +19,7 @@ namespace fettle::physics::detail {
 struct SolverBlock {
     uint32_t first_body = 0, body_end = 0;    ///< in the order of the blocks
     uint32_t first_group = 0, group_end = 0;  ///< of wide contacts
+    uint32_t groups() const { return group_end - first_group; }
 };
 
 class SolverBlocks {
@@ -55,11 +56,11 @@ class SolverBlocks {
         return std::span(order_).subspan(block.first_body, block.body_end - block.first_body);
     }
 
-    /// All of it is made anew in every step.
+    /// What stays from step to step only saves work.
     template <class Io, class Self>
     static void scratch(Io& io, Self& self) {
         io(self.islands_.parent), io(self.first_), io(self.contacts_), io(self.block_of_);
-        io(self.order_), io(self.blocks_);
+        io(self.order_), io(self.blocks_), io(self.bodies_);
     }
 
   private:

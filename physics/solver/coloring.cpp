@@ -182,8 +182,6 @@ void WorldData::place_lanes() {
             blocks[entry / color_count].group_end = begin / lanes;
     }
     first_groups.back() = begin / lanes;
-    wide_contacts.resize(begin / lanes);
-    contact_lanes.resize(begin / lanes);
     news.resize(begin / lanes);
     lane_contacts.resize(begin);
     for (const uint32_t lane : spare_lanes) lane_contacts[lane] = none;
@@ -197,39 +195,32 @@ void WorldData::place_lanes() {
     });
 }
 
-/// Before groups are prepared: who is in them.
-void WorldData::fill_groups(size_t begin, size_t end) {
-    for (size_t group = begin; group < end; ++group) {
-        WideContact& wide = wide_contacts[group];
-        ContactLanes& from = contact_lanes[group];
-        from.touching = from.tells_always = 0;
-        for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
-            const uint32_t i = lane_contacts[group * lanes + lane];
-            if (i == none) {  // body 0 against itself, without mass
-                wide.a[lane] = wide.b[lane] = 0;
-                wide.friction[lane] = 0.0f;
-                from.spare = {};
-                from.manifolds[lane] = &from.spare;
-                continue;
-            }
-            const ActingContact& c = acting[i];
-            wide.a[lane] = c.a();
-            wide.b[lane] = c.b();
-            wide.friction[lane] = c.friction;
-            from.manifolds[lane] = &contacts[c.slot].manifold;
-            from.touching |= uint32_t{c.touching} << lane;
-            from.tells_always |= uint32_t{c.hit_events} << lane;
+/// Before a group is prepared: who is in it.
+void WorldData::fill_group(size_t group, WideContact& wide, ContactLanes& from) {
+    from.touching = from.tells_always = 0;
+    for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
+        const uint32_t i = lane_contacts[group * lanes + lane];
+        if (i == none) {  // body 0 against itself, without mass
+            wide.a[lane] = wide.b[lane] = 0;
+            wide.friction[lane] = 0.0f;
+            from.spare = {};
+            from.manifolds[lane] = &from.spare;
+            continue;
         }
+        const ActingContact& c = acting[i];
+        wide.a[lane] = c.a();
+        wide.b[lane] = c.b();
+        wide.friction[lane] = c.friction;
+        from.manifolds[lane] = &contacts[c.slot].manifold;
+        from.touching |= uint32_t{c.touching} << lane;
+        from.tells_always |= uint32_t{c.hit_events} << lane;
     }
 }
 
-/// After groups are stored: whose touch begins or ends, and who tells of hits.
-void WorldData::note_news(size_t begin, size_t end) {
-    for (size_t group = begin; group < end; ++group) {
-        const ContactLanes& c = contact_lanes[group];
-        news[group] =
-            uint16_t((c.near & ~c.touching) | (c.touching & ~c.within_twice) | c.tells_always);
-    }
+/// After a group is stored: whose touch begins or ends, and who tells of hits.
+void WorldData::note_news(size_t group, const ContactLanes& of) {
+    const uint32_t touches = (of.near & ~of.touching) | (of.within_twice & of.touching);
+    news[group] = {uint16_t((touches ^ of.touching) | of.tells_always), uint16_t(touches)};
 }
 
 }  // namespace fettle::physics::detail

@@ -169,8 +169,8 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
 /// What came of the wide contacts is told in the order of the records, not of the colors.
 void WorldData::tell_of_groups() {
     told.assign((acting.size() + 63) / 64, 0);
-    for (size_t group = 0; group < contact_lanes.size(); ++group) {
-        for (uint32_t left = news[group]; left != 0; left &= left - 1) {
+    for (size_t group = 0; group < news.size(); ++group) {
+        for (uint32_t left = news[group].told; left != 0; left &= left - 1) {
             const uint32_t i = lane_contacts[group * lanes + size_t(std::countr_zero(left))];
             told[i / 64] |= uint64_t{1} << i % 64;
         }
@@ -178,9 +178,7 @@ void WorldData::tell_of_groups() {
     for (size_t word = 0; word < told.size(); ++word) {
         for (uint64_t left = told[word]; left != 0; left &= left - 1) {
             const ActingContact& c = acting[word * 64 + size_t(std::countr_zero(left))];
-            const ContactLanes& group = contact_lanes[c.place / lanes];
-            const uint32_t near = c.touching ? group.within_twice : group.near;
-            const bool touching = (near >> c.place % lanes & 1) != 0;
+            const bool touching = (news[c.place / lanes].touches >> c.place % lanes & 1) != 0;
             if (touching != c.touching) set_touching(c.slot, touching);
             if (c.hit_events) report_hit(c.slot, nullptr);
         }

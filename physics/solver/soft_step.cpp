@@ -2,6 +2,8 @@
 #include <world/world_data.h>
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <tuple>
 
 // The soft step (E. Catto, "Solver2D", 2024) over all blocks: per sub-step velocities, warm start,
@@ -16,12 +18,31 @@ constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 512;
 
 /// Holds more than one island that is itself enough for a block.
 bool is_large(const SolverBlock& block) {
-    return block.group_end - block.first_group > 2 * SolverBlocks::enough_contacts / lanes;
+    return block.groups() > 2 * SolverBlocks::enough_contacts / lanes;
 }
 /// Whether sharing out a pass takes less than the pass.
 bool worth_sharing(const SolverBlock& block) {
-    return block.group_end - block.first_group >= 4 * groups_at_a_time;
+    return block.groups() >= 4 * groups_at_a_time;
 }
+
+/// Who solves a block takes one that is idle and gives it back. There is one for every thread.
+class IdleBlocks {
+  public:
+    explicit IdleBlocks(std::vector<WideBlock>& blocks)
+        : blocks_(blocks), idle_(~uint64_t{0} >> (64 - blocks.size())) {}
+    WideBlock& take() {
+        for (uint64_t idle = idle_.load(std::memory_order_relaxed);;)
+            if (idle_.compare_exchange_weak(idle, idle & (idle - 1), std::memory_order_acquire))
+                return blocks_[size_t(std::countr_zero(idle))];
+    }
+    void give_back(const WideBlock& block) {
+        idle_.fetch_or(uint64_t{1} << (&block - blocks_.data()), std::memory_order_release);
+    }
+
+  private:
+    std::vector<WideBlock>& blocks_;
+    std::atomic<uint64_t> idle_;  // a bit each: a world has at most 64 threads
+};
 
 }  // namespace
 
@@ -33,15 +54,11 @@ struct WorldData::BlockStep {
     SubstepLimits limits;
 };
 
-WideStep WorldData::wide_step(const SolverBlock& block, const BlockStep& step) {
-    return {solver_bodies.data(), wide_contacts.data() + block.first_group,
-            block.group_end - block.first_group, 1.0f / step.h, settings.push_speed};
-}
-
 /// Color by color, where several threads do it.
-void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block,
+void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block, WideBlock& wide,
                      const BlockStep& step, ThreadPool* helpers) {
-    const WideStep all = wide_step(block, step);
+    const WideStep all = {solver_bodies.data(), wide.contacts.data(), block.groups(), 1.0f / step.h,
+                          settings.push_speed};
     if (helpers == nullptr) {
         kernel(all);
         return;
@@ -51,7 +68,7 @@ void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block,
         const uint32_t from = first[color], count = first[color + 1] - from;
         share_out_range(helpers, count, groups_at_a_time, [&](size_t begin, size_t end) {
             WideStep part = all;
-            part.contacts = wide_contacts.data() + from + begin;
+            part.contacts = wide.contacts_of(from + begin);
             part.count = end - begin;
             kernel(part);
         });
@@ -62,7 +79,7 @@ void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block,
 /// same one as in the passes: so what a thread prepares is in its cache when it solves.
 template <typename Work>
 void WorldData::for_groups(const SolverBlock& block, ThreadPool* helpers, Work&& work) {
-    const uint32_t groups = block.group_end - block.first_group;
+    const uint32_t groups = block.groups();
     if (helpers == nullptr) {
         work(block.first_group, block.group_end);
         return;
@@ -78,23 +95,26 @@ void WorldData::for_groups(const SolverBlock& block, ThreadPool* helpers, Work&&
     });
 }
 
-void WorldData::prepare_block(const SolverBlock& block, const BlockStep& step,
+void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
                               ThreadPool* helpers) {
+    wide.make_groups(block.first_group, block.group_end);
     for_groups(block, helpers, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; i += groups_at_a_time) {
             const size_t next = std::min(i + groups_at_a_time, end);
-            fill_groups(i, next);
-            step.kernels.prepare(step.prepare, std::span(contact_lanes).subspan(i, next - i),
-                                 wide_contacts.data() + i);
+            WideContact* const contacts = wide.contacts_of(i);
+            ContactLanes* const from = wide.lanes_of(i);
+            for (size_t k = 0; k < next - i; ++k) fill_group(i + k, contacts[k], from[k]);
+            step.kernels.prepare(step.prepare, {from, next - i}, contacts);
         }
     });
 }
 
-void WorldData::store_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers) {
+void WorldData::store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
+                            ThreadPool* helpers) {
     for_groups(block, helpers, [&](size_t begin, size_t end) {
-        step.kernels.store(wide_contacts.data() + begin,
-                           std::span(contact_lanes).subspan(begin, end - begin), touch_distance);
-        note_news(begin, end);
+        const std::span to(wide.lanes_of(begin), end - begin);
+        step.kernels.store(wide.contacts_of(begin), to, touch_distance);
+        for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
     });
 }
 
@@ -115,17 +135,18 @@ void WorldData::move_bodies(const SolverBlock& block, const BlockStep& step, Thr
 }
 
 /// A block of nothing but wide contacts, through all sub-steps.
-void WorldData::solve_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers) {
+void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
+                            ThreadPool* helpers) {
     const WideKernels& kernels = step.kernels;
-    prepare_block(block, step, helpers);
+    prepare_block(block, wide, step, helpers);
     for (int substep = 0; substep < settings.substeps; ++substep) {
         begin_substep(block, step, substep > 0, helpers);
-        if (substep == 0) pass(kernels.warm_start, block, step, helpers);
-        pass(kernels.solve_biased, block, step, helpers);
+        if (substep == 0) pass(kernels.warm_start, block, wide, step, helpers);
+        pass(kernels.solve_biased, block, wide, step, helpers);
         move_bodies(block, step, helpers);
-        pass(kernels.relax, block, step, helpers);
+        pass(kernels.relax, block, wide, step, helpers);
     }
-    store_block(block, step, helpers);
+    store_block(block, wide, step, helpers);
 }
 
 /// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
@@ -135,8 +156,7 @@ bool WorldData::repeats_pushes(const SolverBlock& block) {
     if (!rolling_contacts.empty()) return false;  // what they gave had another direction
     size_t ends = 0;
     std::apply([&](const auto&... list) { ((ends += 2 * list.size()), ...); }, joint_constraints);
-    const size_t groups = block.group_end - block.first_group;
-    if (ends > (groups * lanes + constraints.size()) / 4) return false;
+    if (ends > (size_t{block.groups()} * lanes + constraints.size()) / 4) return false;
     const auto add = [&](const auto& list) {
         for (const auto& c : list) joint_share.add(c.ends.a), joint_share.add(c.ends.b);
     };
@@ -149,6 +169,7 @@ bool WorldData::repeats_pushes(const SolverBlock& block) {
 void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_step) {
     const WideKernels& kernels = step.kernels;
     const SolverBlock& block = blocks[0];
+    WideBlock& wide = wide_blocks[0];
     ThreadPool* const helpers = worth_sharing(block) ? threads : nullptr;
     ContactSolver serial;
     serial.bodies = solver_bodies;
@@ -166,7 +187,7 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         else
             pass();
     };
-    prepare_block(block, step, helpers);
+    prepare_block(block, wide, step, helpers);
     serial.bounce(step.h * float(settings.substeps));
     zero_locked();
     for (int substep = 0; substep < settings.substeps; ++substep) {
@@ -177,22 +198,22 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         around_joints([&] { warm_start_joints(); });
         if (!again) {
             serial.warm_start();
-            pass(kernels.warm_start, block, step, helpers);
+            pass(kernels.warm_start, block, wide, step, helpers);
         }
         around_joints([&] { solve_joints(joint_step); });
         serial.solve_biased();
-        pass(kernels.solve_biased, block, step, helpers);
+        pass(kernels.solve_biased, block, wide, step, helpers);
         zero_locked();
         move_bodies(block, step, helpers);
         around_joints([&] { relax_joints(joint_step); });
         serial.relax();
-        pass(kernels.relax, block, step, helpers);
+        pass(kernels.relax, block, wide, step, helpers);
         zero_locked();
         strain_joints();
     }
     serial.restitute();
     zero_locked();
-    store_block(block, step, helpers);
+    store_block(block, wide, step, helpers);
 }
 
 void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness) {
@@ -201,14 +222,20 @@ void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness
                             {solver_bodies.data(), &stiffness, joint_step.impulse_ratio},
                             h,
                             {greatest_speed, greatest_turn / h}};
+    const auto whole = uint32_t(blocks.size() - 1);
+    const int at_a_time = threads != nullptr && whole > 1 ? threads->threads() : 1;
+    if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));
     solve_first_block(step, joint_step);
     // The few that are large are solved one by one, by all threads together.
-    const auto whole = uint32_t(blocks.size() - 1);
     for (uint32_t block = 1; block <= whole; ++block) {
-        if (is_large(blocks[block])) solve_block(blocks[block], step, threads);
+        if (is_large(blocks[block])) solve_block(blocks[block], wide_blocks[0], step, threads);
     }
+    IdleBlocks idle(wide_blocks);
     share_out(threads, whole, [&](uint32_t block) {
-        if (!is_large(blocks[block + 1])) solve_block(blocks[block + 1], step, nullptr);
+        if (is_large(blocks[block + 1])) return;
+        WideBlock& wide = idle.take();
+        solve_block(blocks[block + 1], wide, step, nullptr);
+        idle.give_back(wide);
     });
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 // Contacts in groups of sixteen of one color: no two in a color share a body that moves, so the
 // lanes do not know of each other. Structure of arrays; lanes left over have body 0 on both sides
@@ -41,6 +42,33 @@ struct ContactLanes {
     // Of the step that was solved, a bit for each lane: an impulse flows, or the shapes are near
     // each other; the same within twice that distance.
     uint32_t near = 0, within_twice = 0;
+};
+
+/// What came of a group, a bit for each lane.
+struct GroupNews {
+    uint16_t told = 0;     ///< a touch begins or ends, or who listens hears of it always
+    uint16_t touches = 0;  ///< now
+};
+
+/// Where a block of contacts is solved. Who solves one after the other uses the same memory again:
+/// it stays in the cache.
+struct WideBlock {
+    std::vector<WideContact> contacts;
+    std::vector<ContactLanes> lanes;
+    std::size_t first = 0;  ///< of the groups of all blocks, the one that `contacts` begins with
+
+    /// Groups `begin` to `end` are there; what they hold is of a block before.
+    void make_groups(std::size_t begin, std::size_t end) {
+        first = begin;
+        if (contacts.size() < end - begin) contacts.resize(end - begin), lanes.resize(end - begin);
+    }
+    WideContact* contacts_of(std::size_t group) { return contacts.data() + (group - first); }
+    ContactLanes* lanes_of(std::size_t group) { return lanes.data() + (group - first); }
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.contacts), io(self.lanes);
+    }
 };
 
 struct PrepareStep {

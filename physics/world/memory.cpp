@@ -64,10 +64,12 @@ struct MemoryRelease {
 /// Every vector whose elements do not outlive a step.
 template <class Io, class World>
 void scratch_members(Io& io, World& w) {
-    io(w.relocated), io(w.new_pairs), io(w.contact_notes), io(w.finished), io(w.fast_bodies);
+    io(w.relocated), io(w.new_pairs), io(w.found_pairs), io(w.parts_of_walk);
+    io(w.contact_notes), io(w.piece_notes), io(w.finished), io(w.fast_bodies), io(w.gathered);
     io(w.solver_bodies), io(w.solver_ends), io(w.solver_forces), io(w.joint_share), io(w.locked);
     io(w.constraints), io(w.serial_contacts), io(w.extras), io(w.rolling_contacts);
-    io(w.wide_contacts), io(w.contact_lanes), io(w.colored), io(w.colors_of_body);
+    io(w.wide_blocks), io(w.acting), io(w.acting_pieces), io(w.colors_of_body);
+    io(w.lane_contacts), io(w.spare_lanes), io(w.news), io(w.told);
     io(w.blocks), io(w.color_begin), io(w.first_groups);
     io(w.joint_constraints), io(w.strains), io(w.parted);
 }

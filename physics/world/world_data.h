@@ -50,6 +50,11 @@ struct FinishedPiece {
     std::vector<uint32_t> moved;  ///< shapes that left their fat boxes
     std::vector<FastBody> fast;
     uint32_t sleep_candidates = 0;
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.moved), io(self.fast);
+    }
 };
 
 inline constexpr int color_count = 64;
@@ -130,18 +135,17 @@ struct WorldData : Columns {
     JointShare joint_share;
     std::vector<ContactConstraint> constraints;  ///< of the serial contacts
     std::vector<uint32_t> serial_contacts;       ///< solved one at a time
-    std::vector<WideContact> wide_contacts;      ///< by color
-    std::vector<ContactLanes> contact_lanes;     ///< of the same groups
     std::vector<ActingContact> acting;
     std::vector<ActingPiece> acting_pieces;
     size_t colored_count = 0;             ///< of the acting ones, those in groups
     std::vector<uint32_t> lane_contacts;  ///< by lane: which of the acting ones
     std::vector<uint32_t> spare_lanes;
-    std::vector<uint16_t> news;  ///< of each group, a bit for each lane: something is to be told
-    std::vector<uint64_t> told;  ///< a bit for each acting contact
+    std::vector<GroupNews> news;  ///< of each group
+    std::vector<uint64_t> told;   ///< a bit for each acting contact
     SolverBlocks blocks;
     std::vector<uint32_t> color_begin;     ///< lanes, by block and color
     std::vector<uint32_t> first_groups;    ///< of each color of each block, and the end
+    std::vector<WideBlock> wide_blocks;    ///< for each that is solved at a time
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
     int most_lanes = lanes;                ///< tests compare instruction sets
     std::vector<ContactExtra> extras;
@@ -408,15 +412,17 @@ struct WorldData : Columns {
     struct BlockStep;
     void solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness);
     bool repeats_pushes(const SolverBlock& block);
-    WideStep wide_step(const SolverBlock& block, const BlockStep& step);
     void solve_first_block(const BlockStep& step, const JointStep& joint_step);
-    void solve_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
-    void pass(void (*kernel)(const WideStep&), const SolverBlock& block, const BlockStep& step,
-              ThreadPool* helpers);
+    void solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
+                     ThreadPool* helpers);
+    void pass(void (*kernel)(const WideStep&), const SolverBlock& block, WideBlock& wide,
+              const BlockStep& step, ThreadPool* helpers);
     template <typename Work>
     void for_groups(const SolverBlock& block, ThreadPool* helpers, Work&& work);
-    void prepare_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
-    void store_block(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
+    void prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
+                       ThreadPool* helpers);
+    void store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
+                     ThreadPool* helpers);
     void begin_substep(const SolverBlock& block, const BlockStep& step, bool again,
                        ThreadPool* helpers);
     void move_bodies(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
@@ -435,8 +441,8 @@ struct WorldData : Columns {
     void for_each_colored(Visit&& visit);
     void count_places();
     void place_lanes();
-    void fill_groups(size_t begin, size_t end);
-    void note_news(size_t begin, size_t end);
+    void fill_group(size_t group, WideContact& wide, ContactLanes& from);
+    void note_news(size_t group, const ContactLanes& of);
     void tell_of_groups();
     bool passes_corner(const ContactRecord& contact, float dt) const;
     void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);
