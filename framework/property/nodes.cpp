@@ -79,7 +79,8 @@ std::uint32_t Nodes::next_generation(std::uint32_t index, std::uint32_t after) {
 void Nodes::release(std::uint32_t index, bool keep) {
     Node& node = nodes_[index];
     if (node.counts_children)
-        std::erase_if(counters_, [index](const auto& entry) { return entry.first >> 32 == index; });
+        counters_.erase(counters_.lower_bound(counter_key(index, {})),
+                        counters_.lower_bound(counter_key(index + 1, {})));
     node.alive = false;
     node.kept = keep;
     // Of a slot that is kept the generation still tells whose it was.
@@ -176,6 +177,7 @@ void Nodes::link(std::uint32_t index, std::uint32_t parent, NodeName name) {
 void Nodes::unlink(std::uint32_t index) {
     Node& node = nodes_[index];
     if (node.parent == 0) return;
+    if (node.name.number == 1) counter(node.parent, node.name.base);  // its number stays given
     index_erase(index);
     detach_link(index);
     node.parent = node.next = node.previous = 0;
@@ -228,11 +230,20 @@ NodeName Nodes::plain_name(std::uint32_t parent, std::string_view stem, bool its
     return name;
 }
 
+/// The last number given; the first one at least, if there was none.
+std::uint32_t& Nodes::counter(std::uint32_t parent, Symbol stem) {
+    nodes_[parent].counts_children = true;
+    return counters_.try_emplace(counter_key(parent, stem), 1).first->second;
+}
+
 NodeName Nodes::free_name(std::uint32_t parent, std::string_view stem) {
     const Symbol base(stem);
-    nodes_[parent].counts_children = true;
-    std::uint32_t& last = counters_[std::uint64_t{parent} << 32 | base.id()];
-    NodeName name{base, last};
+    NodeName name{base, 1};
+    const bool counted = nodes_[parent].counts_children &&
+                         counters_.find(counter_key(parent, base)) != counters_.end();
+    if (!counted && child(parent, name) == 0) return name;
+    std::uint32_t& last = counter(parent, base);
+    name.number = last;
     do ++name.number;
     while (child(parent, name) != 0);
     last = name.number;

@@ -3,6 +3,7 @@
 // names) because a game may have a hundred thousand of them.
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -110,6 +111,10 @@ class Nodes {
     void index_insert(std::uint32_t index);
     void index_erase(std::uint32_t index);
 
+    static std::uint64_t counter_key(std::uint32_t parent, Symbol stem) {
+        return std::uint64_t{parent} << 32 | stem.id();
+    }
+    std::uint32_t& counter(std::uint32_t parent, Symbol stem);
     std::uint32_t next_generation(std::uint32_t index, std::uint32_t after);
     bool links_hold() const;
     void index_names();
@@ -120,8 +125,9 @@ class Nodes {
     std::vector<std::uint32_t> index_;
     std::size_t indexed_ = 0;
     std::size_t alive_ = 0;
-    std::unordered_map<std::uint64_t, std::uint32_t>
-        counters_;  // (parent, stem) -> last number given
+    // (parent, stem) -> last number given, where no more than `stem_1` was: where that one still
+    // hangs there, nothing need be kept.
+    std::map<std::uint64_t, std::uint32_t> counters_;
     // By slot: the last generation given in a future that a restored snapshot has left. Consulted
     // when the slot's present owner goes.
     std::unordered_map<std::uint32_t, std::uint32_t> issued_;

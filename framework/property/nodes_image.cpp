@@ -61,11 +61,7 @@ void Nodes::save(ByteWriter& to) const {
     Names names;
     for (std::uint32_t i = 1; i < end(); ++i)
         if (nodes_[i].alive) names.use(nodes_[i].name.base);
-    // Sorted: a hash table has no order of its own.
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> counters(counters_.begin(),
-                                                                  counters_.end());
-    std::sort(counters.begin(), counters.end());
-    for (const auto& [key, last] : counters) {
+    for (const auto& [key, last] : counters_) {
         const auto stem = std::bit_cast<Symbol>(static_cast<std::uint32_t>(key));
         names.use(stem);
     }
@@ -74,8 +70,8 @@ void Nodes::save(ByteWriter& to) const {
     to.put(std::uint64_t{end()});
     to.raw(nodes_.data(), end() * sizeof(Node));
     to.put(free_);
-    to.put(std::uint64_t{counters.size()});
-    for (const auto& [key, last] : counters) {
+    to.put(std::uint64_t{counters_.size()});
+    for (const auto& [key, last] : counters_) {
         to.put(key);
         to.put(last);
     }

@@ -32,6 +32,36 @@ TEST_CASE_METHOD(Fixture, "children keep their order and names number themselves
     CHECK(child_names(world) == Names{"ball_1", "odd name", "ball_3"});
 }
 
+TEST_CASE_METHOD(Fixture, "a number is not given again after the first child is gone") {
+    const auto next = [&](Handle parent) {
+        const Handle made = tree.create(*module.type, parent);
+        return std::pair(made, tree.name(made));
+    };
+    const auto [first, name] = next(world);
+    CHECK(name == "ball_1");
+    tree.destroy(first);
+    CHECK(next(world).second == "ball_2");
+    // Moved away, it is gone too, and renamed its number has been given.
+    const Handle shelf = tree.create(tree.object_class(), tree.root(), "shelf");
+    tree.move(next(shelf).first, world);
+    CHECK(next(shelf).second == "ball_2");
+    const Handle box = tree.create(tree.object_class(), tree.root(), "box");
+    tree.set(next(box).first, "name", "marble");
+    CHECK(next(box).second == "ball_2");
+    // A snapshot knows which numbers are given, where the child is there and where it is not.
+    const Handle jar = tree.create(tree.object_class(), tree.root(), "jar");
+    next(jar);
+    Snapshot snapshot = tree.snapshot();
+    CHECK(next(jar).second == "ball_2");
+    CHECK(next(box).second == "ball_3");
+    tree.restore(snapshot);
+    CHECK(next(jar).second == "ball_2");
+    CHECK(next(box).second == "ball_3");
+    // Who takes the place of a parent that is gone begins anew.
+    tree.destroy(box);
+    CHECK(next(tree.create(tree.object_class(), tree.root(), "bag")).second == "ball_1");
+}
+
 TEST_CASE_METHOD(Fixture, "unnamed children of a constructor are plain first and then numbered") {
     for (int i = 0; i < 3; ++i) tree.move(tree.create(*module.type), world, "", true);
     CHECK(child_names(world) == Names{"ball", "ball_2", "ball_3"});
