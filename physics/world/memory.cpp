@@ -1,6 +1,7 @@
 #include <world/archive.h>
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <type_traits>
 
 // What a world has on the heap. Slots grow by a fifth (geometry/growth.h); what a step makes anew
@@ -83,9 +84,11 @@ MemoryShare share_of(const char* purpose, const Part&... parts) {
 
 }  // namespace
 
-/// Three quarters of the bodies that the last step solved sleep now.
+/// Where three quarters of the bodies that a step once solved sleep now, or so many shapes were
+/// made or moved by edits.
 void WorldData::trim() {
-    if ((awake_bodies.size() + 1) * 4 > solver_bodies.capacity()) return;
+    const size_t once = std::max(solver_bodies.capacity(), moved_shapes.capacity());
+    if ((awake_bodies.size() + 1) * 4 > once) return;
     MemoryRelease release;
     scratch_members(release, *this);
     Tree::scratch(release, moving_tree);

@@ -97,6 +97,19 @@ TEST_CASE("a sleeping body with a box that rests on the ground takes less than a
     }
 }
 
+TEST_CASE("a body that was made asleep takes no more") {
+    constexpr int count = 5000;
+    const std::size_t before = bytes_in_use;
+    auto world = std::make_unique<World>();
+    for (int i = 0; i < count; ++i)
+        world->create_body({.position = {2.0f * float(i), 0}, .awake = false}).add(Box{});
+    for (int i = 0; i < 2; ++i) world->step(frame);
+    REQUIRE(world->statistics().awake_bodies == 0);
+    const auto bytes = double(bytes_in_use - before) / count;
+    INFO(bytes << " bytes each");
+    REQUIRE(bytes < 800);  // no contact
+}
+
 TEST_CASE("a world tells where its memory is") {
     const std::size_t before = bytes_in_use;
     auto world = std::make_unique<World>(WorldDef{.sleep_delay = 0.05f});
