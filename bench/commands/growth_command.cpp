@@ -73,19 +73,29 @@ std::vector<TimeRow> time_rows(const GrowthOptions& options, Progress& progress)
     return rows;
 }
 
-/// Bytes a body that sleeps with a box that rests on the ground, by purpose: what is there, and the
-/// room for more included.
-std::vector<physics::MemoryShare> sleeping(int bodies) {
-    physics::World world;
-    physics::Body ground = world.create_body({.type = physics::BodyType::static_body});
-    ground.add(physics::Box{.width = 4.0f * static_cast<float>(bodies), .height = 1});
-    for (int i = 0; i < bodies; ++i)
-        world.create_body({.position = {2.0f * static_cast<float>(i - bodies / 2), 1}})
-            .add(physics::Box{});
-    for (int i = 0; i < 100; ++i) world.step(time_step);
+/// Bodies that sleep, and what their world takes by purpose.
+struct Sleepers {
+    double bodies = 0;
+    std::vector<physics::MemoryShare> memory;
+};
+
+Sleepers sleepers_of(Scene scene) {
+    scene.sleeping = true;
+    const std::unique_ptr<Engine> engine = make_fettle(scene);
+    measured_steps(*engine, 100);
+    const physics::World& world = fettle_world(*engine);
     if (world.statistics().awake_bodies > 0)
-        throw std::runtime_error("boxes that rest on the ground do not sleep");
-    return world.memory();
+        throw std::runtime_error(scene.name + ": boxes that rest do not sleep");
+    return {static_cast<double>(scene.bodies.size()), world.memory()};
+}
+
+/// Boxes that rest on the ground, apart from each other.
+Scene row_of(int count) {
+    Scene scene{.name = "row"};
+    scene.bodies.push_back(fixed_box({0, -1}, {2.0f * static_cast<float>(count), 1}));
+    for (int i = 0; i < count; ++i)
+        scene.bodies.push_back(dynamic_box({2.0f * static_cast<float>(i - count / 2), 0.5f}, 0.5f));
+    return scene;
 }
 
 void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output) {
@@ -108,42 +118,47 @@ void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output) 
     if (!output.json) std::cout << table.text() << "\n";
 }
 
-void print_memory(int bodies, const std::vector<physics::MemoryShare>& shares,
-                  const OutputOptions& output) {
-    Table table({"a sleeping body of " + std::to_string(bodies), "bytes", "with room", "at most"});
-    physics::MemoryShare all = {.purpose = "in all"};
-    const auto add = [&](const physics::MemoryShare& share, const std::string& bound) {
-        const double used = static_cast<double>(share.used) / bodies;
-        const double reserved = static_cast<double>(share.reserved) / bodies;
+/// Bytes a body, by purpose: what is there, and the room for more included.
+void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOptions& output) {
+    Table table(
+        {"a sleeping body", "on the ground", "with room", "at most", "in a pyramid", "with room"});
+    std::array<double, 4> all = {};
+    const auto add = [&](const char* purpose, const std::array<double, 4>& bytes, bool bound) {
         if (output.json)
-            std::cout << json_line({{"memory", share.purpose},
-                                    {"bodies", static_cast<long long>(bodies)},
-                                    {"bytes", used},
-                                    {"with_room", reserved},
-                                    {"at_most", bound.empty() ? JsonField() : most_bytes}})
+            std::cout << json_line({{"memory", purpose},
+                                    {"on_ground", bytes[0]},
+                                    {"on_ground_with_room", bytes[1]},
+                                    {"at_most", bound ? JsonField(most_bytes) : JsonField()},
+                                    {"in_pyramid", bytes[2]},
+                                    {"in_pyramid_with_room", bytes[3]}})
                       << "\n";
-        table.add({share.purpose, figure(used), figure(reserved), bound});
+        table.add({purpose, figure(bytes[0]), figure(bytes[1]), bound ? figure(most_bytes, 4) : "",
+                   figure(bytes[2], 4), figure(bytes[3], 4)});
     };
-    for (const physics::MemoryShare& share : shares) {
-        all.used += share.used;
-        all.reserved += share.reserved;
-        if (share.reserved >= static_cast<std::size_t>(bodies) / 2) add(share, "");
+    for (std::size_t i = 0; i < row.memory.size(); ++i) {
+        const auto of = [](std::size_t bytes, const Sleepers& sleepers) {
+            return static_cast<double>(bytes) / sleepers.bodies;
+        };
+        const std::array bytes = {of(row.memory[i].used, row), of(row.memory[i].reserved, row),
+                                  of(pyramids.memory[i].used, pyramids),
+                                  of(pyramids.memory[i].reserved, pyramids)};
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] += bytes[k];
+        if (bytes[1] > 0.1) add(row.memory[i].purpose, bytes, false);
     }
-    add(all, figure(most_bytes, 4));
+    add("in all", all, true);
     if (!output.json) std::cout << table.text();
 }
 
 }  // namespace
 
 int run_growth(const GrowthOptions& options) {
-    constexpr int sleepers = 20000;
     std::vector<TimeRow> rows;
     {
         Progress progress(options.runs);
         rows = time_rows(options, progress);
     }
     print_times(rows, options.output);
-    print_memory(sleepers, sleeping(sleepers), options.output);
+    print_memory(sleepers_of(row_of(20000)), sleepers_of(pyramids_of(364)), options.output);
     return 0;
 }
 
