@@ -16,9 +16,21 @@ namespace {
 
 std::atomic<std::size_t> bytes_in_use = 0;
 
-void* counted(void* memory) {
+void* allocate(std::size_t size) noexcept {
+    void* const memory = std::malloc(size > 0 ? size : 1);
+    if (memory != nullptr) bytes_in_use += malloc_usable_size(memory);
+    return memory;
+}
+
+void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
+    const auto unit = static_cast<std::size_t>(alignment);
+    void* const memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
+    if (memory != nullptr) bytes_in_use += malloc_usable_size(memory);
+    return memory;
+}
+
+void* or_throw(void* memory) {
     if (memory == nullptr) throw std::bad_alloc();
-    bytes_in_use += malloc_usable_size(memory);
     return memory;
 }
 
@@ -29,13 +41,19 @@ void discount(void* memory) {
 
 }  // namespace
 
-// Of the whole program: the tests beside these count too, which harms nobody.
+// Of the whole program: the tests beside these count too, which harms nobody. All forms that are
+// not for arrays, since a sanitizer has its own of those that are missing, and minds a mixture.
 void* operator new(std::size_t size) {
-    return counted(std::malloc(size > 0 ? size : 1));
+    return or_throw(allocate(size));
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-    const auto unit = static_cast<std::size_t>(alignment);
-    return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+    return or_throw(allocate(size, alignment));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return allocate(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+    return allocate(size, alignment);
 }
 void operator delete(void* memory) noexcept {
     discount(memory);
@@ -47,6 +65,12 @@ void operator delete(void* memory, std::align_val_t) noexcept {
     discount(memory);
 }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    discount(memory);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
+    discount(memory);
+}
+void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept {
     discount(memory);
 }
 
