@@ -5,6 +5,7 @@
 #include <fettle/property/acceptance.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
+#include <fettle/property/restoring.h>
 #include <fettle/property/spelling.h>
 
 namespace fettle::module {
@@ -217,6 +218,15 @@ struct HostFunctions {
         // The barrier that follows compares what is watched of the simulation.
         (void)host_of(self).guarded([](property::Tree& tree) { tree.stepped(); });
     }
+    static void each_restored(void* self, void* context,
+                              void (*visit)(void*, fettle_handle, const char*, fettle_row)) {
+        (void)host_of(self).guarded([&](property::Tree& tree) {
+            property::each_restored(
+                tree, [&](Handle instance, const property::Class& of, property::Row row) {
+                    visit(context, sent(instance), of.name().c_str(), row);
+                });
+        });
+    }
     static void refreshing(void* self, std::uint64_t what) {
         HostTable& host = host_of(self);
         if (host.tree == nullptr || host.part == nullptr) return;
@@ -259,7 +269,8 @@ HostTable::HostTable() {
               .accepts = F::accepts,
               .step = F::step,
               .touched = F::touched,
-              .refreshing = F::refreshing};
+              .refreshing = F::refreshing,
+              .each_restored = F::each_restored};
 }
 
 }  // namespace fettle::module

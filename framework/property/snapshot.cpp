@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/restoring.h>
 #include <fettle/property/tree.h>
 
 #include "state.h"
@@ -145,6 +146,23 @@ struct Prepared {
     std::vector<std::function<void()>> parts;
 };
 
+/// While parts read theirs: the tree's part of the same snapshot.
+struct Reading {
+    const Tree* tree = nullptr;
+    const TreeImage* image = nullptr;
+};
+thread_local Reading reading;
+
+class ReadingScope {
+  public:
+    explicit ReadingScope(const Reading& now) : before_(std::exchange(reading, now)) {}
+    ~ReadingScope() { reading = before_; }
+    ReadingScope(const ReadingScope&) = delete;
+
+  private:
+    Reading before_;
+};
+
 Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
     ByteReader from(snapshot.payload());
     from.get<std::uint64_t>();
@@ -167,6 +185,8 @@ Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
             if (part == state.parts.end())
                 throw Error(ErrorKind::unknown_name,
                             "the snapshot holds \"" + name + "\", which this game does not have");
+            from.require(prepared.image != nullptr, "the tree does not come first");
+            const ReadingScope scope({&state.tree, prepared.image.get()});
             prepared.parts.push_back((*part)->restore(block, memory_of(name)));
         }
         block.finish();
@@ -182,6 +202,10 @@ Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
 }
 
 }  // namespace
+
+void each_restored(const Tree& tree, const std::function<void(Handle, const Class&, Row)>& visit) {
+    if (reading.tree == &tree) reading.image->each(visit);
+}
 
 void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on) {
     State& s = *state_;

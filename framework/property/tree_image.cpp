@@ -206,6 +206,12 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
 // --- Putting into place
 // -----------------------------------------------------------------------------------------------
 
+void TreeImage::each(const std::function<void(Handle, const Class&, Row)>& visit) const {
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+        if (nodes_[i].alive)
+            visit(nodes_.handle(i), state_.classes[nodes_[i].class_id], nodes_[i].row);
+}
+
 bool TreeImage::lived_before(Handle instance) const {
     return instance.index < before_.size() && before_[instance.index] == instance.generation;
 }

@@ -29,6 +29,8 @@ class TreeImage {
 
     /// Throws Error(damaged, unknown_name); changes nothing.
     TreeImage(Tree::State& state, ByteReader& from, const Memory& memory);
+    /// Who is in it.
+    void each(const std::function<void(Handle, const Class&, Row)>& visit) const;
     /// Instances whose module makes their rows anew tell it of those that end. Before `nodes`.
     void end_rows();
     /// The tree has its instances, values and formulas again.

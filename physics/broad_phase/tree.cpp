@@ -1,6 +1,7 @@
 #include <broad_phase/tree.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace fettle::physics::detail {
 
@@ -392,6 +393,9 @@ bool Tree::is_consistent() const {
 }
 
 bool Tree::is_walkable(uint32_t items) const {
+    unsigned char settled = 0;
+    std::memcpy(&settled, &settled_, sizeof settled);
+    if (settled > 1) return false;  // no bool, and not to be read as one
     const auto inside = [this](int32_t node) {
         return node == none || (node >= 0 && size_t(node) < nodes_.size());
     };

@@ -107,6 +107,7 @@ property::Lifecycle lifecycle(Hosting& hosting) {
     lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
         static_cast<Hosting*>(context)->field(row).destroy();
     };
+    hosting.field_kinds.emplace_back(lifecycle.create, decltype(FieldDef::force)(Force{}).index());
     return lifecycle;
 }
 

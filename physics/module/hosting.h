@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <fettle/physics/world.h>
@@ -148,6 +149,11 @@ class Hosting {
     // --- Looks (looks.cpp)
     property::Color fill_of(Row shape);
     property::Color border_of(Row shape);
+
+    /// What makes an instance of a class, and which alternative of its variant that makes.
+    using Kinds =
+        std::vector<std::pair<Row (*)(void* context, property::Tree&, Handle), std::size_t>>;
+    Kinds field_kinds, joint_kinds;
 
     property::Tree& tree;
     Joints joints;

@@ -74,6 +74,7 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
     lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
         static_cast<Hosting*>(context)->joints.destroy(row);
     };
+    hosting.joint_kinds.emplace_back(lifecycle.create, AnySettings(Of{}).index());
     return lifecycle;
 }
 

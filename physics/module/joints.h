@@ -74,8 +74,9 @@ class Joints {
     void tighten();
 
     void save(property::ByteWriter& to) const;
-    /// Reads and checks; what is returned puts it into place.
-    std::function<void()> restore(property::ByteReader& from);
+    /// Reads and checks; what is returned puts it into place, and owns what is `read` until then.
+    std::function<void()> restore(property::ByteReader& from,
+                                  const std::vector<JointRecord>*& read);
 
   private:
     std::uint32_t create(std::uint32_t world, property::Handle self);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "hosting.h"
+#include "rows.h"
 
 namespace fettle::physics_module {
 namespace {
@@ -141,7 +142,13 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
         worlds->push_back(std::move(saved));
     }
     from.require(found[limbo], "there is no place for what is in no world");
-    const std::function<void()> put_joints = joints.restore(from);
+    RestoredObjects objects;
+    const std::function<void()> put_joints = joints.restore(from, objects.joints);
+    for (const Saved& saved : *worlds) {
+        objects.worlds[saved.number] = saved.world.get();
+        objects.selves[saved.number] = saved.beside.self;
+    }
+    check_rows(*this, objects, from);
     return [this, worlds, hits_wanted, put_joints, found] {
         for (std::uint32_t number = 0; number < most_worlds; ++number)
             if (!found[number]) worlds_[number].reset();
@@ -165,10 +172,12 @@ void Joints::save(property::ByteWriter& to) const {
     to.put(std::uint8_t{loose_});
 }
 
-std::function<void()> Joints::restore(property::ByteReader& from) {
+std::function<void()> Joints::restore(property::ByteReader& from,
+                                      const std::vector<JointRecord>*& read) {
     const auto records = std::make_shared<std::vector<JointRecord>>(from.list<JointRecord>());
     const auto free = std::make_shared<std::vector<std::uint32_t>>(from.list<std::uint32_t>());
     const bool loose = from.boolean();
+    read = records.get();
     for (const JointRecord& record : *records)
         from.require(record.settings.index() < std::variant_size_v<decltype(record.settings)> &&
                          record.world < most_worlds,

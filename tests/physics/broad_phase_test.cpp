@@ -2,11 +2,14 @@
 #include <broad_phase/tree.h>
 #include <geometry/trigonometry.h>
 #include <wide/kernels.h>
+#include <world/archive.h>
 
 #include <cmath>
 #include <map>
 #include <random>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "catch.h"
 
@@ -217,4 +220,21 @@ TEST_CASE("our own sine and cosine and arc tangent agree with the library's") {
     REQUIRE(worst < 1e-7);
     REQUIRE(angle_of(0.0, 0.0) == 0.0);
     REQUIRE(rotation_of(INFINITY).c == 1.0f);
+}
+
+TEST_CASE("a tree from bytes whose flag is no bool is not to be walked") {
+    Tree tree;
+    tree.insert({{0, 0}, {1, 1}}, 0);
+    std::vector<std::byte> bytes;
+    ArchiveWriter write(bytes);
+    write(tree);
+    const auto read = [](std::span<const std::byte> from) {
+        Tree made;
+        ArchiveReader reader(from);
+        reader(made);
+        return made.is_walkable(1);
+    };
+    REQUIRE(read(bytes));
+    bytes.back() = std::byte{4};  // the flag comes last
+    REQUIRE_FALSE(read(bytes));
 }

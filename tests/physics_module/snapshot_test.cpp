@@ -1,5 +1,9 @@
 // Snapshots of a tree with physics: in place, handles and all, bit for bit.
 
+#include <cstring>
+#include <string>
+#include <vector>
+
 #include "catch.h"
 #include "game.h"
 
@@ -187,4 +191,39 @@ TEST_CASE("joints of every type and fields go on bit for bit in a restored game"
     REQUIRE(hashes(game, 200) == expected);
     REQUIRE(game.get(joints[4], "broken") == Value(broken));
     REQUIRE_FALSE(game.physics.world(game.world()).validate());
+}
+
+TEST_CASE("a snapshot whose instances have rows that are not their own is refused") {
+    Game game;
+    pile(game, 40);
+    const Handle body = game.body("Polygon", Vec2(8, 5));
+    const Handle wind = game.make("Wind", game.world());
+    const Handle joint = game.make("RevoluteJoint", game.world(), {{"body_b", body}});
+    game.step(10);
+    const property::Snapshot snapshot = game.tree.snapshot();
+    const auto expected = hashes(game, 20);
+    const auto with = [&](std::uint32_t was, std::uint32_t now) {
+        int refused = 0;
+        for (std::size_t at = 0; at + sizeof was <= snapshot.payload().size(); ++at) {
+            if (std::memcmp(&snapshot.payload()[at], &was, sizeof was) != 0) continue;
+            std::vector<std::byte> bytes(snapshot.payload().begin(), snapshot.payload().end());
+            std::memcpy(&bytes[at], &now, sizeof now);
+            try {
+                game.tree.restore(property::Snapshot(std::move(bytes), snapshot.memories()));
+            } catch (const property::Error& error) {
+                refused += std::string(error.what()).find("not its own") != std::string::npos;
+            }
+        }
+        return refused;
+    };
+    const property::Row row = game.tree.row(body), shape = game.tree.row(game.shape_of(body));
+    CHECK(with(row, row + 1000) >= 1);        // nobody's
+    CHECK(with(row, row + (7u << 24)) >= 1);  // of no world
+    CHECK(with(row, row - 1) >= 1);           // another's
+    CHECK(with(shape, shape + 1000) >= 1);
+    CHECK(with(shape, shape - 1) >= 1);
+    CHECK(with(game.tree.row(wind), game.tree.row(wind) + 1) >= 1);
+    CHECK(with(game.tree.row(joint), 77) >= 1);
+    game.tree.restore(snapshot);
+    CHECK(hashes(game, 20) == expected);
 }

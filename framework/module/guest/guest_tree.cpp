@@ -6,6 +6,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
+#include <fettle/property/restoring.h>
 #include <fettle/property/spelling.h>
 
 namespace fettle::property {
@@ -291,6 +292,27 @@ void Tree::remove_part(SnapshotPart&) {
 void Tree::refreshing(SnapshotPart&, std::uint64_t what) {
     const State& s = *state_;
     s.host->refreshing(s.host->self, what);
+}
+
+void each_restored(const Tree& tree, const std::function<void(Handle, const Class&, Row)>& visit) {
+    struct Call {
+        const Tree& tree;
+        const std::function<void(Handle, const Class&, Row)>& visit;
+        std::exception_ptr failed;
+    } call{tree, visit, nullptr};
+    const fettle_host* host = tree.state().host;
+    host->each_restored(
+        host->self, &call,
+        [](void* context, fettle_handle instance, const char* class_name, fettle_row row) {
+            Call& to = *static_cast<Call*>(context);
+            if (to.failed) return;
+            try {
+                to.visit(received(instance), to.tree.class_named(class_name), row);
+            } catch (...) {  // not across the border
+                to.failed = std::current_exception();
+            }
+        });
+    if (call.failed) std::rethrow_exception(call.failed);
 }
 
 // --- Steps

@@ -332,6 +332,11 @@ typedef struct fettle_host {
        brought up to date, where doing that earlier or later may differ in the last bit; not for
        what an edit does itself. Who goes back in time gives `what` to the module's `refresh`. */
     void (*refreshing)(void* self, uint64_t what);
+    /* Since 1.2. Within `restore` with `commit` 0: who is about to be there, as what, and which row
+       it is going to have. Whoever is FETTLE_SAVED_NATIVELY checks that the rows are its own. */
+    void (*each_restored)(void* self, void* context,
+                          void (*visit)(void* context, fettle_handle instance,
+                                        const char* class_name, fettle_row row));
 } fettle_host;
 
 /* ---- The module ------------------------------------------------------------------------------ */
