@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "flags.h"
 #include "hosting.h"
 #include "rows.h"
 
@@ -61,6 +62,12 @@ Beside read_beside(property::ByteReader& from) {
     beside.looks = from.list<Look>();
     beside.body_colors = from.list<std::optional<property::Color>>();
     beside.velocities = from.list<std::optional<physics::Vec2>>();
+    for (const Look& look : beside.looks)
+        from.require(is_optional(look.fill) && is_optional(look.border) && is_flag(look.visible),
+                     "a look");
+    for (const auto& color : beside.body_colors) from.require(is_optional(color), "a color");
+    for (const auto& velocity : beside.velocities)
+        from.require(is_optional(velocity), "a velocity");
     beside.bodies = get_departed(from);
     beside.shapes = get_departed(from);
     return beside;
@@ -180,7 +187,9 @@ std::function<void()> Joints::restore(property::ByteReader& from,
     read = records.get();
     for (const JointRecord& record : *records)
         from.require(record.settings.index() < std::variant_size_v<decltype(record.settings)> &&
-                         record.world < most_worlds,
+                         record.world < most_worlds && is_flag(record.used) &&
+                         is_flag(record.collide) && is_flag(record.enabled) &&
+                         is_flag(record.broken),
                      "a joint of no type");
     for (const std::uint32_t row : *free)
         from.require(row < records->size() && !(*records)[row].used, "a free joint that is used");

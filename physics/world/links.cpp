@@ -292,7 +292,9 @@ void check_fields(const WorldData& w, Findings& findings) {
     const size_t n = w.fields.size();
     constexpr size_t kinds = std::variant_size_v<decltype(FieldDef::force)>;
     for (const FieldRecord& field : w.fields)
-        findings.require(field.def.force.index() < kinds, "a field");
+        findings.require(field.def.force.index() < kinds && are_bools(field.def.enabled) &&
+                             are_optionals(field.def.region),
+                         "a field");
     findings.require(list_ends(w.free_field, n, [&](uint32_t i) { return w.fields[i].next_free; }),
                      "free fields");
 }

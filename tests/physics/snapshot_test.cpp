@@ -322,3 +322,21 @@ TEST_CASE("a saved world is refused where the flag of an optional is no bool") {
     REQUIRE_THROWS_WITH(target.restore(bad_bounds), contains("the settings"));
     REQUIRE(target.hash() == world.hash());
 }
+
+TEST_CASE("a saved field whose flags are no bools is refused") {
+    constexpr uint64_t mark = 0xfe77'1e00'f1e1'd000;
+    World world;
+    world.create_field({.force = WindField{}, .region = Aabb{{-2, 0}, {2, 6}}, .user_data = mark});
+    const auto bytes = saved(world);
+    World target;
+    REQUIRE_NOTHROW(target.restore(bytes));
+    const FieldDef field;
+    const size_t begin = place_of(mark, bytes) - offset_in(field, field.user_data);
+    for (const size_t flag :
+         {offset_in(field, field.enabled), offset_in(field, field.region) + sizeof(Aabb)}) {
+        auto damaged = bytes;
+        REQUIRE(damaged[begin + flag] == std::byte{1});
+        damaged[begin + flag] = std::byte{3};
+        REQUIRE_THROWS_WITH(target.restore(damaged), contains("a field"));
+    }
+}

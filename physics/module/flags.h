@@ -1,0 +1,35 @@
+#pragma once
+// Bytes from a stranger that are about to be read as flags: one that is neither 0 nor 1 is no bool,
+// and must not be read as one.
+
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <optional>
+
+namespace fettle::physics_module {
+
+inline bool is_flag(const bool& flag) {
+    unsigned char byte = 0;
+    std::memcpy(&byte, &flag, sizeof flag);
+    return byte <= 1;
+}
+
+/// What an optional holds of itself lies where one that is full differs from one that is empty.
+template <class T>
+bool is_optional(const std::optional<T>& value) {
+    using Optional = std::optional<T>;
+    static const std::size_t at = [] {
+        alignas(Optional) unsigned char full[sizeof(Optional)] = {}, empty[sizeof(Optional)] = {};
+        new (full) Optional(T{});
+        new (empty) Optional();
+        std::size_t i = sizeof(T);
+        while (i < sizeof(Optional) && !(full[i] == 1 && empty[i] == 0)) ++i;
+        return i;
+    }();
+    unsigned char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    return at == sizeof value || bytes[at] <= 1;
+}
+
+}  // namespace fettle::physics_module
