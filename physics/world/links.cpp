@@ -156,6 +156,7 @@ void check_shapes(const WorldData& w, Findings& findings) {
                          w.fat_boxes.size() == n && w.paired_boxes.size() == n &&
                          w.shape_generations.size() == n && w.pool.is_walkable(),
                      "shapes");
+    if (findings.result()) return;
     for (size_t i = 0; i < n; ++i) {
         const ShapeRecord& shape = w.shapes[i];
         const ShapeForm& form = w.forms[i];
@@ -248,6 +249,7 @@ void check_contacts(const WorldData& w, Findings& findings) {
 void check_joints(const WorldData& w, Findings& findings) {
     const size_t n = w.joints.size();
     findings.require(w.joint_generations.size() == n, "joints");
+    if (findings.result()) return;
     std::vector<size_t> sizes;
     std::apply(
         [&](const auto&... lists) {
@@ -272,6 +274,7 @@ void check_joints(const WorldData& w, Findings& findings) {
                              edge_in_range(joint.edges[0], n) && edge_in_range(joint.edges[1], n),
                          "a joint");
     }
+    if (findings.result()) return;  // what follows looks into the lists of their types
     for (size_t type = 0; type < joint_type_count; ++type) {
         const auto& list = w.awake_joints[type];
         for (size_t i = 0; i < list.size(); ++i)

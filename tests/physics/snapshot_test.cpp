@@ -340,3 +340,21 @@ TEST_CASE("a saved field whose flags are no bools is refused") {
         REQUIRE_THROWS_WITH(target.restore(damaged), contains("a field"));
     }
 }
+
+TEST_CASE("a saved joint of no type is refused") {
+    constexpr uint64_t mark = 0xfe77'1e00'0707'7000;
+    World world;
+    Body ball = add_ball(world, {0, 3});
+    world.create_distance_joint({.body_b = ball.id(), .user_data = mark});
+    const detail::JointRecord joint;
+    const auto with_type = [&](unsigned type) {
+        auto bytes = saved(world);
+        const size_t at = place_of(mark, bytes) - offset_in(joint, joint.user_data);
+        bytes[at + offset_in(joint, joint.type)] = std::byte(type);
+        return bytes;
+    };
+    World target;
+    REQUIRE_NOTHROW(target.restore(with_type(unsigned(JointType::distance))));
+    for (const unsigned type : {12u, 97u, 255u})
+        REQUIRE_THROWS_WITH(target.restore(with_type(type)), contains("a joint"));
+}
