@@ -227,6 +227,7 @@ void Tree::settle() {
     settled_ = true;
     if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
         return;
+    if (4 * worn_ > leaves_) built_ = 0;  // all of it, so that all leaves are in buckets again
     drop_buckets();
     bucket_of_.assign(nodes_.size(), -1);
     take_apart();

@@ -56,7 +56,7 @@ class Tree {
     /// Calls `visit(item)` for the other leaves that overlap one that has moved. Asked for each
     /// that has, every pair is found once.
     template <typename Visit>
-    void look_around(int32_t leaf, Visit&& visit) const;
+    void look_around(int32_t leaf, FindOverlaps overlaps, Visit&& visit) const;
     /// From here on nothing has moved.
     void rest();
 
@@ -271,18 +271,29 @@ void Tree::pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const 
 }
 
 template <typename Visit>
-void Tree::look_around(int32_t leaf, Visit&& visit) const {
-    const Box4 around = nodes_[size_t(leaf)].box;
+void Tree::look_around(int32_t leaf, FindOverlaps overlaps, Visit&& visit) const {
+    const Node& own = nodes_[size_t(leaf)];
+    BoxBucket alone;
+    alone.set(0, own.box);
+    alone.count = 1;
     Stack<int32_t> stack;
     stack.push(root_);
     while (!stack.empty()) {
         const int32_t index = stack.pop();
         const Node& node = nodes_[size_t(index)];
-        if (!overlap(node.box, around)) continue;
-        if (!node.is_leaf()) {
+        if (!overlap(node.box, own.box)) continue;
+        if (const BoxBucket* near = bucket(index)) {
+            uint32_t row = 0;
+            overlaps(alone, *near, &row);
+            for (; row != 0; row &= row - 1) {
+                const int i = std::countr_zero(row);
+                const bool theirs = (near->moved >> i & 1) != 0 && near->item[i] < own.item();
+                if (near->item[i] != own.item() && !theirs) visit(near->item[i]);
+            }
+        } else if (!node.is_leaf()) {
             stack.push(node.right);
             stack.push(node.left);
-        } else if (index > leaf || (index < leaf && !has_moved(node))) {
+        } else if (node.item() > own.item() || (index != leaf && !has_moved(node))) {
             visit(node.item());
         }
     }

@@ -40,6 +40,7 @@ void WorldData::look_in_pieces(size_t count, Look&& look) {
 
 /// Of those that have moved, one by one.
 void WorldData::look_around_moved() {
+    const FindOverlaps overlaps = wide_kernels(most_lanes).overlaps;
     const size_t count = (moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
     look_in_pieces(count, [&](size_t piece, std::vector<uint64_t>& found) {
         const size_t begin = piece * shapes_at_a_time;
@@ -52,7 +53,7 @@ void WorldData::look_around_moved() {
             if (record.tree == Mobility::fixed) {
                 moving_tree.query(fixed_tree.box(record.proxy), look);
             } else {
-                moving_tree.look_around(record.proxy, look);
+                moving_tree.look_around(record.proxy, overlaps, look);
                 fixed_tree.query(moving_tree.box(record.proxy), look);
             }
         }

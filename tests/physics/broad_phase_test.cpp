@@ -175,7 +175,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         own.clear();
         for (const auto& [a, u] : models[0]) {
             if (!u.moved) continue;
-            trees[0].look_around(u.node, [&, item = a](uint32_t b) {
+            trees[0].look_around(u.node, overlaps, [&, item = a](uint32_t b) {
                 REQUIRE(own.insert({std::min(item, b), std::max(item, b)}).second);
             });
         }
