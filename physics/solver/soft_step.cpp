@@ -14,7 +14,7 @@ namespace fettle::physics::detail {
 namespace {
 
 // What a thread takes at a time.
-constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 512;
+constexpr uint32_t groups_at_a_time = 8, bodies_at_a_time = 512;
 
 /// Holds more than one island that is itself enough for a block.
 bool is_large(const SolverBlock& block) {
@@ -66,11 +66,15 @@ void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block, 
     const auto* first = &first_groups[size_t(&block - &blocks[0]) * color_count];
     for (size_t color = 0; color < color_count; ++color) {
         const uint32_t from = first[color], count = first[color + 1] - from;
-        share_out_range(helpers, count, groups_at_a_time, [&](size_t begin, size_t end) {
-            WideStep part = all;
-            part.contacts = wide.contacts_of(from + begin);
-            part.count = end - begin;
-            kernel(part);
+        // Parts of a size, and an even number of them: nobody waits for who has one more.
+        const uint32_t pairs_of_parts = (count + 2 * groups_at_a_time - 1) / (2 * groups_at_a_time);
+        const uint32_t parts = count > groups_at_a_time ? 2 * pairs_of_parts : 1;
+        share_out(count > 0 ? helpers : nullptr, parts, [&](uint32_t part) {
+            const uint32_t begin = count * part / parts, end = count * (part + 1) / parts;
+            WideStep some = all;
+            some.contacts = wide.contacts_of(from + begin);
+            some.count = end - begin;
+            kernel(some);
         });
     }
 }
@@ -101,10 +105,10 @@ void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const B
     for_groups(block, helpers, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; i += groups_at_a_time) {
             const size_t next = std::min(i + groups_at_a_time, end);
-            WideContact* const contacts = wide.contacts_of(i);
+            WideContact* const groups = wide.contacts_of(i);
             ContactLanes* const from = wide.lanes_of(i);
-            for (size_t k = 0; k < next - i; ++k) fill_group(i + k, contacts[k], from[k]);
-            step.kernels.prepare(step.prepare, {from, next - i}, contacts);
+            for (size_t k = 0; k < next - i; ++k) fill_group(i + k, groups[k], from[k]);
+            step.kernels.prepare(step.prepare, {from, next - i}, groups);
         }
     });
 }
