@@ -6,9 +6,6 @@
 #include <string>
 #include <system_error>
 
-#if defined(__linux__)
-#include <sched.h>
-#endif
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -61,10 +58,6 @@ constexpr uint64_t after(uint64_t round) {
 }  // namespace
 
 int processors() {
-#if defined(__linux__)
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
-#endif
     const auto known = int(std::thread::hardware_concurrency());
     return known > 0 ? known : std::numeric_limits<int>::max();
 }

@@ -9,7 +9,7 @@
 
 namespace fettle::physics::detail {
 
-/// That this process may use: fewer than the machine has, if it is bound to some.
+/// As many as the system tells of; very many where it does not tell.
 int processors();
 
 /// Threads that share out the blocks of a loop. Whoever calls works too and returns when all is

@@ -29,6 +29,12 @@ struct MemorySum {
         if constexpr (ListsMembers<const T, MemorySum> || ListsScratch<const T, MemorySum>)
             for (const T& element : list) (*this)(element);
     }
+    template <class T>
+    void operator()(const std::vector<std::vector<T>>& lists) {
+        used += lists.size() * sizeof(std::vector<T>);
+        reserved += lists.capacity() * sizeof(std::vector<T>);
+        for (const std::vector<T>& list : lists) (*this)(list);
+    }
     template <class... T>
     void operator()(const std::tuple<T...>& tuple) {
         std::apply([this](const T&... each) { ((*this)(each), ...); }, tuple);

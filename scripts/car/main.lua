@@ -4,7 +4,7 @@
 local terrain = require("terrain")
 local car = require("car")
 
-game.drive = Object { autopilot = false, show_help = true }
+game.drive = Object { autopilot = false, show_help = true, on_roof = 0.0 }  -- seconds on it
 
 local function place_coins()
     world.coins = Object {}
@@ -46,10 +46,22 @@ function key_pressed(key)
     if key == "p" then time.paused = not time.paused end
 end
 
+-- Leaves off where the nose is high, and puts the car upright as a person would.
+local function autopilot(dt)
+    local chassis = world.car.chassis
+    drive.on_roof = math.cos(chassis.angle) < 0 and drive.on_roof + dt or 0
+    if drive.on_roof > 1.5 then
+        restart()
+        return 0
+    end
+    local speed = chassis.velocity.x
+    return (speed < 3 or speed < 10 and math.sin(chassis.angle) < 0.5) and 1 or 0
+end
+
 function step(dt)
     local keys = input.keys
     local wanted = (keys.right and 1 or 0) - (keys.left and 1 or 0)
-    if drive.autopilot then wanted = world.car.chassis.velocity.x < 10 and 1 or 0 end
+    if drive.autopilot then wanted = autopilot(dt) end
     world.car.throttle = wanted
     car.drive(world.car)
     -- The view runs ahead of the car, the farther the faster it is.

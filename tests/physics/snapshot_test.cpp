@@ -298,28 +298,19 @@ TEST_CASE("a saved world whose awake shape has no proxy in the broad phase is re
 }
 
 TEST_CASE("a saved world is refused where the flag of an optional is no bool") {
-    constexpr uint64_t mark = 0xfe77'1e00'0b0d'1e50;
     World world({.bounds = Aabb{{-20, 0}, {20, 60}}});
-    Body ball = world.create_body({.position = {0, 3}, .mass = 5.0f, .user_data = mark});
+    Body ball = world.create_body({.position = {0, 3}, .mass = 5.0f});
     ball.add(Circle{});
     run(world, 0.2f);
-    const auto bytes = saved(world);
+    auto bytes = saved(world);
     World target;
     REQUIRE_NOTHROW(target.restore(bytes));
-    const auto with_flag = [&](size_t at) {
-        REQUIRE(bytes[at] == std::byte{1});
-        auto damaged = bytes;
-        damaged[at] = std::byte{2};
-        return damaged;
-    };
-    const detail::BodyRecord body;
-    const size_t of_body = place_of(mark, bytes) - offset_in(body, body.user_data);
-    const auto bad_mass = with_flag(of_body + offset_in(body, body.mass_override) + sizeof(float));
-    REQUIRE_THROWS_WITH(target.restore(bad_mass), contains("a body"));
     // The settings are the first thing behind the header of three numbers.
     const WorldDef settings;
-    const auto bad_bounds = with_flag(12 + offset_in(settings, settings.bounds) + sizeof(Aabb));
-    REQUIRE_THROWS_WITH(target.restore(bad_bounds), contains("the settings"));
+    std::byte& flag = bytes[12 + offset_in(settings, settings.bounds) + sizeof(Aabb)];
+    REQUIRE(flag == std::byte{1});
+    flag = std::byte{2};
+    REQUIRE_THROWS_WITH(target.restore(bytes), contains("the settings"));
     REQUIRE(target.hash() == world.hash());
 }
 
