@@ -72,13 +72,13 @@ using namespace detail;
 
 void World::save(std::vector<std::byte>& out) const {
     const Header header;
-    ArchiveSize size;
+    size_t needed = out.size();
+    ArchiveSize size(needed);
     size(header);
     world_members(size, std::as_const(*data_));
     // And room for the contacts of all that still falls, for who saves into the same memory the
     // next time: what is reserved and not written to costs nothing.
-    if (const size_t needed = out.size() + size.bytes(); needed > out.capacity())
-        out.reserve(needed / 2 * 5);
+    if (needed > out.capacity()) out.reserve(needed / 2 * 5);
     ArchiveWriter write(out);
     write(header);
     world_members(write, std::as_const(*data_));

@@ -38,76 +38,70 @@ void event_members(Io& io, Happened& e) {
     io(e.slept), io(e.woke);
 }
 
-/// How many bytes a writer would write: so that room is made once.
-class ArchiveSize {
-  public:
-    template <class T>
-    void operator()(const T& value) {
-        if constexpr (ListsMembers<const T, ArchiveSize>)
-            T::members(*this, value);
-        else
-            bytes_ += sizeof value;
-    }
-    template <class T>
-    void operator()(const std::vector<T>& list) {
-        bytes_ += sizeof(uint64_t);
-        if constexpr (ListsMembers<const T, ArchiveSize>)
-            for (const T& element : list) (*this)(element);
-        else
-            bytes_ += list.size() * sizeof(T);
-    }
-    template <class... T>
-    void operator()(const std::tuple<T...>& tuple) {
-        std::apply([this](const T&... each) { ((*this)(each), ...); }, tuple);
-    }
-    template <class T, std::size_t n>
-    void operator()(const std::array<std::vector<T>, n>& lists) {
-        for (const auto& list : lists) (*this)(list);
-    }
-    std::size_t bytes() const { return bytes_; }
+/// Every part of what has parts of one kind.
+template <class Io, class T>
+void each_of(Io& io, T& parts) {
+    std::apply([&io](auto&... each) { (io(each), ...); }, parts);
+}
 
-  private:
-    std::size_t bytes_ = 0;
-};
-
-class ArchiveWriter {
+/// Writes, or only counts (`ArchiveSize`).
+template <class Sink>
+class ArchiveOutput {
   public:
-    explicit ArchiveWriter(std::vector<std::byte>& out) : out_(out) {}
+    explicit ArchiveOutput(Sink sink) : sink_(sink) {}
 
     template <class T>
     void operator()(const T& value) {
-        if constexpr (ListsMembers<const T, ArchiveWriter>) {
+        if constexpr (ListsMembers<const T, ArchiveOutput>) {
             T::members(*this, value);
         } else {
             static_assert(bytewise<T>, "it owns memory: list its members");
-            raw(&value, sizeof value);
+            sink_(&value, sizeof value);
         }
     }
     template <class T>
     void operator()(const std::vector<T>& list) {
         (*this)(uint64_t{list.size()});
-        if constexpr (ListsMembers<const T, ArchiveWriter>) {
+        if constexpr (ListsMembers<const T, ArchiveOutput>) {
             for (const T& element : list) (*this)(element);
         } else {
             static_assert(bytewise<T>, "it owns memory: list its members");
-            raw(list.data(), list.size() * sizeof(T));
+            sink_(list.data(), list.size() * sizeof(T));
         }
     }
     template <class... T>
-    void operator()(const std::tuple<T...>& tuple) {
-        std::apply([this](const T&... each) { ((*this)(each), ...); }, tuple);
+    void operator()(const std::tuple<T...>& lists) {
+        each_of(*this, lists);
     }
     template <class T, std::size_t n>
     void operator()(const std::array<std::vector<T>, n>& lists) {
-        for (const auto& list : lists) (*this)(list);
+        each_of(*this, lists);
     }
 
   private:
-    void raw(const void* from, std::size_t size) {
+    Sink sink_;
+};
+
+struct AppendBytes {
+    std::vector<std::byte>& out;
+    void operator()(const void* from, std::size_t size) const {
         const auto* bytes = static_cast<const std::byte*>(from);
-        out_.insert(out_.end(), bytes, bytes + size);
+        out.insert(out.end(), bytes, bytes + size);
     }
-    std::vector<std::byte>& out_;
+};
+struct CountBytes {
+    std::size_t& sum;
+    void operator()(const void*, std::size_t size) const { sum += size; }
+};
+
+class ArchiveWriter : public ArchiveOutput<AppendBytes> {
+  public:
+    explicit ArchiveWriter(std::vector<std::byte>& out) : ArchiveOutput(AppendBytes{out}) {}
+};
+/// Adds up how many bytes a writer would write: so that room is made once.
+class ArchiveSize : public ArchiveOutput<CountBytes> {
+  public:
+    explicit ArchiveSize(std::size_t& sum) : ArchiveOutput(CountBytes{sum}) {}
 };
 
 /// Throws std::invalid_argument where the bytes end too early.
@@ -137,12 +131,12 @@ class ArchiveReader {
             raw(list.data(), list.size(), sizeof(T));
     }
     template <class... T>
-    void operator()(std::tuple<T...>& tuple) {
-        std::apply([this](T&... each) { ((*this)(each), ...); }, tuple);
+    void operator()(std::tuple<T...>& lists) {
+        each_of(*this, lists);
     }
     template <class T, std::size_t n>
     void operator()(std::array<std::vector<T>, n>& lists) {
-        for (auto& list : lists) (*this)(list);
+        each_of(*this, lists);
     }
     bool at_end() const { return in_.empty(); }
 

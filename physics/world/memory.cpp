@@ -36,12 +36,12 @@ struct MemorySum {
         for (const std::vector<T>& list : lists) (*this)(list);
     }
     template <class... T>
-    void operator()(const std::tuple<T...>& tuple) {
-        std::apply([this](const T&... each) { ((*this)(each), ...); }, tuple);
+    void operator()(const std::tuple<T...>& lists) {
+        each_of(*this, lists);
     }
     template <class T, std::size_t n>
     void operator()(const std::array<std::vector<T>, n>& lists) {
-        for (const auto& list : lists) (*this)(list);
+        each_of(*this, lists);
     }
     template <class T>
     void operator()(const T& value) {
@@ -59,8 +59,8 @@ struct MemoryRelease {
         list = std::vector<T>();
     }
     template <class... T>
-    void operator()(std::tuple<T...>& tuple) {
-        std::apply([this](T&... each) { ((*this)(each), ...); }, tuple);
+    void operator()(std::tuple<T...>& lists) {
+        each_of(*this, lists);
     }
     template <class T>
     void operator()(T& value) {
