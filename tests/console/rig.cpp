@@ -124,7 +124,7 @@ Options Rig::with_view(Options options) {
 Rig::Rig(Options options, const std::filesystem::path& game)
     : tweaks(game.empty() ? nullptr
                           : std::make_unique<property::Tweaks>(
-                                tree, game, [this](const std::string& text) { FAIL(text); })),
+                                tree, game, [](const std::string& text) { FAIL(text); })),
       surface(1280, 720),
       console((make_game(tree), tree), stand_in(), with_view(std::move(options))) {}
 
