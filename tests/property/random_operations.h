@@ -114,7 +114,6 @@ class RandomRun {
     bool people_, in_edit_ = false, wrote_ = false, in_barrier_ = false;
     bool handlers_wrote_ = false;  // in the last barrier
     NaiveWorld before_edit_;
-    std::size_t entries_before_edit_ = 0;
     std::uint64_t steps_ = 0;
     std::map<std::pair<int, std::string>, int> runs_;  // of formulas, since the last barrier began
 };
