@@ -34,8 +34,8 @@ codename=$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-}")
 bare=${FETTLE_BARE_DEBIAN:-$folder/$codename}
 if [[ -z ${FETTLE_BARE_DEBIAN:-} && ! -e $bare/.ready ]]; then
     mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list 2>/dev/null || true; } |
-        sed -nE 's/^deb +(\[[^]]*\] +)?([^ ]+) .*/\2/p' | grep -v security | head -n 1)
-    [[ -n $mirror ]] || mirror=$(sed -nE 's/^URIs: *([^ ]+).*/\1/p' /etc/apt/sources.list.d/*.sources | grep -v security | head -n 1)
+        sed -nE '/security/d; s/^deb +(\[[^]]*\] +)?([^ ]+) .*/\2/p' | head -n 1)
+    [[ -n $mirror ]] || mirror=$(sed -nE '/security/d; s/^URIs: *([^ ]+).*/\1/p' /etc/apt/sources.list.d/*.sources | head -n 1)
     rm -rf --one-file-system -- "$bare"
     script=()
     [[ -e /usr/share/debootstrap/scripts/$codename ]] || script=(/usr/share/debootstrap/scripts/sid)

@@ -285,7 +285,7 @@ TEST_CASE_METHOD(CellFixture, "lists are checked element by element") {
            {List{1, "x"}, ErrorKind::wrong_type},
            {List{1, nan}, ErrorKind::not_finite},
            {List{beyond}, ErrorKind::out_of_range},
-           {List{List{1.0}}, ErrorKind::wrong_type},
+           {List{Value(List{1.0})}, ErrorKind::wrong_type},
            {1.0, ErrorKind::wrong_type}});
 }
 
