@@ -61,12 +61,14 @@ GameWindow::~GameWindow() {
     fs::remove_all(folder_, ignored);
 }
 
-// Xvfb takes the first free number itself and tells it: nobody else can take it in between.
+// Xvfb takes the first free number itself and tells it: nobody else can take it in between. Without
+// -noreset it starts anew whenever its last client leaves, as xdotool does after each look for the
+// window, and turns away who comes meanwhile.
 void GameWindow::start_display() {
     fs::path number = folder_ / "number";
     std::string screen = std::to_string(screen_width) + "x" + std::to_string(screen_height) + "x24";
     std::string command = "exec Xvfb -displayfd 3 -screen 0 " + screen + " -fbdir '" +
-                          folder_.string() + "' -nolisten tcp 3>'" + number.string() + "'";
+                          folder_.string() + "' -noreset -nolisten tcp 3>'" + number.string() + "'";
     display_ = Process({"sh", "-c", command}, {}, folder_ / "display");
     bool up = eventually(
         [&] { return !display_.running() || read_file(number).find('\n') != std::string::npos; });

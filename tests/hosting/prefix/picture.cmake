@@ -1,7 +1,7 @@
 # The window example in a virtual display: its picture with the console open holds far more than its balls do.
 file(MAKE_DIRECTORY "${FOLDER}")
 foreach(console closed open)
-  execute_process(COMMAND "${XVFB_RUN}" -a -s "-screen 0 1280x800x24" "${WINDOW}" 60 ${console}
+  execute_process(COMMAND "${XVFB_RUN}" -a -s "-screen 0 1280x800x24 -noreset" "${WINDOW}" 60 ${console}
     WORKING_DIRECTORY "${FOLDER}" COMMAND_ERROR_IS_FATAL ANY)
   file(SIZE "${FOLDER}/window.png" ${console})
   file(RENAME "${FOLDER}/window.png" "${FOLDER}/${console}.png")
