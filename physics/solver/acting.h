@@ -1,34 +1,70 @@
 #pragma once
 
+#include <solver/strips.h>
+
+#include <array>
 #include <cstdint>
 
 namespace fettle::physics::detail {
 
+/// A body as its contacts and joints see it in a step.
+class SolverEnd {
+  public:
+    /// Fixed or asleep.
+    SolverEnd() = default;
+    /// `moves`: takes impulses.
+    SolverEnd(uint32_t index, StripNode strip, bool moves)
+        : bits_(index << strip_bits << 1 | uint32_t{strip} << 1 | moves) {
+        static_assert(2 * most_strips <= 1 << strip_bits);
+    }
+
+    uint32_t index() const { return bits_ >> strip_bits >> 1; }
+    StripNode strip() const { return StripNode(bits_ >> 1 & ((1u << strip_bits) - 1)); }
+    bool moves() const { return (bits_ & 1) != 0; }
+
+  private:
+    static constexpr int strip_bits = 4;
+    uint32_t bits_ = 0;
+};
+
+/// The node that two bodies with something between them belong to. What takes no impulses may be
+/// in any strip.
+inline StripNode node_of(SolverEnd a, SolverEnd b) {
+    if (a.moves() && b.moves()) return above_both(a.strip(), b.strip());
+    return a.moves() || b.index() == 0 ? a.strip() : b.strip();
+}
+
 /// A contact that acts in this step, as those see it who color it and put it into a group.
 struct ActingContact {
     uint32_t slot = 0;
-    uint32_t end_a = 0, end_b = 0;  ///< solver index << 1 | takes impulses
+    SolverEnd end_a, end_b;
     float friction = 0.0f;
     uint32_t place = 0;  ///< among those of its color and block; then its lane
     uint8_t color = 0;
-    bool serially = false;  ///< solved one at a time
-    bool touching = false, hit_events = false;
+    StripNode node = 1;
+    bool serially : 1 = false;  ///< solved one at a time
+    bool touching : 1 = false;
+    bool hit_events : 1 = false;
 
-    uint32_t a() const { return end_a >> 1; }
-    uint32_t b() const { return end_b >> 1; }
-    bool moves_a() const { return (end_a & 1) != 0; }
-    bool moves_b() const { return (end_b & 1) != 0; }
-    bool both_move() const { return (end_a & end_b & 1) != 0; }
+    uint32_t a() const { return end_a.index(); }
+    uint32_t b() const { return end_b.index(); }
+    bool moves_a() const { return end_a.moves(); }
+    bool moves_b() const { return end_b.moves(); }
+    bool both_move() const { return moves_a() && moves_b(); }
     /// The one that takes impulses, or one of the two.
     uint32_t mover() const { return moves_a() ? a() : b(); }
 };
 static_assert(sizeof(ActingContact) == 24);
 
-/// Those that a thread found, in the order of the awake contacts.
+/// Those that a thread found, by node, those of a node in the order of the awake contacts.
 struct ActingPiece {
-    uint32_t begin = 0, end = 0;
-    uint32_t serially = 0;      ///< how many of them
-    bool links_blocks = false;  ///< two blocks of an earlier step
+    uint32_t begin = 0;
+    std::array<uint16_t, 2 * most_strips + 1> first = {};  ///< of a node, from `begin` on
+    uint32_t serially = 0;                                 ///< how many of them
+    bool links_blocks = false;                             ///< two blocks of an earlier step
+
+    uint32_t count() const { return first.back(); }
+    uint32_t end() const { return begin + first.back(); }
 };
 
 }  // namespace fettle::physics::detail

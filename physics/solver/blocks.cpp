@@ -10,9 +10,8 @@ constexpr int old_age = 64;
 
 }  // namespace
 
-void SolverBlocks::remember(std::span<const uint32_t> bodies, bool plain, bool several) {
+void SolverBlocks::remember(std::span<const uint32_t> bodies, bool several) {
     bodies_.assign(bodies.begin(), bodies.end());
-    plain_ = plain;
     several_ = several;
     age_ = 0;
 }
@@ -22,33 +21,25 @@ bool SolverBlocks::are_of(std::span<const uint32_t> bodies) const {
 }
 
 bool SolverBlocks::may_be_linked(std::span<const uint32_t> bodies) const {
-    return plain_ && several_ && are_of(bodies);
+    return several_ && are_of(bodies);
 }
 
-bool SolverBlocks::may_stay(std::span<const uint32_t> bodies, bool plain, bool several) {
+bool SolverBlocks::may_stay(std::span<const uint32_t> bodies, bool several) {
     if (several != several_ || !are_of(bodies)) return false;
-    return !several || (plain && plain_ && ++age_ < old_age);
+    return !several || ++age_ < old_age;
 }
 
 void SolverBlocks::begin(uint32_t bodies) {
     islands_.reset(bodies);
-    first_.assign(bodies, 0);
     contacts_.assign(bodies, 0);
     block_of_.assign(bodies, 0);
     blocks_.assign(1, {});
 }
 
-void SolverBlocks::keep_first(uint32_t body) {
-    first_[body] = 1;
-}
-
 /// Roots come before what is below them.
 void SolverBlocks::find_islands() {
     auto& root = islands_.parent;
-    for (uint32_t i = 1; i < root.size(); ++i) {
-        root[i] = root[root[i]];
-        first_[root[i]] |= first_[i];
-    }
+    for (uint32_t i = 1; i < root.size(); ++i) root[i] = root[root[i]];
 }
 
 void SolverBlocks::count_contact(uint32_t body) {
@@ -59,7 +50,6 @@ void SolverBlocks::finish() {
     uint32_t contacts = 0, bodies = 0;  // in the last block
     for (uint32_t i = 1; i < islands_.parent.size(); ++i) {
         const uint32_t island = islands_.parent[i];
-        if (first_[island] != 0) continue;
         if (island == i) {
             if (blocks_.size() == 1 || contacts + contacts_[i] > enough_contacts ||
                 bodies >= enough_bodies) {
@@ -67,6 +57,7 @@ void SolverBlocks::finish() {
                 contacts = bodies = 0;
             }
             contacts += contacts_[i];
+            blocks_.back().contacts = contacts;
             block_of_[i] = uint32_t(blocks_.size() - 1);
         }
         block_of_[i] = block_of_[island];

@@ -10,16 +10,17 @@
 // another thread: no contact that moves anything links two of them. A block holds whole islands,
 // and so many that its contacts stay in the cache of a core from the first pass to the last.
 //
-// The first block has whatever needs more than wide contacts: joints, contacts solved one at a
-// time, locked axes, bodies that move on their own and who touches them. Which block an island is
-// in changes nothing of its result.
+// A world has more than the first block only while all that acts are wide contacts between bodies
+// that move freely: then it makes no difference to an island which block it is in.
 
 namespace fettle::physics::detail {
 
 struct SolverBlock {
     uint32_t first_body = 0, body_end = 0;    ///< in the order of the blocks
     uint32_t first_group = 0, group_end = 0;  ///< of wide contacts
-    uint32_t groups() const { return group_end - first_group; }
+    uint32_t first_section = 0;               ///< of all blocks
+    uint32_t contacts = 0;                    ///< in groups, when the block was made
+    bool cut = false;                         ///< several threads share it out
 };
 
 class SolverBlocks {
@@ -32,8 +33,6 @@ class SolverBlocks {
     void begin(uint32_t bodies);
     /// They influence each other in this step.
     void link(uint32_t a, uint32_t b) { islands_.unite(a, b); }
-    /// Its island needs more than wide contacts.
-    void keep_first(uint32_t body);
     /// Of contacts by one of their bodies that moves; then `finish`.
     void count_contact(uint32_t body);
     void find_islands();
@@ -41,17 +40,17 @@ class SolverBlocks {
     /// All in the first block, when there is little to do.
     void finish_as_one();
 
-    /// From here on these blocks are of those bodies; `plain`: nothing had to be in the first one;
-    /// `several`: there was enough for more than one.
-    void remember(std::span<const uint32_t> bodies, bool plain, bool several);
+    /// From here on these blocks are of those bodies; `several`: in more than the first.
+    void remember(std::span<const uint32_t> bodies, bool several);
     /// They are of these bodies, in this order, and it matters whether something links two of them.
     bool may_be_linked(std::span<const uint32_t> bodies) const;
     /// For another step of these bodies, in which no contact links two of them.
-    bool may_stay(std::span<const uint32_t> bodies, bool plain, bool several);
+    bool may_stay(std::span<const uint32_t> bodies, bool several);
 
     uint32_t block_of(uint32_t body) const { return block_of_[body]; }
     std::size_t size() const { return blocks_.size(); }
     SolverBlock& operator[](std::size_t block) { return blocks_[block]; }
+    const SolverBlock& operator[](std::size_t block) const { return blocks_[block]; }
     std::span<const uint32_t> bodies_of(const SolverBlock& block) const {
         return std::span(order_).subspan(block.first_body, block.body_end - block.first_body);
     }
@@ -59,7 +58,7 @@ class SolverBlocks {
     /// What stays from step to step only saves work.
     template <class Io, class Self>
     static void scratch(Io& io, Self& self) {
-        io(self.islands_.parent), io(self.first_), io(self.contacts_), io(self.block_of_);
+        io(self.islands_.parent), io(self.contacts_), io(self.block_of_);
         io(self.order_), io(self.blocks_), io(self.bodies_);
     }
 
@@ -68,13 +67,12 @@ class SolverBlocks {
     void order_bodies();
 
     UnionFind islands_;
-    std::vector<uint8_t> first_;      // by root
     std::vector<uint32_t> contacts_;  // by root
     std::vector<uint32_t> block_of_;  // by body
     std::vector<uint32_t> order_;     // bodies by block
     std::vector<SolverBlock> blocks_;
     std::vector<uint32_t> bodies_;  // whose blocks these are: slots
-    bool plain_ = false, several_ = false;
+    bool several_ = false;
     int age_ = 0;  // steps
 };
 

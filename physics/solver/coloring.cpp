@@ -1,8 +1,10 @@
 #include <world/world_data.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <tuple>
+#include <numeric>
+#include <utility>
 
 // Which contacts act, in which block and with which color. What has to look at every record is
 // shared out; the coloring itself, where each contact depends on those before, goes over the little
@@ -24,6 +26,22 @@ constexpr size_t least_for_blocks = 4000;
 /// Contacts that a thread takes at a time.
 constexpr size_t piece_length = 512;
 
+/// Stable. Most pieces lie in one strip.
+void order_by_node(std::span<ActingContact> contacts, ActingPiece& piece) {
+    std::array<ActingContact, piece_length> sorted;
+    for (const ActingContact& c : contacts) ++piece.first[c.node + 1u];
+    const bool mixed = contacts.size() > piece.first[contacts.empty() ? 0 : contacts[0].node + 1u];
+    std::partial_sum(piece.first.begin(), piece.first.end(), piece.first.begin());
+    if (!mixed) return;
+    auto next = piece.first;
+    for (const ActingContact& c : contacts) sorted[next[c.node]++] = c;
+    std::copy_n(sorted.begin(), contacts.size(), contacts.begin());
+}
+
+/// Contacts and joints of a block that several threads share out. Below that, waiting for each
+/// other takes longer. Blocks after the first are many: each is shared out only if it is large.
+constexpr size_t least_shared_first = 1000, least_shared = 2 * SolverBlocks::enough_contacts;
+
 }  // namespace
 
 /// The contacts of this step, without gaps but for those between two pieces.
@@ -34,14 +52,16 @@ void WorldData::find_acting(float dt) {
     acting.resize(count);
     acting_pieces.resize((count + piece_length - 1) / piece_length);
     share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
-        ActingPiece piece = {uint32_t(begin), uint32_t(begin)};
+        ActingPiece piece = {uint32_t(begin)};
+        ActingContact* last = &acting[begin];
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = awake_contacts[i];
             if (i + contacts_ahead < count) contacts[awake_contacts[i + contacts_ahead]].prefetch();
             const ContactRecord& record = contacts[slot];
             if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
-            ActingContact& c = acting[piece.end++];
+            ActingContact& c = *last++;
             c = {slot, solver_ends[record.body_a], solver_ends[record.body_b], record.friction};
+            c.node = node_of(c.end_a, c.end_b);
             c.serially = serially || record.special || record.curved || on_locked_axis(record) ||
                          passes_corner(record, dt);
             c.touching = record.touching;
@@ -50,116 +70,164 @@ void WorldData::find_acting(float dt) {
             if (blocks_stay && c.both_move())
                 piece.links_blocks |= blocks.block_of(c.a()) != blocks.block_of(c.b());
         }
+        order_by_node({&acting[begin], last}, piece);
         acting_pieces[begin / piece_length] = piece;
     });
 }
 
-/// Greedy coloring, anew in every step: the lowest color that neither body has yet. What finds
-/// none, and what needs more than a plain contact, is solved one at a time.
-void WorldData::color_contacts() {
-    update_blocks();
-    colors_of_body.assign(solver_bodies.size(), 0);
-    color_begin.assign(blocks.size() * color_count, 0);
-    serial_contacts.clear();
-    size_t out_of_colors = 0;
-    bool not_first = false;
-    for (const ActingPiece& piece : acting_pieces) {
-        for (uint32_t i = piece.begin; i < piece.end; ++i) {
-            ActingContact& c = acting[i];
-            const uint32_t a = c.a(), b = c.b();
-            const uint64_t taken =
-                (c.moves_a() ? colors_of_body[a] : 0) | (c.moves_b() ? colors_of_body[b] : 0);
-            const int first = c.both_move() ? 0 : moving_colors;
-            const int color = first + std::countr_one(taken >> first);
-            if (!c.serially && color >= end_of_colors(c.both_move())) {
-                c.serially = true;
-                ++out_of_colors;
-                not_first |= blocks.block_of(a) != 0 || blocks.block_of(b) != 0;
-            }
-            if (c.serially) {
-                serial_contacts.push_back(c.slot);
-                continue;
-            }
-            if (c.moves_a()) colors_of_body[a] |= uint64_t{1} << color;
-            if (c.moves_b()) colors_of_body[b] |= uint64_t{1} << color;
-            c.color = uint8_t(color);
-            c.place = color_begin[entry_of(c)]++;
-        }
-    }
-    colored_count -= out_of_colors;
-    if (not_first) {
-        make_blocks(false);
-        count_places();
-    }
-    place_lanes();
-}
-
-/// Among what is said of colors and blocks.
-size_t WorldData::entry_of(const ActingContact& c) const {
-    return size_t(std::max(blocks.block_of(c.a()), blocks.block_of(c.b()))) * color_count + c.color;
-}
-
+/// Those in groups that belong to some nodes.
 template <typename Visit>
-void WorldData::for_each_colored(Visit&& visit) {
+void WorldData::for_each_acting_of(const StripNodes& nodes, Visit&& visit) {
     for (const ActingPiece& piece : acting_pieces) {
-        for (uint32_t i = piece.begin; i < piece.end; ++i) {
+        const uint32_t begin = piece.begin + piece.first[nodes.begin];
+        const uint32_t end = piece.begin + piece.first[nodes.end];
+        for (uint32_t i = begin; i < end; ++i) {
             if (!acting[i].serially) visit(acting[i]);
         }
     }
 }
 
-void WorldData::count_places() {
-    color_begin.assign(blocks.size() * color_count, 0);
-    for_each_colored([&](ActingContact& c) { c.place = color_begin[entry_of(c)]++; });
+/// Greedy coloring, anew in every step: the lowest color that neither body has yet. What finds none
+/// is solved one at a time.
+void WorldData::color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over) {
+    left_over.clear();
+    if (nodes.begin < strips.first_leaf()) {
+        // Solved at another time than what is below: the colors are free again.
+        for_each_acting_of(nodes, [&](const ActingContact& c) {
+            if (c.moves_a()) colors_of_body[c.a()] = 0;
+            if (c.moves_b()) colors_of_body[c.b()] = 0;
+        });
+    }
+    for_each_acting_of(nodes, [&](ActingContact& c) {
+        const uint32_t a = c.a(), b = c.b();
+        const uint64_t taken =
+            (c.moves_a() ? colors_of_body[a] : 0) | (c.moves_b() ? colors_of_body[b] : 0);
+        const int first = c.both_move() ? 0 : moving_colors;
+        const int color = first + std::countr_one(taken >> first);
+        if (color >= end_of_colors(c.both_move())) {
+            c.serially = true;
+            left_over.push_back(uint32_t(&c - acting.data()));
+            return;
+        }
+        if (c.moves_a()) colors_of_body[a] |= uint64_t{1} << color;
+        if (c.moves_b()) colors_of_body[b] |= uint64_t{1} << color;
+        c.color = uint8_t(color);
+        c.place = counted(c)++;
+    });
 }
 
-/// The blocks of an earlier step will do as long as nothing links two of them and nothing must be
-/// in the first: which block an island is in changes nothing of its result.
+void WorldData::color_contacts() {
+    update_blocks();
+    make_sections();
+    colors_of_body.assign(solver_bodies.size(), 0);
+    // Whoever colors some nodes counts for itself: contacts of several of them may be in a block.
+    const Sections& plan = sections[1];
+    color_begin.assign(plan.owners() * color_count * first_groups.size(), 0);
+    out_of_colors.resize(plan.size());
+    plan.each(plan.shared() ? threads : nullptr, [&](uint32_t section) {
+        color_nodes(plan.nodes_of(section), out_of_colors[section]);
+    });
+    size_t left_overs = 0;
+    for (const std::vector<uint32_t>& left_over : out_of_colors) {
+        left_overs += left_over.size();
+        for (const uint32_t i : left_over) ++acting_pieces[i / piece_length].serially;
+    }
+    colored_count -= left_overs;
+    if (left_overs > 0 && blocks.size() > 1) {
+        make_blocks(false);
+        make_sections();
+        color_begin.assign(plan.owners() * color_count * first_groups.size(), 0);
+        for_each_colored([&](ActingContact& c) { c.place = counted(c)++; });
+    }
+    list_serial();
+    place_lanes();
+}
+
+/// Contacts of the same color and section that are counted by the same thread.
+uint32_t& WorldData::counted(const ActingContact& c) {
+    const size_t entry = section_of(c) * color_count + c.color;
+    return color_begin[sections[1].owner_of(c.node) * color_count * first_groups.size() + entry];
+}
+
+/// What is solved one at a time, in the order of the nodes.
+void WorldData::list_serial() {
+    serial_acting.clear();
+    first_serial.fill(0);
+    for (const ActingPiece& piece : acting_pieces) {
+        if (piece.serially == 0) continue;
+        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
+            if (!acting[i].serially) continue;
+            serial_acting.push_back(i);
+            ++first_serial[acting[i].node + 1u];
+        }
+    }
+    std::partial_sum(first_serial.begin(), first_serial.end(), first_serial.begin());
+    auto next = first_serial;
+    serial_contacts.resize(serial_acting.size());
+    for (const uint32_t i : serial_acting) serial_contacts[next[acting[i].node]++] = acting[i].slot;
+}
+
+/// Which blocks several threads share out, and what each consists of.
+void WorldData::make_sections() {
+    const auto hands = uint32_t(threads != nullptr ? threads->at_a_time() : 1);
+    const uint32_t parts = std::min(strips.count(), std::bit_floor(hands));
+    sections[0] = Sections(strips.count(), 1);
+    sections[1] = Sections(strips.count(), parts);
+    size_t one_by_one = acting_joints();
+    for (const ActingPiece& piece : acting_pieces) one_by_one += piece.serially;
+    uint32_t next = 0;
+    for (size_t i = 0; i < blocks.size(); ++i) {
+        SolverBlock& block = blocks[i];
+        const size_t work = block.contacts + (i == 0 ? one_by_one : 0);
+        block.cut = parts > 1 && work >= (i == 0 ? least_shared_first : least_shared);
+        block.first_section = next;
+        next += sections_of(block).size();
+    }
+    first_groups.resize(next + 1);
+}
+
+size_t WorldData::section_of(const ActingContact& c) const {
+    if (blocks.size() == 1) return sections_of(blocks[0]).of(c.node);
+    const SolverBlock& block = blocks[std::max(blocks.block_of(c.a()), blocks.block_of(c.b()))];
+    return block.first_section + sections_of(block).of(c.node);
+}
+
+template <typename Visit>
+void WorldData::for_each_colored(Visit&& visit) {
+    for (const ActingPiece& piece : acting_pieces) {
+        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
+            if (!acting[i].serially) visit(acting[i]);
+        }
+    }
+}
+
+/// The blocks of an earlier step will do as long as nothing links two of them.
 void WorldData::update_blocks() {
     size_t count = 0, serially = 0;
     bool linked = false;
     for (const ActingPiece& piece : acting_pieces) {
-        count += piece.end - piece.begin;
+        count += piece.count();
         serially += piece.serially;
         linked |= piece.links_blocks;
     }
-    const bool plain =
-        serially == 0 && locked.empty() && !driven &&
-        std::apply([](const auto&... list) { return (list.empty() && ...); }, joint_constraints);
     colored_count = count - serially;
-    const bool several = colored_count >= least_for_blocks;
-    if (!linked && blocks.may_stay(awake_bodies, plain, several)) return;
-    make_blocks(plain);
+    const bool plain = serially == 0 && locked.empty() && !driven && acting_joints() == 0;
+    const bool several = plain && colored_count >= least_for_blocks;
+    if (linked || !blocks.may_stay(awake_bodies, several)) make_blocks(several);
+    if (!several) blocks[0].contacts = uint32_t(colored_count);
 }
 
 /// Each island in one block, where there is enough for several.
-void WorldData::make_blocks(bool plain) {
-    const bool several = colored_count >= least_for_blocks;
+void WorldData::make_blocks(bool several) {
     blocks.begin(uint32_t(solver_bodies.size()));
-    blocks.remember(awake_bodies, plain, several);
+    blocks.remember(awake_bodies, several);
     if (!several) {
         blocks.finish_as_one();
         return;
     }
-    for (const ActingPiece& piece : acting_pieces) {
-        for (uint32_t i = piece.begin; i < piece.end; ++i) {
-            const ActingContact& c = acting[i];
-            if (c.serially)
-                blocks.keep_first(c.a()), blocks.keep_first(c.b());
-            else if (c.both_move())
-                blocks.link(c.a(), c.b());
-            else if (c.a() != 0 && c.b() != 0)
-                blocks.keep_first(c.mover());  // touches what moves on its own
-        }
-    }
-    const auto keep_first = [&](const auto& list) {
-        for (const auto& c : list) blocks.keep_first(c.ends.a), blocks.keep_first(c.ends.b);
-    };
-    std::apply([&](const auto&... list) { (keep_first(list), ...); }, joint_constraints);
-    for (const uint32_t i : locked) blocks.keep_first(i);
-    for (uint32_t i = 1; driven && i < solver_bodies.size(); ++i) {
-        if ((solver_ends[awake_bodies[i - 1]] & 1) == 0) blocks.keep_first(i);
-    }
+    for_each_colored([&](const ActingContact& c) {
+        if (c.both_move()) blocks.link(c.a(), c.b());
+    });
     blocks.find_islands();
     for_each_colored([&](const ActingContact& c) { blocks.count_contact(c.mover()); });
     blocks.finish();
@@ -167,29 +235,34 @@ void WorldData::make_blocks(bool plain) {
 
 /// Each colored contact gets a lane of its color in its block.
 void WorldData::place_lanes() {
-    first_groups.resize(blocks.size() * color_count + 1);
     spare_lanes.clear();
     // From counts to the first lane of each color; every color begins a group of its own.
-    uint32_t begin = 0;
-    for (size_t entry = 0; entry < color_begin.size(); ++entry) {
-        if (entry % color_count == 0) blocks[entry / color_count].first_group = begin / lanes;
-        const uint32_t end = begin + color_begin[entry];
-        color_begin[entry] = begin;
-        first_groups[entry] = begin / lanes;
-        begin = (end + lanes - 1) / lanes * lanes;
-        for (uint32_t lane = end; lane < begin; ++lane) spare_lanes.push_back(lane);
-        if (entry % color_count == color_count - 1)
-            blocks[entry / color_count].group_end = begin / lanes;
+    uint32_t begin = 0, section = 0;
+    const size_t owned = color_count * first_groups.size();
+    for (size_t i = 0; i < blocks.size(); ++i) {
+        SolverBlock& block = blocks[i];
+        block.first_group = begin / lanes;
+        for (const uint32_t end = section + sections_of(block).size(); section < end; ++section) {
+            first_groups[section] = begin / lanes;
+            for (size_t color = 0; color < color_count; ++color) {
+                uint32_t last = begin;
+                for (size_t k = section * color_count + color; k < color_begin.size(); k += owned)
+                    last += std::exchange(color_begin[k], last);
+                begin = (last + lanes - 1) / lanes * lanes;
+                for (uint32_t lane = last; lane < begin; ++lane) spare_lanes.push_back(lane);
+            }
+        }
+        block.group_end = begin / lanes;
     }
     first_groups.back() = begin / lanes;
     news.resize(begin / lanes);
     lane_contacts.resize(begin);
     for (const uint32_t lane : spare_lanes) lane_contacts[lane] = none;
     share_out(threads, uint32_t(acting_pieces.size()), [&](uint32_t piece) {
-        for (uint32_t i = acting_pieces[piece].begin; i < acting_pieces[piece].end; ++i) {
+        for (uint32_t i = acting_pieces[piece].begin; i < acting_pieces[piece].end(); ++i) {
             ActingContact& c = acting[i];
             if (c.serially) continue;
-            c.place += color_begin[entry_of(c)];
+            c.place += counted(c);
             lane_contacts[c.place] = i;
         }
     });

@@ -37,11 +37,16 @@ struct Pair {
         vb.y += mb.y * p * direction.y;
         wb += ib * angular_b;
     }
+    /// What no impulse moves is left alone: other threads may read it.
     void store(SolverBody& a, SolverBody& b) const {
-        a.velocity = va;
-        a.angular_velocity = wa;
-        b.velocity = vb;
-        b.angular_velocity = wb;
+        if (a.inverse_mass != 0.0f || ia != 0.0f) {
+            a.velocity = va;
+            a.angular_velocity = wa;
+        }
+        if (b.inverse_mass != 0.0f || ib != 0.0f) {
+            b.velocity = vb;
+            b.angular_velocity = wb;
+        }
     }
 };
 

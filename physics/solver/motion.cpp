@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace fettle::physics::detail {
 namespace {
@@ -68,20 +69,23 @@ void JointShare::unite() {
     std::sort(bodies_.begin(), bodies_.end());
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
     velocities_.resize(bodies_.size());
+    first_.fill(0);
+    for (const uint64_t body : bodies_) ++first_[(body >> 32) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
-void JointShare::remember(std::span<const SolverBody> bodies) {
-    for (size_t i = 0; i < bodies_.size(); ++i) {
-        const SolverBody& b = bodies[bodies_[i]];
+void JointShare::remember(const StripNodes& nodes, std::span<const SolverBody> bodies) {
+    for (size_t i = first_[nodes.begin]; i < first_[nodes.end]; ++i) {
+        const SolverBody& b = bodies[uint32_t(bodies_[i])];
         velocities_[i] = {b.velocity, b.angular_velocity};
     }
 }
 
-void JointShare::add_change(std::span<const SolverBody> bodies,
+void JointShare::add_change(const StripNodes& nodes, std::span<const SolverBody> bodies,
                             std::span<SolverForce> forces) const {
-    for (size_t i = 0; i < bodies_.size(); ++i) {
-        const SolverBody& b = bodies[bodies_[i]];
-        SolverForce& f = forces[bodies_[i]];
+    for (size_t i = first_[nodes.begin]; i < first_[nodes.end]; ++i) {
+        const SolverBody& b = bodies[uint32_t(bodies_[i])];
+        SolverForce& f = forces[uint32_t(bodies_[i])];
         f.before = f.before + (b.velocity - velocities_[i].linear);
         f.turn_before += b.angular_velocity - velocities_[i].angular;
     }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <solver/constraint.h>
+#include <solver/strips.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -39,21 +41,22 @@ void integrate_velocities(std::span<const uint32_t> which, std::span<SolverBody>
                           std::span<SolverForce> forces, const SubstepLimits& limits, bool again);
 void integrate_positions(std::span<const uint32_t> which, std::span<SolverBody> bodies, float h);
 
-/// Keeps what joints do to bodies apart from what contacts do.
+/// Keeps what joints do to bodies apart from what contacts do, for the joints of some nodes at a
+/// time.
 class JointShare {
   public:
     void clear() { bodies_.clear(); }
-    /// A body that a joint acts on; again and again, if need be.
-    void add(uint32_t body) { bodies_.push_back(body); }
+    /// A body that a joint of that node acts on; again and again, if need be.
+    void add(uint32_t node, uint32_t body) { bodies_.push_back(uint64_t{node} << 32 | body); }
     void unite();
-    std::size_t size() const { return bodies_.size(); }
 
-    /// Runs a pass over the joints.
+    /// Runs a pass over the joints of these nodes.
     template <typename Pass>
-    void around(std::span<const SolverBody> bodies, std::span<SolverForce> forces, Pass&& pass) {
-        remember(bodies);
+    void around(const StripNodes& nodes, std::span<const SolverBody> bodies,
+                std::span<SolverForce> forces, Pass&& pass) {
+        remember(nodes, bodies);
         pass();
-        add_change(bodies, forces);
+        add_change(nodes, bodies, forces);
     }
 
     /// All of it is made anew in every step.
@@ -67,11 +70,13 @@ class JointShare {
         V2 linear;
         float angular = 0.0f;
     };
-    void remember(std::span<const SolverBody> bodies);
-    void add_change(std::span<const SolverBody> bodies, std::span<SolverForce> forces) const;
+    void remember(const StripNodes& nodes, std::span<const SolverBody> bodies);
+    void add_change(const StripNodes& nodes, std::span<const SolverBody> bodies,
+                    std::span<SolverForce> forces) const;
 
-    std::vector<uint32_t> bodies_;
+    std::vector<uint64_t> bodies_;  // node << 32 | body
     std::vector<Velocity> velocities_;
+    std::array<uint32_t, 2 * most_strips + 1> first_ = {};  // of a node
 };
 
 }  // namespace fettle::physics::detail

@@ -107,8 +107,8 @@ bool WorldData::passes_corner(const ContactRecord& record, float dt) const {
     if (form_a.count == 1 && form_b.count == 1) return false;
     if (form_a.radius + form_b.radius == 0.0f) return false;
     const Corner corner = corner_of(record, form_a, form_b);
-    const SolverBody& a = solver_bodies[solver_ends[record.body_a] >> 1];
-    const SolverBody& b = solver_bodies[solver_ends[record.body_b] >> 1];
+    const SolverBody& a = solver_bodies[solver_ends[record.body_a].index()];
+    const SolverBody& b = solver_bodies[solver_ends[record.body_b].index()];
     const float u =
         dt * (dot(right_perp(m.normal), b.velocity - a.velocity) +
               corner.lever_b * b.angular_velocity - corner.lever_a * a.angular_velocity);
@@ -129,8 +129,8 @@ void WorldData::prepare_contacts(float dt, float h, const ContactStiffness& stif
     auto prepare = [&](uint32_t slot, ContactConstraint& c) {
         const ContactRecord& record = contacts[slot];
         c.contact = slot;
-        c.a = solver_ends[record.body_a] >> 1;
-        c.b = solver_ends[record.body_b] >> 1;
+        c.a = solver_ends[record.body_a].index();
+        c.b = solver_ends[record.body_b].index();
         const SolverBody &a = solver_bodies[c.a], &b = solver_bodies[c.b];
         c.inverse_a = {a.inverse_mass, a.inverse_mass};
         c.inverse_b = {b.inverse_mass, b.inverse_mass};
@@ -175,14 +175,16 @@ void WorldData::tell_of_groups() {
             told[i / 64] |= uint64_t{1} << i % 64;
         }
     }
+    bool any_hits = false;
     for (size_t word = 0; word < told.size(); ++word) {
         for (uint64_t left = told[word]; left != 0; left &= left - 1) {
             const ActingContact& c = acting[word * 64 + size_t(std::countr_zero(left))];
             const bool touching = (news[c.place / lanes].touches >> c.place % lanes & 1) != 0;
             if (touching != c.touching) set_touching(c.slot, touching);
-            if (c.hit_events) report_hit(c.slot, nullptr);
+            any_hits |= c.hit_events;
         }
     }
+    if (any_hits) tell_hits();
 }
 
 void WorldData::store_contacts() {
@@ -195,13 +197,13 @@ void WorldData::store_contacts() {
         }
         if (c.extra == 0) {
             update_touch(c.contact, false);
-            report_hit(c.contact, nullptr);
+            if (const auto hit = hit_of(c.contact, nullptr)) events.contact_hit.push_back(*hit);
             continue;
         }
         const ContactExtra& extra = extras[c.extra - 1];
         contacts[c.contact].rolling_impulse = extra.rolling_impulse;
         update_touch(c.contact, extra.greatest[0] + extra.greatest[1] > 0.0f);
-        report_hit(c.contact, &extra);
+        if (const auto hit = hit_of(c.contact, &extra)) events.contact_hit.push_back(*hit);
     }
 }
 
@@ -218,30 +220,6 @@ void WorldData::update_touch(uint32_t contact, bool pushed) {
     // ends a touch, so that nothing flickers at the limit.
     const bool touching = pushed || nearest <= (record.touching ? 2.0f : 1.0f) * touch_distance;
     if (touching != record.touching) set_touching(contact, touching);
-}
-
-/// From what is known anyway: that somebody wants to hear of hits must change nothing.
-void WorldData::report_hit(uint32_t contact, const ContactExtra* extra) {
-    const ContactRecord& record = contacts[contact];
-    if (!record.hit_events || !record.touching || !tells_for_pair(contact)) return;
-    float speed = 0.0f;
-    V2 point;
-    for (int k = 0; k < record.manifold.count; ++k) {
-        const ManifoldPoint& p = record.manifold.points[k];
-        const bool met = p.normal_impulse > 0.0f || p.separation <= touch_distance ||
-                         (extra != nullptr && extra->greatest[k] > 0.0f);
-        const V2 here = bodies[record.body_a].center + p.anchor_a;
-        const float approach = met ? approach_speed(record, here) : 0.0f;
-        if (approach <= speed) continue;
-        speed = approach;
-        point = here;
-    }
-    if (!(speed > settings.hit_threshold)) return;
-    const float impulse =
-        extra != nullptr ? extra->total[0] + extra->total[1] : speed * impact_mass(record, point);
-    events.contact_hit.push_back({shape_id(record.shape_a), shape_id(record.shape_b),
-                                  body_id(record.body_a), body_id(record.body_b), to_vec2(point),
-                                  to_vec2(record.manifold.normal), speed, impulse});
 }
 
 }  // namespace fettle::physics::detail

@@ -174,13 +174,13 @@ void WorldData::solve_sequentially(const JointStep& joint_step) {
     SequentialPass pass(*this, joint_step.h);
     for (int substep = 0; substep < settings.substeps; ++substep) {
         apply_forces(joint_step.h);
-        warm_start_joints();
+        warm_start_joints(strips.all_nodes());
         pass.resolve_velocities();
-        solve_joints(joint_step);
+        solve_joints(joint_step, strips.all_nodes());
         zero_locked();
         integrate_positions(blocks.bodies_of(blocks[0]), solver_bodies, joint_step.h);
         pass.remove_overlaps();
-        relax_joints(joint_step);
+        relax_joints(joint_step, strips.all_nodes());
         zero_locked();
         strain_joints();
     }

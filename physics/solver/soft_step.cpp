@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <tuple>
 
 // The soft step (E. Catto, "Solver2D", 2024) over all blocks: per sub-step velocities, warm start,
 // biased solve, positions, relax; at the end restitution; joints before contacts, what is solved
@@ -14,16 +13,7 @@ namespace fettle::physics::detail {
 namespace {
 
 // What a thread takes at a time.
-constexpr uint32_t groups_at_a_time = 8, bodies_at_a_time = 512;
-
-/// Holds more than one island that is itself enough for a block.
-bool is_large(const SolverBlock& block) {
-    return block.groups() > 2 * SolverBlocks::enough_contacts / lanes;
-}
-/// Whether sharing out a pass takes less than the pass.
-bool worth_sharing(const SolverBlock& block) {
-    return block.groups() >= 4 * groups_at_a_time;
-}
+constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 512;
 
 /// Who solves a block takes one that is idle and gives it back. There is one for every thread.
 class IdleBlocks {
@@ -54,56 +44,24 @@ struct WorldData::BlockStep {
     SubstepLimits limits;
 };
 
-/// Color by color, where several threads do it.
-void WorldData::pass(void (*kernel)(const WideStep&), const SolverBlock& block, WideBlock& wide,
-                     const BlockStep& step, ThreadPool* helpers) {
-    const WideStep all = {solver_bodies.data(), wide.contacts.data(), block.groups(), 1.0f / step.h,
-                          settings.push_speed};
-    if (helpers == nullptr) {
-        kernel(all);
-        return;
-    }
-    const auto* first = &first_groups[size_t(&block - &blocks[0]) * color_count];
-    for (size_t color = 0; color < color_count; ++color) {
-        const uint32_t from = first[color], count = first[color + 1] - from;
-        // Parts of a size, and an even number of them: nobody waits for who has one more.
-        const uint32_t pairs_of_parts = (count + 2 * groups_at_a_time - 1) / (2 * groups_at_a_time);
-        const uint32_t parts = count > groups_at_a_time ? 2 * pairs_of_parts : 1;
-        share_out(count > 0 ? helpers : nullptr, parts, [&](uint32_t part) {
-            const uint32_t begin = count * part / parts, end = count * (part + 1) / parts;
-            WideStep some = all;
-            some.contacts = wide.contacts_of(from + begin);
-            some.count = end - begin;
-            kernel(some);
-        });
-    }
-}
-
-/// `work(begin, end)` over the groups of a block in parts. A part has its share of every color, the
-/// same one as in the passes: so what a thread prepares is in its cache when it solves.
+/// `work(section)` for each section of a block, by all threads if they share it out.
 template <typename Work>
-void WorldData::for_groups(const SolverBlock& block, ThreadPool* helpers, Work&& work) {
-    const uint32_t groups = block.groups();
-    if (helpers == nullptr) {
-        work(block.first_group, block.group_end);
-        return;
-    }
-    const auto* first = &first_groups[size_t(&block - &blocks[0]) * color_count];
-    const auto parts = uint32_t(groups / (2 * groups_at_a_time));
-    share_out(helpers, parts, [&](uint32_t part) {
-        for (size_t color = 0; color < color_count; ++color) {
-            const size_t from = first[color], count = first[color + 1] - from;
-            const size_t begin = count * part / parts, end = count * (part + 1) / parts;
-            if (begin < end) work(from + begin, from + end);
-        }
-    });
+void WorldData::each_section(const SolverBlock& block, Work&& work) {
+    sections_of(block).each(block.cut ? threads : nullptr,
+                            [&](uint32_t section) { work(block.first_section + section); });
 }
 
-void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
-                              ThreadPool* helpers) {
+void WorldData::pass(WidePass kernel, uint32_t section, WideBlock& wide, const BlockStep& step) {
+    const size_t begin = first_groups[section], end = first_groups[section + 1];
+    kernel({solver_bodies.data(), wide.contacts_of(begin), end - begin, 1.0f / step.h,
+            settings.push_speed});
+}
+
+void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
     wide.make_groups(block.first_group, block.group_end);
-    for_groups(block, helpers, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; i += groups_at_a_time) {
+    each_section(block, [&](uint32_t section) {
+        const size_t end = first_groups[section + 1];
+        for (size_t i = first_groups[section]; i < end; i += groups_at_a_time) {
             const size_t next = std::min(i + groups_at_a_time, end);
             WideContact* const groups = wide.contacts_of(i);
             ContactLanes* const from = wide.lanes_of(i);
@@ -113,59 +71,55 @@ void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const B
     });
 }
 
-void WorldData::store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
-                            ThreadPool* helpers) {
-    for_groups(block, helpers, [&](size_t begin, size_t end) {
+void WorldData::store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
+    each_section(block, [&](uint32_t section) {
+        const size_t begin = first_groups[section], end = first_groups[section + 1];
         const std::span to(wide.lanes_of(begin), end - begin);
         step.kernels.store(wide.contacts_of(begin), to, touch_distance);
         for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
     });
 }
 
-void WorldData::begin_substep(const SolverBlock& block, const BlockStep& step, bool again,
-                              ThreadPool* helpers) {
+void WorldData::begin_substep(const SolverBlock& block, const BlockStep& step, bool again) {
     const std::span which = blocks.bodies_of(block);
+    ThreadPool* const helpers = block.cut ? threads : nullptr;
     share_out_range(helpers, which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
         integrate_velocities(which.subspan(begin, end - begin), solver_bodies, solver_forces,
                              step.limits, again);
     });
 }
 
-void WorldData::move_bodies(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers) {
+void WorldData::move_bodies(const SolverBlock& block, const BlockStep& step) {
     const std::span which = blocks.bodies_of(block);
+    ThreadPool* const helpers = block.cut ? threads : nullptr;
     share_out_range(helpers, which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
         integrate_positions(which.subspan(begin, end - begin), solver_bodies, step.h);
     });
 }
 
 /// A block of nothing but wide contacts, through all sub-steps.
-void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
-                            ThreadPool* helpers) {
+void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
     const WideKernels& kernels = step.kernels;
-    prepare_block(block, wide, step, helpers);
+    const auto all = [&](WidePass kernel) {
+        each_section(block, [&](uint32_t section) { pass(kernel, section, wide, step); });
+    };
+    prepare_block(block, wide, step);
     for (int substep = 0; substep < settings.substeps; ++substep) {
-        begin_substep(block, step, substep > 0, helpers);
-        if (substep == 0) pass(kernels.warm_start, block, wide, step, helpers);
-        pass(kernels.solve_biased, block, wide, step, helpers);
-        move_bodies(block, step, helpers);
-        pass(kernels.relax, block, wide, step, helpers);
+        begin_substep(block, step, substep > 0);
+        if (substep == 0) all(kernels.warm_start);
+        all(kernels.solve_biased);
+        move_bodies(block, step);
+        all(kernels.relax);
     }
-    store_block(block, wide, step, helpers);
+    store_block(block, wide, step);
 }
 
 /// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
 /// start them one by one. What many joints do besides takes longer to tell apart than that saves.
 bool WorldData::repeats_pushes(const SolverBlock& block) {
-    joint_share.clear();
     if (!rolling_contacts.empty()) return false;  // what they gave had another direction
-    size_t ends = 0;
-    std::apply([&](const auto&... list) { ((ends += 2 * list.size()), ...); }, joint_constraints);
-    if (ends > (size_t{block.groups()} * lanes + constraints.size()) / 4) return false;
-    const auto add = [&](const auto& list) {
-        for (const auto& c : list) joint_share.add(c.ends.a), joint_share.add(c.ends.b);
-    };
-    std::apply([&](const auto&... list) { (add(list), ...); }, joint_constraints);
-    joint_share.unite();
+    if (2 * acting_joints() > (block.contacts + constraints.size()) / 4) return false;
+    find_jointed();
     return true;
 }
 
@@ -173,8 +127,8 @@ bool WorldData::repeats_pushes(const SolverBlock& block) {
 void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_step) {
     const WideKernels& kernels = step.kernels;
     const SolverBlock& block = blocks[0];
+    const Sections& plan = sections_of(block);
     WideBlock& wide = wide_blocks[0];
-    ThreadPool* const helpers = worth_sharing(block) ? threads : nullptr;
     ContactSolver serial;
     serial.bodies = solver_bodies;
     serial.constraints = constraints;
@@ -183,41 +137,57 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
     serial.inverse_h = 1.0f / step.h;
     serial.push_speed = settings.push_speed;
     serial.restitution_threshold = settings.restitution_threshold;
-
-    const bool repeats = repeats_pushes(block);
-    const auto around_joints = [&](auto&& pass) {
+    const auto serial_of = [&](const StripNodes& nodes) {
+        ContactSolver some = serial;
+        const size_t begin = first_serial[nodes.begin], end = first_serial[nodes.end];
+        some.constraints = some.constraints.subspan(begin, end - begin);
+        return some;
+    };
+    const bool repeats = repeats_pushes(block), jointed = acting_joints() > 0;
+    const auto around_joints = [&](const StripNodes& nodes, auto&& pass) {
         if (repeats)
-            joint_share.around(solver_bodies, solver_forces, pass);
+            joint_share.around(nodes, solver_bodies, solver_forces, pass);
         else
             pass();
     };
-    prepare_block(block, wide, step, helpers);
+    const auto warm_start = [&](uint32_t section, bool again) {
+        const StripNodes nodes = plan.nodes_of(section - block.first_section);
+        around_joints(nodes, [&] { warm_start_joints(nodes); });
+        if (again) return;
+        serial_of(nodes).warm_start();
+        pass(kernels.warm_start, section, wide, step);
+    };
+    const auto solve_biased = [&](uint32_t section) {
+        const StripNodes nodes = plan.nodes_of(section - block.first_section);
+        around_joints(nodes, [&] { solve_joints(joint_step, nodes); });
+        serial_of(nodes).solve_biased();
+        pass(kernels.solve_biased, section, wide, step);
+    };
+    const auto relax = [&](uint32_t section) {
+        const StripNodes nodes = plan.nodes_of(section - block.first_section);
+        around_joints(nodes, [&] { relax_joints(joint_step, nodes); });
+        serial_of(nodes).relax();
+        pass(kernels.relax, section, wide, step);
+    };
+    prepare_block(block, wide, step);
     serial.bounce(step.h * float(settings.substeps));
     zero_locked();
     for (int substep = 0; substep < settings.substeps; ++substep) {
         const bool again = repeats && substep > 0;
-        begin_substep(block, step, again, helpers);
+        begin_substep(block, step, again);
         zero_locked();
-        solver_bodies[0] = {};  // joints write it back unmoved; whatever happens, it stays so
-        around_joints([&] { warm_start_joints(); });
-        if (!again) {
-            serial.warm_start();
-            pass(kernels.warm_start, block, wide, step, helpers);
-        }
-        around_joints([&] { solve_joints(joint_step); });
-        serial.solve_biased();
-        pass(kernels.solve_biased, block, wide, step, helpers);
+        if (!again || jointed)
+            each_section(block, [&](uint32_t section) { warm_start(section, again); });
+        each_section(block, solve_biased);
         zero_locked();
-        move_bodies(block, step, helpers);
-        around_joints([&] { relax_joints(joint_step); });
-        serial.relax();
-        pass(kernels.relax, block, wide, step, helpers);
+        move_bodies(block, step);
+        each_section(block, relax);
         zero_locked();
         strain_joints();
     }
     serial.restitute();
     zero_locked();
-    store_block(block, wide, step, helpers);
+    store_block(block, wide, step);
 }
 
 void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness) {
@@ -231,14 +201,14 @@ void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness
     if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));
     solve_first_block(step, joint_step);
     // The few that are large are solved one by one, by all threads together.
-    for (uint32_t block = 1; block <= whole; ++block) {
-        if (is_large(blocks[block])) solve_block(blocks[block], wide_blocks[0], step, threads);
+    for (uint32_t i = 1; i <= whole; ++i) {
+        if (blocks[i].cut) solve_block(blocks[i], wide_blocks[0], step);
     }
     IdleBlocks idle(wide_blocks);
-    share_out(threads, whole, [&](uint32_t block) {
-        if (is_large(blocks[block + 1])) return;
+    share_out(threads, whole, [&](uint32_t i) {
+        if (blocks[i + 1].cut) return;
         WideBlock& wide = idle.take();
-        solve_block(blocks[block + 1], wide, step, nullptr);
+        solve_block(blocks[i + 1], wide, step);
         idle.give_back(wide);
     });
 }

@@ -31,6 +31,8 @@ class ThreadPool {
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int threads() const { return threads_; }
+    /// How many of them work at a time.
+    int at_a_time() const { return int(shares_.size()); }
 
     /// `work(block)` for every block below `count`, each once.
     template <typename Work>

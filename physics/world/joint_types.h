@@ -10,9 +10,11 @@
 #include <solver/pulley_joint.h>
 #include <solver/ratchet_joint.h>
 #include <solver/revolute_joint.h>
+#include <solver/strips.h>
 #include <solver/weld_joint.h>
 #include <solver/wheel_joint.h>
 
+#include <array>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -57,5 +59,20 @@ void with_list(Lists& lists, JointType type, Visit&& visit) {
     }
     (std::make_index_sequence<joint_type_count>());
 }
+
+/// The joints of a type that act in a step, in the order of the nodes they belong to.
+struct JointPlan {
+    std::vector<uint32_t> joints;                          ///< slots
+    std::array<uint32_t, 2 * most_strips + 1> first = {};  ///< of a node
+};
+
+struct JointPlans {
+    std::array<JointPlan, joint_type_count> of_type;
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        for (auto& plan : self.of_type) io(plan.joints);
+    }
+};
 
 }  // namespace fettle::physics::detail

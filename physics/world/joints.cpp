@@ -1,26 +1,11 @@
 #include <world/world_data.h>
 
-#include <cmath>
 #include <utility>
 
 // Joints: what all of them have in slots, linked into lists of both bodies, and what a type adds in
-// a list of that type without gaps. Those that act on something awake are listed by type; a step
-// writes them into constraints, in the order of the lists, and reads their impulses back.
+// a list of that type without gaps. Those that act on something awake are listed by type.
 
 namespace fettle::physics::detail {
-namespace {
-
-/// A joint gives by load / (m·ω²), and m is that of its light body: hung from light links, a heavy
-/// body would stretch them at the usual stiffness. Twice the stiffness is stable only if the sweeps
-/// over the joints come nearer to agreeing: four instead of one.
-bool bears_heavy_load(const SolverBody& a, const SolverBody& b) {
-    constexpr float most = 10.0f;  // as heavy as the other
-    if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return false;
-    return a.inverse_mass > most * b.inverse_mass || b.inverse_mass > most * a.inverse_mass;
-}
-
-}  // namespace
-
 uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_t place) {
     uint32_t slot = free_joint;
     if (slot != none) {
@@ -204,148 +189,6 @@ WorldData::Role WorldData::role_of(const JointRecord& joint) const {
         role = Role::asleep;
     }
     return role;
-}
-
-JointEnds WorldData::joint_ends(const JointRecord& joint) const {
-    const auto [a, b] = joint.bodies;
-    const BodyRecord &body_a = bodies[a], &body_b = bodies[b];
-    JointEnds ends;
-    ends.a = body_a.solver_index;
-    ends.b = body_b.solver_index;
-    ends.place = joint.place;
-    ends.start_a =
-        rotate({states[a].cosine, states[a].sine}, joint.anchors[0] - body_a.local_center);
-    ends.start_b =
-        rotate({states[b].cosine, states[b].sine}, joint.anchors[1] - body_b.local_center);
-    ends.lever_a = ends.start_a;
-    ends.lever_b = ends.start_b;
-    ends.apart = body_b.center - body_a.center;
-    ends.angle = (states[b].angle - states[a].angle) + (body_b.angle_rest - body_a.angle_rest);
-    const float mass_a = solver_bodies[ends.a].inverse_mass;
-    const float mass_b = solver_bodies[ends.b].inverse_mass;
-    ends.inverse_a = {body_a.locked_x ? 0.0f : mass_a, body_a.locked_y ? 0.0f : mass_a};
-    ends.inverse_b = {body_b.locked_x ? 0.0f : mass_b, body_b.locked_y ? 0.0f : mass_b};
-    return ends;
-}
-
-JointFrame WorldData::joint_frame(const JointRecord& joint) const {
-    const auto [a, b] = joint.bodies;
-    return {.a = {states[a].cosine, states[a].sine},
-            .center_a = bodies[a].center,
-            .center_b = bodies[b].center,
-            .anchor_a = joint.anchors[0],
-            .angle_a = double(states[a].angle) + double(bodies[a].angle_rest),
-            .angle_b = double(states[b].angle) + double(bodies[b].angle_rest)};
-}
-
-template <class Constraint>
-void WorldData::prepare_list(const JointStep& step, std::vector<Constraint>& made) {
-    using Data = typename Constraint::Data;
-    constexpr JointType type = joint_type<Data>;
-    made.clear();
-    for (uint32_t slot : awake_joints[size_t(type)]) {
-        const JointRecord& joint = joints[slot];
-        const Role role = role_of(joint);
-        if (role == Role::idle) forget_impulses(slot);
-        if (role != Role::acting) continue;  // asleep, it goes on as it was when it wakes
-        if (joint.breakable()) strains.push_back({slot, uint32_t(made.size()), {}, 0.0f});
-        const Data& data = std::get<std::vector<Data>>(joint_lists)[joint.place];
-        Constraint& c = made.emplace_back();
-        c.ends = joint_ends(joint);
-        c.impulses = data.impulses;
-        c.impulses.scale(step.impulse_ratio);
-        c.prepare(data, joint_frame(joint), step, solver_bodies[c.ends.a], solver_bodies[c.ends.b]);
-    }
-}
-
-JointStep WorldData::prepare_joints(float h) {
-    JointStep step;
-    step.h = h;
-    step.inverse_h = 1.0f / h;
-    step.impulse_ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
-    strains.clear();
-    std::apply([&](auto&... list) { (prepare_list(step, list), ...); }, joint_constraints);
-    bool heavy = false;
-    auto look = [&](const auto& list) {
-        for (const auto& c : list)
-            heavy |= bears_heavy_load(solver_bodies[c.ends.a], solver_bodies[c.ends.b]);
-    };
-    std::apply([&](const auto&... list) { (look(list), ...); }, joint_constraints);
-    step.sweeps = heavy ? 4 : 1;
-    step.rigid = make_softness(heavy ? min(120.0f, 0.5f / h) : min(60.0f, 0.25f / h), 2.0f, h);
-    return step;
-}
-
-void WorldData::warm_start_joints() {
-    auto pass = [&](auto& list) {
-        for (auto& c : list) c.warm_start(solver_bodies[c.ends.a], solver_bodies[c.ends.b]);
-    };
-    std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
-}
-
-void WorldData::solve_joints(const JointStep& step) {
-    auto pass = [&](auto& list) {
-        for (auto& c : list) c.solve(solver_bodies[c.ends.a], solver_bodies[c.ends.b], step);
-    };
-    for (int sweep = 0; sweep < step.sweeps; ++sweep)
-        std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
-}
-
-/// Backwards: what the first pass carried down a chain, this one carries up.
-void WorldData::relax_joints(const JointStep& step) {
-    auto pass = [&](auto& list) {
-        for (size_t i = list.size(); i-- > 0;) {
-            auto& c = list[i];
-            c.relax(solver_bodies[c.ends.a], solver_bodies[c.ends.b], step);
-        }
-    };
-    for (int sweep = 0; sweep < step.sweeps; ++sweep)
-        std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
-}
-
-void WorldData::strain_joints() {
-    for (Strain& strain : strains) {
-        auto add = [&](const auto& list) {
-            strain.force = strain.force + list[strain.index].push();
-            strain.torque += list[strain.index].twist();
-        };
-        with_list(joint_constraints, joints[strain.joint].type, add);
-    }
-}
-
-/// Those that bore more than they can, in the mean over the step. They act no more.
-void WorldData::break_joints(const JointStep& step) {
-    const float rate = step.inverse_h / float(settings.substeps);
-    for (const Strain& strain : strains) {
-        const JointRecord& joint = joints[strain.joint];
-        const V2 force = rate * strain.force;
-        const float torque = rate * strain.torque;
-        if (length(force) <= joint.break_force && std::fabs(torque) <= joint.break_torque) continue;
-        const auto [a, b] = joint.bodies;
-        event_sink().joint_broke.push_back({{strain.joint, joint_generations[strain.joint]},
-                                            body_id(a),
-                                            body_id(b),
-                                            to_vec2(force),
-                                            torque});
-        set_joint_broken(strain.joint, true);
-    }
-}
-
-void WorldData::store_joints(const JointStep& step) {
-    auto pass = [&](auto& list) {
-        using Data = typename std::remove_cvref_t<decltype(list)>::value_type::Data;
-        for (auto& c : list) {
-            Data& data = std::get<std::vector<Data>>(joint_lists)[c.ends.place];
-            data.impulses = c.impulses;
-            // What overflowed would begin the next step, and so last for ever.
-            const V2 push = c.push();
-            if (!std::isfinite(push.x + push.y + c.twist())) data.impulses = {};
-            joints[data.joint].force = bounded(step.inverse_h * push, 1e30f);
-            joints[data.joint].torque = bounded(step.inverse_h * c.twist(), 1e30f);
-        }
-    };
-    std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);
-    break_joints(step);
 }
 
 }  // namespace fettle::physics::detail

@@ -40,7 +40,7 @@ uint8_t WorldData::gather_body(size_t i, float h) {
     const BodyRecord& record = bodies[slot];
     const BodyState& state = states[slot];
     const bool dynamic = record.mobility == Mobility::dynamic;
-    solver_ends[slot] = uint32_t(i + 1) << 1 | dynamic;
+    solver_ends[slot] = {uint32_t(i + 1), strips.leaf_at(record.center), dynamic};
     previous[slot] = {state.position, state.angle};
     SolverBody& b = solver_bodies[i + 1];
     b.velocity = to_v2(state.velocity);
@@ -73,7 +73,7 @@ void WorldData::gather_bodies(float h) {
     solver_bodies.resize(count + 1);
     solver_forces.resize(count + 1);
     solver_bodies[0] = {};
-    solver_ends.assign(bodies.size(), 0);
+    solver_ends.assign(bodies.size(), {});
     gathered.resize((count + bodies_at_a_time - 1) / bodies_at_a_time);
     share_out_range(threads, count, bodies_at_a_time, [&](size_t begin, size_t end) {
         uint8_t found = 0;
@@ -105,6 +105,7 @@ void WorldData::zero_locked() {
 
 void WorldData::solve(float dt) {
     const float h = dt / float(settings.substeps);
+    cut_into_strips();
     gather_bodies(h);
     apply_fields(h, dt);
     const JointStep joint_step = prepare_joints(h);

@@ -10,6 +10,7 @@
 #include <solver/motion.h>
 #include <solver/rolling_contact.h>
 #include <solver/stiffness.h>
+#include <solver/strips.h>
 #include <threads/pool.h>
 #include <wide/kernels.h>
 #include <world/joint_types.h>
@@ -128,9 +129,8 @@ struct WorldData : Columns {
     std::vector<uint8_t> contact_notes;  ///< by place among the awake contacts
     std::vector<uint8_t> piece_notes;    ///< whether a piece of them has one
     std::vector<SolverBody> solver_bodies;
-    /// By body slot: solver index << 1 | takes impulses; 0 for what is fixed or asleep. Dense,
-    /// where the records are not: every contact asks.
-    std::vector<uint32_t> solver_ends;
+    /// By body slot. Dense, where the records are not: every contact asks.
+    std::vector<SolverEnd> solver_ends;
     std::vector<SolverForce> solver_forces;
     JointShare joint_share;
     std::vector<ContactConstraint> constraints;  ///< of the serial contacts
@@ -140,11 +140,20 @@ struct WorldData : Columns {
     size_t colored_count = 0;             ///< of the acting ones, those in groups
     std::vector<uint32_t> lane_contacts;  ///< by lane: which of the acting ones
     std::vector<uint32_t> spare_lanes;
-    std::vector<GroupNews> news;  ///< of each group
-    std::vector<uint64_t> told;   ///< a bit for each acting contact
+    std::vector<GroupNews> news;                     ///< of each group
+    std::vector<uint64_t> told;                      ///< a bit for each acting contact
+    std::vector<std::vector<ContactHitEvent>> hits;  ///< of the step, by piece
     SolverBlocks blocks;
-    std::vector<uint32_t> color_begin;     ///< lanes, by block and color
-    std::vector<uint32_t> first_groups;    ///< of each color of each block, and the end
+    Strips strips;                       ///< where this step cuts the world
+    Sections sections[2];                ///< of blocks that are whole, of those that are cut
+    std::vector<uint32_t> color_begin;   ///< lanes, by who counts them, section and color
+    std::vector<uint32_t> first_groups;  ///< of each section of each block, and the end
+    std::vector<std::vector<uint32_t>> out_of_colors;        ///< by section: acting ones
+    std::vector<uint32_t> serial_acting;                     ///< solved one at a time
+    std::array<uint32_t, 2 * most_strips + 1> first_serial;  ///< of a node, among `constraints`
+    std::vector<uint32_t> reordered;
+    std::vector<uint8_t> turns, joint_notes;
+    JointPlans joint_plans;
     std::vector<WideBlock> wide_blocks;    ///< for each that is solved at a time
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
     int most_lanes = lanes;                ///< tests compare instruction sets
@@ -262,17 +271,6 @@ struct WorldData : Columns {
     void refilter_joint(uint32_t joint);
     enum class Role { idle, asleep, acting };
     Role role_of(const JointRecord& joint) const;
-    JointEnds joint_ends(const JointRecord& joint) const;
-    JointFrame joint_frame(const JointRecord& joint) const;
-    template <class Constraint>
-    void prepare_list(const JointStep& step, std::vector<Constraint>& made);
-    JointStep prepare_joints(float h);
-    void warm_start_joints();
-    void solve_joints(const JointStep& step);
-    void relax_joints(const JointStep& step);
-    void strain_joints();
-    void store_joints(const JointStep& step);
-    void break_joints(const JointStep& step);
     template <typename Visit>
     void for_each_joint(uint32_t body, Visit&& visit) const {
         for (uint32_t edge = bodies[body].first_joint; edge != none;) {
@@ -281,6 +279,25 @@ struct WorldData : Columns {
             edge = next;
         }
     }
+
+    // ../solver/joint_passes.cpp
+    JointEnds joint_ends(const JointRecord& joint) const;
+    JointFrame joint_frame(const JointRecord& joint) const;
+    template <class Constraint>
+    void list_acting_joints(JointPlan& plan);
+    template <class Constraint>
+    bool prepare_list(const JointStep& step, std::vector<Constraint>& made);
+    JointStep prepare_joints(float h);
+    size_t acting_joints() const;
+    template <bool backwards = false, typename Visit>
+    void for_each_joint_of(const StripNodes& nodes, Visit&& visit);
+    void warm_start_joints(const StripNodes& nodes);
+    void solve_joints(const JointStep& step, const StripNodes& nodes);
+    void relax_joints(const JointStep& step, const StripNodes& nodes);
+    void find_jointed();
+    void strain_joints();
+    void store_joints(const JointStep& step);
+    void break_joints(const JointStep& step);
 
     // edits.cpp: what an edit leaves to do, and doing it when somebody looks. `read_...` is for who
     // looks, before an edit too if it does; `refresh...` for what is part of an edit or a step.
@@ -349,6 +366,9 @@ struct WorldData : Columns {
                          Manifold& manifold) const;
     float approach_speed(const ContactRecord& contact, V2 point) const;
     float impact_mass(const ContactRecord& contact, V2 point) const;
+    // hits.cpp
+    std::optional<ContactHitEvent> hit_of(uint32_t contact, const ContactExtra* extra) const;
+    void tell_hits();
     // touching.cpp
     void set_touching(uint32_t contact, bool touching);
     void tell_touching(const ContactRecord& contact, bool touching);
@@ -408,24 +428,24 @@ struct WorldData : Columns {
     float limit_motion(const FastBody& fast) const;
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
+    // strips.cpp
+    void cut_into_strips();
+    void order_by_strips();
     // ../solver/soft_step.cpp
     struct BlockStep;
+    using WidePass = void (*)(const WideStep&);
     void solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness);
     bool repeats_pushes(const SolverBlock& block);
     void solve_first_block(const BlockStep& step, const JointStep& joint_step);
-    void solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
-                     ThreadPool* helpers);
-    void pass(void (*kernel)(const WideStep&), const SolverBlock& block, WideBlock& wide,
-              const BlockStep& step, ThreadPool* helpers);
+    void solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step);
+    const Sections& sections_of(const SolverBlock& block) const { return sections[block.cut]; }
     template <typename Work>
-    void for_groups(const SolverBlock& block, ThreadPool* helpers, Work&& work);
-    void prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
-                       ThreadPool* helpers);
-    void store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step,
-                     ThreadPool* helpers);
-    void begin_substep(const SolverBlock& block, const BlockStep& step, bool again,
-                       ThreadPool* helpers);
-    void move_bodies(const SolverBlock& block, const BlockStep& step, ThreadPool* helpers);
+    void each_section(const SolverBlock& block, Work&& work);
+    void pass(WidePass kernel, uint32_t section, WideBlock& wide, const BlockStep& step);
+    void prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step);
+    void store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step);
+    void begin_substep(const SolverBlock& block, const BlockStep& step, bool again);
+    void move_bodies(const SolverBlock& block, const BlockStep& step);
     // ../solver
     void solve_sequentially(const JointStep& joint_step);
     void solve_directly(const JointStep& joint_step);
@@ -435,8 +455,14 @@ struct WorldData : Columns {
     void find_acting(float dt);
     void color_contacts();
     void update_blocks();
-    void make_blocks(bool plain);
-    size_t entry_of(const ActingContact& contact) const;
+    void make_blocks(bool several);
+    void make_sections();
+    size_t section_of(const ActingContact& contact) const;
+    void color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over);
+    template <typename Visit>
+    void for_each_acting_of(const StripNodes& nodes, Visit&& visit);
+    uint32_t& counted(const ActingContact& contact);
+    void list_serial();
     template <typename Visit>
     void for_each_colored(Visit&& visit);
     void count_places();
@@ -448,7 +474,6 @@ struct WorldData : Columns {
     void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);
     void store_contacts();
     void update_touch(uint32_t contact, bool pushed);
-    void report_hit(uint32_t contact, const ContactExtra* extra);
     void zero_locked();
 
     template <typename Visit>

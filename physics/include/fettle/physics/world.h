@@ -25,6 +25,7 @@ namespace fettle::physics {
 namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldData;
 class ThreadPool;
+struct WorldInside;  ///< of the library's own tests
 
 /// The part of a world that is read too often for a call: arrays addressed by `BodyId::index`.
 struct Columns {
@@ -257,6 +258,7 @@ class World {
     friend class Shape;
     friend class Joint;
     friend class Field;
+    friend struct detail::WorldInside;
     friend Separation distance(const Shape& a, const Shape& b);
     detail::WorldData& data() const { return *data_; }
 

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <geometry/vector.h>
+#include <threads/pool.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+// A heap of bodies that all touch each other, solved by several threads: it is cut into strips of
+// about as much work each. What acts within a strip knows nothing of the other strips; what acts
+// between two of them is solved after both (nested dissection: A. George, "Nested Dissection of a
+// Regular Finite Element Mesh", 1973). The strips are the leaves of a binary tree, left to right,
+// and a constraint belongs to the lowest node that is above both of its bodies.
+//
+// Whether one thread solves the nodes of a level as one or several threads share them out is the
+// same: no two nodes of a level have a body in common.
+
+namespace fettle::physics::detail {
+
+inline constexpr uint32_t most_strips = 8;
+
+/// Of a complete binary tree: 1 is the root, 2n and 2n + 1 are below n.
+using StripNode = uint8_t;
+
+/// The lowest node that is above both, or is both.
+inline StripNode above_both(StripNode a, StripNode b) {
+    return StripNode(a >> std::bit_width(unsigned(a ^ b)));
+}
+
+/// Nodes `begin` to `end`, all of one level or all there are.
+struct StripNodes {
+    uint32_t begin = 1, end = 2;
+};
+
+/// Something that takes time, and where it is.
+struct StripSample {
+    V2 place;
+    float work = 0.0f;
+};
+
+class Strips {
+  public:
+    /// Into how many strips so many constraints are cut: a power of two. Fewer constraints than
+    /// this in a strip, and there is too little to do between two waits.
+    static uint32_t count_for(std::size_t constraints);
+
+    /// Into `count` strips, across the longer side of the samples, which are put in another order.
+    void cut(std::span<StripSample> samples, uint32_t count);
+    uint32_t count() const { return count_; }
+    StripNodes all_nodes() const { return {1, 2 * count_}; }
+    StripNode first_leaf() const { return StripNode(count_); }
+    StripNode leaf_at(V2 place) const {
+        const float along = upright_ ? place.y : place.x;
+        uint32_t node = 1;
+        while (node < count_) node = 2 * node + (along >= limits_[node]);
+        return StripNode(node);
+    }
+
+  private:
+    void cut_below(std::span<const StripSample> samples, uint32_t node);
+
+    std::array<float, most_strips> limits_ = {};  ///< by node: where its two halves meet, m
+    uint32_t count_ = 1;
+    bool upright_ = false;  ///< strips lie on each other
+};
+
+/// What is solved at a time, section by section. Where several threads share out a block, each has
+/// a part of the strips with all nodes below a node of its own; the nodes above come last. Where
+/// one does all, the nodes of a level are one section.
+class Sections {
+  public:
+    Sections() = default;
+    /// `parts`: a power of two, not more than there are strips.
+    Sections(uint32_t strips, uint32_t parts);
+
+    uint32_t size() const { return size_; }
+    bool shared() const { return parts_ > 1; }
+    uint32_t of(StripNode node) const { return of_[node]; }
+    StripNodes nodes_of(uint32_t section) const { return nodes_[section]; }
+    /// Parts and the nodes above them: no two threads are at the same one at a time.
+    uint32_t owners() const { return 2 * parts_ - 1; }
+    uint32_t owner_of(StripNode node) const { return owner_[node]; }
+
+    /// `work(section)` for each; whoever depends on another comes after it.
+    template <typename Work>
+    void each(ThreadPool* threads, Work&& work) const {
+        const uint32_t above = parts_ - 1, below = (size_ - above) / parts_;
+        share_out(threads, parts_, [&](uint32_t part) {
+            for (uint32_t i = 0; i < below; ++i) work(part * below + i);
+        });
+        uint32_t first = parts_ * below;
+        for (uint32_t width = parts_ / 2; width > 0; first += width, width /= 2)
+            share_out(threads, width, [&](uint32_t i) { work(first + i); });
+    }
+
+  private:
+    uint32_t parts_ = 1, size_ = 1;
+    std::array<uint8_t, 2 *most_strips> of_ = {}, owner_ = {};
+    std::array<StripNodes, 2 * most_strips> nodes_ = {};
+};
+
+}  // namespace fettle::physics::detail
