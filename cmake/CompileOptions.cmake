@@ -28,3 +28,10 @@ function(fettle_compile_options target)
     target_link_options(${target} PUBLIC -fsanitize=${FETTLE_SANITIZE})
   endif()
 endfunction()
+
+# Files whose functions a game calls ten thousand times a frame. Where they begin in a line of the
+# instruction cache is worth a twentieth of such a call, and would change with whatever is linked before them.
+function(fettle_hot_sources)
+  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS
+    "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-falign-functions=64>")
+endfunction()

@@ -28,7 +28,8 @@ BareLua::BareLua(const std::string& script) : lua_(luaL_newstate()) {
     if (!lua_) throw std::bad_alloc();
     luaL_openlibs(lua_);
     new (lua_newuserdatauv(lua_, sizeof(Ball), 0)) Ball;
-    lua_createtable(lua_, 0, 2);
+    // Roomy, as ours is: in a full table one of the two may stand behind the other.
+    lua_createtable(lua_, 0, 64);
     lua_pushcfunction(lua_, index_of_ball);
     lua_setfield(lua_, -2, "__index");
     lua_pushcfunction(lua_, newindex_of_ball);

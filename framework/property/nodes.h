@@ -2,6 +2,8 @@
 // Nodes: who is whose child, what everyone is called. Compact (40 bytes and 6 to 12 in a table of
 // names) because a game may have a hundred thousand of them.
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -49,8 +51,10 @@ struct Node {
     std::uint8_t counts_children : 1 = 0;
     std::uint8_t kept : 1 = 0;  // dead, and its slot waits for it to come back
 
-    /// Nobody has to be told at once of what is written.
-    bool plain() const { return !watched && !has_formula && !has_dependents; }
+    /// Its cells say what its properties are.
+    bool readable() const { return alive && !has_formula; }
+    /// And nobody has to be told at once of what is written to them.
+    bool writable() const { return alive && !watched && !has_formula && !has_dependents; }
 };
 static_assert(sizeof(Node) == 40);
 
@@ -65,6 +69,18 @@ class Nodes {
         return node->generation == handle.generation && node->alive ? node : nullptr;
     }
     const Node* find(Handle handle) const { return const_cast<Nodes*>(this)->find(handle); }
+    /// If all of that holds of it (a member of `Node`). As `find`, for the shortest ways.
+    template <bool (Node::*holds)() const>
+    const Node* find_if(Handle handle) const {
+        // In a register: compilers take a handle that is handed over apart in memory.
+        const auto bits = std::bit_cast<std::uint64_t>(handle);
+        static_assert(offsetof(Handle, index) == 0 && offsetof(Handle, generation) == 4);
+        const auto index = static_cast<std::uint32_t>(bits);
+        if (index >= end()) return nullptr;
+        const Node* const node = nodes_.data() + index;
+        const bool same = node->generation == static_cast<std::uint32_t>(bits >> 32);
+        return same && (node->*holds)() ? node : nullptr;
+    }
     Node& operator[](std::uint32_t index) { return nodes_[index]; }
     const Node& operator[](std::uint32_t index) const { return nodes_[index]; }
     Handle handle(std::uint32_t index) const {

@@ -148,7 +148,9 @@ struct Tree::State {
     bool write_typed(Handle instance, const Property& property, T value);
     template <class T>
     bool write_by_way(Handle instance, const Property& property, T value, const Node& node);
-    void note_typed(const PlainWrite& done);
+    void note_typed(Handle instance, const Property& property);
+    bool take_back(PlainWrite& entry, Put why);
+    [[noreturn]] void take_back_thrown(PlainWrite& entry);
     void tell_untold();
 
     // delivery.cpp

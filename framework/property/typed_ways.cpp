@@ -40,15 +40,20 @@ bool fit(const Property::Shortcut& shortcut, Vec2& v) {
 }
 
 template <class T>
+[[gnu::noinline]] bool read_stored(const Tree::State& s, const Node& node, const Property& property,
+                                   T& out) {
+    if (property.shortcut.read != in_tree<T>) return false;
+    out = s.stored[node.class_id]->cell<T>(property, node.stored_row);
+    return true;
+}
+
+template <class T>
 bool read_typed(const Tree::State& s, Handle instance, const Property& property, T& out) {
-    const Node* const node = s.nodes.find(instance);
-    if (node == nullptr || node->has_formula || s.formulas.tracking()) return false;
-    if (property.shortcut.read == by_call<T>)
-        out = typed_way<T>(property.binding).get(property.binding, node->row);
-    else if (property.shortcut.read == in_tree<T>)
-        out = s.stored[node->class_id]->cell<T>(property, node->stored_row);
-    else
+    const Node* const node = s.nodes.find_if<&Node::readable>(instance);
+    if (node == nullptr || s.formulas.tracking()) [[unlikely]]
         return false;
+    if (property.shortcut.read != by_call<T>) return read_stored(s, *node, property, out);
+    out = typed_way<T>(property.binding).get(property.binding, node->row);
     return true;
 }
 
@@ -58,12 +63,6 @@ bool put_stored(Tree::State& s, const Node& node, const Property& property, cons
     if (same_bits(cell, value)) return false;
     cell = value;
     return true;
-}
-
-[[noreturn, gnu::cold, gnu::noinline]] void refused(Tree::State& s, Handle instance,
-                                                    const Property& property,
-                                                    const std::invalid_argument& why) {
-    throw Error(ErrorKind::rejected, s.tree.path(instance, property) + ": " + why.what());
 }
 
 }  // namespace
@@ -82,37 +81,64 @@ static void put_down(PlainWrite& entry, Handle instance, const Property& propert
 }
 
 /// What is left to do in the less usual circumstances.
-[[gnu::noinline]] void Tree::State::note_typed(const PlainWrite& done) {
-    // The setter may have moved nodes.
-    const Binding& binding = tree.find(done.instance, done.property)->binding;
+[[gnu::noinline]] void Tree::State::note_typed(Handle instance, const Property& property) {
+    const Binding& binding = property.binding;
     if (binding.invalidate != nullptr)
-        binding.invalidate(binding.context, nodes[done.instance.index].row);
+        // The setter may have moved nodes.
+        binding.invalidate(binding.context, nodes[instance.index].row);
     note_edit();
+}
+
+/// The setter threw: the write did not happen. Called while the exception is caught.
+[[noreturn, gnu::cold, gnu::noinline]] void Tree::State::take_back_thrown(PlainWrite& entry) {
+    const PlainWrite was = entry;
+    writes.take_back(entry);
+    try {
+        throw;
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected,
+                    tree.path(was.instance, *tree.find(was.instance, was.property)) + ": " +
+                        refusal.what());
+    }
+}
+
+/// Hands the value of `entry` over to the module. The entry in the log is made first: then next to
+/// nothing has to be kept over the call.
+template <class T>
+[[gnu::always_inline]] inline static Put hand_over(Tree::State& s, PlainWrite& entry,
+                                                   const Property& property, Row row,
+                                                   typename Typed<T>::Passed value) {
+    try {
+        return typed_way<T>(property.binding).put(property.binding, row, value);
+    } catch (...) {
+        s.take_back_thrown(entry);
+    }
+}
+
+/// The value was there already (true), or takes the long way.
+[[gnu::noinline]] bool Tree::State::take_back(PlainWrite& entry, Put why) {
+    writes.take_back(entry);
+    return why == Put::same;
 }
 
 /// Of properties kept by the tree, and of those that want to hear of writes.
 template <class T>
 [[gnu::noinline]] bool Tree::State::write_by_way(Handle instance, const Property& property, T value,
                                                  const Node& node) {
-    if (property.shortcut.write == by_call<T>) {
-        try {
-            const Put put = typed_way<T>(property.binding).put(property.binding, node.row, value);
-            if (put != Put::done) return put == Put::same;
-        } catch (const std::invalid_argument& refusal) {
-            refused(*this, instance, property, refusal);
-        }
-    } else if (property.shortcut.write != in_tree<T>) {
-        return false;
-    } else if (!put_stored<T>(*this, node, property, value)) {
-        return true;
-    }
+    const bool by_setter = property.shortcut.write == by_call<T>;
+    if (!by_setter && property.shortcut.write != in_tree<T>) return false;
+    if (!by_setter && !put_stored<T>(*this, node, property, value)) return true;
     if (writes.full()) [[unlikely]]
         tell_untold();
     PlainWrite& entry = writes.begin();
     put_down(entry, instance, property, value);
+    if (by_setter) {
+        const Put put = hand_over<T>(*this, entry, property, node.row, value);
+        if (put != Put::done) return take_back(entry, put);
+    }
     edited = true;
     ++epoch;
-    if (!shadows.empty() || property.binding.invalidate != nullptr) note_typed(entry);
+    if (!shadows.empty() || property.binding.invalidate != nullptr) note_typed(instance, property);
     return true;
 }
 
@@ -121,35 +147,22 @@ template <class T>
 [[gnu::noinline]] static bool put_at_once(Tree::State& s, PlainWrite& entry,
                                           const Property& property, Row row,
                                           typename Typed<T>::Passed value) {
-    try {
-        const Put put = typed_way<T>(property.binding).put(property.binding, row, value);
-        if (put != Put::done) [[unlikely]] {
-            s.writes.take_back(entry);
-            return put == Put::same;
-        }
-    } catch (const std::invalid_argument& refusal) {
-        const PlainWrite was = entry;
-        s.writes.take_back(entry);
-        refused(s, was.instance, *s.tree.find(was.instance, was.property), refusal);
-    } catch (...) {
-        s.writes.take_back(entry);
-        throw;
-    }
-    s.edited = true;
+    const Put put = hand_over<T>(s, entry, property, row, value);
+    if (put != Put::done) [[unlikely]]
+        return s.take_back(entry, put);
     ++s.epoch;
     if (!s.shadows.empty()) [[unlikely]]
-        s.note_typed(entry);
+        s.note_edit();
     return true;
 }
 
-/// Only where nobody has to be told at once, and no other value stands for the cell's. The entry in
-/// the log is made first: then next to nothing has to be kept over the call of the setter.
+/// Only where nobody has to be told at once, and no other value stands for the cell's.
 template <class T>
 [[gnu::always_inline]] inline bool Tree::State::write_typed(Handle instance,
                                                             const Property& property, T value) {
-    const Node* const node = nodes.find(instance);
-    if (node == nullptr || !node->plain() || property.interest != 0 || records ||
-        formulas.tracking() || !fit(property.shortcut, value)) [[unlikely]]
+    const Node* const node = nodes.find_if<&Node::writable>(instance);
+    if (node == nullptr || property.interest != 0 || records || formulas.tracking() ||
+        !fit(property.shortcut, value)) [[unlikely]]
         return false;
     if (property.shortcut.at_once != by_call<T> || writes.full()) [[unlikely]]
         return write_by_way<T>(instance, property, value, *node);

@@ -39,14 +39,22 @@ struct Dispatch {
 class DispatchCache {
   public:
     Dispatch& slot(const property::Class* instance_class, const void* key) {
-        const auto a = reinterpret_cast<std::uintptr_t>(key);
-        const auto b = reinterpret_cast<std::uintptr_t>(instance_class);
-        return slots_[(a + b) / 16 & (slots_.size() - 1)];
+        return slots_[place(instance_class, key)];
+    }
+    const Dispatch& slot(const property::Class* instance_class, const void* key) const {
+        return slots_[place(instance_class, key)];
     }
     void clear() { slots_.fill({}); }
 
   private:
-    std::array<Dispatch, 2048> slots_{};
+    static constexpr std::size_t size = 2048;
+    static std::size_t place(const property::Class* instance_class, const void* key) {
+        const auto a = reinterpret_cast<std::uintptr_t>(key);
+        const auto b = reinterpret_cast<std::uintptr_t>(instance_class);
+        return (a + b) / 16 & (size - 1);
+    }
+
+    std::array<Dispatch, size> slots_{};
 };
 
 }  // namespace fettle::script

@@ -182,37 +182,43 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
     throw Error(ErrorKind::wrong_type, "needs an instance, not " + describe_type(L, 1));
 }
 
-[[gnu::noinline]] int read_at_length(lua_State* L, Machine& machine, const InstanceBox& self,
-                                     const Dispatch& slot) {
-    if (!slot.is_property()) return read_slowly(L, machine, self);
+/// A declared property that is none of the common, or another member.
+[[gnu::noinline]] int read_at_length(lua_State* L, const InstanceBox& self) {
+    Machine& machine = machine_of(L);
+    const void* key = lua_topointer(L, 2);
+    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
+    if (!slot.is_of(self.instance_class, key) || !slot.is_property() || machine.recording.active)
+        return read_slowly(L, machine, self);
     push_property(L, machine, self.handle, *slot.property);
     return 1;
 }
 
 constexpr int vec_metatable = lua_upvalueindex(1);  // of `__index`
 
+[[gnu::noinline]] int read_vec2(lua_State* L, const InstanceBox& self, const Property& property) {
+    Vec2 vector;
+    if (!machine_of(L).tree.read(self.handle, property, vector)) return read_at_length(L, self);
+    push_vec(L, vector, self.handle, property, vec_metatable);
+    return 1;
+}
+
+// Kept short, as `instance_newindex` is: what is not a number goes elsewhere.
 int instance_index(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     if (!self || self->tag != Tag::instance) no_self(L);
-    Machine& machine = machine_of(L);
     const void* key = lua_topointer(L, 2);
+    const Machine& machine = machine_of(L);
     const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
     if (!slot.is_of(self->instance_class, key) || machine.recording.active) [[unlikely]]
-        return read_slowly(L, machine, *self);
-    if (slot.member == Member::number) {
-        double number;
-        if (machine.tree.read(self->handle, *slot.property, number)) [[likely]] {
-            lua_pushnumber(L, number);
-            return 1;
-        }
-    } else if (slot.member == Member::vec2) {
-        Vec2 vector;
-        if (machine.tree.read(self->handle, *slot.property, vector)) [[likely]] {
-            push_vec(L, vector, self->handle, *slot.property, vec_metatable);
-            return 1;
-        }
+        return read_at_length(L, *self);
+    if (slot.member == Member::vec2) return read_vec2(L, *self, *slot.property);
+    double number;
+    if (slot.member == Member::number && machine.tree.read(self->handle, *slot.property, number))
+        [[likely]] {
+        lua_pushnumber(L, number);
+        return 1;
     }
-    return read_at_length(L, machine, *self, slot);
+    return read_at_length(L, *self);
 }
 
 // --- Writing
@@ -301,31 +307,32 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     return write_slowly(L, machine, self);
 }
 
-/// Writes what most writes write. The value comes from the stack first: nothing but it and `self`
-/// is then kept over a call.
-template <class T>
-[[gnu::always_inline]] inline bool write_at_once(lua_State* L, const InstanceBox& self, Member kind,
-                                                 const T& value) {
-    const void* key = lua_topointer(L, 2);
-    Machine& machine = machine_of(L);
-    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
-    return slot.is_of(self.instance_class, key) && slot.member == kind &&
-           !machine.recording.active && machine.tree.write(self.handle, *slot.property, value);
+/// The vector at the top, into a property that may be one.
+[[gnu::noinline]] int write_vec2(lua_State* L, const InstanceBox& self, const Property& property) {
+    const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
+    if (box != nullptr && box->tag == Tag::vec &&
+        machine_of(L).tree.write(self.handle, property, Vec2(box->x, box->y)))
+        return 0;
+    return write_at_length(L, self);
 }
 
+// Kept short: what is not a number written to a number goes elsewhere. The value comes last, so
+// that it need not be kept over a call.
 int instance_newindex(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     if (!self || self->tag != Tag::instance) no_self(L);
-    const int type = lua_type(L, 3);
-    if (type == LUA_TNUMBER) [[likely]] {
+    const void* key = lua_topointer(L, 2);
+    const Machine& machine = machine_of(L);
+    const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
+    if (!slot.is_of(self->instance_class, key) || machine.recording.active) [[unlikely]]
+        return write_at_length(L, *self);
+    if (slot.member == Member::vec2) return write_vec2(L, *self, *slot.property);
+    const Property* const property = slot.property;
+    if (slot.member == Member::number && lua_type(L, 3) == LUA_TNUMBER) [[likely]] {
         const auto number = static_cast<double>(lua_tonumber(L, 3));
         // A greater integer may be none that a number can be.
-        const bool exact = std::abs(number) <= exact_in_float || !lua_isinteger(L, 3);
-        if (exact && write_at_once(L, *self, Member::number, number)) [[likely]]
-            return 0;
-    } else if (type == LUA_TUSERDATA) {
-        const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
-        if (box->tag == Tag::vec && write_at_once(L, *self, Member::vec2, Vec2(box->x, box->y)))
+        if (std::abs(number) <= exact_in_float &&
+            machine_of(L).tree.write(self->handle, *property, number)) [[likely]]
             return 0;
     }
     return write_at_length(L, *self);
