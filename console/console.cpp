@@ -33,9 +33,10 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
       log_view(log),
       prompt_view(prompt),
       inspector(tree),
-      tweak_list(tree, options.tweaks) {
+      tweak_list(options.tweaks) {
     log_view.is_link = [this](std::string_view path) { return is_link(path); };
     log_view.follow = [this](std::string_view path, bool insert) { follow_link(path, insert); };
+    tweak_list.evaluate = interpreter.evaluate;
     tweak_list.say = [this](const std::string& line) { log.note(line); };
     tweak_list.follow = [this](std::string_view path) {
         if (is_link(path)) follow_link(path, false);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <filesystem>
 
 #include "theme.h"
 
@@ -27,6 +26,19 @@ void colored(ImU32 color, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+/// As Lua reads it.
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            out += '\\';
+        else if (c == '\n')
+            out += "\\";  // before the line break itself
+        out += c;
+    }
+    return out + '"';
+}
+
 }  // namespace
 
 void TweakList::refresh(bool now) {
@@ -43,23 +55,13 @@ std::size_t TweakList::open_count() {
         std::count_if(rows_.begin(), rows_.end(), [](const Tweak& tweak) { return !tweak.kept; }));
 }
 
-void TweakList::act(const char* done, const std::string& pattern,
-                    property::TweakReport (property::Tweaks::*what)(std::string_view)) {
-    property::TweakReport report;
-    try {
-        const property::Tree::CauseScope cause(tree_, property::Writer::inspector);
-        report = (tweaks_->*what)(pattern);
-    } catch (const std::exception& error) {
-        report.problems.emplace_back(error.what());
-    }
-    std::string line = std::string(done) + " " + std::to_string(report.count) +
-                       (report.count == 1 ? " tweak" : " tweaks");
-    for (const std::string& file : report.files)
-        line += (&file == &report.files.front() ? " in " : ", ") +
-                std::filesystem::path(file).filename().string();
+// As a command, so that a recording of the run holds it.
+void TweakList::act(const char* function, const std::string& pattern) {
+    if (!evaluate) return;
+    const script::Evaluation said = evaluate(function + ("(" + quoted(pattern) + ")"));
     if (say) {
-        say(line);
-        for (const std::string& problem : report.problems) say("  " + problem);
+        for (const std::string& line : said.lines) say(line);
+        if (said.error) say(said.error->message);
     }
     refresh(true);
 }
@@ -90,16 +92,15 @@ void TweakList::draw_header() {
                               : std::to_string(open) + " to keep or to drop");
     if (open == 0) return;
     ImGui::SameLine();
-    if (small_button(-1, "keep all", "Write them into the files they came from"))
-        act("kept", "**", &property::Tweaks::keep);
+    if (small_button(-1, "keep all", "Write them into the files they came from")) act("keep", "**");
     if (earlier) {
         ImGui::SameLine();
         if (small_button(-1, "make all again", "Set what earlier runs left, as one edit"))
-            act("made again", "**", &property::Tweaks::reapply);
+            act("reapply_tweaks", "**");
     }
     ImGui::SameLine();
     if (small_button(-1, "drop all", "Forget them; values stay as they are"))
-        act("dropped", "**", &property::Tweaks::drop);
+        act("drop_tweaks", "**");
 }
 
 void TweakList::draw_change(const Tweak& tweak) {
@@ -125,16 +126,14 @@ void TweakList::draw_row(int row) {
     colored(tweak.earlier ? palette::accent : palette::faint, when(tweak));
     ImGui::TableNextColumn();
     if (tweak.kept) return colored(palette::note, "kept in " + tweak.kept_in);
-    if (small_button(row, "keep", "Write it into the file it came from"))
-        act("kept", tweak.path, &property::Tweaks::keep);
+    if (small_button(row, "keep", "Write it into the file it came from")) act("keep", tweak.path);
     ImGui::SameLine();
     if (tweak.earlier) {
-        if (small_button(row, "make again", "Set it now"))
-            act("made again", tweak.path, &property::Tweaks::reapply);
+        if (small_button(row, "make again", "Set it now")) act("reapply_tweaks", tweak.path);
         ImGui::SameLine();
     }
     if (small_button(row, "drop", "Forget it; the value stays as it is"))
-        act("dropped", tweak.path, &property::Tweaks::drop);
+        act("drop_tweaks", tweak.path);
 }
 
 void TweakList::draw(float height) {

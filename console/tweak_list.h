@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fettle/property/storage/tweaks.h>
+#include <fettle/script/runtime.h>
 
 #include "rect.h"
 
@@ -16,7 +17,10 @@ namespace fettle::console {
 
 class TweakList {
   public:
-    TweakList(property::Tree& tree, property::Tweaks* tweaks) : tree_(tree), tweaks_(tweaks) {}
+    explicit TweakList(property::Tweaks* tweaks) : tweaks_(tweaks) {}
+
+    /// Performs a command, as if somebody had typed it.
+    std::function<script::Evaluation(std::string_view command)> evaluate;
 
     /// Told what came of a button, a line each.
     std::function<void(const std::string& line)> say;
@@ -38,10 +42,8 @@ class TweakList {
     void draw_row(int row);
     void draw_change(const Tweak& tweak);
     bool small_button(int row, const char* label, const char* hint);
-    void act(const char* done, const std::string& pattern,
-             property::TweakReport (property::Tweaks::*what)(std::string_view));
+    void act(const char* function, const std::string& pattern);
 
-    property::Tree& tree_;
     property::Tweaks* tweaks_;
     std::vector<Tweak> rows_;
     double refreshed_ = -1;

@@ -91,7 +91,13 @@ GameModules::GameModules(const fs::path& game, std::span<const std::string> name
         const bool is_path = file.has_parent_path() || file.extension() == ".so";
         plugins_.open(is_path ? folder_of(game) / file : module_file(name, game));
     }
-    for (const std::string& name : named) plugins_.open(module_file(name, game));
+    for (const std::string& name : named) {
+        const fs::path file = module_file(name, game);
+        plugins_.open(file);
+        named_.push_back(fs::absolute(file).string());
+    }
+    files_.push_back(folder_of(game) / manifest_name);
+    for (const auto& plugin : plugins_.all()) files_.push_back(plugin->file());
 #ifdef FETTLE_WITH_PHYSICS
     if (plugins_.find("physics") == nullptr)
         built_in_.push_back(std::make_unique<physics_module::PhysicsModule>());

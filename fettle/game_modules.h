@@ -24,6 +24,11 @@ class GameModules {
     /// Registers the classes of all; where any is plugged in, the service `game.modules` too.
     /// Throws module::LoadError.
     void attach(property::Tree& tree);
+    /// Those of the command line, each by the whole path of its file.
+    const std::vector<std::string>& named() const { return named_; }
+    /// What decides which there are and what they do: the manifest's file, be it there or not, and
+    /// those of the modules.
+    const std::vector<std::filesystem::path>& files() const { return files_; }
     /// In the order they are stepped in.
     std::vector<module::Module*> all() const;
     /// Where what modules print goes, and what is told of those taken in anew.
@@ -39,6 +44,8 @@ class GameModules {
 
     std::vector<std::unique_ptr<module::Module>> built_in_;
     module::Plugins plugins_;
+    std::vector<std::string> named_;
+    std::vector<std::filesystem::path> files_;
     std::vector<std::unique_ptr<Plugged>> plugged_;  // by row of their instances
     std::function<void(std::string_view)> print_;
     std::uint64_t frames_ = 0;

@@ -1,6 +1,7 @@
 #include "run.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cinttypes>
 #include <cstdio>
@@ -11,6 +12,7 @@
 
 #include "exit_status.h"
 #include "game_path.h"
+#include "recorded_files.h"
 #include "session.h"
 
 namespace fettle::program {
@@ -146,17 +148,28 @@ class WindowRun {
     bool reload_ = false;
 };
 
+/// As many as a person reads.
+std::string listed(const std::vector<std::string>& all) {
+    constexpr std::size_t most = 5;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+        text += (i == 0 ? "" : ", ") + all[i];
+    if (all.size() > most) text += " and " + std::to_string(all.size() - most) + " more";
+    return text;
+}
+
 /// Makes the run of a recording again, in a window or not, and sees whether it is the same.
 int run_replay(RunOptions options) {
     const app::Recording recording(options.replay);
     const app::RunStart& start = recording.start();
     if (options.game.empty()) options.game = start.game;
     require_game(options.game);
-    if (app::hash_of_game(options.game) != start.game_hash)
+    if (const auto changed = changed_since(recording, options.game); !changed.empty())
         return complain(file_error, options.replay.string() +
-                                        ": was recorded of another game, or "
-                                        "of another version of " +
-                                        options.game.string());
+                                        ": was recorded of another game, or of another version "
+                                        "of " +
+                                        options.game.string() + ": " + listed(changed));
+    options.modules = start.modules;
     options.seed = start.seed;
     options.evals = start.evals;
     options.at = start.at;
@@ -167,7 +180,7 @@ int run_replay(RunOptions options) {
                         "or replay with --headless");
     std::unique_ptr<app::Window> window;
     if (!options.headless) window = app::open_window({});
-    Session session(options, nullptr, {});
+    Session session(options, nullptr, {}, &recording);
     session.services().view.screen = {start.width, start.height};
     session.start();
     app::Replay replay(recording, session.tree(), session.runtime(), session.loop());

@@ -11,6 +11,7 @@
 
 #include "exit_status.h"
 #include "game_path.h"
+#include "recorded_files.h"
 
 namespace fettle::program {
 
@@ -26,8 +27,13 @@ struct Session::ConsoleLayer {
 #endif
 
 Session::Session(const RunOptions& options, app::Clipboard* clipboard,
-                 std::function<void(const script::ScriptError&)> errors)
-    : options_(options), errors_(std::move(errors)), modules_(options.game, options.modules) {
+                 std::function<void(const script::ScriptError&)> errors,
+                 const app::Recording* replayed)
+    : options_(options),
+      errors_(std::move(errors)),
+      replayed_(replayed),
+      modules_(options.game, options.modules) {
+    make_files();
     modules_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_);
     tree_.on_handler_error([this](const property::HandlerError& error) {
@@ -43,6 +49,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
                                .assets = assets(),
                                .saves = saves_.get(),
                                .tweaks = tweaks_.get(),
+                               .files = &files_,
                                .replay = options.replay.filename().string()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
     runtime_->on_print([this](std::string_view text) { print(text); });
@@ -56,12 +63,22 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
 
 Session::~Session() = default;
 
+/// Who records what the run comes upon, and who makes it again gives it that.
+void Session::make_files() {
+    if (replayed_ != nullptr) go_back_to(*replayed_, options_.game, files_);
+    if (options_.record.empty()) return;
+    files_.take_note();
+    for (const std::filesystem::path& file : modules_.files()) files_.looks_at(file);
+}
+
 void Session::make_storage() {
-    tweaks_ = std::make_unique<property::Tweaks>(
-        tree_, options_.game, [this](const std::string& warning) { note(warning); });
     // What a replay does was done before: it leaves no tweaks and overwrites no save.
-    const bool replay = !options_.replay.empty();
-    if (replay) tree_.observe_edits(nullptr);
+    const bool replay = replayed_ != nullptr;
+    property::TweakOptions of_tweaks{.files = &files_};
+    if (replay) of_tweaks.earlier = replayed_->start().tweaks;
+    tweaks_ = std::make_unique<property::Tweaks>(
+        tree_, options_.game, [this](const std::string& warning) { note(warning); },
+        std::move(of_tweaks));
     const std::filesystem::path folder = property::user_folder(options_.game);
     saves_ = std::make_unique<property::GameSaves>(
         tree_,
@@ -123,12 +140,16 @@ void Session::make_recorder() {
     const property::Vec2 size = services_->view.screen;
     recorder_ = std::make_unique<app::Recorder>(
         options_.record, app::RunStart{.game = std::filesystem::absolute(options_.game),
-                                       .game_hash = app::hash_of_game(options_.game),
+                                       .modules = modules_.named(),
                                        .seed = options_.seed,
                                        .width = size.x(),
                                        .height = size.y(),
                                        .evals = options_.evals,
-                                       .at = options_.at});
+                                       .at = options_.at,
+                                       .tweaks = tweaks_->earlier_in_words()});
+    files_.tell([this](const property::GameFiles::Finding& finding) {
+        recorder_->file(recorded(finding, options_.game));
+    });
     runtime_->on_command([this](std::string_view command) { recorder_->command(command); });
 }
 
@@ -140,7 +161,7 @@ void Session::start() {
 #endif
     if (!runtime_->load(options_.game)) failed_ = true;
     tweaks_->game_loaded();
-    if (const std::size_t open = tweaks_->open_earlier(); open > 0)
+    if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)
         note(std::to_string(open) +
              (open == 1 ? " tweak of an earlier run is" : " tweaks of earlier runs are") +
              " not kept: tweaks() lists " + (open == 1 ? "it" : "them"));

@@ -9,6 +9,7 @@
 #include <fettle/app/loop.h>
 #include <fettle/app/recording.h>
 #include <fettle/app/services.h>
+#include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/game_saves.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
@@ -24,7 +25,8 @@ class Session {
     /// `clipboard`: of the window, null without one. `errors`: told of every uncaught error, after
     /// it was written to stderr.
     Session(const RunOptions& options, app::Clipboard* clipboard,
-            std::function<void(const script::ScriptError&)> errors);
+            std::function<void(const script::ScriptError&)> errors,
+            const app::Recording* replayed = nullptr);
     ~Session();
     Session(const Session&) = delete;
 
@@ -49,6 +51,7 @@ class Session {
     void print(std::string_view text);
     void run_at(std::uint64_t step);
     void type_what_is_due();
+    void make_files();
     void make_storage();
     void make_recorder();
     void note(const std::string& text);
@@ -56,6 +59,8 @@ class Session {
 
     const RunOptions& options_;
     std::function<void(const script::ScriptError&)> errors_;
+    const app::Recording* replayed_;  // whose run this one makes again
+    property::GameFiles files_;
     // Modules outlive the tree, which calls them as its instances go.
     GameModules modules_;
     property::Tree tree_;

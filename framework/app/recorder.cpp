@@ -1,63 +1,33 @@
 // Writing a recording. A line is complete or it is not there: a reader leaves out a last line
 // without an end.
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include <fettle/app/recording.h>
-#include <fettle/property/bytes.h>
 
 #include "recording_text.h"
 
 namespace fettle::app {
-namespace {
-
-/// Folders that are no part of the game: what it writes while it runs.
-bool is_hidden(const std::filesystem::path& path) {
-    return path.filename().string().starts_with(".");
-}
-
-}  // namespace
-
-std::uint64_t hash_of_game(const std::filesystem::path& game) {
-    namespace fs = std::filesystem;
-    std::vector<fs::path> files;
-    if (fs::is_directory(game)) {
-        for (const auto& entry : fs::recursive_directory_iterator(game))
-            if (entry.is_regular_file() && !is_hidden(entry.path()) &&
-                entry.path().extension() == ".lua")
-                files.push_back(entry.path());
-    } else {
-        files.push_back(game);
-    }
-    std::sort(files.begin(), files.end());
-    std::vector<std::byte> all;
-    property::ByteWriter to(all);
-    for (const fs::path& file : files) {
-        std::ifstream in(file, std::ios::binary);
-        to.put(fs::is_directory(game) ? fs::relative(file, game).generic_string()
-                                      : file.filename().string());
-        to.put(std::string(std::istreambuf_iterator<char>(in), {}));
-    }
-    return property::checksum(all);
-}
-
 Recorder::Recorder(const std::filesystem::path& file, const RunStart& start) : file_(file) {
     out_ = std::fopen(file.c_str(), "wb");
     if (out_ == nullptr)
         throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
-    line("fettle-recording 1");
-    line("game " + in_quotes(start.game.string()) + " " + hex(start.game_hash));
+    line("fettle-recording 2");
+    line("game " + in_quotes(start.game.string()));
+    for (const std::string& module : start.modules) line("module " + in_quotes(module));
     line("seed " + hex(start.seed));
     line("screen " + exact(start.width) + " " + exact(start.height));
     for (const std::string& chunk : start.evals) line("eval " + in_quotes(chunk));
     for (const auto& [step, chunk] : start.at)
         line("at " + std::to_string(step) + " " + in_quotes(chunk));
+    for (const std::vector<std::string>& words : start.tweaks) {
+        std::string text = "tweak";
+        for (const std::string& word : words) text += " " + in_quotes(word);
+        line(text);
+    }
     line("begin");
     flush();
     if (!problem_.empty()) {
@@ -99,6 +69,16 @@ void Recorder::event(const InputEvent& event, bool taken) {
 void Recorder::command(std::string_view command) {
     line("command " + in_quotes(command));
     flush();
+}
+
+void Recorder::file(const RunFile& file) {
+    std::string text = (file.overwritten ? "overwritten " : "file ") + in_quotes(file.name);
+    if (file.overwritten && file.content)
+        text += " " + in_quotes(*file.content);
+    else if (!file.overwritten && file.checksum)
+        text += " " + hex(*file.checksum);
+    line(text);
+    if (file.overwritten) flush();  // the next to happen
 }
 
 void Recorder::frame_begins(double seconds, std::int64_t step_limit) {

@@ -18,7 +18,7 @@ using property::Writer;
 
 namespace {
 
-constexpr std::int64_t format = 1;
+constexpr std::int64_t format = 2;
 /// A recording of an hour of nothing but the fastest events is far below.
 constexpr std::uintmax_t greatest_file = std::uintmax_t{4} << 30;
 
@@ -129,6 +129,9 @@ Recording::Recording(const std::filesystem::path& file) : file_(file) {
         } else if (!begun) {
             begun = word == "begin";
             if (!begun) read_start(word, line.substr(std::min(word.size(), line.size())), number);
+        } else if (word == "file" || word == "overwritten") {
+            if (!read_file(word, line.substr(word.size())))
+                fail(number, "is damaged: \"" + word + "\" says nothing");
         } else {
             auto item = parse<Item>(word, words);
             if (!item) fail(number, "is damaged: \"" + line.substr(0, 60) + "\" is nothing known");
@@ -146,10 +149,16 @@ void Recording::read_start(const std::string& word, const std::string& rest, int
     };
     if (word == "game") {
         const auto path = words.text();
-        const auto hash = words.bits();
-        require(path && hash);
+        require(path.has_value());
         start_.game = *path;
-        start_.game_hash = *hash;
+    } else if (word == "module") {
+        const auto name = words.text();
+        require(name.has_value());
+        start_.modules.push_back(*name);
+    } else if (word == "tweak") {
+        std::vector<std::string>& tweak = start_.tweaks.emplace_back();
+        while (auto text = words.text()) tweak.push_back(std::move(*text));
+        require(!tweak.empty());
     } else if (word == "seed") {
         const auto seed = words.bits();
         require(seed.has_value());
@@ -171,6 +180,22 @@ void Recording::read_start(const std::string& word, const std::string& rest, int
     } else {
         fail(number, "is damaged: \"" + word + "\" is nothing known");
     }
+}
+
+bool Recording::read_file(const std::string& word, const std::string& rest) {
+    Words words(rest);
+    const auto name = words.text();
+    if (!name) return false;
+    RunFile file{.name = *name, .overwritten = word == "overwritten"};
+    if (!words.at_end()) {
+        if (file.overwritten)
+            file.content = words.text();
+        else
+            file.checksum = words.bits();
+        if (!file.content && !file.checksum) return false;
+    }
+    files_.push_back(std::move(file));
+    return words.at_end();
 }
 
 std::uint64_t Recording::steps() const {

@@ -57,7 +57,7 @@ void push_text(lua_State* L, int index) {
     }
 }
 
-bool leaves_files_alone(Machine& machine, const std::string& what) {
+bool tell_of_replay(Machine& machine, const std::string& what) {
     if (machine.options.replay.empty()) return false;
     print_line(machine,
                what + ": nothing is written, since this is a replay of " + machine.options.replay);

@@ -69,6 +69,7 @@ int open_all(lua_State* L) {
 Machine::Machine(property::Tree& property_tree, Options runtime_options)
     : tree(property_tree),
       options(runtime_options),
+      files(options.files != nullptr ? *options.files : files_on_disk),
       arena(runtime_options.memory_limit),
       random(runtime_options.seed),
       subscriptions(std::make_unique<Subscriptions>(*this)),

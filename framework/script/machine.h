@@ -11,6 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include <fettle/property/storage/game_files.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
 
@@ -55,6 +56,8 @@ struct Machine {
 
     property::Tree& tree;
     Options options;
+    property::GameFiles files_on_disk;
+    property::GameFiles& files;
     Arena arena;
     lua_State* main = nullptr;
     std::shared_ptr<lua_State*> alive;  // what outlives Lua asks here; nullptr inside once closed

@@ -2,8 +2,6 @@
 // returned. Text only, and never outside the folder.
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
@@ -19,17 +17,16 @@ namespace fs = std::filesystem;
 using property::Error;
 using property::ErrorKind;
 
-std::string read_source(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
+std::string read_source(Machine& machine, const fs::path& path) {
     std::error_code code;
-    if (!file || fs::is_directory(path, code))
+    if (!machine.files.exists(path) || fs::is_directory(path, code))
         throw fs::filesystem_error("cannot read", path,
                                    std::make_error_code(std::errc::no_such_file_or_directory));
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (file.bad())
+    try {
+        return machine.files.read(path);
+    } catch (const property::FileError&) {
         throw fs::filesystem_error("cannot read", path, std::make_error_code(std::errc::io_error));
-    return text.str();
+    }
 }
 
 int load_source(lua_State* L, Machine& machine, const std::string& text, const std::string& name) {
@@ -114,7 +111,7 @@ int require(lua_State* L) {
     if (machine.folder.empty())
         throw Error(ErrorKind::rejected, "require: there is no game folder");
     const std::string file = module_file(name);
-    const std::string text = read_source(inside(machine.folder, file, name));
+    const std::string text = read_source(machine, inside(machine.folder, file, name));
     if (load_source(L, machine, text, file) != LUA_OK) return lua_error(L);
     lua_pushvalue(L, 1);
     lua_pushlightuserdata(L, &machine);  // stands for: being loaded

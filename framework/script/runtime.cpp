@@ -83,7 +83,7 @@ bool call_global(Machine& machine, std::string_view name, std::span<const Value>
 bool Runtime::load(const std::filesystem::path& game) {
     namespace fs = std::filesystem;
     const fs::path file = fs::is_directory(game) ? game / "main.lua" : game;
-    const std::string text = read_source(file);
+    const std::string text = read_source(*state_, file);
     forget_game(*state_);
     state_->folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     bool ok = run_chunk(*state_, text, file.filename().string(), "load");

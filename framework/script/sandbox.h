@@ -31,7 +31,7 @@ void open_pen(lua_State* L, Machine& machine);
 void print_line(Machine& machine, std::string text);
 /// In a replay: true, and tells that `what` writes nothing. No error, or the replay would go
 /// another way than the run did.
-bool leaves_files_alone(Machine& machine, const std::string& what);
+bool tell_of_replay(Machine& machine, const std::string& what);
 /// Text of any value without calling anything but a script's own __tostring.
 void push_text(lua_State* L, int index);
 

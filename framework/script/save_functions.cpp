@@ -49,7 +49,7 @@ int delete_save(lua_State* L) {
     Machine& machine = machine_of(L);
     GameSaves& saves = saves_of(machine, "delete_save");
     const std::string slot = slot_at(L, "delete_save");
-    if (!leaves_files_alone(machine, "delete_save")) saves.slots().remove(slot);
+    if (!tell_of_replay(machine, "delete_save")) saves.slots().remove(slot);
     return 0;
 }
 

@@ -79,11 +79,10 @@ int load(lua_State* L) {
                         "scene.load: needs a name, not " + describe_type(L, 3));
         name = lua_tostring(L, 3);
     }
-    std::error_code code;
     fs::path path = below(machine.folder, file, "scene.load");
-    if (path.empty() || !fs::exists(path, code))
+    if (path.empty() || !machine.files.exists(path))
         path = below(machine.options.assets, file, "scene.load");
-    if (path.empty() || !fs::exists(path, code)) {
+    if (path.empty() || !machine.files.exists(path)) {
         std::vector<std::string> names = scenes_in(machine.folder);
         for (std::string& each : scenes_in(machine.options.assets))
             names.push_back(std::move(each));
@@ -92,8 +91,8 @@ int load(lua_State* L) {
     }
     std::vector<std::string> warnings;
     std::vector<property::SceneInstance> instances;
-    const Handle loaded =
-        property::load_scene(machine.tree, path, parent, name, &warnings, &instances);
+    const Handle loaded = property::load_scene_text(
+        machine.tree, machine.files.read(path), path.string(), parent, name, &warnings, &instances);
     if (property::Tweaks* tweaks = machine.options.tweaks) {
         tweaks->scene_loaded(path, instances);
         tweaks->placed(loaded);
@@ -109,9 +108,9 @@ int save(lua_State* L) {
     const Handle node = check_instance(L, 2, "scene.save");
     const fs::path path = below(machine.folder, file, "scene.save");
     if (path.empty()) throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
-    if (leaves_files_alone(machine, "scene.save")) return 0;
+    tell_of_replay(machine, "scene.save");
     std::vector<std::string> warnings;
-    property::save_scene(machine.tree, node, path, &warnings);
+    machine.files.write(path, property::scene_text(machine.tree, node, &warnings));
     for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
     return 0;
 }

@@ -11,7 +11,7 @@ namespace fettle::script {
 struct Machine;
 
 /// Throws std::filesystem::filesystem_error when the file cannot be read.
-std::string read_source(const std::filesystem::path& path);
+std::string read_source(Machine& machine, const std::filesystem::path& path);
 /// Compiles text, keeping it for error messages under `name`. A status of Lua; the function or the
 /// message is on top.
 int load_source(lua_State* L, Machine& machine, const std::string& text, const std::string& name);

@@ -90,7 +90,7 @@ void tell(Machine& machine, const char* done, const std::string& pattern,
 int keep(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "keep");
-    if (leaves_files_alone(machine, "keep")) return 0;
+    tell_of_replay(machine, "keep");
     tell(machine, "kept", pattern, tweaks_of(machine, "keep").keep(pattern));
     return 0;
 }
@@ -98,7 +98,6 @@ int keep(lua_State* L) {
 int reapply_tweaks(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "reapply_tweaks");
-    if (leaves_files_alone(machine, "reapply_tweaks")) return 0;
     tell(machine, "made again", pattern, tweaks_of(machine, "reapply_tweaks").reapply(pattern));
     return 0;
 }
@@ -106,7 +105,6 @@ int reapply_tweaks(lua_State* L) {
 int drop_tweaks(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "drop_tweaks");
-    if (leaves_files_alone(machine, "drop_tweaks")) return 0;
     tell(machine, "dropped", pattern, tweaks_of(machine, "drop_tweaks").drop(pattern));
     return 0;
 }

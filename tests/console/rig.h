@@ -69,6 +69,7 @@ class Rig {
     Console console;
 
   private:
+    std::string tweaked(const std::string& command);
     Interpreter stand_in();
     Options with_view(Options options);
 };

@@ -54,6 +54,8 @@ TEST_CASE("the list of tweaks keeps and drops what is clicked") {
     rig.save("tweaks");
     CHECK(rig.surface.faults() == 0);
     rig.press(1, "drop");
+    // As a person types it: so it is part of a recording, too.
+    CHECK(rig.commands.back() == "drop_tweaks(\"world.ball.angle\")");
     CHECK(rig.logged("dropped 1 tweak"));
     REQUIRE(rig.tweaks->list().size() == 1);
     CHECK(rig.tweaks->list()[0].path == "world.ball.mass");

@@ -114,10 +114,6 @@ TEST_CASE("a replay writes nothing to the files of the game and goes on as the r
     REQUIRE(read(folder / "ball.json") != scene);
     REQUIRE(fs::exists(folder / "copy.json"));
     REQUIRE(fs::exists(folder / "main.tweaks.json"));
-    // As they were before, or the game would be another one from its start.
-    fs::remove(folder / "copy.json");
-    fs::remove(folder / "main.tweaks.json");
-    folder.write("ball.json", scene);
     fettle(folder, {"run", path, "--headless", "--steps", "1", "--eval",
                     "save_game('late') save_game('early')"});
     const auto contents = [&] {
@@ -134,8 +130,9 @@ TEST_CASE("a replay writes nothing to the files of the game and goes on as the r
     CHECK(again.err.empty());
     CHECK(again.status == 0);
     const std::string left = ": nothing is written, since this is a replay of run.rec\n";
-    CHECK(again.out == "keep" + left + "scene.save" + left + "drop_tweaks" + left + "delete_save" +
-                           left + "40 steps, each as it was recorded\n" +
+    CHECK(again.out == "keep" + left + "kept 2 tweaks in ball.json, main.tweaks.json\n" +
+                           "scene.save" + left + "dropped 1 tweak\n" + "delete_save" + left +
+                           "40 steps, each as it was recorded\n" +
                            made.out.substr(made.out.rfind('\n', made.out.size() - 2) + 1));
     for (const auto& [name, text] : contents()) {
         INFO(name);
@@ -153,7 +150,8 @@ TEST_CASE("recordings of another game and damaged ones end with 3") {
     folder.write("main.lua", std::string(game) + " -- changed");
     const Outcome other = fettle(folder, {"run", "--headless", "--replay", file.string()});
     CHECK(other.status == 3);
-    CHECK(other.err.find("another version") != std::string::npos);
+    CHECK(contains(other.err, "another version"));
+    CHECK(contains(other.err, ": main.lua differs\n"));
     folder.write("main.lua", game);
     for (const std::string& bad :
          {std::string("fettle-recording 9\n"), good.substr(0, 40), good + "rubbish\n"}) {
@@ -166,4 +164,126 @@ TEST_CASE("recordings of another game and damaged ones end with 3") {
     CHECK(fettle(folder,
                  {"run", path, "--headless", "--steps", "1", "--record", "/nowhere/there.rec"})
               .status == 3);
+}
+
+TEST_CASE("a replay says which file of the game is no longer what it was") {
+    const Folder folder;
+    const std::string path = folder.write("main.lua", R"(
+        require("parts.helper")
+        ball = scene.load("scenes/ball.json", world)
+        every(0.1, function() scene.load("scenes/late.json", world) end)
+    )");
+    fs::create_directories(folder / "parts");
+    fs::create_directories(folder / "scenes");
+    const std::string scene = "{\"fettle_scene\": 1, \"class\": \"Body\"}\n";
+    const std::string manifest = "{\"modules\": []}\n";
+    folder.write("parts/helper.lua", "helped = true");
+    folder.write("scenes/ball.json", scene);
+    folder.write("scenes/late.json", scene);
+    folder.write("modules.json", manifest);
+    folder.write("readme.txt", "nothing");
+    const std::string file = (folder / "run.rec").string();
+    const Outcome made =
+        fettle(folder, {"run", path, "--headless", "--steps", "30", "--record", file});
+    REQUIRE(made.status == 0);
+    const auto replay = [&] { return fettle(folder, {"run", "--headless", "--replay", file}); };
+    // What the run does not read may change.
+    folder.write("readme.txt", "something");
+    folder.write("unused.lua", "error('never')");
+    folder.write("scenes/unused.json", scene);
+    CHECK(replay().status == 0);
+
+    const auto changes = [&](const std::string& name, const std::string& good,
+                             const std::string& changed, const std::string& how) {
+        INFO(name);
+        if (changed.empty())
+            fs::remove(folder / name);
+        else
+            folder.write(name, changed);
+        const Outcome run = replay();
+        CHECK(run.status == 3);
+        CHECK(contains(run.err, "another version of " + path + ": " + name + how + "\n"));
+        if (good.empty())
+            fs::remove(folder / name);
+        else
+            folder.write(name, good);
+    };
+    changes("parts/helper.lua", "helped = true", "helped = false", " differs");
+    changes("scenes/ball.json", scene, scene + " ", " differs");
+    changes("scenes/late.json", scene, scene + "\n", " differs");
+    changes("scenes/late.json", scene, "", " is missing");
+    changes("modules.json", manifest, "{\"modules\": [ ]}\n", " differs");
+    changes("main.tweaks.json", "", "{\"fettle_tweaks\": 1}\n", " is new");
+    CHECK(replay().status == 0);
+    folder.write("scenes/ball.json", scene + " ");
+    folder.write("scenes/late.json", scene + " ");
+    CHECK(contains(replay().err, ": scenes/ball.json differs, scenes/late.json differs\n"));
+}
+
+TEST_CASE("what a person does about earlier tweaks is replayed") {
+    const Folder folder;
+    const std::string path = folder.write("main.lua", R"(
+        ball = scene.load("ball.json", world)
+        world.loose = Body { position = vec(5, 9), Circle {} }
+        world.wall = Body { type = "static", position = vec(9, 0), Box {} }
+        world.crate = Body { position = vec(-5, 9), Box {} }
+        function step()
+            if time.step == 30 then
+                world.loose:delete()
+                world.loose = Body { position = vec(5, 3), Circle {} }
+                scene.load("ball.json", world, "second")
+            end
+        end
+    )");
+    folder.write("ball.json",
+                 "{\"fettle_scene\": 1, \"class\": \"Body\", \"name\": \"ball\",\n"
+                 "  \"children\": [{\"class\": \"Circle\"}]}\n");
+    // An earlier run leaves tweaks of every kind.
+    const Outcome earlier =
+        fettle(folder, {"run", path, "--headless", "--steps", "5",                           //
+                        "--console", "2:ball.gravity_scale = 0.5",                           //
+                        "--console", "2:world.loose.mass = 7",                               //
+                        "--console", "2:world.crate.angular_damping is ball.gravity_scale",  //
+                        "--console", "3:world.wall = nil",                                   //
+                        "--console", "3:world.lamp = Body { position = vec(0, 20), Circle {} }",
+                        "--console", "4:world.crate.name = \"box\""});
+    INFO(earlier.out << earlier.err);
+    REQUIRE(earlier.status == 0);
+    const std::string file = (folder / "run.rec").string();
+    const Outcome made = fettle(folder, {"run",        path,
+                                         "--headless", "--steps",
+                                         "60",         "--hash",
+                                         "--record",   file,                                    //
+                                         "--console",  "5:reapply_tweaks(\"world.ball.*\")",    //
+                                         "--console",  "8:reapply_tweaks(\"world.lamp\")",      //
+                                         "--console",  "10:drop_tweaks(\"world.loose\")",       //
+                                         "--console",  "12:reapply_tweaks(\"**\")",             //
+                                         "--console",  "15:world.loose.linear_damping = 0.25",  //
+                                         "--console",  "18:keep(\"**\")",                       //
+                                         "--console",  "40:undo()"});
+    INFO(made.out << made.err);
+    REQUIRE(made.status == 0);
+    CHECK(contains(made.out, "made again 1 tweak\n"));
+    CHECK(contains(made.out, "dropped 1 tweak\n"));
+    CHECK(contains(made.out, "kept "));
+    REQUIRE(fs::exists(folder / "main.tweaks.json"));
+    const std::string scene = folder.text("ball.json"), kept = folder.text("main.tweaks.json");
+    REQUIRE(contains(scene, "gravity_scale"));
+    REQUIRE(contains(kept, "linear_damping"));
+
+    const auto last_line = [](const std::string& text) {
+        return text.substr(text.rfind('\n', text.size() - 2) + 1);
+    };
+    for (int time = 0; time < 2; ++time) {
+        const Outcome again = fettle(folder, {"run", "--headless", "--hash", "--replay", file});
+        CHECK(again.err.empty());
+        CHECK(again.status == 0);
+        CHECK(contains(again.out, "60 steps, each as it was recorded\n"));
+        CHECK(last_line(again.out) == last_line(made.out));
+        CHECK(folder.text("ball.json") == scene);
+        CHECK(folder.text("main.tweaks.json") == kept);
+    }
+    // Another run without what the person did is another one.
+    const Outcome without = fettle(folder, {"run", path, "--headless", "--steps", "60", "--hash"});
+    CHECK(last_line(without.out) != last_line(made.out));
 }

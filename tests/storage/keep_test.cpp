@@ -1,7 +1,10 @@
 // Keeping tweaks: scene files change where they must and nowhere else; what a script makes has a
 // file of its own.
 
+#include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/tweaks.h>
+
+#include <functional>
 
 #include "catch.h"
 #include "game_folder.h"
@@ -315,4 +318,57 @@ TEST_CASE("a kept value that no longer fits is told with its place and the other
     REQUIRE(run.told.size() == 2);
     CHECK(run.told[0].find("main.tweaks.json:4:24: world.a.density: ") != std::string::npos);
     CHECK(run.told[1].find("main.tweaks.json:6:22: world.a") != std::string::npos);
+}
+
+TEST_CASE("tweaks of earlier runs are the same tweaks when they went through words") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        const Handle a = run.add("Thing", "a");
+        const Handle wall = run.add("Thing", "wall");
+        const Handle old = run.add("Thing", "old");
+        run.barrier();
+        run.person([&] {
+            run.tree.set(a, "number", Value(2.5));
+            run.tree.destroy(wall);
+            run.tree.rename(old, "renamed");
+            run.add("Thing", "lamp");
+        });
+    }
+    std::vector<TweakWords> words;
+    {
+        Run run(folder);
+        words = run.tweaks->earlier_in_words();
+    }
+    REQUIRE(words.size() == 4);
+    const std::string journal = folder.text(".fettle/main.tweaks.sqlite");
+    SceneWorld again;
+    const Handle a = again.add("Thing", "a");
+    again.add("Thing", "wall");
+    again.add("Thing", "old");
+    GameFiles files;
+    files.stay_in_memory();
+    Tweaks tweaks(again.tree, folder.path(), [](const std::string& text) { FAIL(text); },
+                  {.files = &files, .earlier = words});
+    CHECK(tweaks.open_earlier() == 4);
+    CHECK(tweaks.earlier_in_words() == words);
+    const auto person = [&](const std::function<void()>& edit) {
+        const Tree::CauseScope scope(again.tree, Writer::console);
+        edit();
+        again.tree.barrier();
+        tweaks.barrier();
+    };
+    person([&] { CHECK(tweaks.reapply("**").count == 4); });
+    CHECK(again.tree.get(a, "number") == Value(2.5));
+    CHECK_FALSE(again.tree.child(again.world, "wall"));
+    CHECK(again.tree.child(again.world, "renamed"));
+    CHECK(again.tree.child(again.world, "lamp"));
+    // And those made then can be kept, in memory.
+    const TweakReport kept = tweaks.keep("world.a.*");
+    CHECK(kept.count == 1);
+    CHECK(files.read(folder / "main.tweaks.json").find("\"world.a.number\": 2.5") !=
+          std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder / "main.tweaks.json"));
+    CHECK(folder.text(".fettle/main.tweaks.sqlite") == journal);
+    CHECK_THROWS_AS(Tweaks(again.tree, folder.path(), {}, {.earlier = {{{"value", "1"}}}}), Error);
 }

@@ -120,11 +120,42 @@ TEST_CASE("files that are no recordings are refused with a reason") {
     };
     refused("", "ends before the run begins");
     refused("hello\nworld\n", "is no recording");
-    refused("fettle-recording 2\n", "of format 2");
+    refused("fettle-recording 3\n", "of format 3");
     refused(text.substr(0, 30), "ends before the run begins");
     refused(text + "nonsense 1 2 3\n", "is nothing known");
     refused(text + "step x\n", "is nothing known");
+    refused(text + "file\n", "\"file\" says nothing");
+    refused(text + "file \"a.json\" xyz\n", "\"file\" says nothing");
+    refused(text + "overwritten \"a.json\" 12\n", "\"overwritten\" says nothing");
     refused(text + "write 99 00 \"mass\" 00\n", "is nothing known");
     REQUIRE_THROWS_AS(Recording("/nowhere/at all"), RecordingError);
     REQUIRE_THROWS_AS(Recorder("/nowhere/at all", RunStart{}), RecordingError);
+}
+
+TEST_CASE("a recording holds the files of its run and the tweaks that were there") {
+    const File file;
+    RunStart start;
+    start.game = "game";
+    start.modules = {"/modules/wind.so"};
+    start.tweaks = {{"value", "world.ball", "mass", "1 \"line\"\nand another"},
+                    {"deleted", "world.wall", ""}};
+    {
+        Recorder recorder(file.path, start);
+        recorder.file({.name = "main.lua", .checksum = 0x1234});
+        recorder.file({.name = "main.tweaks.json"});
+        recorder.file({.name = "a b.json", .overwritten = true, .content = "{\n\t\"x\": 1}\n"});
+        recorder.file({.name = "new.json", .overwritten = true});
+    }
+    const Recording recording(file.path);
+    CHECK(recording.start().modules == start.modules);
+    CHECK(recording.start().tweaks == start.tweaks);
+    REQUIRE(recording.files().size() == 4);
+    CHECK(recording.files()[0].name == "main.lua");
+    CHECK(recording.files()[0].checksum == std::uint64_t{0x1234});
+    CHECK_FALSE(recording.files()[1].checksum.has_value());
+    CHECK_FALSE(recording.files()[1].overwritten);
+    CHECK(recording.files()[2].overwritten);
+    CHECK(recording.files()[2].content == "{\n\t\"x\": 1}\n");
+    CHECK(recording.files()[3].overwritten);
+    CHECK_FALSE(recording.files()[3].content.has_value());
 }

@@ -4,8 +4,6 @@
 #include <map>
 #include <optional>
 
-#include "document.h"
-#include "durable_file.h"
 #include "scene_edit.h"
 #include "tweaks_state.h"
 
@@ -54,7 +52,7 @@ class Keeping {
     void write() {
         for (auto& [file, scene] : scenes_)
             finish(file, scene.rows, [&, &path = file, &edit = scene.edit] {
-                if (edit) replace_file(path, edit->text());
+                if (edit) state_.files.write(path, edit->text());
             });
         finish(state_.kept.file(), kept_rows_, [&] { state_.kept.write(); });
     }
@@ -72,15 +70,14 @@ class Keeping {
         if (row.file.empty()) return {};
         const fs::path file = fs::weakly_canonical(row.file, error);
         const fs::path relative = file.lexically_relative(state_.folder);
-        if (error || relative.empty() || *relative.begin() == ".." || !fs::exists(file, error))
+        if (error || relative.empty() || *relative.begin() == ".." || !state_.files.exists(file))
             return {};
         return file;
     }
 
     SceneEdit& scene(const fs::path& file) {
         Scene& scene = scenes_[file];
-        if (!scene.edit)
-            scene.edit.emplace(state_.tree, read_file(file, Document::size_limit), file.string());
+        if (!scene.edit) scene.edit.emplace(state_.tree, state_.files.read(file), file.string());
         return *scene.edit;
     }
 

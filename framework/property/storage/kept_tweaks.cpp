@@ -5,7 +5,6 @@
 #include <fettle/property/path.h>
 #include <fettle/property/storage/scene.h>
 
-#include "durable_file.h"
 #include "scene_reference.h"
 #include "scene_value.h"
 #include "unknown_keys.h"
@@ -34,10 +33,9 @@ bool all_names(const std::vector<Segment>& segments) {
 
 }  // namespace
 
-KeptTweaks::KeptTweaks(Tree& tree, std::filesystem::path file, Warn warn)
-    : tree_(tree), file_(std::move(file)), warn_(std::move(warn)) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file_, ignored)) return;
+KeptTweaks::KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn)
+    : tree_(tree), files_(files), file_(std::move(file)), warn_(std::move(warn)) {
+    if (!files_.exists(file_)) return;
     try {
         read();
     } catch (const Error& error) {
@@ -50,7 +48,7 @@ KeptTweaks::KeptTweaks(Tree& tree, std::filesystem::path file, Warn warn)
 }
 
 void KeptTweaks::read() {
-    document_ = std::make_unique<Document>(read_file(file_, Document::size_limit), file_.string());
+    document_ = std::make_unique<Document>(files_.read(file_), file_.string());
     const Node& root = document_->root();
     const Node* version = document_->member(root, version_of_tweaks);
     if (version == nullptr || version->kind != Document::Kind::integer || version->integer < 1)
@@ -274,7 +272,7 @@ void KeptTweaks::remove(const std::string& path) {
 void KeptTweaks::write() {
     if (edit_ == nullptr) return;
     std::unique_ptr<JsonEdit> edit = std::move(edit_);
-    replace_file(file_, edit->text());
+    files_.write(file_, edit->text());
     document_ = std::make_unique<Document>(edit->text(), file_.string());
     values_.clear();
     created_.clear();

@@ -16,6 +16,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include <fettle/property/storage/game_files.h>
 #include <fettle/property/tree.h>
 
 #include "image.h"
@@ -29,7 +30,7 @@ class KeptTweaks {
 
     /// Reads the file, if there is one. One that cannot be used is told, has no effect and is never
     /// written.
-    KeptTweaks(Tree& tree, std::filesystem::path file, Warn warn);
+    KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn);
 
     const std::filesystem::path& file() const { return file_; }
     bool empty() const { return values_.empty() && created_.empty() && deleted_.empty(); }
@@ -61,6 +62,7 @@ class KeptTweaks {
     void drop(const std::string& section, const std::string& key);
 
     Tree& tree_;
+    GameFiles& files_;
     std::filesystem::path file_;
     Warn warn_;
     std::string problem_;                                        // why the file is not used

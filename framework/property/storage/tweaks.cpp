@@ -60,13 +60,20 @@ bool TweakPattern::matches(const JournalRow& row) const {
 
 // --- Beginning and ending
 
-Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn)
+Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn,
+                     TweakOptions options)
     : tree(its_tree),
       folder(game_folder(game)),
       warn(std::move(its_warn)),
-      journal(journal_folders(game), game_name(game) + ".tweaks", warn),
-      kept(its_tree, folder / (game_name(game) + ".tweaks.json"), warn),
-      earlier(journal.earlier()) {
+      files(options.files != nullptr ? *options.files : own_files),
+      kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
+    if (options.earlier) {
+        for (const TweakWords& words : *options.earlier) earlier.push_back(row_of(words));
+    } else {
+        journal =
+            std::make_unique<Journal>(journal_folders(game), game_name(game) + ".tweaks", warn);
+        earlier = journal->earlier();
+    }
     tree.observe_edits(this);
 }
 
@@ -249,11 +256,18 @@ std::size_t Tweaks::open_earlier() const {
                       [](const JournalRow& row) { return row.state == JournalRow::State::open; }));
 }
 
+std::vector<TweakWords> Tweaks::earlier_in_words() const {
+    std::vector<TweakWords> all;
+    for (const JournalRow& row : state_->earlier)
+        if (row.state == JournalRow::State::open) all.push_back(words_of(row));
+    return all;
+}
+
 // --- The public face
 
 Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
-               std::function<void(const std::string&)> warn)
-    : state_(std::make_unique<State>(tree, game, std::move(warn))) {}
+               std::function<void(const std::string&)> warn, TweakOptions options)
+    : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
     state_->rest = 0;
     barrier();
@@ -286,7 +300,7 @@ void Tweaks::game_loaded() {
     state_->kept.apply_all();
 }
 std::filesystem::path Tweaks::journal() const {
-    return state_->journal.file();
+    return state_->journal ? state_->journal->file() : std::filesystem::path();
 }
 
 }  // namespace fettle::property

@@ -117,7 +117,7 @@ void Tweaks::State::refresh(Entry& entry) {
 }
 
 void Tweaks::State::commit() {
-    if (journal.vanished()) {
+    if (journal && journal->vanished()) {
         for (const auto& each : entries) {
             each->committed = false;
             if (visible(*each) && !each->dirty) {
@@ -135,7 +135,8 @@ void Tweaks::State::commit() {
     }
     changes.put.insert(changes.put.end(), changed.begin(), changed.end());
     try {
-        if (!(changes.put.empty() && changes.withdrawn.empty()) && !journal.commit(changes))
+        const bool nothing = changes.put.empty() && changes.withdrawn.empty();
+        if (journal && !nothing && !journal->commit(changes))
             return;  // another run is writing; the next barrier tries again
     } catch (const std::exception& error) {
         rest = barriers_of_rest;

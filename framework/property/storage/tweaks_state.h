@@ -10,6 +10,7 @@
 
 #include <fettle/property/edits.h>
 #include <fettle/property/path.h>
+#include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/tweaks.h>
 
 #include "image.h"
@@ -40,7 +41,7 @@ struct Tweaks::State : EditObserver {
         return std::uint64_t{handle.generation} << 32 | handle.index;
     }
 
-    State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn);
+    State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
     ~State() override;
 
     // tweaks.cpp: what is edited
@@ -77,7 +78,9 @@ struct Tweaks::State : EditObserver {
     Tree& tree;
     std::filesystem::path folder;  // of the game
     Journal::Warn warn;
-    Journal journal;
+    GameFiles own_files;
+    GameFiles& files;
+    std::unique_ptr<Journal> journal;  // none: what is done is done again
     KeptTweaks kept;
     SceneOrigins origins;
 
@@ -104,6 +107,11 @@ class TweakPattern {
     Pattern pattern_;
     bool whole_instances_;
 };
+
+/// A row, for a recording of the run; and as that of another run, which cannot be written.
+TweakWords words_of(const JournalRow& row);
+/// Throws Error for words that no row has.
+JournalRow row_of(const TweakWords& words);
 
 /// "world.ball.mass", or the path of the instance.
 std::string path_of(const JournalRow& row);

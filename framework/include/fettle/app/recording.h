@@ -32,15 +32,21 @@ class RecordingError : public std::runtime_error {
 /// How a run began.
 struct RunStart {
     std::filesystem::path game;
-    std::uint64_t game_hash = 0;  // of its files: another game is not the same run
+    std::vector<std::string> modules;  // named beside what the game itself names
     std::uint64_t seed = 0;
     double width = 0, height = 0;  // of the window, pixels
     std::vector<std::string> evals;
     std::vector<std::pair<std::uint64_t, std::string>> at;
+    std::vector<std::vector<std::string>> tweaks;  // of earlier runs, each in words
 };
 
-/// Of every file of a game, names and contents.
-std::uint64_t hash_of_game(const std::filesystem::path& game);
+/// A file that the run came upon: another one is not the same run.
+struct RunFile {
+    std::string name;
+    std::optional<std::uint64_t> checksum{};  // nothing: there was no such file
+    bool overwritten = false;                 // by the run itself; what it was is here
+    std::optional<std::string> content{};
+};
 
 /// Writes a recording as the run goes on. What was written so far is a recording of the run so far,
 /// whatever happens then.
@@ -54,6 +60,7 @@ class Recorder : public Witness, public property::Observer {
     void begin(property::Tree& tree, Loop& loop);
 
     void command(std::string_view command);
+    void file(const RunFile& file);
     void event(const InputEvent& event, bool taken) override;
     void frame_begins(double seconds, std::int64_t step_limit) override;
     void turn_begins() override;
@@ -86,6 +93,7 @@ class Recording {
     explicit Recording(const std::filesystem::path& file);
     ~Recording();
     const RunStart& start() const { return start_; }
+    const std::vector<RunFile>& files() const { return files_; }
     /// How many steps it holds.
     std::uint64_t steps() const;
 
@@ -93,10 +101,12 @@ class Recording {
     friend class Replay;
     struct FETTLE_APP_PRIVATE Item;
     void read_start(const std::string& word, const std::string& rest, int number);
+    bool read_file(const std::string& word, const std::string& rest);
     [[noreturn]] void fail(int number, const std::string& why) const;
 
     std::filesystem::path file_;
     RunStart start_;
+    std::vector<RunFile> files_;
     std::vector<Item> items_;
 };
 

@@ -19,6 +19,7 @@
 FETTLE_SCRIPT_BEGIN
 
 namespace fettle::property {
+class GameFiles;
 class GameSaves;
 class Tweaks;
 }  // namespace fettle::property
@@ -34,6 +35,7 @@ struct Options {
     // Not owned; a game has none of what is missing.
     property::GameSaves* saves = nullptr;
     property::Tweaks* tweaks = nullptr;
+    property::GameFiles* files = nullptr;  // none: what is on the disk
     /// Name of the recording whose run this one makes again; "" when it makes none. What was
     /// written to the game's files then is not written again: functions that would say so and go
     /// on.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@
 FETTLE_STORAGE_BEGIN
 
 namespace fettle::property {
+
+class GameFiles;
 
 /// Where files about a game go when they are not the game's own: a folder of the user's for each
 /// game ($XDG_DATA_HOME/fettle/..., else ~/.local/share/fettle/...). It is not created. Empty when
@@ -46,6 +49,16 @@ struct TweakReport {
     std::vector<std::string> problems{};  // a line for each tweak it could not be done to
 };
 
+/// A tweak of an earlier run, in the words it is known by from one run to the next.
+using TweakWords = std::vector<std::string>;
+
+struct TweakOptions {
+    GameFiles* files = nullptr;  // not owned; none: what is on the disk
+    /// In place of a journal, for a run that is made again: what was open when it began. Nothing is
+    /// journaled then.
+    std::optional<std::vector<TweakWords>> earlier{};
+};
+
 class Tweaks {
   public:
     /// `game`: a folder with main.lua, or a .lua file. The journal is .fettle/NAME.tweaks.sqlite
@@ -53,7 +66,7 @@ class Tweaks {
     /// first tweak. `warn` is told of files that cannot be used; nothing here throws because of
     /// one.
     Tweaks(Tree& tree, const std::filesystem::path& game,
-           std::function<void(const std::string&)> warn);
+           std::function<void(const std::string&)> warn, TweakOptions options = {});
     ~Tweaks();
     Tweaks(const Tweaks&) = delete;
     Tweaks& operator=(const Tweaks&) = delete;
@@ -65,6 +78,8 @@ class Tweaks {
     std::vector<Tweak> list() const;
     /// How many tweaks of earlier runs are still open.
     std::size_t open_earlier() const;
+    /// Those, for a run that is to be made again.
+    std::vector<TweakWords> earlier_in_words() const;
 
     // `pattern` as for watching; one without stars that names an instance means everything of it.
     // Throw Error for a text that is no pattern.

@@ -1,0 +1,72 @@
+#include "recorded_files.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "game_path.h"
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view of_fettle = "fettle:";  // before a name among Fettle's own files
+
+fs::path folder_of(const fs::path& game) {
+    std::error_code error;
+    const fs::path folder = fs::is_directory(game, error) ? game : game.parent_path();
+    return fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+}
+
+/// "" when it is not below the folder.
+std::string name_below(const fs::path& file, const fs::path& folder) {
+    if (folder.empty()) return {};
+    const fs::path relative = file.lexically_relative(folder);
+    if (relative.empty() || *relative.begin() == "..") return {};
+    return relative.generic_string();
+}
+
+fs::path path_of(const std::string& name, const fs::path& game) {
+    if (name.starts_with(of_fettle)) return assets() / name.substr(of_fettle.size());
+    const fs::path path(name);
+    return path.is_absolute() ? path : folder_of(game) / path;
+}
+
+}  // namespace
+
+app::RunFile recorded(const property::GameFiles::Finding& finding, const fs::path& game) {
+    std::string name = name_below(finding.file, folder_of(game));
+    if (name.empty()) {
+        name = name_below(finding.file, assets());
+        name = name.empty() ? finding.file.generic_string() : std::string(of_fettle) + name;
+    }
+    return {.name = std::move(name),
+            .checksum = finding.checksum,
+            .overwritten = finding.overwritten,
+            .content = finding.content};
+}
+
+std::vector<std::string> changed_since(const app::Recording& recording, const fs::path& game) {
+    std::set<std::string> overwritten;
+    for (const app::RunFile& file : recording.files())
+        if (file.overwritten) overwritten.insert(file.name);
+    std::vector<std::string> changed;
+    for (const app::RunFile& file : recording.files()) {
+        if (overwritten.contains(file.name)) continue;
+        const auto now = property::file_checksum(path_of(file.name, game));
+        if (now == file.checksum) continue;
+        const char* const how = !now ? " is missing" : !file.checksum ? " is new" : " differs";
+        changed.push_back(file.name + how);
+    }
+    return changed;
+}
+
+void go_back_to(const app::Recording& recording, const fs::path& game, property::GameFiles& files) {
+    files.stay_in_memory();
+    for (const app::RunFile& file : recording.files())
+        if (file.overwritten) files.put(path_of(file.name, game), file.content);
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,64 @@
+// Tweaks of earlier runs in words, which a recording of a run holds: what may come of them in that
+// run is part of what came into it.
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include <fettle/property/error.h>
+
+#include "tweaks_state.h"
+
+namespace fettle::property {
+
+namespace {
+
+using Kind = JournalRow::Kind;
+
+constexpr std::array kinds{std::pair{Kind::value, "value"}, std::pair{Kind::created, "created"},
+                           std::pair{Kind::deleted, "deleted"}, std::pair{Kind::moved, "moved"}};
+/// Texts of a row, in their order.
+constexpr std::array texts{&JournalRow::instance, &JournalRow::property, &JournalRow::was,
+                           &JournalRow::now,      &JournalRow::was_text, &JournalRow::now_text,
+                           &JournalRow::file,     &JournalRow::inside};
+
+[[noreturn]] void fail(const TweakWords& words) {
+    throw Error(ErrorKind::damaged,
+                "no tweak: " + (words.empty() ? "it has no words" : "\"" + words.front() + "\""));
+}
+
+std::int64_t number(const std::string& word, const TweakWords& words) {
+    std::int64_t found = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), found);
+    if (error != std::errc() || end != word.data() + word.size()) fail(words);
+    return found;
+}
+
+}  // namespace
+
+TweakWords words_of(const JournalRow& row) {
+    TweakWords words;
+    for (const auto& [kind, word] : kinds)
+        if (kind == row.kind) words.emplace_back(word);
+    words.push_back(std::to_string(row.step));
+    words.push_back(std::to_string(row.time));
+    for (const auto text : texts) words.push_back(row.*text);
+    return words;
+}
+
+JournalRow row_of(const TweakWords& words) {
+    constexpr std::size_t before_texts = 3;
+    if (words.size() != before_texts + texts.size()) fail(words);
+    JournalRow row;
+    row.run = JournalRow::elsewhere;
+    bool known = false;
+    for (const auto& [kind, word] : kinds)
+        if (words.front() == word) row.kind = kind, known = true;
+    if (!known) fail(words);
+    row.step = number(words[1], words);
+    row.time = number(words[2], words);
+    for (std::size_t i = 0; i < texts.size(); ++i) row.*texts[i] = words[before_texts + i];
+    return row;
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,85 @@
+// The files of a game, as who records its run learns of them and who makes it again gives them
+// back.
+
+#include <catch.h>
+
+#include <fettle/property/storage/game_files.h>
+
+#include "game_folder.h"
+
+using namespace fettle::property;
+using scene_test::GameFolder;
+
+namespace {
+
+std::vector<std::string> told(std::vector<GameFiles::Finding>& findings) {
+    std::vector<std::string> all;
+    for (const GameFiles::Finding& finding : findings)
+        all.push_back(finding.file.filename().string() +
+                      (finding.overwritten ? " overwritten " + finding.content.value_or("nothing")
+                       : finding.checksum  ? " read"
+                                           : " missing"));
+    findings.clear();
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("files are told of once when they are read and before they are written") {
+    const GameFolder folder;
+    folder.write("a.json", "one");
+    GameFiles files;
+    std::vector<GameFiles::Finding> findings;
+    files.take_note();
+    CHECK(files.read(folder / "a.json") == "one");
+    CHECK_FALSE(files.exists(folder / "b.json"));
+    files.tell([&](const GameFiles::Finding& finding) { findings.push_back(finding); });
+    CHECK(findings.front().checksum == file_checksum(folder / "a.json"));
+    CHECK(told(findings) == std::vector<std::string>{"a.json read", "b.json missing"});
+    CHECK(files.exists(folder / "a.json"));
+    CHECK(files.read(folder / "a.json") == "one");
+    CHECK(findings.empty());
+    files.write(folder / "a.json", "two");
+    files.write(folder / "a.json", "three");
+    files.write(folder / "b.json", "four");
+    CHECK(files.read(folder / "a.json") == "three");
+    CHECK(told(findings) ==
+          std::vector<std::string>{"a.json overwritten one", "b.json overwritten nothing"});
+    files.write(folder / "c.json", "five");
+    CHECK(files.read(folder / "c.json") == "five");
+    CHECK(told(findings) == std::vector<std::string>{"c.json overwritten nothing"});
+    CHECK(folder.text("a.json") == "three");
+}
+
+TEST_CASE("a file is the same under every name it has") {
+    const GameFolder folder;
+    folder.write("a.json", "one");
+    std::filesystem::create_directory(folder / "sub");
+    GameFiles files;
+    files.put(folder / "sub/../a.json", "held");
+    CHECK(files.read(folder / "a.json") == "held");
+    std::filesystem::create_symlink(folder / "a.json", folder / "link.json");
+    CHECK(files.read(folder / "link.json") == "held");
+}
+
+TEST_CASE("what is written in memory stays there") {
+    const GameFolder folder;
+    folder.write("a.json", "as it is now");
+    folder.write("b.json", "not there then");
+    GameFiles files;
+    files.stay_in_memory();
+    files.put(folder / "a.json", "as it was");
+    files.put(folder / "b.json", std::nullopt);
+    CHECK(files.read(folder / "a.json") == "as it was");
+    CHECK_FALSE(files.exists(folder / "b.json"));
+    CHECK_THROWS_AS(files.read(folder / "b.json"), FileError);
+    files.write(folder / "a.json", "written");
+    files.write(folder / "b.json", "made");
+    files.write(folder / "c.json", "made too");
+    CHECK(files.read(folder / "a.json") == "written");
+    CHECK(files.exists(folder / "b.json"));
+    CHECK(files.read(folder / "c.json") == "made too");
+    CHECK(folder.text("a.json") == "as it is now");
+    CHECK(folder.text("b.json") == "not there then");
+    CHECK_FALSE(std::filesystem::exists(folder / "c.json"));
+}
