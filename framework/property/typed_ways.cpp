@@ -36,7 +36,10 @@ bool fit(const Property::Shortcut& shortcut, double& x) {
     return x >= shortcut.min && x <= shortcut.max;
 }
 bool fit(const Property::Shortcut& shortcut, Vec2& v) {
-    return fit(shortcut, v.x()) && fit(shortcut, v.y());
+    double x = v.x(), y = v.y();
+    if (!fit(shortcut, x) || !fit(shortcut, y)) return false;
+    v = Vec2(x, y);  // at once: whoever reads both would wait for one half after the other
+    return true;
 }
 
 template <class T>
