@@ -11,6 +11,11 @@ namespace {
 // The fastest level of any use: it halves what the bytes' own order leaves.
 constexpr int level = 1;
 
+// The first state is that of bodies that touch nothing yet. The system looks for the pages of what
+// comes next when they are first written to: better here than in a step.
+constexpr std::size_t growth = 3;
+constexpr std::size_t most_prepared = std::size_t{64} << 20;  // bytes; more is not worth a pause
+
 // State is mostly floats: their bytes of the same rank, taken together, repeat far more than they
 // do in a row (a sixth less, in half the time).
 void sort_by_rank(const std::vector<std::byte>& plain, std::vector<std::byte>& ranks) {
@@ -47,6 +52,8 @@ void PackedBytes::pack(Room& room) {
                                            room.ranks.data(), room.ranks.size(), level);
     if (ZSTD_isError(size) != 0) return;  // it stays as it is
     packed_.assign(room.packed.begin(), room.packed.begin() + static_cast<std::ptrdiff_t>(size));
+    if (!room.made && plain_size_ <= most_prepared / growth) next_.resize(growth * plain_size_);
+    room.made = true;
     is_packed_.store(true, std::memory_order_release);
 }
 
@@ -64,6 +71,7 @@ std::size_t PackedBytes::size() const {
 
 std::optional<std::vector<std::byte>> PackedBytes::settle() {
     if (plain_.empty() || !is_packed_.load(std::memory_order_acquire)) return std::nullopt;
+    if (!next_.empty()) plain_ = std::exchange(next_, {});
     return std::exchange(plain_, {});
 }
 

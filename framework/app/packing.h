@@ -26,19 +26,21 @@ class PackedBytes {
     std::vector<std::byte> payload() const;
     /// Bytes it takes now.
     std::size_t size() const;
-    /// Once it is packed, the memory of what was packed, for the next; nothing before, and after
-    /// that.
+    /// Once it is packed, memory for the next: that of what was packed, or more. Nothing before,
+    /// and after that.
     std::optional<std::vector<std::byte>> settle();
 
     // --- By the packing thread
     struct Room {
         std::vector<std::byte> ranks, packed;  // kept from one to the next
+        bool made = false;                     // the memory for states
     };
     void pack(Room& room);
 
   private:
     std::vector<std::byte> plain_;   // the game's again once it is packed
     std::vector<std::byte> packed_;  // the packing thread's until then
+    std::vector<std::byte> next_;    // as well: memory for later states, made once
     std::size_t plain_size_ = 0;
     std::atomic<bool> is_packed_{false};
 };
