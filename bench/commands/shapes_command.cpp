@@ -51,17 +51,28 @@ double spinning(const physics::Geometry& form, const physics::Geometry& ground, 
     return 1e6 * clock.elapsed_ms() / (steps * pairs);
 }
 
-/// Nanoseconds of the distance between two of them.
-double distance_between(const physics::Geometry& form) {
+/// A hundred of them that stand still, 3 m apart in rows of ten.
+struct Field {
     physics::World world;
     std::vector<physics::Shape> shapes;
-    for (int i = 0; i < pairs; ++i) {
-        physics::Body body = world.create_body(
-            {.type = physics::BodyType::static_body,
-             .position = {3 * static_cast<float>(i % 10), 3 * static_cast<float>(i / 10)},
-             .angle = static_cast<float>(i)});
-        shapes.push_back(body.add(form));
+
+    explicit Field(const physics::Geometry& form) {
+        for (int i = 0; i < pairs; ++i) {
+            physics::Body body = world.create_body({.type = physics::BodyType::static_body,
+                                                    .position = place(i),
+                                                    .angle = static_cast<float>(i)});
+            shapes.push_back(body.add(form));
+        }
     }
+    static physics::Vec2 place(int i) {
+        return {3 * static_cast<float>(i % 10), 3 * static_cast<float>(i / 10)};
+    }
+};
+
+/// Nanoseconds of the distance between two of them.
+double distance_between(const physics::Geometry& form) {
+    const Field field(form);
+    const auto& shapes = field.shapes;
     float sum = 0;
     const ThreadClock clock;
     for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -72,9 +83,82 @@ double distance_between(const physics::Geometry& form) {
     return 1e6 * elapsed / (pairs * (pairs - 1) / 2.0);
 }
 
+/// Nanoseconds of a question about each of them, asked from a metre beside its center; it answers
+/// whether it found the shape.
+template <class Question>
+double asking(const physics::Geometry& form, Question&& question) {
+    Field field(form);
+    constexpr int rounds = 20;
+    int found = 0;
+    const ThreadClock clock;
+    for (int round = 0; round < rounds; ++round) {
+        const float angle = static_cast<float>(round);
+        const physics::Vec2 beside(std::cos(angle), std::sin(angle));
+        for (int i = 0; i < pairs; ++i)
+            found += question(field.world, Field::place(i), beside) ? 1 : 0;
+    }
+    const double elapsed = clock.elapsed_ms();
+    if (found != rounds * pairs) throw std::runtime_error("a question did not find its shape");
+    return 1e6 * elapsed / (rounds * pairs);
+}
+
+double ray(const physics::Geometry& form) {
+    return asking(
+        form, [](physics::World& world, const physics::Vec2& center, const physics::Vec2& beside) {
+            return world.cast_ray(center + beside, center).has_value();
+        });
+}
+double point(const physics::Geometry& form) {
+    return asking(
+        form, [](physics::World& world, const physics::Vec2& center, const physics::Vec2& beside) {
+            return !world.query_point(center + 0.4f * beside).empty();
+        });
+}
+double closest(const physics::Geometry& form) {
+    return asking(
+        form, [](physics::World& world, const physics::Vec2& center, const physics::Vec2& beside) {
+            return world.closest(center + beside, 1.0f).has_value();
+        });
+}
+/// A box that is moved against it.
+double shape_cast(const physics::Geometry& form) {
+    physics::World world;
+    const physics::Shape box =
+        world.create_body({}).add(physics::Box{.width = 0.2f, .height = 0.1f});
+    return asking(
+        form, [&](physics::World& asked, const physics::Vec2& center, const physics::Vec2& beside) {
+            box.body().set_position(center + beside);
+            return asked.cast_shape(box, -beside).has_value();
+        });
+}
+
+/// What a polygon rolls on, its top half a metre up.
+const physics::Geometry box = physics::Box{.width = 3, .height = 1};
+const physics::Geometry round_hill = physics::Ellipse{.radius_x = 1, .radius_y = 0.5f};
+const physics::Geometry chain = physics::Chain{{{-2, 0.5f}, {0.01f, 0.5f}, {2, 0.5f}}};
+const physics::Geometry concave =
+    physics::Concave{{{1, 0.5f}, {-1, 0.5f}, {-1, -0.5f}, {0, 0.2f}, {1, -0.5f}}};
+
+struct Column {
+    const char* title;
+    double (*measure)(const physics::Geometry& form);
+};
+const Column columns[] = {
+    {"on a box", [](const auto& form) { return spinning(form, box, 0.5f); }},
+    {"on another", [](const auto& form) { return spinning(form, form, 0.5f); }},
+    {"ellipse", [](const auto& form) { return spinning(form, round_hill, 0.5f); }},
+    {"chain", [](const auto& form) { return spinning(form, chain, 0.5f); }},
+    {"concave", [](const auto& form) { return spinning(form, concave, 0.5f); }},
+    {"distance", distance_between},
+    {"ray", ray},
+    {"point", point},
+    {"closest", closest},
+    {"shape cast", shape_cast},
+};
+
 struct Row {
     int corners;
-    double on_box, on_itself, distance;
+    std::vector<double> values;  ///< one a column
 };
 
 template <class Measure>
@@ -86,10 +170,10 @@ double median_of(int runs, Measure&& measure) {
 
 Row measure(int corners, int runs) {
     const physics::Geometry form = rounded(corners);
-    const physics::Geometry box = physics::Box{.width = 3, .height = 1};
-    return {corners, median_of(runs, [&] { return spinning(form, box, 0.5f); }),
-            median_of(runs, [&] { return spinning(form, form, 0.5f); }),
-            median_of(runs, [&] { return distance_between(form); })};
+    Row row{corners, {}};
+    for (const Column& column : columns)
+        row.values.push_back(median_of(runs, [&] { return column.measure(form); }));
+    return row;
 }
 
 std::string name_of(const Row& row) {
@@ -109,19 +193,25 @@ int run_shapes(const ShapesOptions& options) {
             progress.add(1);
         }
     }
-    Table table({"corners", "step on a box, ns", "step on another, ns", "distance, ns"});
+    std::vector<std::string> titles = {"corners"};
+    for (const Column& column : columns) titles.emplace_back(column.title);
+    Table table(titles);
     for (const Row& row : rows) {
         if (options.json) {
-            std::cout << json_line({{"corners", name_of(row)},
-                                    {"on_box_ns", row.on_box},
-                                    {"on_itself_ns", row.on_itself},
-                                    {"distance_ns", row.distance}})
-                      << "\n";
+            for (std::size_t i = 0; i < row.values.size(); ++i)
+                std::cout << json_line({{"corners", name_of(row)},
+                                        {"what", columns[i].title},
+                                        {"ns", row.values[i]}})
+                          << "\n";
             continue;
         }
-        table.add({name_of(row), figure(row.on_box), figure(row.on_itself), figure(row.distance)});
+        std::vector<std::string> cells = {name_of(row)};
+        for (const double value : row.values) cells.push_back(figure(value));
+        table.add(cells);
     }
-    if (!options.json) std::cout << table.text();
+    if (!options.json)
+        std::cout << "Nanoseconds: of a step, by what it spins on; of a question.\n\n"
+                  << table.text();
     return 0;
 }
 

@@ -1,3 +1,4 @@
+#include <collision/climb.h>
 #include <collision/ellipse.h>
 #include <geometry/trigonometry.h>
 
@@ -112,16 +113,8 @@ bool in_cone(V2 before, V2 direction, V2 after) {
 EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offset) {
     if (other.count == 1) return gap_at_vertex(ellipse, other.vertices[0] + offset, 0);
     const V2 center = ellipse.center - offset;
-    int edge = 0;
-    float best = -1e30f;
-    for (int i = 0; i < other.count; ++i) {
-        const V2 n = other.normals[i];
-        const float s = dot(n, center) - ellipse.reach(n) - other.offsets[i];
-        if (s > best) {
-            best = s;
-            edge = i;
-        }
-    }
+    const auto [edge, best] = deepest_edge(Facets(other), center,
+                                           [&](V2 n) { return dot(n, center) - ellipse.reach(n); });
     // The separation along a direction is greatest at this normal or in the cone of one of its two
     // vertices: that of the end which the deepest point of the ellipse is beyond.
     const int next = edge + 1 < other.count ? edge + 1 : 0;

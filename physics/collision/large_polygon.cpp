@@ -6,53 +6,10 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Whether u comes before v, counted counter-clockwise from `base`.
-bool turned_less(V2 base, V2 u, V2 v) {
-    const auto half = [base](V2 w) {
-        const float k = cross(base, w);
-        return k < 0.0f || (k == 0.0f && dot(base, w) < 0.0f);
-    };
-    const bool far_u = half(u), far_v = half(v);
-    return far_u != far_v ? far_v : cross(u, v) > 0.0f;
-}
-
-}  // namespace
-
-int farthest_vertex(const Convex& polygon, V2 direction) {
-    const int n = polygon.count;
-    int vertex = 0;
-    if (n > most_small_vertices) {
-        // Vertex i is farthest for directions from the normal of edge i - 1 to that of edge i.
-        int low = 0, high = n;  // the first edge whose normal is not before the direction
-        while (low < high) {
-            const int middle = (low + high) / 2;
-            if (turned_less(polygon.normals[0], polygon.normals[middle], direction))
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        vertex = low < n ? low : 0;
-    }
-    // Rounding may have put it off by one; of a few vertices all are looked at.
-    float most = dot(direction, polygon.vertices[vertex]);
-    for (int way : {1, n - 1}) {
-        for (int i = (vertex + way) % n, left = n; left > 0; i = (i + way) % n, --left) {
-            const float d = dot(direction, polygon.vertices[i]);
-            if (d <= most && n > most_small_vertices) break;
-            if (d <= most) continue;
-            most = d;
-            vertex = i;
-        }
-    }
-    return vertex;
-}
-
-namespace {
-
 /// A convex polygon or circle in world axes, whether its vertices are rotated or not.
-class Facets {
+class TurnedFacets {
   public:
-    explicit Facets(const Solid& solid)
+    explicit TurnedFacets(const Solid& solid)
         : form_(solid.form), q_(solid.kind == FormKind::large ? solid.rotation : Rotation{}) {}
 
     int count() const { return form_.count; }
@@ -70,7 +27,7 @@ class Facets {
         V2 vertices[2], normals[2];
         float offsets[2];
         Convex form;
-        Excerpt(const Facets& from, int edge)
+        Excerpt(const TurnedFacets& from, int edge)
             : vertices{from.vertex(edge), from.vertex(from.next(edge))},
               normals{from.normal(edge), -from.normal(edge)},
               offsets{from.offset(edge), -from.offset(edge)},
@@ -84,71 +41,9 @@ class Facets {
     Rotation q_;
 };
 
-struct Axis {
-    int edge = 0;
-    float separation = -1e30f;
-};
-
-/// The greatest value round a cycle in which there is one way up from where one starts: strides
-/// that double while it rises, then bisection of the last.
-template <class Value>
-Axis climb(int count, int start, Value&& value) {
-    const auto at = [count](int i) { return ((i % count) + count) % count; };
-    const auto of = [&](int i) { return value(at(i)); };
-    float here = of(start);
-    const float left = of(start - 1), right = of(start + 1);
-    if (left <= here && right <= here) return {at(start), here};
-    const int way = right > left ? 1 : -1;
-    int low = start, high = start + way, stride = 1;
-    here = max(left, right);
-    while (stride < count) {
-        const int ahead = high + way * stride;
-        const float then = of(ahead);
-        if (then <= here) break;
-        low = high;
-        high = ahead;
-        here = then;
-        stride *= 2;
-    }
-    // The summit is between low and one stride beyond high.
-    int a = low, b = high + way * stride;
-    while ((b - a) * way > 2) {
-        const int middle = a + (b - a) / 2;
-        if (of(middle) < of(middle + way))
-            a = middle;
-        else
-            b = middle + way;
-    }
-    Axis best;
-    for (int i = a;; i += way) {
-        const float v = of(i);
-        if (v > best.separation) best = {at(i), v};
-        if (i == b) return best;
-    }
-}
-
-/// The edge of `a` that the points which `nearest` tells of each direction are farthest outside of.
-template <class NearestAlong>
-Axis deepest_axis(const Facets& a, V2 towards, NearestAlong&& nearest) {
-    const auto separation = [&](int i) { return nearest(a.normal(i)) - a.offset(i); };
-    if (a.count() > most_small_vertices) return climb(a.count(), a.farthest(towards), separation);
-    Axis best;
-    for (int i = 0; i < a.count(); ++i) {
-        const float s = separation(i);
-        if (s > best.separation) best = {i, s};
-    }
-    return best;
-}
-
-Axis deepest_axis(const Facets& a, const Facets& b, V2 offset) {
-    return deepest_axis(a, b.middle() + offset - a.middle(),
+EdgeGap deepest_edge(const TurnedFacets& a, const TurnedFacets& b, V2 offset) {
+    return deepest_edge(a, b.middle() + offset,
                         [&](V2 n) { return dot(n, b.vertex(b.farthest(-n)) + offset); });
-}
-
-/// Of the two edges at the vertex that is deepest along a normal, the one that faces it more.
-int incident_edge_of(const Facets& b, V2 normal) {
-    const int vertex = b.farthest(-normal), before = b.previous(vertex);
-    return dot(b.normal(before), normal) < dot(b.normal(vertex), normal) ? before : vertex;
 }
 
 void tell(V2 p, V2 q, V2 normal, float distance, float radius_a, float radius_b, V2 offset,
@@ -161,9 +56,9 @@ void tell(V2 p, V2 q, V2 normal, float distance, float radius_a, float radius_b,
     m.count = 1;
 }
 
-void collide_circle(const Facets& a, V2 center, float radius, V2 offset, float margin,
+void collide_circle(const TurnedFacets& a, V2 center, float radius, V2 offset, float margin,
                     Manifold& m) {
-    const Axis axis = deepest_axis(a, center - a.middle(), [&](V2 n) { return dot(n, center); });
+    const EdgeGap axis = deepest_edge(a, center, [&](V2 n) { return dot(n, center); });
     if (axis.separation > a.radius() + radius + margin) return;
     const V2 n = a.normal(axis.edge);
     const V2 v1 = a.vertex(axis.edge), v2 = a.vertex(a.next(axis.edge));
@@ -180,18 +75,19 @@ void collide_circle(const Facets& a, V2 center, float radius, V2 offset, float m
     }
 }
 
-void collide_polygons(const Facets& a, const Facets& b, V2 offset, float margin, Manifold& m) {
+void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, float margin,
+                      Manifold& m) {
     const float reach = a.radius() + b.radius() + margin;
-    const Axis on_a = deepest_axis(a, b, offset);
+    const EdgeGap on_a = deepest_edge(a, b, offset);
     if (on_a.separation > reach) return;
-    const Axis on_b = deepest_axis(b, a, -offset);
+    const EdgeGap on_b = deepest_edge(b, a, -offset);
     if (on_b.separation > reach) return;
     const bool flipped = on_b.separation > on_a.separation + face_preference;
-    const Facets &reference = flipped ? b : a, &other = flipped ? a : b;
+    const TurnedFacets &reference = flipped ? b : a, &other = flipped ? a : b;
     const V2 to_other = flipped ? -offset : offset;
-    const Axis axis = flipped ? on_b : on_a;
-    const Facets::Excerpt edge(reference, axis.edge);
-    const Facets::Excerpt facing(other, incident_edge_of(other, edge.normals[0]));
+    const EdgeGap axis = flipped ? on_b : on_a;
+    const TurnedFacets::Excerpt edge(reference, axis.edge);
+    const TurnedFacets::Excerpt facing(other, incident_edge_of(other, edge.normals[0]));
     float s, t;
     if (axis.separation > face_preference &&
         nearest_ends(edge.vertices[0], edge.vertices[1], facing.vertices[0] + to_other,
@@ -220,7 +116,7 @@ void collide_polygons(const Facets& a, const Facets& b, V2 offset, float margin,
 }
 
 /// Nearest points of two segments.
-Nearest between_edges(const Facets::Excerpt& e, const Facets::Excerpt& f, V2 offset) {
+Nearest between_edges(const TurnedFacets::Excerpt& e, const TurnedFacets::Excerpt& f, V2 offset) {
     const V2 q1 = f.vertices[0] + offset, q2 = f.vertices[1] + offset;
     float s, t;
     nearest_ends(e.vertices[0], e.vertices[1], q1, q2, s, t);
@@ -231,8 +127,8 @@ Nearest between_edges(const Facets::Excerpt& e, const Facets::Excerpt& f, V2 off
     return found;
 }
 
-Nearest to_point(const Facets& a, V2 point) {
-    const Axis axis = deepest_axis(a, point - a.middle(), [&](V2 n) { return dot(n, point); });
+Nearest to_point(const TurnedFacets& a, V2 point) {
+    const EdgeGap axis = deepest_edge(a, point, [&](V2 n) { return dot(n, point); });
     Nearest found;
     found.on_a = found.on_b = point;
     if (axis.separation <= 0.0f) return found;
@@ -243,8 +139,8 @@ Nearest to_point(const Facets& a, V2 point) {
     return found;
 }
 
-Nearest between_polygons(const Facets& a, const Facets& b, V2 offset) {
-    const Axis on_a = deepest_axis(a, b, offset), on_b = deepest_axis(b, a, -offset);
+Nearest between_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset) {
+    const EdgeGap on_a = deepest_edge(a, b, offset), on_b = deepest_edge(b, a, -offset);
     Nearest best;
     if (max(on_a.separation, on_b.separation) <= 0.0f) {
         best.on_a = best.on_b =
@@ -258,7 +154,7 @@ Nearest between_polygons(const Facets& a, const Facets& b, V2 offset) {
     for (int i : {a.previous(edge_a), edge_a, a.next(edge_a)}) {
         for (int k : {b.previous(edge_b), edge_b, b.next(edge_b)}) {
             const Nearest found =
-                between_edges(Facets::Excerpt(a, i), Facets::Excerpt(b, k), offset);
+                between_edges(TurnedFacets::Excerpt(a, i), TurnedFacets::Excerpt(b, k), offset);
             if (found.distance < best.distance) best = found;
         }
     }
@@ -270,7 +166,7 @@ Nearest between_polygons(const Facets& a, const Facets& b, V2 offset) {
 void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;
-    const Facets form_a(a), form_b(b);
+    const TurnedFacets form_a(a), form_b(b);
     if (b.form.count == 1) {
         collide_circle(form_a, b.form.vertices[0] + offset, b.form.radius, offset, margin, m);
     } else if (a.form.count == 1) {
@@ -284,7 +180,7 @@ void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Mani
 
 void collide_large_half_plane(V2 normal, float depth, const Solid& b, V2 center_b, float margin,
                               Manifold& m) {
-    const Facets form(b);
+    const TurnedFacets form(b);
     const int deepest = form.farthest(-normal);
     const V2 vertices[3] = {form.vertex(form.previous(deepest)), form.vertex(deepest),
                             form.vertex(form.next(deepest))};
@@ -293,7 +189,7 @@ void collide_large_half_plane(V2 normal, float depth, const Solid& b, V2 center_
 }
 
 Nearest nearest_to_large(const Solid& a, const Solid& b, V2 offset) {
-    const Facets form_a(a), form_b(b);
+    const TurnedFacets form_a(a), form_b(b);
     Nearest found;
     if (b.form.count == 1) {
         found = to_point(form_a, b.form.vertices[0] + offset);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <collision/climb.h>
 #include <collision/nearest.h>
 #include <collision/solid.h>
 
@@ -12,11 +13,6 @@
 // the number of vertices, and so does a step.
 
 namespace fettle::physics::detail {
-
-inline constexpr int most_small_vertices = 8;
-
-/// The vertex that is farthest along a direction, by bisection.
-int farthest_vertex(const Convex& polygon, V2 direction);
 
 /// Contact points of two convex shapes of which one at least is large; as `collide`.
 void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& manifold);

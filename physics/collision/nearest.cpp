@@ -2,6 +2,7 @@
 #include <collision/large_polygon.h>
 #include <collision/nearest.h>
 #include <collision/sweep.h>
+#include <collision/turned_copy.h>
 
 #include <utility>
 
@@ -75,20 +76,24 @@ Nearest nearest_points(const Convex& a, const Convex& b, V2 offset) {
 
 Nearest nearest_points(const Solid& a, const Solid& b, V2 offset) {
     const bool round_a = a.kind == FormKind::ellipse, round_b = b.kind == FormKind::ellipse;
-    if (a.kind == FormKind::large || b.kind == FormKind::large) {
-        const auto plain = [](const Solid& s) {
-            return s.kind == FormKind::convex || s.kind == FormKind::large;
-        };
-        if (plain(a) && plain(b)) return nearest_to_large(a, b, offset);
-        return nearest_points(PlainCopy(a).solid(), PlainCopy(b).solid(), offset);
+    if (!round_a && !round_b) {
+        const bool many = a.form.count > most_small_vertices || b.form.count > most_small_vertices;
+        return many ? nearest_to_large(a, b, offset) : nearest_points(a.form, b.form, offset);
     }
-    if (!round_a && !round_b) return nearest_points(a.form, b.form, offset);
     if (!round_a) {
         Nearest found = nearest_points(b, a, -offset);
         std::swap(found.on_a, found.on_b);
         found.on_a = found.on_a + offset;
         found.on_b = found.on_b + offset;
         found.normal = -found.normal;
+        return found;
+    }
+    if (b.kind == FormKind::large) {
+        // Where the vertices of the polygon are: in its frame.
+        const Rotation q = b.rotation;
+        TurnedCopy turned(a);
+        Nearest found = nearest_points(turned.by({q.c, -q.s}), {b.form}, unrotate(q, offset));
+        for (V2* v : {&found.on_a, &found.on_b, &found.normal}) *v = rotate(q, *v);
         return found;
     }
     const EllipseForm ellipse = ellipse_of(a.form);

@@ -1,3 +1,4 @@
+#include <collision/climb.h>
 #include <collision/clip.h>
 #include <collision/ellipse.h>
 #include <collision/piece.h>
@@ -51,24 +52,20 @@ int Piece::edge_at(int vertex, V2 direction) const {
 
 namespace {
 
-struct Axis {
-    int edge = -1;
-    float separation = -1e30f;
-};
-
 /// The best of the edges that may push, and how far apart the ones inside hold the two.
 struct Axes {
-    Axis outer;
+    EdgeGap outer = {-1};
     float inner = -1e30f;
     float greatest() const { return max(outer.separation, inner); }
 };
 
 template <class Nearest>
-Axes axes_of(const Convex& form, const Piece* piece, Nearest&& nearest) {
+Axes axes_of(const Piece& piece, Nearest&& nearest) {
+    const Convex& form = piece.form;
     Axes axes;
     for (int i = 0; i < form.count; ++i) {
         const float s = nearest(form.normals[i]) - form.offsets[i];
-        if (piece != nullptr && piece->is_inner(i))
+        if (piece.is_inner(i))
             axes.inner = max(axes.inner, s);
         else if (s > axes.outer.separation)
             axes.outer = {i, s};
@@ -77,6 +74,7 @@ Axes axes_of(const Convex& form, const Piece* piece, Nearest&& nearest) {
 }
 
 int support(const Convex& form, V2 direction) {
+    if (form.count > most_small_vertices) return farthest_vertex(form, direction);
     int best = 0;
     float most = dot(direction, form.vertices[0]);
     for (int i = 1; i < form.count; ++i) {
@@ -112,7 +110,7 @@ float overhang(float height, V2 where) {
 /// A circle: its center is a point, so that the nearest feature of the piece decides.
 void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float margin, bool held,
                     Manifold& m) {
-    const Axes axes = axes_of(a.form, &a, [&](V2 n) { return dot(n, center); });
+    const Axes axes = axes_of(a, [&](V2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin || !a.faces(center, held ? radius : 0.0f)) return;
     // Outside of an inner edge, or nearer to it than to any other: another piece is met first.
     const bool hidden = axes.inner > max(axes.outer.separation, 0.0f) ||
@@ -151,7 +149,7 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
 void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float margin, bool held,
                      Manifold& m) {
     const V2 center = e.center + offset;
-    const Axes axes = axes_of(a.form, &a, [&](V2 n) { return dot(n, center) - e.reach(n); });
+    const Axes axes = axes_of(a, [&](V2 n) { return dot(n, center) - e.reach(n); });
     const float depth = held ? e.reach(a.form.normals[0]) : 0.0f;
     if (axes.greatest() > margin || !a.faces(center, depth) || axes.outer.edge < 0) return;
     if (axes.inner > axes.outer.separation + beyond) return;
@@ -184,11 +182,14 @@ class PolygonOnPiece {
 
     void collide() {
         const float reach = b_.radius + margin_;
-        const Axes on_a =
-            axes_of(a_.form, &a_, [&](V2 n) { return lowest(b_, n) + dot(n, offset_); });
+        const Axes on_a = axes_of(a_, [&](V2 n) { return lowest(b_, n) + dot(n, offset_); });
         if (on_a.greatest() > reach || on_a.outer.edge < 0) return;
-        const Axes on_b =
-            axes_of(b_, piece_b_, [&](V2 n) { return lowest(a_.form, n) - dot(n, offset_); });
+        const auto lowest_of_a = [&](V2 n) { return lowest(a_.form, n) - dot(n, offset_); };
+        Axes on_b;
+        if (piece_b_ != nullptr)
+            on_b = axes_of(*piece_b_, lowest_of_a);
+        else
+            on_b.outer = deepest_edge(Facets(b_), Facets(a_.form).middle() - offset_, lowest_of_a);
         if (on_b.greatest() > reach) return;
         if (!in_front(a_, b_, offset_) || (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)))
             return;
@@ -219,7 +220,8 @@ class PolygonOnPiece {
                 !is_face(*piece_b_, vertex, -n))
                 return;
         }
-        const int incident = incident_edge(b_, n);
+        const int incident =
+            b_.count > most_small_vertices ? incident_edge_of(Facets(b_), n) : incident_edge(b_, n);
         if (separation > face_preference &&
             corner_to_corner(a_.form, edge, b_, incident, offset_, false))
             return;
@@ -227,7 +229,7 @@ class PolygonOnPiece {
     }
 
     /// Along the normal of an edge of the other shape: a corner of the outline is pushed.
-    void push_with_b(Axis axis) {
+    void push_with_b(EdgeGap axis) {
         const V2 outwards = -b_.normals[axis.edge];
         const int vertex = support(a_.form, outwards);
         if (is_face(a_, vertex, outwards)) {

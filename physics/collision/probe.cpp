@@ -1,3 +1,4 @@
+#include <collision/climb.h>
 #include <collision/ellipse.h>
 #include <collision/piece.h>
 #include <collision/probe.h>
@@ -33,6 +34,12 @@ void cast_circle(V2 center, float radius, V2 p, V2 d, Probe& best) {
 
 float signed_distance(const Convex& shape, V2 p) {
     if (shape.count == 1) return length(p - shape.vertices[0]) - shape.radius;
+    if (shape.count > most_small_vertices) {
+        const auto [edge, apart] = deepest_edge(Facets(shape), p, [&](V2 n) { return dot(n, p); });
+        if (apart <= 0.0f) return apart - shape.radius;
+        const int next = edge + 1 < shape.count ? edge + 1 : 0;
+        return distance_to_edge(shape.vertices[edge], shape.vertices[next], p) - shape.radius;
+    }
     float outside = -1e30f;
     for (int i = 0; i < shape.count; ++i) {
         outside = max(outside, dot(shape.normals[i], p) - shape.offsets[i]);
@@ -46,9 +53,43 @@ float signed_distance(const Convex& shape, V2 p) {
     return distance - shape.radius;
 }
 
+namespace {
+
+/// Of many vertices. Seen along the ray, the near side of the outline runs from the leftmost vertex
+/// to the rightmost; the edge that the line meets is found by bisection.
+Probe cast_large(const Convex& shape, V2 p, V2 d) {
+    const V2 left = {-d.y, d.x};
+    const float line = dot(left, p);
+    const int n = shape.count, leftmost = farthest_vertex(shape, left);
+    const int edges = (farthest_vertex(shape, -left) - leftmost + n) % n;
+    const auto vertex = [&](int k) { return shape.vertices[(leftmost + k) % n]; };
+    const auto normal = [&](int k) { return shape.normals[(leftmost + k) % n]; };
+    int low = 0, high = edges;  // the first edge, grown by the radius, that ends right of the line
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (dot(left, vertex(middle + 1) + shape.radius * normal(middle)) <= line)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    Probe best;
+    const V2 v = vertex(low), outwards = normal(low);
+    if (low == edges || line > dot(left, v + shape.radius * outwards)) {
+        cast_circle(v, shape.radius, p, d, best);
+        return best;
+    }
+    const float speed = dot(outwards, d);
+    const float t = (dot(outwards, v - p) + shape.radius) / speed;
+    if (speed < 0.0f && t >= 0.0f && t <= 1.0f) best = {t, outwards};
+    return best;
+}
+
+}  // namespace
+
 Probe cast_segment(const Convex& shape, V2 p, V2 d) {
     Probe best;
     if ((shape.count > 2 || shape.radius > 0.0f) && signed_distance(shape, p) < 0.0f) return best;
+    if (shape.count > most_small_vertices) return cast_large(shape, p, d);
     for (int i = 0; i < shape.count && shape.count > 1; ++i) {
         const V2 n = shape.normals[i];
         const float speed = dot(n, d);
@@ -103,6 +144,15 @@ Probe cast_piece(const Piece& piece, V2 p, V2 d) {
 }
 
 }  // namespace
+
+float reach(const Solid& shape, V2 direction) {
+    if (shape.kind == FormKind::ellipse) {
+        const EllipseForm e = ellipse_of(shape.form);
+        return dot(e.center, direction) + e.reach(direction);
+    }
+    const V2 d = shape.kind == FormKind::large ? unrotate(shape.rotation, direction) : direction;
+    return dot(shape.form.vertices[farthest_vertex(shape.form, d)], d) + shape.form.radius;
+}
 
 float signed_distance(const Solid& shape, V2 p) {
     if (shape.kind == FormKind::large) p = unrotate(shape.rotation, p);

@@ -9,6 +9,9 @@ namespace fettle::physics::detail {
 float signed_distance(const Convex& shape, V2 p);
 float signed_distance(const Solid& shape, V2 p);
 
+/// How far a shape reaches along a unit vector from the center of mass of its body.
+float reach(const Solid& shape, V2 direction);
+
 struct Probe {
     float fraction = 2.0f;  ///< more than 1: missed
     V2 normal;

@@ -1,8 +1,7 @@
 #include <collision/nearest.h>
 #include <collision/sweep.h>
+#include <collision/turned_copy.h>
 #include <geometry/trigonometry.h>
-
-#include <vector>
 
 namespace fettle::physics::detail {
 namespace {
@@ -50,48 +49,13 @@ float distance(const Convex& a, const Convex& b, V2 offset) {
 }
 
 float distance(const Solid& a, const Solid& b, V2 offset) {
-    const auto listed = [](FormKind kind) {
-        return kind == FormKind::convex || kind == FormKind::piece;
+    const auto listed = [](const Solid& s) {
+        return (s.kind == FormKind::convex || s.kind == FormKind::piece) &&
+               s.form.count <= most_small_vertices;
     };
-    if (!listed(a.kind) || !listed(b.kind)) return nearest_points(a, b, offset).distance;
+    if (!listed(a) || !listed(b)) return nearest_points(a, b, offset).distance;
     return distance(a.form, b.form, offset);
 }
-
-namespace {
-
-/// A copy of a shape that can be turned.
-class TurnedCopy {
-  public:
-    explicit TurnedCopy(const Solid& from)
-        : from_(from), vertices_(size_t(from.form.count) + 1), normals_(size_t(from.form.count)) {
-        // Behind its center an ellipse has its radii, which do not turn.
-        if (from.kind == FormKind::ellipse) vertices_[1] = from.form.vertices[1];
-        turned_ = from;
-        if (from.kind == FormKind::large) return;
-        turned_.form.vertices = vertices_.data();
-        turned_.form.normals = normals_.data();
-    }
-    const Solid& by(Rotation q) {
-        if (from_.kind == FormKind::large) {
-            const V2 x = rotate(q, {from_.rotation.c, from_.rotation.s});
-            turned_.rotation = {x.x, x.y};
-            return turned_;
-        }
-        for (size_t i = 0; i < normals_.size(); ++i) {
-            vertices_[i] = rotate(q, from_.form.vertices[i]);
-            // A disc, which has no edges, may come without.
-            if (from_.form.normals != nullptr) normals_[i] = rotate(q, from_.form.normals[i]);
-        }
-        return turned_;
-    }
-
-  private:
-    const Solid& from_;
-    Solid turned_;
-    std::vector<V2> vertices_, normals_;
-};
-
-}  // namespace
 
 float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap) {
     // B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no

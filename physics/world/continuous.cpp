@@ -1,5 +1,3 @@
-#include <collision/ellipse.h>
-#include <collision/large_polygon.h>
 #include <collision/piece.h>
 #include <collision/probe.h>
 #include <collision/sweep.h>
@@ -50,16 +48,9 @@ float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 ce
         const float after = dot(plane.normal, centroid) - plane.depth - core;
         if (before <= 0.0f || after >= 0.0f) return 1.0f;
         // Where the farthest vertex arrives, turning left aside.
-        float reach = 0.0f;
-        const PlainCopy plain(solid(s));
-        const Solid& shape = plain.solid();
-        if (shape.kind == FormKind::ellipse) reach = ellipse_of(shape.form).reach(plane.normal);
-        for (int i = 0; i < shape.form.count; ++i) {
-            reach =
-                max(reach, -dot(plane.normal, shape.form.vertices[i] + record.center - centroid) +
-                               shape.form.radius);
-        }
-        const float arrival = (before + core - reach - arrival_gap) / (before - after);
+        const float ahead =
+            reach(solid(s), -plane.normal) + dot(plane.normal, centroid - record.center);
+        const float arrival = (before + core - ahead - arrival_gap) / (before - after);
         return clamp(arrival, 0.0f, before / (before - after));
     }
     const Solid obstacle = solid(o);

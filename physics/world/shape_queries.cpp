@@ -1,6 +1,5 @@
-#include <collision/ellipse.h>
-#include <collision/large_polygon.h>
 #include <collision/nearest.h>
+#include <collision/probe.h>
 #include <collision/sweep.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
@@ -55,13 +54,8 @@ Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
 
 /// Where a moving shape meets the border, as a fraction of its motion.
 float meets_border(const Placed& probe, V2 motion, const BorderPlane& plane) {
-    float lowest = infinity;
-    const PlainCopy plain(probe.form);
-    const Convex& form = plain.solid().form;
-    for (int i = 0; i < form.count; ++i)
-        lowest = min(lowest, dot(plane.normal, probe.center + form.vertices[i]));
-    if (probe.form.kind == FormKind::ellipse) lowest -= ellipse_of(form).reach(plane.normal);
-    const float before = lowest - plane.depth - form.radius;
+    const float before =
+        dot(plane.normal, probe.center) - reach(probe.form, -plane.normal) - plane.depth;
     const float speed = dot(plane.normal, motion);
     if (before <= 0.0f) return 0.0f;
     return speed < 0.0f ? -before / speed : 2.0f;

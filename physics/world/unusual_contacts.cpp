@@ -1,6 +1,7 @@
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
 #include <collision/piece.h>
+#include <collision/turned_copy.h>
 #include <world/world_data.h>
 
 #include <utility>
@@ -68,6 +69,23 @@ void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, bool
     }
 }
 
+/// As above, and the other is a large polygon: in its frame, where its vertices are.
+void collide_mixed_with_large(const Solid& a, const Solid& b, V2 offset, float margin, bool held,
+                              Manifold& m) {
+    const bool large_a = a.kind == FormKind::large;
+    const Solid& large = large_a ? a : b;
+    const Rotation q = large.rotation;
+    TurnedCopy turned(large_a ? b : a);
+    const Solid plain = {large.form}, &other = turned.by({q.c, -q.s});
+    collide_mixed(large_a ? plain : other, large_a ? other : plain, unrotate(q, offset), margin,
+                  held, m);
+    m.normal = rotate(q, m.normal);
+    for (int k = 0; k < m.count; ++k) {
+        m.points[k].anchor_a = rotate(q, m.points[k].anchor_a);
+        m.points[k].anchor_b = rotate(q, m.points[k].anchor_b);
+    }
+}
+
 }  // namespace
 
 void WorldData::collide_unusual(const ContactRecord& c, float margin, bool held,
@@ -93,7 +111,10 @@ void WorldData::collide_unusual(const ContactRecord& c, float margin, bool held,
         collide_large(a, b, offset, margin, m);
         return;
     }
-    collide_mixed(PlainCopy(a).solid(), PlainCopy(b).solid(), offset, margin, held, m);
+    if (a.kind == FormKind::large || b.kind == FormKind::large)
+        collide_mixed_with_large(a, b, offset, margin, held, m);
+    else
+        collide_mixed(a, b, offset, margin, held, m);
 }
 
 }  // namespace fettle::physics::detail

@@ -1,58 +1,10 @@
 #include <collision/large_polygon.h>
 
-#include <random>
-
 #include "catch.h"
-#include "scenes.h"
+#include "twofold.h"
 
 using namespace scenes;
 using namespace fettle::physics::detail;
-
-namespace {
-
-/// A convex polygon as the narrow phase sees it, in both ways: rotated, and to be rotated.
-struct Twofold {
-    std::vector<V2> plain, plain_normals, local, local_normals;
-    std::vector<float> offsets;
-    Rotation q;
-    float radius;
-
-    Twofold(std::mt19937& random, int count, float rounding) : radius(rounding) {
-        std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), stretch(0.3f, 2.0f);
-        std::vector<Vec2> points, hull;
-        const float a = stretch(random), b = stretch(random);
-        for (int i = 0; i < count; ++i) {
-            const float t = 6.2831853f * float(i) / float(count);
-            points.push_back({0.3f + a * std::cos(t), -0.1f + b * std::sin(t)});
-        }
-        REQUIRE(convex_hull(points, hull) == HullStatus::ok);
-        REQUIRE(int(hull.size()) == count);
-        const float turn = angle(random);
-        q = {std::cos(turn), std::sin(turn)};
-        for (const Vec2& v : hull) local.push_back(to_v2(v));
-        for (size_t i = 0; i < local.size(); ++i) {
-            const V2 n = normalized(right_perp(local[(i + 1) % local.size()] - local[i]));
-            local_normals.push_back(n);
-            offsets.push_back(dot(n, local[i]));
-            plain.push_back(rotate(q, local[i]));
-            plain_normals.push_back(rotate(q, n));
-        }
-    }
-    Solid large() const {
-        const bool many = int(local.size()) > most_small_vertices;
-        if (!many) return {convex()};
-        return {{local.data(), local_normals.data(), offsets.data(), int(local.size()), radius},
-                FormKind::large,
-                q,
-                nullptr,
-                nullptr};
-    }
-    Convex convex() const {
-        return {plain.data(), plain_normals.data(), offsets.data(), int(plain.size()), radius};
-    }
-};
-
-}  // namespace
 
 TEST_CASE("the farthest vertex is found by bisection as by looking at all") {
     std::mt19937 random(3);

@@ -1,0 +1,47 @@
+#include <collision/climb.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Whether u comes before v, counted counter-clockwise from `base`.
+bool turned_less(V2 base, V2 u, V2 v) {
+    const auto half = [base](V2 w) {
+        const float k = cross(base, w);
+        return k < 0.0f || (k == 0.0f && dot(base, w) < 0.0f);
+    };
+    const bool far_u = half(u), far_v = half(v);
+    return far_u != far_v ? far_v : cross(u, v) > 0.0f;
+}
+
+}  // namespace
+
+int farthest_vertex(const Convex& polygon, V2 direction) {
+    const int n = polygon.count;
+    int vertex = 0;
+    if (n > most_small_vertices) {
+        // Vertex i is farthest for directions from the normal of edge i - 1 to that of edge i.
+        int low = 0, high = n;  // the first edge whose normal is not before the direction
+        while (low < high) {
+            const int middle = (low + high) / 2;
+            if (turned_less(polygon.normals[0], polygon.normals[middle], direction))
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        vertex = low < n ? low : 0;
+    }
+    // Rounding may have put it off by one; of a few vertices all are looked at.
+    float most = dot(direction, polygon.vertices[vertex]);
+    for (int way : {1, n - 1}) {
+        for (int i = (vertex + way) % n, left = n; left > 0; i = (i + way) % n, --left) {
+            const float d = dot(direction, polygon.vertices[i]);
+            if (d <= most && n > most_small_vertices) break;
+            if (d <= most) continue;
+            most = d;
+            vertex = i;
+        }
+    }
+    return vertex;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <collision/climb.h>
+#include <collision/solid.h>
+
+#include <vector>
+
+namespace fettle::physics::detail {
+
+/// A copy of a shape that can be turned about the center of mass of its body.
+class TurnedCopy {
+  public:
+    explicit TurnedCopy(const Solid& from) : from_(from), turned_(from) {
+        if (from.kind == FormKind::large) return;
+        vertices_ = few_vertices_;
+        normals_ = few_normals_;
+        if (from.form.count > most_small_vertices) {
+            many_.resize(2 * size_t(from.form.count));
+            vertices_ = many_.data();
+            normals_ = vertices_ + from.form.count;
+        }
+        turned_.form.vertices = vertices_;
+        turned_.form.normals = normals_;
+    }
+    TurnedCopy(const TurnedCopy&) = delete;
+    TurnedCopy& operator=(const TurnedCopy&) = delete;
+
+    /// What it is when the original is turned by this. Lasts until it is turned otherwise.
+    const Solid& by(Rotation q) {
+        const V2 x = rotate(q, {from_.rotation.c, from_.rotation.s});
+        turned_.rotation = {x.x, x.y};
+        if (from_.kind == FormKind::large) return turned_;
+        for (int i = 0; i < from_.form.count; ++i) {
+            vertices_[i] = rotate(q, from_.form.vertices[i]);
+            // A disc, which has no edges, may come without.
+            if (from_.form.normals != nullptr) normals_[i] = rotate(q, from_.form.normals[i]);
+        }
+        // Behind its center an ellipse has its radii, which do not turn.
+        if (from_.kind == FormKind::ellipse) vertices_[1] = from_.form.vertices[1];
+        return turned_;
+    }
+
+  private:
+    const Solid& from_;
+    Solid turned_;
+    V2* vertices_ = nullptr;
+    V2* normals_ = nullptr;
+    V2 few_vertices_[most_small_vertices], few_normals_[most_small_vertices];
+    std::vector<V2> many_;
+};
+
+}  // namespace fettle::physics::detail
