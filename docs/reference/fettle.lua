@@ -614,7 +614,7 @@ function fettle_World:on(event, handler) end
 ---@overload fun(members?: table): World
 World = {}
 
----Asked in the step, before a contact of the body acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. The handler cannot write anything else.
+---Asked in the step, before a contact of the body acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. Once for two shapes, however many parts of them touch. The handler cannot write anything else.
 ---@class Body.before_solve
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
@@ -806,7 +806,7 @@ function fettle_Body:on(event, handler) end
 ---@overload fun(members?: table): Body
 Body = {}
 
----Asked in the step, before a contact of the shape acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. The handler cannot write anything else.
+---Asked in the step, before a contact of the shape acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. Once for two shapes, however many parts of them touch. The handler cannot write anything else.
 ---@class Shape.before_solve
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.

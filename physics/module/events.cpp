@@ -81,7 +81,8 @@ std::vector<Event> contact_events(std::string_view of) {
          .fields = questioned_fields(),
          .doc = "Asked in the step, before a contact of the " + self +
                 " acts: its friction and restitution may be changed, and enabled false lets both "
-                "pass through each other in this step. The handler cannot write anything else."},
+                "pass through each other in this step. Once for two shapes, however many parts of "
+                "them touch. The handler cannot write anything else."},
         {.name = "contact_end",
          .fields = contact_fields(false),
          .doc = "The " + self + " stopped touching another."},

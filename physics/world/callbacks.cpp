@@ -1,7 +1,10 @@
 #include <world/arguments.h>
 #include <world/world_data.h>
 
+#include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 // What callers have to say about contacts, and what they want to hear of those that last.
 
@@ -18,42 +21,141 @@ V2 WorldData::middle_of(const ContactRecord& c) const {
     return bodies[c.body_a].center + middle;
 }
 
-/// Serially and in the order of the contacts, so that equal inputs have equal outcomes.
-void WorldData::consult_callbacks() {
-    if (!callbacks.see_contacts()) return;
-    for (const uint32_t slot : awake_contacts) {
-        ContactRecord& c = contacts[slot];
-        c.disabled = false;
-        if (c.sensor || c.manifold.count == 0) continue;
-        remix(c);  // what was changed before was for that step alone
-        const V2 point = middle_of(c);
+namespace {
+
+/// Asks about the contacts of a step: serially and in their order, so that equal inputs have equal
+/// outcomes.
+class Consultation {
+  public:
+    explicit Consultation(WorldData& world) : world_(world) {}
+
+    void mix_all() {
+        for (const uint32_t slot : world_.awake_contacts) {
+            ContactRecord& c = world_.contacts[slot];
+            c.disabled = false;
+            if (!acts(c)) continue;
+            world_.remix(c);  // what was changed before was for that step alone
+            if (!world_.callbacks.mix) continue;
+            ContactEdit edit = edit_of(c);
+            world_.callbacks.mix(edit);
+            accept(c, edit, nullptr);
+        }
+    }
+
+    /// Two shapes are one contact for who is asked, however many parts of them touch: what is said
+    /// where the first of the parts is holds for all.
+    void before_solve_all() {
+        if (!world_.callbacks.before_solve) return;
+        list_parts();
+        for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
+            const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
+            if (!acts(c)) continue;
+            const Part part = {pair_of(c), i};
+            if (!world_.of_outline(c)) {
+                ask({&part, 1});
+                continue;
+            }
+            const auto [first, last] =
+                std::equal_range(parts_.begin(), parts_.end(), part,
+                                 [](const Part& a, const Part& b) { return a.pair < b.pair; });
+            if (first->at == i) ask({first, last});
+        }
+    }
+
+  private:
+    /// A contact among the awake ones, and which two shapes it is of.
+    struct Part {
+        uint64_t pair;
+        uint32_t at;
+    };
+
+    static bool acts(const ContactRecord& c) { return !c.sensor && c.manifold.count > 0; }
+
+    uint64_t pair_of(const ContactRecord& c) const {
+        const uint32_t a = world_.named_shape(c.shape_a), b = world_.named_shape(c.shape_b);
+        return uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    }
+    void list_parts() {
+        for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
+            const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
+            if (acts(c) && world_.of_outline(c)) parts_.push_back({pair_of(c), i});
+        }
+        std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
+            return a.pair != b.pair ? a.pair < b.pair : a.at < b.at;
+        });
+    }
+    ContactRecord& record(const Part& part) {
+        return world_.contacts[world_.awake_contacts[part.at]];
+    }
+
+    ContactEdit edit_of(const ContactRecord& c) const {
+        const V2 point = world_.middle_of(c);
         ContactEdit edit;
-        edit.shape_a = {callbacks.world, shape_id(c.shape_a)};
-        edit.shape_b = {callbacks.world, shape_id(c.shape_b)};
+        edit.shape_a = {world_.callbacks.world, world_.shape_id(c.shape_a)};
+        edit.shape_b = {world_.callbacks.world, world_.shape_id(c.shape_b)};
         edit.point = to_vec2(point);
         edit.normal = to_vec2(c.manifold.normal);
-        edit.speed = approach_speed(c, point);
+        edit.speed = world_.approach_speed(c, point);
         edit.separation = infinity;
         for (int k = 0; k < c.manifold.count; ++k) {
-            edit.impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
+            edit.impulse += c.manifold.points[k].normal_impulse * float(world_.settings.substeps);
             edit.separation = min(edit.separation, c.manifold.points[k].separation);
         }
         edit.friction = c.friction;
         edit.restitution = c.restitution;
         edit.surface_speed = c.surface_speed;
-        if (callbacks.mix) callbacks.mix(edit);
-        if (callbacks.before_solve) callbacks.before_solve(edit);
-        // What has no meaning is taken as the nearest that has: a step does not throw.
-        c.friction = max(bounded(edit.friction, 1e6f), 0.0f);
-        c.restitution = clamp(bounded(edit.restitution, 1.0f), 0.0f, 1.0f);
-        c.surface_speed = bounded(edit.surface_speed, greatest_speed);
+        return edit;
+    }
+
+    /// Of several parts, only what was changed: each has been mixed for itself. What has no meaning
+    /// is taken as the nearest that has: a step does not throw.
+    static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
+        if (!before || edit.friction != before->friction)
+            c.friction = max(bounded(edit.friction, 1e6f), 0.0f);
+        if (!before || edit.restitution != before->restitution)
+            c.restitution = clamp(bounded(edit.restitution, 1.0f), 0.0f, 1.0f);
+        if (!before || edit.surface_speed != before->surface_speed)
+            c.surface_speed = bounded(edit.surface_speed, greatest_speed);
         c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
-        c.disabled = !edit.enabled;
-        if (!c.disabled) continue;
-        if (c.touching) set_touching(slot, false);
+    }
+
+    /// Told of the deepest of the parts, with the impulse of all.
+    void ask(std::span<const Part> parts) {
+        ContactEdit edit = edit_of(record(parts.front()));
+        float impulse = edit.impulse;
+        for (const Part& part : parts.subspan(1)) {
+            const ContactEdit other = edit_of(record(part));
+            impulse += other.impulse;
+            if (other.separation < edit.separation) edit = other;
+        }
+        edit.impulse = impulse;
+        const ContactEdit before = edit;
+        world_.callbacks.before_solve(edit);
+        for (const Part& part : parts) {
+            ContactRecord& c = record(part);
+            accept(c, edit, &before);
+            if (!edit.enabled) disable(c, world_.awake_contacts[part.at]);
+        }
+    }
+
+    void disable(ContactRecord& c, uint32_t slot) {
+        c.disabled = true;
+        if (c.touching) world_.set_touching(slot, false);
         for (ManifoldPoint& p : c.manifold.points) p.normal_impulse = p.tangent_impulse = 0.0f;
         c.rolling_impulse = 0.0f;
     }
+
+    WorldData& world_;
+    std::vector<Part> parts_;  ///< by pair, then in the order of the contacts
+};
+
+}  // namespace
+
+void WorldData::consult_callbacks() {
+    if (!callbacks.see_contacts()) return;
+    Consultation consultation(*this);
+    consultation.mix_all();
+    consultation.before_solve_all();
 }
 
 void WorldData::tell_persisting() {

@@ -12,8 +12,10 @@ bool WorldData::of_outline(const ContactRecord& c) const {
 }
 
 bool WorldData::same_pair(const ContactRecord& c, const ContactRecord& d) const {
-    return c.sensor == d.sensor && named_shape(c.shape_a) == named_shape(d.shape_a) &&
-           named_shape(c.shape_b) == named_shape(d.shape_b);
+    const uint32_t a = named_shape(c.shape_a), b = named_shape(c.shape_b);
+    const uint32_t e = named_shape(d.shape_a), f = named_shape(d.shape_b);
+    // Parts of two outlines are in any order.
+    return c.sensor == d.sensor && ((a == e && b == f) || (a == f && b == e));
 }
 
 /// Whether the two shapes touch in another pair of parts.

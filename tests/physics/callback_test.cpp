@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "catch.h"
 #include "scenes.h"
 
@@ -244,4 +246,130 @@ TEST_CASE("a force on a sleeping body wakes it and one on a static body is forgo
     box.apply_force({0, 120});
     world.step(frame);
     REQUIRE(box.velocity().y() > 1.0f);
+}
+
+namespace {
+
+/// A comb: a flat top over three teeth, which makes it several convex parts.
+Concave comb() {
+    return {{{-3, 0},
+             {-3, -1},
+             {-2, -1},
+             {-2, -0.3f},
+             {-0.5f, -0.3f},
+             {-0.5f, -1},
+             {0.5f, -1},
+             {0.5f, -0.3f},
+             {2, -0.3f},
+             {2, -1},
+             {3, -1},
+             {3, 0}}};
+}
+
+}  // namespace
+
+TEST_CASE("before a solve two shapes are asked about once however many parts touch") {
+    World world({.sleeping = false});
+    Body platform = world.create_body({.type = BodyType::static_body});
+    Shape top = platform.add(comb());
+    Body plank = world.create_body({.position = {0, 0.1f}});
+    Shape wood = plank.add(Box{.width = 6, .height = 0.2f});
+    Body ball = add_ball(world, {1.2f, 0.7f});
+    bool open = false;
+    int on_platform = 0, on_plank = 0;
+    float impulse = 0.0f;
+    world.set_before_solve([&](ContactEdit& contact) {
+        if (contact.shape_a == top || contact.shape_b == top) {
+            ++on_platform;
+            impulse = contact.impulse;
+            CHECK(contact.separation < 0.01f);
+            contact.enabled = !open;
+        } else {
+            ++on_plank;
+        }
+    });
+    size_t parts = 0;
+    for (int i = 0; i < 120; ++i) {
+        on_platform = on_plank = 0;
+        world.step(frame);
+        parts = std::max(parts, world.contacts().size());
+        if (i < 10) continue;
+        REQUIRE(on_platform == 1);
+        REQUIRE(on_plank == 1);
+    }
+    REQUIRE(parts > 2);
+    REQUIRE(impulse == Approx((plank.mass() + ball.mass()) * 10.0f * frame).epsilon(0.05));
+    REQUIRE(wood.is_touching());
+    // The answer is that for all of the parts.
+    open = true;
+    world.step(frame);
+    REQUIRE(world.events().contact_end.size() == 1);
+    run(world, 0.5f);
+    REQUIRE(plank.position().y() < -0.5f);
+    open = false;
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("mixing is asked for every part and what before solve leaves stays as mixed") {
+    World world({.sleeping = false});
+    Body ground = world.create_body({.type = BodyType::static_body});
+    ground.add(Chain{{{-20, 0}, {0, 0}, {20, 0}}});
+    Body plank = world.create_body({.position = {0, 0.1f}});
+    plank.add(Box{.width = 4, .height = 0.2f});
+    int mixed = 0, solved = 0;
+    world.set_mixing([&](ContactEdit& contact) {
+        ++mixed;
+        contact.friction = contact.point.x() < 0 ? 0.0f : 0.8f;
+    });
+    float all = -1.0f;
+    world.set_before_solve([&](ContactEdit& contact) {
+        ++solved;
+        if (all >= 0) contact.friction = all;
+    });
+    run(world, 0.5f);
+    mixed = solved = 0;
+    world.step(frame);
+    REQUIRE(mixed == 2);
+    REQUIRE(solved == 1);
+    const auto frictions = [&] {
+        std::vector<float> values;
+        for (const Contact& contact : plank.contacts()) values.push_back(contact.friction);
+        std::sort(values.begin(), values.end());
+        return values;
+    };
+    REQUIRE(frictions() == std::vector<float>{0.0f, 0.8f});
+    all = 0.3f;
+    world.step(frame);
+    REQUIRE(frictions() == std::vector<float>{0.3f, 0.3f});
+}
+
+TEST_CASE("two outlines of several parts touch as one whatever the order of the parts") {
+    World world({.sleeping = false});
+    Body lower = world.create_body({.type = BodyType::static_body});
+    // Of more parts than were there when the other was made: the parts of both are in any order.
+    Shape a = lower.add(Concave{{{-1, 0}, {-1, -1}, {0, -0.5f}, {1, -1}, {1, 0}}});
+    Body upper = world.create_body({.position = {0, 1.2f}});
+    Shape b = upper.add(comb());
+    world.step(frame);
+    a.set_vertices(comb().vertices);
+    int calls = 0;
+    world.set_before_solve([&](ContactEdit& contact) {
+        ++calls;
+        const bool up = contact.shape_a == a;
+        REQUIRE((up ? contact.shape_b : contact.shape_a) == b);
+        REQUIRE((up ? contact.normal.y() : -contact.normal.y()) > 0.9f);
+    });
+    size_t begun = 0, ended = 0, parts = 0;
+    for (int i = 0; i < 60; ++i) {
+        calls = 0;
+        world.step(frame);
+        parts = std::max(parts, world.contacts().size());
+        begun += world.events().contact_begin.size();
+        ended += world.events().contact_end.size();
+        REQUIRE(calls <= 1);
+    }
+    REQUIRE(calls == 1);
+    REQUIRE(parts > 2);
+    REQUIRE(begun == 1);
+    REQUIRE(ended == 0);
 }

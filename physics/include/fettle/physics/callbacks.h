@@ -18,7 +18,7 @@ namespace fettle::physics {
 struct ContactEdit {
     Shape shape_a;
     Shape shape_b;
-    Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold
+    Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold, of the deepest part
     Vec2 normal = Vec2::Zero();  ///< from a to b
     float speed = 0.0f;          ///< m/s, of approach along the normal
     float impulse = 0.0f;        ///< N s, normal, that it had in the last step
@@ -31,7 +31,12 @@ struct ContactEdit {
 
 /// Whether two shapes whose filters agree may collide.
 using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
-/// Sees every contact in every step.
+/// Sees every contact in every step. A chain or a concave polygon may touch another shape with
+/// several of its convex parts, each with a manifold of its own. Surfaces may differ from place to
+/// place: mixing is asked for each of the parts, with its point. Whether and how two shapes act on
+/// each other is one question: before-solve is asked once for both, after the mixing, and told the
+/// point, normal, speed, separation and surface of the deepest part and the impulse of all; what it
+/// writes holds for all of them, what it leaves is what each part was mixed to.
 using ContactCallback = std::function<void(ContactEdit&)>;
 
 /// What a read brings up to date: all that was edited, or what is derived of one body or shape.

@@ -138,9 +138,10 @@ class World {
     /// sleeps hears of the next two when it wakes.
     void set_filter(PairFilter filter);
     /// Mixes the surfaces of every contact in every step, after the rules have. May write friction,
-    /// restitution and surface speed.
+    /// restitution and surface speed. Asked for each part of an outline that touches.
     void set_mixing(ContactCallback mix);
-    /// Sees every contact before it is solved, and may also disable it for the step.
+    /// Sees every contact before it is solved, once for two shapes, and may also disable it for the
+    /// step.
     void set_before_solve(ContactCallback callback);
 
     /// Called before a read brings up to date what edits have left behind. When that happens is
