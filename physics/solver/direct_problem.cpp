@@ -46,11 +46,20 @@ constexpr int most_first_steps = 6, most_steps = 15, most_factorizations = 120;
 constexpr int most_rounds = 25, most_friction_rounds = 9;
 /// Of the rigidity of rows, where the way to a solution begins when it is not found at once.
 constexpr double softest = 3e-6;
-/// Velocities that rigid rows may leave, m/s: to be content, and when there is no time left.
+/// Velocities that rigid rows may leave, m/s: to be content, and when there is no time left. What
+/// changes them by less is no matter in the bounds of friction either.
 constexpr double tolerance = 1e-5, bearable = 1e-3;
-constexpr int sweeps = 40;
+/// What is worse is no better place to begin than the impulses of the pass before, m/s.
+constexpr double worst_begin = 1e-2;
+/// Sweeps, by how many rows there are, and the change of velocities that ends them, m/s.
+constexpr int first_sweeps = 20, least_sweeps = 40, most_sweeps = 200;
+constexpr size_t most_visits = 100'000;
+constexpr double settled_change = 1e-7;
 /// Of a friction bound, or a tenth of the largest: they need not be known better.
 constexpr double bound_tolerance = 3e-3;
+/// Multiplications of all problems in a step of the world, shared by their rows: a few tenths of a
+/// second. What small problems may cost in any case, and what a factorization costs a row besides.
+constexpr double most_work = 2e8, least_work = 1e6, work_of_row = 200.0;
 
 }  // namespace
 
@@ -64,6 +73,7 @@ DirectProblem::DirectProblem(std::vector<uint32_t> bodies, std::vector<uint32_t>
     }
     const auto unknowns = Eigen::Index(3 * bodies_.size());
     u_ = before_ = right_ = trial_ = Eigen::VectorXd::Zero(unknowns);
+    work_left_ = std::max(least_work, most_work * double(rows_.size()) / double(all.size()));
 }
 
 /// The shape of the matrix: a block of 3 × 3 for each body and for each two that a row joins.
@@ -110,6 +120,14 @@ void DirectProblem::add(const Line& line, double impulse, Eigen::VectorXd& to) c
         for (int k = 0; k < 3; ++k) to[3 * line.b + k] += line.on_b[k] * impulse;
 }
 
+/// What a unit impulse along a row does to its velocity, J·M⁻¹·Jᵀ.
+double DirectProblem::inverse_mass(const Line& line) {
+    const auto squared = [](const double(&on)[3]) {
+        return on[0] * on[0] + on[1] * on[1] + on[2] * on[2];
+    };
+    return (line.a >= 0 ? squared(line.on_a) : 0.0) + (line.b >= 0 ? squared(line.on_b) : 0.0);
+}
+
 double DirectProblem::wanted(size_t i, double velocity) {
     const DirectRow& r = row(i);
     if (!r.rigid) return -(r.stiffness * velocity + r.push);
@@ -144,7 +162,7 @@ void DirectProblem::take(std::span<const MassScale> scales,
         line.base = moving(solver_bodies[j.a], j.on_a) + moving(solver_bodies[j.b], j.on_b) +
                     along(line, before_);
         bound_friction(i);
-        line.memory = row(i).impulse;
+        line.best = line.memory = row(i).impulse;
     }
 }
 
@@ -261,12 +279,34 @@ double DirectProblem::step_length(const Eigen::VectorXd& direction) {
     return high;
 }
 
+/// Multiplications of a step: as many as there are pairs of entries in each column.
+double DirectProblem::work_of_factorization() const {
+    const auto& lower = factor_.matrixL().nestedExpression();
+    double work = work_of_row * double(lines_.size());
+    for (Eigen::Index i = 0; i < lower.cols(); ++i) {
+        const auto entries = double(lower.outerIndexPtr()[i + 1] - lower.outerIndexPtr()[i]);
+        work += entries * entries;
+    }
+    return work;
+}
+
+/// Factorizations that this problem may still make in a pass.
+int DirectProblem::affordable() const {
+    if (work_ == 0.0) return most_factorizations;
+    return int(std::clamp(work_left_ / work_, 0.0, double(most_factorizations)));
+}
+
 /// With the bounds as they are.
 bool DirectProblem::solve_boxed(int most) {
     for (int step = 0; step < most && budget_ > 0; ++step, --budget_) {
         assemble();
         factor_.factorize(matrix_);
         if (factor_.info() != Eigen::Success) return false;
+        if (work_ == 0.0) {
+            work_ = work_of_factorization();
+            budget_ = std::max(affordable(), 1);
+        }
+        work_left_ -= work_;
         trial_ = factor_.solve(right_);
         if (!trial_.allFinite()) return false;
         bool right = true;
@@ -298,7 +338,8 @@ bool DirectProblem::update_bounds(bool average) {
         const double old = r.high;
         const bool at_bound = std::fabs(r.impulse) >= old;
         const double off = at_bound ? std::fabs(bound - old) : std::fabs(r.impulse) - bound;
-        if (off > bound_tolerance * std::max({bound, old, 0.1 * largest})) {
+        if (off > bound_tolerance * std::max({bound, old, 0.1 * largest}) &&
+            off * inverse_mass(lines_[i]) > tolerance) {
             settled = false;
             if (average) bound = 0.5 * (bound + old);
         }
@@ -349,60 +390,73 @@ double DirectProblem::residual() {
 }
 
 bool DirectProblem::solve_exactly() {
+    least_left_ = worst_begin;
     if (bodies_.size() > most_bodies || hopeless_) return false;
     if (!analyzed_) analyze();
-    budget_ = most_factorizations;
+    budget_ = affordable();
     share_ = begin_;
     guess_states();
-    double left = infinity;
     for (int round = 0; round < most_rounds && budget_ > 0; ++round) {
         const int before = budget_;
         if (!solve_boxed(share_ == 1.0 ? most_first_steps : most_steps)) {
             if (budget_ == 0) break;
+            begin_from_sweeps();
             share_ = share_ == 1.0 ? softest : 0.1 * share_;
             begin_ = softest;  // for the rest of the step
             guess_states();
             continue;
         }
         const bool settled = update_bounds(round > 3);
-        left = residual();
+        const double left = residual();
         if (left < tolerance && (settled || round >= most_friction_rounds)) return true;
+        if (left < least_left_) {
+            least_left_ = left;
+            for (size_t i = 0; i < lines_.size(); ++i) lines_[i].best = row(i).impulse;
+        }
         for (size_t i = 0; i < lines_.size(); ++i) lines_[i].memory = row(i).impulse;
         const int steps = before - budget_;
         if (left >= tolerance)
             share_ = std::min(1.0, share_ * (steps < 3 ? 10.0 : steps < 8 ? 3.0 : 1.0));
     }
-    return left < bearable;
+    return false;
 }
 
 /// Projected Gauss-Seidel: what is left when there are too many bodies or no solution. Each row in
-/// its turn gets the impulse that (1) asks of it alone.
-void DirectProblem::sweep() {
+/// its turn gets the impulse that (1) asks of it alone. It begins with the best that was found: of
+/// a search that stopped on its way, velocities and impulses do not belong together.
+void DirectProblem::sweep(int most) {
     u_.setZero();
+    share_ = 1.0;
     for (size_t i = 0; i < lines_.size(); ++i) {
         DirectRow& r = row(i);
-        if (!std::isfinite(r.impulse)) r.impulse = 0.0;
+        r.impulse = std::isfinite(lines_[i].best) ? lines_[i].best : 0.0;
+        lines_[i].memory = 0.0;
         add(lines_[i], r.impulse, u_);
     }
-    const auto squared = [](const double(&on)[3]) {
-        return on[0] * on[0] + on[1] * on[1] + on[2] * on[2];
-    };
-    for (int pass = 0; pass < sweeps; ++pass) {
+    for (int pass = 0; pass < most; ++pass) {
+        double change = 0.0;
         for (size_t i = 0; i < lines_.size(); ++i) {
             const Line& line = lines_[i];
             DirectRow& r = row(i);
             bound_friction(i);
             const double velocity = line.base + along(line, u_);
-            const double inverse =
-                (line.a >= 0 ? squared(line.on_a) : 0.0) + (line.b >= 0 ? squared(line.on_b) : 0.0);
+            const double inverse = inverse_mass(line);
             double total =
                 r.impulse + (wanted(i, velocity) - r.impulse) / (1.0 + r.stiffness * inverse);
             total = std::min(std::max(total, r.low), r.high);
             if (!std::isfinite(total)) total = 0.0;
             add(line, total - r.impulse, u_);
+            change = std::max(change, std::fabs(total - r.impulse) * inverse);
             r.impulse = total;
         }
+        if (change < settled_change) break;
     }
+}
+
+/// Where the rows of before say little, a few sweeps tell which of them push.
+void DirectProblem::begin_from_sweeps() {
+    sweep(first_sweeps);
+    for (size_t i = 0; i < lines_.size(); ++i) lines_[i].memory = row(i).impulse;
 }
 
 bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> scales,
@@ -410,10 +464,13 @@ bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> s
     all_ = all;
     take(scales, solver_bodies, applied);
     const bool solved = solve_exactly();
-    if (!solved) sweep();
-    hopeless_ = !solved;  // for the rest of the step, which would else take a hundred times as long
+    if (!solved) {
+        // Not for the rest of the step, either, which would else take a hundred times as long.
+        hopeless_ = least_left_ > bearable;
+        sweep(std::clamp(int(most_visits / lines_.size()), least_sweeps, most_sweeps));
+    }
     give(scales, solver_bodies);
-    return solved;
+    return solved || least_left_ <= bearable;
 }
 
 }  // namespace fettle::physics::detail

@@ -32,6 +32,7 @@ class DirectProblem {
         double on_a[3], on_b[3];
         double base = 0.0;    ///< velocity before all impulses
         double memory = 0.0;  ///< impulse of the last round
+        double best = 0.0;    ///< of the round that left least, else of the pass before
         State state = State::free;
         double velocity = 0.0, ahead = 0.0;  ///< of a line search: where it begins, along its way
     };
@@ -48,9 +49,11 @@ class DirectProblem {
     void add_block(const Line& line, double stiffness);
     bool update_bounds(bool average);
     void bound_friction(size_t i);
-    void sweep();
+    void sweep(int most);
+    void begin_from_sweeps();
 
     DirectRow& row(size_t i) { return all_[rows_[i]]; }
+    static double inverse_mass(const Line& line);
     double along(const Line& line, const Eigen::VectorXd& u) const;
     void add(const Line& line, double impulse, Eigen::VectorXd& to) const;
     /// Impulse that row i wants at a velocity, and what its bounds leave of it.
@@ -58,6 +61,8 @@ class DirectProblem {
     double allowed(size_t i, double velocity);
     State next_state(size_t i, double velocity);
     double step_length(const Eigen::VectorXd& direction);
+    double work_of_factorization() const;
+    int affordable() const;
 
     std::vector<uint32_t> bodies_, rows_;
     std::vector<Line> lines_;
@@ -68,7 +73,10 @@ class DirectProblem {
     bool analyzed_ = false;
     bool hopeless_ = false;
     double share_ = 1.0, begin_ = 1.0;  ///< of the rigidity of rows: now, and to begin with
+    double work_left_ = 0.0;            ///< multiplications that it may still cost in this step
+    double work_ = 0.0;                 ///< multiplications of a factorization; 0: not known yet
     int budget_ = 0;                    ///< factorizations that may still be made
+    double least_left_ = 0.0;           ///< of all rounds of this problem: `residual`
 };
 
 }  // namespace fettle::physics::detail
