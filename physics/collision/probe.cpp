@@ -13,6 +13,17 @@ float distance_to_edge(V2 a, V2 b, V2 p) {
     return length(p - (a + t * d));
 }
 
+/// Whether a point of the line of an edge is on the edge. By as much as the point was rounded it
+/// may be beside it: what goes through a corner must not slip between two edges.
+bool is_on_edge(const Convex& shape, int edge, V2 hit, V2 p, V2 d) {
+    const V2 a = shape.vertices[edge], b = shape.vertices[edge + 1 < shape.count ? edge + 1 : 0];
+    const float size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(d.x) + std::fabs(d.y) +
+                       std::fabs(a.x) + std::fabs(a.y);
+    const float x = dot(hit - a, b - a), whole = length_squared(b - a);
+    const float slack = 5e-7f * size * std::sqrt(whole);
+    return x >= -slack && x <= whole + slack;
+}
+
 void cast_circle(V2 center, float radius, V2 p, V2 d, Probe& best) {
     if (!(radius > 0.0f)) return;
     // |p + t·d - c|² = r². Measured from the point of the line nearest to the center: no
@@ -96,12 +107,7 @@ Probe cast_segment(const Convex& shape, V2 p, V2 d) {
         if (!(speed < 0.0f)) continue;
         const float t = (shape.offsets[i] + shape.radius - dot(n, p)) / speed;
         if (t < 0.0f || t > 1.0f || t >= best.fraction) continue;
-        // On the part of the line that is the edge?
-        const V2 a = shape.vertices[i], b = shape.vertices[i + 1 < shape.count ? i + 1 : 0];
-        const V2 hit = p + t * d - shape.radius * n;
-        const float x = dot(hit - a, b - a);
-        if (x < 0.0f || x > length_squared(b - a)) continue;
-        best = {t, n};
+        if (is_on_edge(shape, i, p + t * d - shape.radius * n, p, d)) best = {t, n};
     }
     for (int i = 0; i < shape.count; ++i) cast_circle(shape.vertices[i], shape.radius, p, d, best);
     return best;
@@ -136,9 +142,7 @@ Probe cast_piece(const Piece& piece, V2 p, V2 d) {
         if (piece.is_inner(i) || !(speed < 0.0f)) continue;
         const float t = (form.offsets[i] - dot(n, p)) / speed;
         if (t < 0.0f || t > 1.0f || t >= best.fraction) continue;
-        const V2 a = form.vertices[i], b = form.vertices[i + 1 < form.count ? i + 1 : 0];
-        const float x = dot(p + t * d - a, b - a);
-        if (x >= 0.0f && x <= length_squared(b - a)) best = {t, n};
+        if (is_on_edge(form, i, p + t * d, p, d)) best = {t, n};
     }
     return best;
 }

@@ -73,6 +73,42 @@ TEST_CASE("a ray hits every kind of shape where it is") {
     REQUIRE(first_x(d) == Approx(-std::sqrt(0.25f - 0.0025f)).margin(2e-3));
 }
 
+TEST_CASE("a ray through a corner does not slip between two edges") {
+    World world({.gravity = {0, 0}});
+    std::vector<Vec2> corners, outline = {{2, -1}, {2, 1}, {0, 0.5f}, {-2, 1}, {-2, -1}};
+    for (int i = 0; i < 7; ++i)
+        corners.push_back({std::cos(0.8975979f * float(i)), std::sin(0.8975979f * float(i))});
+    std::vector<Vec2> many;
+    for (int i = 0; i < 50; ++i)
+        many.push_back({std::cos(0.12566371f * float(i)), std::sin(0.12566371f * float(i))});
+    const std::vector<Vec2> clockwise(corners.rbegin(), corners.rend());
+    int asked = 0;
+    for (const Geometry& form : {Geometry(Polygon{corners}), Geometry(Polygon{many}),
+                                 Geometry(Concave{outline}), Geometry(Chain{clockwise, true})}) {
+        for (int turn = 0; turn < 50; ++turn) {
+            Body body = world.create_body({.type = BodyType::static_body,
+                                           .position = {0.7f * float(turn), -3.0f},
+                                           .angle = float(turn)});
+            Shape shape = body.add(form);
+            std::vector<Vec2> ends = corners;
+            if (shape.type() != ShapeType::chain)
+                ends.assign(shape.vertices().begin(), shape.vertices().end());
+            for (const Vec2& corner : ends) {
+                // From outside towards the inside of it.
+                const Vec2 at = body.world_point(corner);
+                const Vec2 way = at - body.world_point({0, -0.01f});
+                for (const float far : {0.5f, 3.0f, 20.0f}) {
+                    INFO(int(shape.type()) << " " << corner.x() << " " << corner.y());
+                    CHECK(world.cast_ray(at + far * way, at - 0.3f * way));
+                    ++asked;
+                }
+            }
+            body.destroy();
+        }
+    }
+    REQUIRE(asked > 9000);
+}
+
 TEST_CASE("an AABB query finds what overlaps the box and not what only its own box does") {
     World world;
     Body diamond = world.create_body({.angle = 0.785398f});
