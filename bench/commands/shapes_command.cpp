@@ -111,7 +111,7 @@ double ray(const physics::Geometry& form) {
 double point(const physics::Geometry& form) {
     return asking(
         form, [](physics::World& world, const physics::Vec2& center, const physics::Vec2& beside) {
-            return !world.query_point(center + 0.4f * beside).empty();
+            return !world.query_point(center + 0.3f * beside).empty();
         });
 }
 double closest(const physics::Geometry& form) {

@@ -28,11 +28,12 @@
 // without a line search, cycles where contacts are redundant: in a pyramid of ten rows.)
 //
 // Where very stiff rows begin and cease to act within a hair's breadth of velocity, a Newton step
-// goes too far and the line search stops it at once. Then the problem is solved in rounds, with a
-// millionth of the rigidity first, and rows remember what they pushed: λᵢ = clamp(λ' - dᵢ·…), the
-// method of multipliers (M. Hestenes and M. Powell, 1969). Rigidity grows while that costs few
-// steps, until rigid rows leave less than 10⁻⁵ m/s. Heavy chains are solved with full rigidity in a
-// step or two; piles, where hundreds of rows are near a bound, never are.
+// goes too far and the line search stops it at once. Then a few sweeps of Gauss-Seidel show which
+// rows push, and the problem is solved in rounds, with a millionth of the rigidity first, and rows
+// remember what they pushed: λᵢ = clamp(λ' - dᵢ·…), the method of multipliers (M. Hestenes and
+// M. Powell, 1969). Rigidity grows while that costs few steps, until rigid rows leave less than
+// 10⁻⁵ m/s. Heavy chains are solved with full rigidity in a step or two; piles, where hundreds of
+// rows are near a bound, never are.
 //
 // Friction bounds follow the normal impulses from round to round, with the mean of old and new once
 // it takes long. What has not settled after ten rounds is taken as it is.
