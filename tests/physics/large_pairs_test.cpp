@@ -250,3 +250,38 @@ TEST_CASE("a polygon of four thousand vertices rolls down a chain like a disc") 
     REQUIRE(double(body.velocity().norm()) == Approx(expected).epsilon(0.01));
     REQUIRE_FALSE(world.validate());
 }
+
+TEST_CASE("what slides over a large polygon in pieces is held by all of them") {
+    // A crescent: its outer arc is cut into few pieces of many vertices.
+    std::vector<Vec2> crescent;
+    for (int i = 0; i <= 200; ++i) {
+        const float t = 3.1415927f * float(i) / 200.0f;
+        crescent.push_back({3.0f * std::cos(t), 3.0f * std::sin(t)});
+    }
+    for (int i = 40; i >= 0; --i) {
+        const float t = 3.1415927f * float(i) / 40.0f;
+        crescent.push_back({2.8f * std::cos(t), 1.5f * std::sin(t)});
+    }
+    std::vector<Vec2> wheel;
+    for (int i = 0; i < 100; ++i) {
+        const float t = 6.2831853f * float(i) / 100.0f;
+        wheel.push_back({0.3f * std::cos(t), 0.3f * std::sin(t)});
+    }
+    for (const Geometry& form : {Geometry(Polygon{wheel}), Geometry(Ellipse{0.3f, 0.29f})}) {
+        World world({.sleeping = false});
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Concave{crescent}, {.friction = 0.0f});
+        Body body = world.create_body({.position = {0.1f, 3.31f}});
+        body.add(form, {.friction = 0.0f});
+        // Down the outside, as long as it presses against it: to cos θ = 2/3 and a little before.
+        for (int i = 0; i < 300 && body.position().y() > 2.6f; ++i) {
+            world.step(frame);
+            REQUIRE(body.position().norm() > 3.1f);
+            REQUIRE(body.position().norm() < 3.4f);
+        }
+        CHECK(body.position().y() <= 2.6f);
+        const float drop = 3.3f - body.position().y();
+        INFO(form.index());
+        CHECK(body.kinetic_energy() == Approx(10.0f * body.mass() * drop).epsilon(0.05));
+    }
+}
