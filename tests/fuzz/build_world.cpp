@@ -132,7 +132,7 @@ class Builder {
         if (choose_.of(4) == 0) def.surface_speed = choose_.number();
         def.sensor = choose_.of(8) == 0;
         def.hit_events = choose_.flip();
-        switch (choose_.of(6)) {
+        switch (choose_.of(9)) {
             case 0:
                 body.add(Circle{.radius = choose_.size(), .center = choose_.place()}, def);
                 return;
@@ -155,6 +155,22 @@ class Builder {
                 body.add(Ellipse{.radius_x = wide, .radius_y = choose_.size()}, def);
                 return;
             }
+            case 4:
+                body.add(Polygon{.vertices = outline(9 + choose_.byte()),
+                                 .rounding = choose_.flip() ? choose_.size() : 0.0f},
+                         def);
+                return;
+            case 5:
+                body.add(Chain{outline(2 + choose_.of(40)), choose_.flip()}, def);
+                return;
+            case 6: {
+                // A star, if the two radii differ.
+                std::vector<Vec2> points = outline(4 + choose_.of(40));
+                const float inner = choose_.size();
+                for (std::size_t i = 0; i < points.size(); i += 2) points[i] *= inner;
+                body.add(Concave{points}, def);
+                return;
+            }
             default: {
                 Polygon polygon;
                 for (unsigned n = choose_.of(10); n > 0; --n)
@@ -163,6 +179,18 @@ class Builder {
                 body.add(polygon, def);
             }
         }
+    }
+
+    /// Points round an ellipse.
+    std::vector<Vec2> outline(unsigned count) {
+        const Vec2 center = choose_.place();
+        const float wide = choose_.size(), high = choose_.size();
+        std::vector<Vec2> points;
+        for (unsigned i = 0; i < count; ++i) {
+            const float t = 6.2831853f * static_cast<float>(i) / static_cast<float>(count);
+            points.push_back(center + Vec2(wide * std::cos(t), high * std::sin(t)));
+        }
+        return points;
     }
 
     void make_body() {
@@ -325,7 +353,7 @@ class Builder {
     }
 
     void edit_world() {
-        switch (choose_.of(8)) {
+        switch (choose_.of(10)) {
             case 0:
                 return world_.set_solver(static_cast<Solver>(choose_.of(3)));
             case 1:
@@ -343,9 +371,47 @@ class Builder {
                 world_.save(saved);
                 return world_.restore(saved);
             }
+            case 7:
+                return let_some_pass();
+            case 8:
+                return ask();
             default:
                 return world_.set_continuous(choose_.flip());
         }
+    }
+
+    /// Every so manieth contact is none.
+    void let_some_pass() {
+        const unsigned every = choose_.byte();
+        if (every == 0) return world_.set_before_solve({});
+        world_.set_before_solve([every, asked = 0u](ContactEdit& contact) mutable {
+            contact.enabled = ++asked % every != 0;
+        });
+    }
+
+    /// Questions have finite answers.
+    void ask() {
+        const Vec2 from = choose_.place(), to = choose_.place();
+        bool finite = true;
+        if (const auto hit = world_.cast_ray(from, to))
+            finite &= hit->point.allFinite() && hit->fraction >= 0.0f && hit->fraction <= 1.0f;
+        if (const auto near = world_.closest(from, choose_.size()))
+            finite &= near->point.allFinite() && std::isfinite(near->distance);
+        world_.query_point(from);
+        const auto bodies = world_.bodies();
+        if (!bodies.empty()) {
+            const auto shapes = pick(bodies).shapes(), others = pick(bodies).shapes();
+            if (!shapes.empty() && !others.empty()) {
+                const Shape shape = pick(shapes);
+                finite &= std::isfinite(distance(shape, pick(others)).distance);
+                if (const auto hit = world_.cast_shape(shape, to))
+                    finite &= hit->point.allFinite() && std::isfinite(hit->fraction);
+                world_.query_overlap(shape);
+            }
+        }
+        if (finite) return;
+        std::fputs("an answer is not finite\n", stderr);
+        std::abort();
     }
 
     void edit_joint() {
