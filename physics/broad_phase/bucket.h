@@ -14,7 +14,8 @@ struct alignas(64) BoxBucket {
     float low_x[capacity], low_y[capacity], high_x[capacity], high_y[capacity];
     uint32_t item[capacity];
     uint32_t count = 0;
-    uint32_t moved = 0;  ///< a bit for each box
+    uint32_t moved = 0;  ///< a bit for each box that moved in that epoch
+    uint32_t epoch = 0;
 
     void set(uint32_t i, const Box4& box) {
         low_x[i] = box.low.x, low_y[i] = box.low.y;

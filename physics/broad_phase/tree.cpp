@@ -41,25 +41,17 @@ void Tree::remove(int32_t leaf) {
     --leaves_;
 }
 
-void Tree::move(int32_t leaf, const Box4& box) {
-    Node& moved = nodes_[size_t(leaf)];
-    moved.box = box;
-    moved.moved = epoch_;
+void Tree::follow(int32_t leaf) {
     built_ = std::min(built_, epoch_ - 1);
     ++worn_;
     update_bucket(leaf);
-    for (int32_t i = moved.parent; i != none; i = nodes_[size_t(i)].parent) {
+    const Box4& box = nodes_[size_t(leaf)].box;
+    for (int32_t i = nodes_[size_t(leaf)].parent; i != none; i = nodes_[size_t(i)].parent) {
         Node& node = nodes_[size_t(i)];
         if (has_moved(node) && contains(node.box, box)) break;
         node.box = unite(node.box, box);
         node.moved = epoch_;
     }
-}
-
-void Tree::relocate(int32_t leaf, const Box4& box) {
-    nodes_[size_t(leaf)].box = box;
-    settled_ = false;
-    flag(leaf);
 }
 
 void Tree::touch(int32_t leaf) {
@@ -69,7 +61,6 @@ void Tree::touch(int32_t leaf) {
 
 void Tree::rest() {
     ++epoch_;
-    for (BoxBucket& bucket : buckets_) bucket.moved = 0;
 }
 
 /// What is above something that moved has moved.
@@ -220,24 +211,6 @@ void Tree::exchange(int32_t child, int32_t grandchild) {
                                       nodes_[size_t(nodes_[size_t(inner)].right)].box);
 }
 
-// --- Building anew
-
-void Tree::settle() {
-    if (settled_) return;
-    settled_ = true;
-    if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
-        return;
-    if (4 * worn_ > leaves_) built_ = 0;  // all of it, so that all leaves are in buckets again
-    drop_buckets();
-    bucket_of_.assign(nodes_.size(), -1);
-    take_apart();
-    next_vacant_ = 0;
-    root_ = build(parts_.data(), parts_.data() + parts_.size());
-    nodes_[size_t(root_)].parent = none;
-    built_ = epoch_;
-    worn_ = 0;
-}
-
 void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& parts) const {
     parts.clear();
     if (!has_pairs(other)) return;
@@ -255,104 +228,6 @@ void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& p
         open(other, pair, bucket_a, bucket_b, [&](NodePair below) { parts.push_back(below); });
     }
     parts.erase(parts.begin() + std::ptrdiff_t(bottom), parts.begin() + std::ptrdiff_t(next));
-}
-
-/// A leaf has moved since its bucket was made.
-void Tree::update_bucket(int32_t leaf) {
-    for (int32_t i = leaf; i != none && !bucket_of_.empty(); i = nodes_[size_t(i)].parent) {
-        const int32_t place = bucket_of_[size_t(i)];
-        if (place < 0) continue;
-        BoxBucket& bucket = buckets_[size_t(place)];
-        const Node& node = nodes_[size_t(leaf)];
-        const uint32_t *first = bucket.item, *last = first + bucket.count;
-        const auto slot = uint32_t(std::find(first, last, node.item()) - first);
-        bucket.set(slot, node.box);
-        bucket.moved |= uint32_t{1} << slot;
-        return;
-    }
-}
-
-void Tree::drop_buckets() {
-    bucket_of_.clear();
-    buckets_.clear();
-}
-
-/// Of parts that are all leaves.
-void Tree::make_bucket(int32_t node, const Part* begin, const Part* end) {
-    bucket_of_[size_t(node)] = int32_t(buckets_.size());
-    BoxBucket& bucket = buckets_.emplace_back();
-    for (uint32_t i = 0; i < BoxBucket::capacity; ++i) bucket.set(i, no_box);
-    for (const Part* part = begin; part != end; ++part) {
-        const Node& leaf = nodes_[size_t(part->node)];
-        bucket.set(bucket.count, leaf.box);
-        bucket.item[bucket.count] = leaf.item();
-        bucket.moved |= uint32_t{has_moved(leaf)} << bucket.count;
-        ++bucket.count;
-    }
-}
-
-/// Lists the parts that did not move, leaves at the least, and the nodes above them, which will be
-/// used again. Top down and left before right, as they will be handed out: what is near in the tree
-/// is near in memory.
-void Tree::take_apart() {
-    parts_.clear();
-    vacant_.clear();
-    Stack<int32_t> open;
-    open.push(root_);
-    while (!open.empty()) {
-        const int32_t index = open.pop();
-        const Node& node = nodes_[size_t(index)];
-        if (node.is_leaf() || node.moved <= built_) {
-            parts_.push_back({node.box.low + node.box.high, index});
-            continue;
-        }
-        vacant_.push_back(index);
-        open.push(node.right);
-        open.push(node.left);
-    }
-}
-
-int32_t Tree::build(Part* begin, Part* end, bool in_bucket) {
-    if (end - begin == 1) return begin->node;
-    const int32_t index = vacant_[next_vacant_++];
-    if (!in_bucket && end - begin <= std::ptrdiff_t(BoxBucket::capacity)) {
-        const auto is_leaf = [this](const Part& p) { return nodes_[size_t(p.node)].is_leaf(); };
-        in_bucket = std::all_of(begin, end, is_leaf);
-        if (in_bucket) make_bucket(index, begin, end);
-    }
-    Part* middle = split(begin, end);
-    const int32_t left = build(begin, middle, in_bucket), right = build(middle, end, in_bucket);
-    Node &node = nodes_[size_t(index)], &l = nodes_[size_t(left)], &r = nodes_[size_t(right)];
-    node.left = left;
-    node.right = right;
-    l.parent = r.parent = index;
-    node.box = unite(l.box, r.box);
-    node.moved = std::max(l.moved, r.moved);
-    return index;
-}
-
-/// In the middle of the longer side. Where nearly all are on one side of that, in halves by number,
-/// so that no coordinates make the tree deep.
-Tree::Part* Tree::split(Part* begin, Part* end) {
-    if (end - begin == 2) return begin + 1;
-    V2 low = begin->middle, high = begin->middle;
-    for (const Part* part = begin + 1; part != end; ++part) {
-        low = {min(low.x, part->middle.x), min(low.y, part->middle.y)};
-        high = {max(high.x, part->middle.x), max(high.y, part->middle.y)};
-    }
-    const bool along_x = high.x - low.x > high.y - low.y;
-    const float border = along_x ? 0.5f * (low.x + high.x) : 0.5f * (low.y + high.y);
-    const auto key = [along_x](const Part& part) {
-        return along_x ? part.middle.x : part.middle.y;
-    };
-    Part* middle = std::partition(begin, end, [&](const Part& part) { return key(part) < border; });
-    const std::ptrdiff_t least = 1 + (end - begin) / 16;
-    if (middle - begin < least || end - middle < least) {
-        middle = begin + (end - begin) / 2;
-        std::nth_element(begin, middle, end,
-                         [&](const Part& a, const Part& b) { return key(a) < key(b); });
-    }
-    return middle;
 }
 
 int Tree::height_of(int32_t index) const {

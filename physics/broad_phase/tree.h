@@ -3,21 +3,22 @@
 #include <broad_phase/bucket.h>
 #include <geometry/growth.h>
 #include <geometry/vector.h>
+#include <threads/pool.h>
 
 #include <bit>
-
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace fettle::physics::detail {
 
-/// A dynamic tree of boxes. What is new is inserted by the surface-area heuristic; what moves only
-/// enlarges the boxes above it, and when enough have moved the parts they are in are built anew
-/// from the top (`settle`), which costs less than to take leaves out and put them in again one by
-/// one. Pairs are found by one walk of the tree against itself, below which nothing is visited that
-/// did not move and in which up to sixteen leaves that were built anew are one bucket; or, of few
-/// that moved, by looking around each.
-/// Plain indices in one vector, so that a copy of it is a snapshot that behaves identically.
+/// A dynamic tree of boxes. What is new is inserted by the surface-area heuristic. Where few move,
+/// the boxes above them are enlarged; where many do, all of them are fitted anew (`refit`), and
+/// when they have become larger than those of a tree built anew were, it is built anew from the
+/// top. Several threads do either; the tree is the same however many. Pairs are found by one walk
+/// of the tree against itself, below which nothing is visited that did not move and in which up to
+/// sixteen leaves are one bucket; or, of few that moved, by looking around each. Plain indices in
+/// one vector, so that a copy of it is a snapshot that behaves identically.
 class Tree {
   public:
     static constexpr int32_t none = -1;
@@ -26,19 +27,30 @@ class Tree {
     int32_t insert(const Box4& box, uint32_t item);
     void remove(int32_t leaf);
     /// Replaces the box of a leaf, which has moved then. The leaf keeps its index.
-    void move(int32_t leaf, const Box4& box);
-    /// Whether so many had better be moved one by one than relocated.
+    void move(int32_t leaf, const Box4& box) {
+        place(leaf, box);
+        follow(leaf);
+    }
+    /// Half of that: before anything else, call `follow` for the leaf, or `refit`. Several threads
+    /// may place different leaves at once.
+    void place(int32_t leaf, const Box4& box) {
+        nodes_[size_t(leaf)].box = box;
+        nodes_[size_t(leaf)].moved = epoch_;
+    }
+    /// Whether so many that were placed had better be followed one by one.
     bool are_few(std::size_t leaves) const {
         return 8 * leaves <= leaves_ && 2 * (worn_ + leaves) <= leaves_;
     }
-    /// The same for many leaves: before anything else, call `settle`.
-    void relocate(int32_t leaf, const Box4& box);
+    /// Enlarges what is above a leaf that was placed.
+    void follow(int32_t leaf);
+    /// Fits everything to the leaves; builds it anew if that has become worth the while.
+    void refit(ThreadPool* threads = nullptr);
     /// Counts the leaf as moved where it is.
     void touch(int32_t leaf);
 
-    /// Builds the parts that have moved since they were built anew, if some were relocated,
-    /// inserted or removed since it last did. Leaves keep their indices.
-    void settle();
+    /// Builds the parts that have moved since they were built anew, if some leaves were inserted or
+    /// removed since it last did. Leaves keep their indices.
+    void settle(ThreadPool* threads = nullptr);
 
     /// A part of a walk: two nodes, or one of a tree against itself.
     struct NodePair {
@@ -85,12 +97,13 @@ class Tree {
     template <class Io, class Self>
     static void members(Io& io, Self& self) {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
-        io(self.settled_), io(self.built_), io(self.worn_);
+        io(self.breadth_), io(self.settled_), io(self.built_), io(self.worn_);
     }
     /// What can be made anew.
     template <class Io, class Self>
     static void scratch(Io& io, Self& self) {
-        io(self.bucket_of_), io(self.buckets_), io(self.parts_), io(self.vacant_);
+        io(self.bucket_of_), io(self.buckets_), io(self.spots_);
+        io(self.parts_), io(self.inner_), io(self.boughs_), io(self.stems_), io(self.forks_);
     }
     int height() const { return root_ == none ? 0 : height_of(root_); }
 
@@ -107,10 +120,28 @@ class Tree {
     };
     static_assert(sizeof(Node) == 32);
 
-    /// A subtree that stays as it is while what is above it is built anew.
+    /// A subtree that stays as it is while what is above it is built anew: mostly a leaf.
     struct Part {
         V2 middle;  // twice the center of its box
         int32_t node;
+    };
+    /// What so many parts from `part` on become. It needs one inner node less than it has parts:
+    /// those of the list of inner nodes from `inner` on, itself the first, what is on its left
+    /// before what is on its right. So it is known which nodes are in it before it is built.
+    struct Fork {
+        uint32_t part, count, inner;
+        uint32_t left = 0;  // how many go to the left
+    };
+    /// What one thread builds and fits: all that is below a node, or a few.
+    struct Bough {
+        Fork fork;
+        uint32_t buckets = 0, first_bucket = 0;
+        float breadth = 0.0f;
+    };
+    /// Where a bucket is.
+    struct Spot {
+        int32_t node;
+        uint32_t part, count;
     };
 
     /// What is still to visit. Trees are shallow; one made by hostile coordinates may not be.
@@ -142,8 +173,18 @@ class Tree {
     bool has_moved(const Node& node) const { return node.moved == epoch_; }
     void flag(int32_t node);
     void take_apart();
-    int32_t build(Part* begin, Part* end, bool in_bucket = false);
+    void list();
+    void list_boughs(std::span<const uint32_t> first_part, std::span<const uint32_t> count);
+    bool is_listed() const { return !boughs_.empty() && parts_.size() == leaves_; }
+    float build(ThreadPool* threads);
+    void divide(ThreadPool* threads);
+    void split_fork(Fork& fork);
+    void build_below(Fork fork, Bough& bough, bool in_bucket);
+    void add_spot(const Fork& fork, Bough& bough);
     static Part* split(Part* begin, Part* end);
+    float fit(ThreadPool* threads);
+    float fit_bough(const Bough& bough);
+    void fit_node(int32_t index);
     template <typename Push>
     void open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const;
     /// It may have.
@@ -158,13 +199,17 @@ class Tree {
         if (index >= bucket_of_.size() || bucket_of_[index] < 0) return nullptr;
         return &buckets_[size_t(bucket_of_[index])];
     }
-    void make_bucket(int32_t node, const Part* begin, const Part* end);
+    /// Which of its boxes have moved.
+    uint32_t moved_in(const BoxBucket& bucket) const {
+        return bucket.epoch == epoch_ ? bucket.moved : 0;
+    }
+    void fill_bucket(const Spot& spot, BoxBucket& bucket) const;
+    void update_bucket(int32_t leaf);
     void unsettle() {
         settled_ = false;
-        drop_buckets();
+        if (!bucket_of_.empty()) forget_build();
     }
-    void drop_buckets();
-    void update_bucket(int32_t leaf);
+    void forget_build();
     int32_t allocate();
     void release(int32_t node);
     void link_leaf(int32_t leaf);
@@ -180,17 +225,20 @@ class Tree {
     int32_t free_ = none;
     uint32_t leaves_ = 0;
     uint32_t epoch_ = 1;
-    bool settled_ = true;  ///< nothing was relocated, inserted or removed since the last building
-    uint32_t built_ = 0;   ///< the parts that moved in later epochs are due for the next building
-    uint32_t worn_ = 0;    ///< how often a leaf moved since
-    // Made by `settle`, dropped when the tree changes otherwise: without them, pairs are found one
-    // by one.
+    float breadth_ = 0.0f;  ///< of the buckets when all was built; 0: since then, parts were
+    bool settled_ = true;   ///< nothing was inserted or removed since the last building
+    uint32_t built_ = 0;    ///< the parts that moved in later epochs are due for the next building
+    uint32_t worn_ = 0;     ///< how often the boxes above a leaf were enlarged since they last fit
+    // Dropped when the tree changes by more than boxes: without them, pairs are found one by one.
     std::vector<int32_t> bucket_of_;  ///< by node; -1: none
     std::vector<BoxBucket> buckets_;
-    // Of `settle`; kept for their capacity.
+    std::vector<Spot> spots_;
+    // How the tree was built, or what is in it.
     std::vector<Part> parts_;
-    std::vector<int32_t> vacant_;
-    std::size_t next_vacant_ = 0;
+    std::vector<int32_t> inner_;  ///< top down, left before right
+    std::vector<Bough> boughs_;
+    std::vector<uint32_t> stems_;  ///< places of the inner nodes above the boughs
+    std::vector<Fork> forks_;      ///< while they are divided
 };
 
 template <typename Visit>
@@ -212,12 +260,13 @@ void Tree::query(const Box4& box, Visit&& visit) const {
 
 /// Visits the pairs of two buckets, or of one with itself.
 template <typename Visit>
-void bucket_pairs(const BoxBucket& a, const BoxBucket& b, FindOverlaps overlaps, Visit&& visit) {
+void bucket_pairs(const BoxBucket& a, uint32_t moved_a, const BoxBucket& b, uint32_t moved_b,
+                  FindOverlaps overlaps, Visit&& visit) {
     uint32_t rows[BoxBucket::capacity];
     overlaps(a, b, rows);
     for (uint32_t i = 0; i < a.count; ++i) {
         uint32_t row = rows[i];
-        if ((a.moved >> i & 1) == 0) row &= b.moved;
+        if ((moved_a >> i & 1) == 0) row &= moved_b;
         if (&a == &b) row &= ~1u << i;  // each pair once
         for (; row != 0; row &= row - 1) visit(a.item[i], b.item[std::countr_zero(row)]);
     }
@@ -255,7 +304,7 @@ void Tree::pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&
         const Node &u = nodes_[size_t(pair.a)], &v = other.nodes_[size_t(pair.b)];
         const BoxBucket *mine = bucket(pair.a), *theirs = other.bucket(pair.b);
         if (mine != nullptr && theirs != nullptr) {
-            bucket_pairs(*mine, *theirs, overlaps, visit);
+            bucket_pairs(*mine, moved_in(*mine), *theirs, other.moved_in(*theirs), overlaps, visit);
         } else if (u.is_leaf() && v.is_leaf()) {
             if (&u != &v) visit(u.item(), v.item());
         } else {
@@ -285,9 +334,10 @@ void Tree::look_around(int32_t leaf, FindOverlaps overlaps, Visit&& visit) const
         if (const BoxBucket* near = bucket(index)) {
             uint32_t row = 0;
             overlaps(alone, *near, &row);
+            const uint32_t moved = moved_in(*near);
             for (; row != 0; row &= row - 1) {
                 const int i = std::countr_zero(row);
-                const bool theirs = (near->moved >> i & 1) != 0 && near->item[i] < own.item();
+                const bool theirs = (moved >> i & 1) != 0 && near->item[i] < own.item();
                 if (near->item[i] != own.item() && !theirs) visit(near->item[i]);
             }
         } else if (!node.is_leaf()) {

@@ -94,30 +94,42 @@ float WorldData::limit_motion(const FastBody& fast) const {
     return limit;
 }
 
+/// Puts it back to where it arrived.
+void WorldData::stop_body(const FastBody& fast, FinishedPiece& piece) {
+    const float limit = limit_motion(fast);
+    if (limit >= 1.0f) return;
+    BodyRecord& record = bodies[fast.body];
+    BodyState& state = states[fast.body];
+    const float back = (1.0f - limit) * fast.turn;
+    record.center = fast.start + limit * fast.shift;
+    state.angle -= back;
+    const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
+    state.cosine = q.c;
+    state.sine = q.s;
+    state.position = to_vec2(record.center - rotate(q, record.local_center));
+    finish_shapes(fast.body, q, piece);
+}
+
+/// Only what is fixed stops it, which nobody moves meanwhile: that any thread may find out. What
+/// may meet a bullet or asks the caller has to wait.
+void WorldData::stop_or_list(const FastBody& fast, FinishedPiece& piece) {
+    if (bodies[fast.body].bullet || callbacks.filter)
+        piece.fast.push_back(fast);
+    else
+        stop_body(fast, piece);
+}
+
 void WorldData::stop_fast_bodies() {
     // Bullets last: those they may hit are where they will stay.
     for (const bool bullets : {false, true}) {
         for (const FastBody& fast : fast_bodies) {
-            BodyRecord& record = bodies[fast.body];
-            if (record.bullet != bullets) continue;
-            const float limit = limit_motion(fast);
-            if (limit >= 1.0f) continue;
-            BodyState& state = states[fast.body];
-            const float back = (1.0f - limit) * fast.turn;
-            record.center = fast.start + limit * fast.shift;
-            state.angle -= back;
-            const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
-            state.cosine = q.c;
-            state.sine = q.s;
-            state.position = to_vec2(record.center - rotate(q, record.local_center));
-            std::vector<uint32_t>& moved = finished.front().moved;
-            moved.clear();
-            finish_shapes(fast.body, q, moved);
-            for (const uint32_t shape : moved) {
-                moving_tree.move(shapes[shape].proxy, fat_boxes[shape]);
-                list_moved(shape);
-            }
-            statistics.moved_proxies += uint32_t(moved.size());
+            if (bodies[fast.body].bullet != bullets) continue;
+            FinishedPiece& piece = finished.front();
+            piece.clear();
+            stop_body(fast, piece);
+            for (const int32_t leaf : piece.placed) moving_tree.follow(leaf);
+            moved_shapes.insert(moved_shapes.end(), piece.moved.begin(), piece.moved.end());
+            statistics.moved_proxies += uint32_t(piece.placed.size());
         }
     }
 }

@@ -40,13 +40,13 @@ void WorldData::finish_body(size_t place, float dt, FinishedPiece& piece) {
     }
     const Rotation q = {state.cosine, state.sine};
     state.position = to_vec2(record.center - rotate(q, record.local_center));
-    finish_shapes(slot, q, piece.moved);
+    finish_shapes(slot, q, piece);
     // Slower ones cannot pass the reach of a speculative contact, or leave more than half of
     // them behind.
     const float near = max(0.5f * record.thickness, speculative_margin);
     if (settings.continuous && record.mobility == Mobility::dynamic &&
         length_squared(shift) > near * near) {
-        piece.fast.push_back({slot, record.center - shift, shift, turn});
+        stop_or_list({slot, record.center - shift, shift, turn}, piece);
     }
 
     const float speed =
@@ -60,40 +60,44 @@ void WorldData::finish_bodies(float dt) {
     finished.resize((count + piece_length - 1) / piece_length);
     share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
         FinishedPiece& piece = finished[begin / piece_length];
-        piece.moved.clear();
-        piece.fast.clear();
-        piece.sleep_candidates = 0;
+        piece.clear();
         for (size_t place = begin; place < end; ++place) finish_body(place, dt, piece);
     });
     sleep_candidates = 0;
     fast_bodies.clear();
-    size_t moved = 0;
-    for (const FinishedPiece& piece : finished) moved += piece.moved.size();
-    const bool few = moving_tree.are_few(moved);
-    statistics.moved_proxies += uint32_t(moved);
     for (const FinishedPiece& piece : finished) {
-        for (const uint32_t shape : piece.moved) {
-            const int32_t proxy = shapes[shape].proxy;
-            if (few)
-                moving_tree.move(proxy, fat_boxes[shape]);
-            else
-                moving_tree.relocate(proxy, fat_boxes[shape]);
-            list_moved(shape);
-        }
+        moved_shapes.insert(moved_shapes.end(), piece.moved.begin(), piece.moved.end());
         fast_bodies.insert(fast_bodies.end(), piece.fast.begin(), piece.fast.end());
         sleep_candidates += piece.sleep_candidates;
     }
-    moving_tree.settle();
+    follow_placed();
 }
 
-/// Lists in `moved` those that have left their fat boxes and have others now.
-void WorldData::finish_shapes(uint32_t body, Rotation q, std::vector<uint32_t>& moved) {
+/// The tree after the leaves that were placed in it.
+void WorldData::follow_placed() {
+    size_t placed = 0;
+    for (const FinishedPiece& piece : finished) placed += piece.placed.size();
+    statistics.moved_proxies += uint32_t(placed);
+    if (!moving_tree.are_few(placed)) {
+        moving_tree.refit(threads);
+        return;
+    }
+    for (const FinishedPiece& piece : finished)
+        for (const int32_t leaf : piece.placed) moving_tree.follow(leaf);
+}
+
+/// Lists those that have left their fat boxes and have others now.
+void WorldData::finish_shapes(uint32_t body, Rotation q, FinishedPiece& piece) {
     for (uint32_t s = bodies[body].first_shape; s != none; s = shapes[s].next) {
         if (!is_solid(s)) continue;
         place_shape(s, q);
         if (contains(fat_boxes[s], grow(boxes[s], speculative_margin))) continue;
         fat_boxes[s] = grow(boxes[s], fat_margin(s));
-        moved.push_back(s);
+        moving_tree.place(shapes[s].proxy, fat_boxes[s]);
+        piece.placed.push_back(shapes[s].proxy);
+        if (shapes[s].moved) continue;
+        shapes[s].moved = true;
+        piece.moved.push_back(s);
     }
 }
 

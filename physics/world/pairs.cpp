@@ -11,6 +11,8 @@ namespace {
 
 /// Moved shapes that a thread takes at a time, and parts that a walk is shared out in.
 constexpr size_t shapes_at_a_time = 32, walk_parts = 64;
+/// Of those that are only marked.
+constexpr size_t marks_at_a_time = 512;
 
 }  // namespace
 
@@ -86,8 +88,8 @@ void WorldData::find_pairs() {
     relocated.resize(shapes.size(), 0);
     if (moved_shapes.empty()) return;
     new_pairs.clear();
-    moving_tree.settle();
-    fixed_tree.settle();
+    moving_tree.settle(threads);
+    fixed_tree.settle(threads);
     if (4 * moved_shapes.size() < moving_tree.size())
         look_around_moved();
     else
@@ -95,18 +97,20 @@ void WorldData::find_pairs() {
     if (settings.bounds) look_at_border();
     // In the order of the shapes, whatever that of the trees.
     std::sort(new_pairs.begin(), new_pairs.end());
-    // A slot is listed twice when what moved in it was destroyed and another came: it is seen
-    // twice. So is a pair of which one is fixed, if both moved.
+    // A pair of which one is fixed is seen twice, if both moved.
     new_pairs.erase(std::unique(new_pairs.begin(), new_pairs.end()), new_pairs.end());
     for (const uint64_t pair : new_pairs) {
         const auto a = uint32_t(pair), b = uint32_t(pair >> 32);
         if (callback_agrees(a, b)) create_contact(a, b);
     }
-    for (const uint32_t shape : moved_shapes) {
-        shapes[shape].moved = false;
-        relocated[shape] = 1;
-        paired_boxes[shape] = fat_boxes[shape];
-    }
+    share_out_range(threads, moved_shapes.size(), marks_at_a_time, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t shape = moved_shapes[i];
+            shapes[shape].moved = false;
+            relocated[shape] = 1;
+            paired_boxes[shape] = fat_boxes[shape];
+        }
+    });
     moving_tree.rest();
     fixed_tree.rest();
 }

@@ -163,7 +163,9 @@ uint32_t WorldData::new_shape() {
     uint32_t slot = free_shape;
     if (slot != none) {
         free_shape = shapes[slot].next;
+        const bool listed = shapes[slot].moved;
         shapes[slot] = {};
+        shapes[slot].moved = listed;
         forms[slot] = {};
     } else {
         slot = uint32_t(shapes.size());
@@ -254,7 +256,9 @@ void WorldData::destroy_shape(uint32_t shape) {
     if (forms[shape].body != none) detach_shape(shape);
     if (shapes[shape].owner == none) --shape_count;
     pool.release(forms[shape].begin, shapes[shape].capacity);
+    const bool listed = shapes[shape].moved;
     shapes[shape] = {};
+    shapes[shape].moved = listed;  // once is enough, whoever comes into the slot
     forms[shape] = {};
     shapes[shape].next = free_shape;
     free_shape = shape;

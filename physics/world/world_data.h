@@ -48,13 +48,20 @@ inline constexpr size_t contacts_ahead = 12;
 
 /// What is to do for some bodies that have moved.
 struct FinishedPiece {
-    std::vector<uint32_t> moved;  ///< shapes that left their fat boxes
+    std::vector<int32_t> placed;  ///< leaves of the shapes that left their fat boxes
+    std::vector<uint32_t> moved;  ///< those of the shapes that were not yet listed as moved
     std::vector<FastBody> fast;
     uint32_t sleep_candidates = 0;
 
+    void clear() {
+        placed.clear();
+        moved.clear();
+        fast.clear();
+        sleep_candidates = 0;
+    }
     template <class Io, class Self>
     static void scratch(Io& io, Self& self) {
-        io(self.moved), io(self.fast);
+        io(self.placed), io(self.moved), io(self.fast);
     }
 };
 
@@ -422,9 +429,12 @@ struct WorldData : Columns {
     // finish.cpp
     void finish_bodies(float dt);
     void finish_body(size_t place, float dt, FinishedPiece& piece);
-    void finish_shapes(uint32_t body, Rotation q, std::vector<uint32_t>& moved);
+    void finish_shapes(uint32_t body, Rotation q, FinishedPiece& piece);
+    void follow_placed();
     // continuous.cpp
     void stop_fast_bodies();
+    void stop_or_list(const FastBody& fast, FinishedPiece& piece);
+    void stop_body(const FastBody& fast, FinishedPiece& piece);
     float limit_motion(const FastBody& fast) const;
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;

@@ -102,9 +102,9 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
                     if (random() % 3 != 0) continue;
                     leaf.box = random_box();
                     leaf.moved = true;
-                    tree.relocate(leaf.node, leaf.box);
+                    tree.place(leaf.node, leaf.box);
                 }
-                tree.settle();
+                tree.refit();
                 REQUIRE(tree.is_consistent());
             }
             const bool same = round % 4 == 0;  // nothing comes or goes: buckets are kept
