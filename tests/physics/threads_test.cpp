@@ -189,3 +189,41 @@ TEST_CASE("the number of threads is live and no part of what is copied or restor
     REQUIRE_THROWS_AS(world.set_threads(65), std::invalid_argument);
     REQUIRE(world.threads() == 3);
 }
+
+TEST_CASE(
+    "bodies that come and go and race against walls end the same on one thread and two and four") {
+    const auto run = [](int threads, bool filtered) {
+        World world;
+        floor_of(world);
+        world.set_threads(threads);
+        if (filtered) world.set_filter([](const Shape&, const Shape&) { return true; });
+        for (int i = 0; i < 40; ++i) {
+            world.create_body({.type = BodyType::static_body, .position = {7.0f * float(i), 4}})
+                .add(Box{.width = 0.05f, .height = 8});
+        }
+        std::vector<Body> bodies;
+        std::vector<uint64_t> hashes;
+        for (int step = 0; step < 90; ++step) {
+            for (int i = 0; i < 30; ++i) {
+                const Vec2 at = {1.0f + 0.6f * float(i) + 7.0f * float(step % 30), 3};
+                const Vec2 velocity = {i % 3 == 0 ? 150.0f : -20.0f, 0.1f * float(i)};
+                bodies.push_back(world.create_body(
+                    {.position = at, .velocity = velocity, .bullet = i % 7 == 0}));
+                bodies.back().add(Box{.width = 0.4f, .height = 0.4f});
+                if (step < 20 || i % 2 == 0) continue;
+                const size_t old = size_t(step * 31 + i * 17) % bodies.size();
+                bodies[old].destroy();
+                bodies.erase(bodies.begin() + std::ptrdiff_t(old));
+            }
+            world.step(frame);
+            hashes.push_back(world.hash());
+        }
+        REQUIRE_FALSE(world.validate());
+        for (const Body& body : bodies) REQUIRE(body.position().x() < 400.0f);
+        return hashes;
+    };
+    const auto one = run(1, false);
+    REQUIRE(run(2, false) == one);
+    REQUIRE(run(4, false) == one);
+    REQUIRE(run(4, true) == one);
+}
