@@ -21,6 +21,10 @@ class PairSet {
         }
     }
 
+    void prefetch(uint32_t a, uint32_t b) const {
+        if (!slots_.empty()) __builtin_prefetch(&slots_[home(pair_of(a, b))], 1);
+    }
+
     /// The pair must not be in the set.
     void insert(uint32_t a, uint32_t b, uint32_t contact) {
         if (!has_room(count_ + 1)) enlarge();

@@ -212,12 +212,12 @@ void Tree::exchange(int32_t child, int32_t grandchild) {
 }
 
 void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& parts) const {
-    parts.clear();
     if (!has_pairs(other)) return;
+    const size_t begin = parts.size();
     parts.push_back({root_, other.root_});
     // The oldest first: level by level. What is at the bottom stays, in the place of one opened.
-    size_t next = 0, bottom = 0;
-    for (; next < parts.size() && parts.size() - next + bottom < enough; ++next) {
+    size_t next = begin, bottom = begin;
+    for (; next < parts.size() && parts.size() - next + bottom - begin < enough; ++next) {
         const NodePair pair = parts[next];
         const bool bucket_a = bucket(pair.a) != nullptr, bucket_b = other.bucket(pair.b) != nullptr;
         const bool leaves = nodes_[size_t(pair.a)].is_leaf() && other.is_leaf(pair.b);

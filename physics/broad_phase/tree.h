@@ -39,7 +39,7 @@ class Tree {
     }
     /// Whether so many that were placed had better be followed one by one.
     bool are_few(std::size_t leaves) const {
-        return 8 * leaves <= leaves_ && 2 * (worn_ + leaves) <= leaves_;
+        return 16 * leaves <= leaves_ && 2 * (worn_ + leaves) <= leaves_;
     }
     /// Enlarges what is above a leaf that was placed.
     void follow(int32_t leaf);
@@ -60,8 +60,8 @@ class Tree {
     /// any two if that is this one too, that overlap and of which one has moved.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
-    /// Parts of that walk, about `enough` if there is so much to do, which can be made in any
-    /// order.
+    /// Appends parts of that walk, about `enough` if there is so much to do, which can be made in
+    /// any order.
     void begin_walk(const Tree& other, std::size_t enough, std::vector<NodePair>& parts) const;
     template <typename Visit>
     void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;

@@ -10,9 +10,11 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Moved shapes that a thread takes at a time, and parts that a walk is shared out in.
-constexpr size_t shapes_at_a_time = 32, walk_parts = 64;
+constexpr size_t shapes_at_a_time = 16, walk_parts = 64;
 /// Of those that are only marked.
 constexpr size_t marks_at_a_time = 512;
+/// Far enough that what a pair needs is there when its turn comes.
+constexpr size_t pairs_ahead = 6;
 
 }  // namespace
 
@@ -62,15 +64,19 @@ void WorldData::look_around_moved() {
     });
 }
 
+/// The moving one against itself and against the fixed one, in one round.
 void WorldData::walk_trees() {
     const FindOverlaps overlaps = wide_kernels(most_lanes).overlaps;
-    for (const Tree* other : {&moving_tree, &fixed_tree}) {
-        moving_tree.begin_walk(*other, threads != nullptr ? walk_parts : 1, parts_of_walk);
-        look_in_pieces(parts_of_walk.size(), [&](size_t piece, std::vector<uint64_t>& found) {
-            const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
-            moving_tree.pairs(*other, parts_of_walk[piece], overlaps, look);
-        });
-    }
+    const size_t enough = threads != nullptr ? walk_parts : 1;
+    parts_of_walk.clear();
+    moving_tree.begin_walk(moving_tree, enough, parts_of_walk);
+    const size_t own = parts_of_walk.size();
+    moving_tree.begin_walk(fixed_tree, enough, parts_of_walk);
+    look_in_pieces(parts_of_walk.size(), [&](size_t piece, std::vector<uint64_t>& found) {
+        const Tree& other = piece < own ? moving_tree : fixed_tree;
+        const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
+        moving_tree.pairs(other, parts_of_walk[piece], overlaps, look);
+    });
 }
 
 /// The border is in no tree.
@@ -81,6 +87,47 @@ void WorldData::look_at_border() {
         for (uint32_t side = 0; side < 4; ++side) {
             if (overlap(fat_boxes[shape], fat_boxes[side])) look_at_pair(shape, side, new_pairs);
         }
+    }
+}
+
+/// In the order of the shapes, whatever that of the trees.
+void WorldData::order_pairs() {
+    std::sort(new_pairs.begin(), new_pairs.end());
+    // A pair of which one is fixed is seen twice, if both moved.
+    new_pairs.erase(std::unique(new_pairs.begin(), new_pairs.end()), new_pairs.end());
+    if (!callbacks.filter) return;
+    std::erase_if(new_pairs, [&](uint64_t pair) {
+        return !callback_agrees(uint32_t(pair), uint32_t(pair >> 32));
+    });
+}
+
+/// What is made of a pair is anywhere in memory: asked for some pairs before its turn.
+void WorldData::prefetch_pair(uint64_t pair) const {
+    const auto a = uint32_t(pair), b = uint32_t(pair >> 32);
+    for (const uint32_t shape : {a, b}) {
+        __builtin_prefetch(&shapes[shape]);
+        __builtin_prefetch(&bodies[forms[shape].body].first_contact, 1);
+    }
+    pairs.prefetch(a, b);
+}
+
+void WorldData::create_contacts() {
+    for (size_t i = 0; i < new_pairs.size(); ++i) {
+        if (i + pairs_ahead < new_pairs.size()) prefetch_pair(new_pairs[i + pairs_ahead]);
+        create_contact(uint32_t(new_pairs[i]), uint32_t(new_pairs[i] >> 32));
+        if (free_contact == none) continue;
+        contacts[free_contact].prefetch();
+        __builtin_prefetch(&contact_links[free_contact], 1);
+    }
+}
+
+/// All pairs are known now that the fat boxes of some of the moved shapes make.
+void WorldData::mark_paired(size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+        const uint32_t shape = moved_shapes[i];
+        shapes[shape].moved = false;
+        relocated[shape] = 1;
+        paired_boxes[shape] = fat_boxes[shape];
     }
 }
 
@@ -95,22 +142,17 @@ void WorldData::find_pairs() {
     else
         walk_trees();
     if (settings.bounds) look_at_border();
-    // In the order of the shapes, whatever that of the trees.
-    std::sort(new_pairs.begin(), new_pairs.end());
-    // A pair of which one is fixed is seen twice, if both moved.
-    new_pairs.erase(std::unique(new_pairs.begin(), new_pairs.end()), new_pairs.end());
-    for (const uint64_t pair : new_pairs) {
-        const auto a = uint32_t(pair), b = uint32_t(pair >> 32);
-        if (callback_agrees(a, b)) create_contact(a, b);
-    }
-    share_out_range(threads, moved_shapes.size(), marks_at_a_time, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const uint32_t shape = moved_shapes[i];
-            shapes[shape].moved = false;
-            relocated[shape] = 1;
-            paired_boxes[shape] = fat_boxes[shape];
-        }
-    });
+    order_pairs();
+    // Contacts are made one after the other; who is free meanwhile does the rest.
+    const size_t moved = moved_shapes.size();
+    share_out(threads, uint32_t(1 + (moved + marks_at_a_time - 1) / marks_at_a_time),
+              [&](uint32_t piece) {
+                  const size_t end = piece * marks_at_a_time;
+                  if (piece == 0)
+                      create_contacts();
+                  else
+                      mark_paired(end - marks_at_a_time, std::min(end, moved));
+              });
     moving_tree.rest();
     fixed_tree.rest();
 }

@@ -351,6 +351,10 @@ struct WorldData : Columns {
     void look_around_moved();
     void walk_trees();
     void look_at_border();
+    void order_pairs();
+    void prefetch_pair(uint64_t pair) const;
+    void create_contacts();
+    void mark_paired(size_t begin, size_t end);
     // contacts.cpp: pairs and manifolds
     bool filters_agree(uint32_t shape_a, uint32_t shape_b) const;
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const;

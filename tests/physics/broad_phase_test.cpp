@@ -156,12 +156,14 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         std::vector<Tree::NodePair> parts;
         for (const size_t enough : {2, 7, 1000}) {
             own.clear(), cross.clear();
+            parts.clear();
             trees[0].begin_walk(trees[0], enough, parts);
             for (const auto part : parts) {
                 trees[0].pairs(trees[0], part, overlaps, [&](uint32_t a, uint32_t b) {
                     REQUIRE(own.insert({std::min(a, b), std::max(a, b)}).second);
                 });
             }
+            parts.clear();
             trees[0].begin_walk(trees[1], enough, parts);
             for (const auto part : parts) {
                 trees[0].pairs(trees[1], part, overlaps, [&](uint32_t a, uint32_t b) {
