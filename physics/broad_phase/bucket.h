@@ -8,14 +8,10 @@
 
 namespace fettle::physics::detail {
 
-struct alignas(64) BoxBucket {
+struct alignas(64) BucketBoxes {
     static constexpr uint32_t capacity = 16;
 
     float low_x[capacity], low_y[capacity], high_x[capacity], high_y[capacity];
-    uint32_t item[capacity];
-    uint32_t count = 0;
-    uint32_t moved = 0;  ///< a bit for each box that moved in that epoch
-    uint32_t epoch = 0;
 
     void set(uint32_t i, const Box4& box) {
         low_x[i] = box.low.x, low_y[i] = box.low.y;
@@ -23,8 +19,20 @@ struct alignas(64) BoxBucket {
     }
 };
 
-/// Writes for each box of a which of b overlap it, a bit each. Boxes beyond the count of b are
-/// `no_box`.
-using FindOverlaps = void (*)(const BoxBucket& a, const BoxBucket& b, uint32_t* rows);
+struct BoxBucket {
+    static constexpr uint32_t capacity = BucketBoxes::capacity;
+
+    BucketBoxes now;
+    BucketBoxes before;  ///< of that epoch: as they were when all their pairs were known
+    uint32_t item[capacity];
+    uint32_t count = 0;
+    uint32_t moved = 0;  ///< a bit for each box that moved in that epoch
+    uint32_t epoch = 0;
+};
+
+/// Writes for each of the first boxes of a which of b overlap it, a bit each. Boxes beyond the
+/// count of b are `no_box`.
+using FindOverlaps = void (*)(const BucketBoxes& a, uint32_t count, const BucketBoxes& b,
+                              uint32_t* rows);
 
 }  // namespace fettle::physics::detail

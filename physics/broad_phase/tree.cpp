@@ -44,7 +44,7 @@ void Tree::remove(int32_t leaf) {
 void Tree::follow(int32_t leaf) {
     built_ = std::min(built_, epoch_ - 1);
     ++worn_;
-    update_bucket(leaf);
+    update_bucket(leaf, false);
     const Box4& box = nodes_[size_t(leaf)].box;
     for (int32_t i = nodes_[size_t(leaf)].parent; i != none; i = nodes_[size_t(i)].parent) {
         Node& node = nodes_[size_t(i)];
@@ -56,7 +56,7 @@ void Tree::follow(int32_t leaf) {
 
 void Tree::touch(int32_t leaf) {
     flag(leaf);
-    update_bucket(leaf);
+    update_bucket(leaf, true);
 }
 
 void Tree::rest() {

@@ -43,21 +43,24 @@ class Tree {
     }
     /// Enlarges what is above a leaf that was placed.
     void follow(int32_t leaf);
-    /// Fits everything to the leaves; builds it anew if that has become worth the while.
-    void refit(ThreadPool* threads = nullptr);
-    /// Counts the leaf as moved where it is.
+    /// Fits everything to the leaves; builds it anew if that has become worth the while. `before`:
+    /// see `settle`.
+    void refit(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
+    /// Counts the leaf as moved where it is, and none of its pairs as known.
     void touch(int32_t leaf);
 
     /// Builds the parts that have moved since they were built anew, if some leaves were inserted or
-    /// removed since it last did. Leaves keep their indices.
-    void settle(ThreadPool* threads = nullptr);
+    /// removed since it last did. Leaves keep their indices. `before`: of each item, its box when
+    /// `rest` was called, or no box if there was none or it has been touched since.
+    void settle(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
 
     /// A part of a walk: two nodes, or one of a tree against itself.
     struct NodePair {
         int32_t a, b;
     };
     /// Calls `visit(item, item)` for every two leaves, one of this tree and one of the other, or
-    /// any two if that is this one too, that overlap and of which one has moved.
+    /// any two if that is this one too, that overlap and of which one has moved. Of those that
+    /// overlapped when nothing had moved it leaves out most.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
     /// Appends parts of that walk, about `enough` if there is so much to do, which can be made in
@@ -65,11 +68,11 @@ class Tree {
     void begin_walk(const Tree& other, std::size_t enough, std::vector<NodePair>& parts) const;
     template <typename Visit>
     void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;
-    /// Calls `visit(item)` for the other leaves that overlap one that has moved. Asked for each
-    /// that has, every pair is found once.
+    /// Calls `visit(item)` for the other leaves that overlap one that has moved; `before`: its box
+    /// then. Asked for each that has, every pair is found once.
     template <typename Visit>
-    void look_around(int32_t leaf, FindOverlaps overlaps, Visit&& visit) const;
-    /// From here on nothing has moved.
+    void look_around(int32_t leaf, const Box4& before, FindOverlaps overlaps, Visit&& visit) const;
+    /// From here on nothing has moved and all pairs are known.
     void rest();
 
     const Box4& box(int32_t node) const { return nodes_[size_t(node)].box; }
@@ -176,14 +179,14 @@ class Tree {
     void list();
     void list_boughs(std::span<const uint32_t> first_part, std::span<const uint32_t> count);
     bool is_listed() const { return !boughs_.empty() && parts_.size() == leaves_; }
-    float build(ThreadPool* threads);
+    float build(ThreadPool* threads, std::span<const Box4> before);
     void divide(ThreadPool* threads);
     void split_fork(Fork& fork);
     void build_below(Fork fork, Bough& bough, bool in_bucket);
     void add_spot(const Fork& fork, Bough& bough);
     static Part* split(Part* begin, Part* end);
-    float fit(ThreadPool* threads);
-    float fit_bough(const Bough& bough);
+    float fit(ThreadPool* threads, std::span<const Box4> before);
+    float fit_bough(const Bough& bough, std::span<const Box4> before);
     void fit_node(int32_t index);
     template <typename Push>
     void open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const;
@@ -203,8 +206,15 @@ class Tree {
     uint32_t moved_in(const BoxBucket& bucket) const {
         return bucket.epoch == epoch_ ? bucket.moved : 0;
     }
-    void fill_bucket(const Spot& spot, BoxBucket& bucket) const;
-    void update_bucket(int32_t leaf);
+    /// As they were when all their pairs were known.
+    const BucketBoxes& before(const BoxBucket& bucket) const {
+        return bucket.epoch == epoch_ ? bucket.before : bucket.now;
+    }
+    void fill_bucket(const Spot& spot, BoxBucket& bucket, std::span<const Box4> before) const;
+    void update_bucket(int32_t leaf, bool forget_pairs);
+    template <typename Visit>
+    void pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBucket& b,
+                          FindOverlaps overlaps, Visit&& visit) const;
     void unsettle() {
         settled_ = false;
         if (!bucket_of_.empty()) forget_build();
@@ -258,17 +268,23 @@ void Tree::query(const Box4& box, Visit&& visit) const {
     }
 }
 
-/// Visits the pairs of two buckets, or of one with itself.
+/// Visits the new pairs of two buckets, or of one with itself.
 template <typename Visit>
-void bucket_pairs(const BoxBucket& a, uint32_t moved_a, const BoxBucket& b, uint32_t moved_b,
-                  FindOverlaps overlaps, Visit&& visit) {
-    uint32_t rows[BoxBucket::capacity];
-    overlaps(a, b, rows);
+void Tree::pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBucket& b,
+                            FindOverlaps overlaps, Visit&& visit) const {
+    uint32_t rows[BoxBucket::capacity], known[BoxBucket::capacity], any = 0;
+    overlaps(a.now, a.count, b.now, rows);
+    const uint32_t moved_a = moved_in(a), moved_b = other.moved_in(b);
     for (uint32_t i = 0; i < a.count; ++i) {
-        uint32_t row = rows[i];
-        if ((moved_a >> i & 1) == 0) row &= moved_b;
-        if (&a == &b) row &= ~1u << i;  // each pair once
-        for (; row != 0; row &= row - 1) visit(a.item[i], b.item[std::countr_zero(row)]);
+        if ((moved_a >> i & 1) == 0) rows[i] &= moved_b;
+        if (&a == &b) rows[i] &= ~1u << i;  // each pair once
+        any |= rows[i];
+    }
+    if (any == 0) return;
+    overlaps(before(a), a.count, other.before(b), known);
+    for (uint32_t i = 0; i < a.count; ++i) {
+        for (uint32_t row = rows[i] & ~known[i]; row != 0; row &= row - 1)
+            visit(a.item[i], b.item[std::countr_zero(row)]);
     }
 }
 
@@ -304,7 +320,7 @@ void Tree::pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&
         const Node &u = nodes_[size_t(pair.a)], &v = other.nodes_[size_t(pair.b)];
         const BoxBucket *mine = bucket(pair.a), *theirs = other.bucket(pair.b);
         if (mine != nullptr && theirs != nullptr) {
-            bucket_pairs(*mine, moved_in(*mine), *theirs, other.moved_in(*theirs), overlaps, visit);
+            pairs_of_buckets(*mine, other, *theirs, overlaps, visit);
         } else if (u.is_leaf() && v.is_leaf()) {
             if (&u != &v) visit(u.item(), v.item());
         } else {
@@ -320,11 +336,12 @@ void Tree::pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const 
 }
 
 template <typename Visit>
-void Tree::look_around(int32_t leaf, FindOverlaps overlaps, Visit&& visit) const {
+void Tree::look_around(int32_t leaf, const Box4& before, FindOverlaps overlaps,
+                       Visit&& visit) const {
     const Node& own = nodes_[size_t(leaf)];
-    BoxBucket alone;
+    BucketBoxes alone, once;
     alone.set(0, own.box);
-    alone.count = 1;
+    once.set(0, before);
     Stack<int32_t> stack;
     stack.push(root_);
     while (!stack.empty()) {
@@ -332,10 +349,11 @@ void Tree::look_around(int32_t leaf, FindOverlaps overlaps, Visit&& visit) const
         const Node& node = nodes_[size_t(index)];
         if (!overlap(node.box, own.box)) continue;
         if (const BoxBucket* near = bucket(index)) {
-            uint32_t row = 0;
-            overlaps(alone, *near, &row);
+            uint32_t row = 0, known = 0;
+            overlaps(alone, 1, near->now, &row);
+            overlaps(once, 1, this->before(*near), &known);
             const uint32_t moved = moved_in(*near);
-            for (; row != 0; row &= row - 1) {
+            for (row &= ~known; row != 0; row &= row - 1) {
                 const int i = std::countr_zero(row);
                 const bool theirs = (moved >> i & 1) != 0 && near->item[i] < own.item();
                 if (near->item[i] != own.item() && !theirs) visit(near->item[i]);

@@ -23,31 +23,31 @@ constexpr float greatest_wear = 1.1f;
 
 }  // namespace
 
-void Tree::refit(ThreadPool* threads) {
+void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     built_ = std::min(built_, epoch_ - 1);
     worn_ = 0;
     if (root_ == none || nodes_[size_t(root_)].is_leaf()) return;
     if (!is_listed()) list();
-    if (fit(threads) <= greatest_wear * breadth_) return;
+    if (fit(threads, before) <= greatest_wear * breadth_) return;
     share_out_range(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Box4& box = nodes_[size_t(parts_[i].node)].box;
             parts_[i].middle = box.low + box.high;
         }
     });
-    breadth_ = build(threads);
+    breadth_ = build(threads, before);
     settled_ = true;
     built_ = epoch_;
 }
 
-void Tree::settle(ThreadPool* threads) {
+void Tree::settle(ThreadPool* threads, std::span<const Box4> before) {
     if (settled_) return;
     settled_ = true;
     if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
         return;
     if (4 * worn_ > leaves_) built_ = 0;  // all of it, so that all leaves are in buckets again
     take_apart();
-    const float breadth = build(threads);
+    const float breadth = build(threads, before);
     breadth_ = is_listed() ? breadth : 0.0f;
     built_ = epoch_;
     worn_ = 0;
@@ -140,7 +140,7 @@ void Tree::list_boughs(std::span<const uint32_t> first_part, std::span<const uin
 // --- Building
 
 /// Of the parts. Returns how broad the buckets are.
-float Tree::build(ThreadPool* threads) {
+float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
     bucket_of_.assign(nodes_.size(), -1);
     spots_.resize(parts_.size() / 2 + 1);
     root_ = parts_.size() == 1 ? parts_.front().node : inner_.front();
@@ -154,7 +154,7 @@ float Tree::build(ThreadPool* threads) {
         count += bough.buckets;
     }
     buckets_.resize(count);
-    return fit(threads);
+    return fit(threads, before);
 }
 
 /// Divides the parts until they make boughs. A level at a time: what is on it is shared out.
@@ -248,16 +248,16 @@ Tree::Part* Tree::split(Part* begin, Part* end) {
 
 /// Fits all that is listed, and fills the buckets. Returns how broad those are: the sum of their
 /// perimeters.
-float Tree::fit(ThreadPool* threads) {
+float Tree::fit(ThreadPool* threads, std::span<const Box4> before) {
     share_out(threads, uint32_t(boughs_.size()),
-              [&](uint32_t i) { boughs_[i].breadth = fit_bough(boughs_[i]); });
+              [&](uint32_t i) { boughs_[i].breadth = fit_bough(boughs_[i], before); });
     for (size_t i = stems_.size(); i-- > 0;) fit_node(inner_[stems_[i]]);
     float breadth = 0.0f;
     for (const Bough& bough : boughs_) breadth += bough.breadth;
     return breadth;
 }
 
-float Tree::fit_bough(const Bough& bough) {
+float Tree::fit_bough(const Bough& bough, std::span<const Box4> before) {
     const uint32_t begin = bough.fork.inner;
     for (uint32_t i = begin + bough.fork.count - 1; i-- > begin;) fit_node(inner_[i]);
     float breadth = 0.0f;
@@ -265,7 +265,7 @@ float Tree::fit_bough(const Bough& bough) {
         const Spot& spot = spots_[bough.fork.part / 2 + i];
         const uint32_t place = bough.first_bucket + i;
         bucket_of_[size_t(spot.node)] = int32_t(place);
-        fill_bucket(spot, buckets_[place]);
+        fill_bucket(spot, buckets_[place], before);
         breadth += perimeter(nodes_[size_t(spot.node)].box);
     }
     return breadth;
@@ -279,31 +279,40 @@ void Tree::fit_node(int32_t index) {
     node.moved = std::max(left.moved, right.moved);
 }
 
-void Tree::fill_bucket(const Spot& spot, BoxBucket& bucket) const {
+void Tree::fill_bucket(const Spot& spot, BoxBucket& bucket, std::span<const Box4> before) const {
     bucket.count = spot.count;
     bucket.epoch = epoch_;
     bucket.moved = 0;
     for (uint32_t i = 0; i < spot.count; ++i) {
         const Node& leaf = nodes_[size_t(parts_[spot.part + i].node)];
-        bucket.set(i, leaf.box);
+        bucket.now.set(i, leaf.box);
+        bucket.before.set(i, leaf.item() < before.size() ? before[leaf.item()] : no_box);
         bucket.item[i] = leaf.item();
         bucket.moved |= uint32_t{has_moved(leaf)} << i;
     }
-    for (uint32_t i = spot.count; i < BoxBucket::capacity; ++i) bucket.set(i, no_box);
+    for (uint32_t i = spot.count; i < BoxBucket::capacity; ++i) {
+        bucket.now.set(i, no_box);
+        bucket.before.set(i, no_box);
+    }
 }
 
 /// A leaf has moved since its bucket was filled.
-void Tree::update_bucket(int32_t leaf) {
+void Tree::update_bucket(int32_t leaf, bool forget_pairs) {
     for (int32_t i = leaf; i != none && !bucket_of_.empty(); i = nodes_[size_t(i)].parent) {
         const int32_t place = bucket_of_[size_t(i)];
         if (place < 0) continue;
         BoxBucket& bucket = buckets_[size_t(place)];
+        if (bucket.epoch != epoch_) {
+            bucket.before = bucket.now;
+            bucket.moved = 0;
+            bucket.epoch = epoch_;
+        }
         const Node& node = nodes_[size_t(leaf)];
         const uint32_t *first = bucket.item, *last = first + bucket.count;
         const auto slot = uint32_t(std::find(first, last, node.item()) - first);
-        bucket.set(slot, node.box);
-        bucket.moved = moved_in(bucket) | uint32_t{1} << slot;
-        bucket.epoch = epoch_;
+        bucket.now.set(slot, node.box);
+        if (forget_pairs) bucket.before.set(slot, no_box);
+        bucket.moved |= uint32_t{1} << slot;
         return;
     }
 }

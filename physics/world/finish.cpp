@@ -79,7 +79,7 @@ void WorldData::follow_placed() {
     for (const FinishedPiece& piece : finished) placed += piece.placed.size();
     statistics.moved_proxies += uint32_t(placed);
     if (!moving_tree.are_few(placed)) {
-        moving_tree.refit(threads);
+        moving_tree.refit(threads, paired_boxes);
         return;
     }
     for (const FinishedPiece& piece : finished)

@@ -57,7 +57,7 @@ void WorldData::look_around_moved() {
             if (record.tree == Mobility::fixed) {
                 moving_tree.query(fixed_tree.box(record.proxy), look);
             } else {
-                moving_tree.look_around(record.proxy, overlaps, look);
+                moving_tree.look_around(record.proxy, paired_boxes[shape], overlaps, look);
                 fixed_tree.query(moving_tree.box(record.proxy), look);
             }
         }
@@ -135,8 +135,8 @@ void WorldData::find_pairs() {
     relocated.resize(shapes.size(), 0);
     if (moved_shapes.empty()) return;
     new_pairs.clear();
-    moving_tree.settle(threads);
-    fixed_tree.settle(threads);
+    moving_tree.settle(threads, paired_boxes);
+    fixed_tree.settle(threads, paired_boxes);
     if (4 * moved_shapes.size() < moving_tree.size())
         look_around_moved();
     else

@@ -67,9 +67,9 @@ Pairs pairs_of(const Tree& tree) {
 }
 
 size_t buckets_compared = 0;
-void count_buckets(const BoxBucket& a, const BoxBucket&, uint32_t* rows) {
+void count_buckets(const BucketBoxes&, uint32_t count, const BucketBoxes&, uint32_t* rows) {
     ++buckets_compared;
-    std::fill(rows, rows + a.count, 0u);
+    std::fill(rows, rows + count, 0u);
 }
 size_t work_of(const Tree& tree) {
     buckets_compared = 0;
