@@ -185,8 +185,9 @@ class Tree {
     void build_below(Fork fork, Bough& bough, bool in_bucket);
     void add_spot(const Fork& fork, Bough& bough);
     static Part* split(Part* begin, Part* end);
-    float fit(ThreadPool* threads, std::span<const Box4> before);
-    float fit_bough(const Bough& bough, std::span<const Box4> before);
+    struct Before;
+    float fit(ThreadPool* threads, const Before& before);
+    float fit_bough(const Bough& bough, const Before& before);
     void fit_node(int32_t index);
     template <typename Push>
     void open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const;
@@ -210,7 +211,8 @@ class Tree {
     const BucketBoxes& before(const BoxBucket& bucket) const {
         return bucket.epoch == epoch_ ? bucket.before : bucket.now;
     }
-    void fill_bucket(const Spot& spot, BoxBucket& bucket, std::span<const Box4> before) const;
+    void fill_bucket(const Spot& spot, BoxBucket& bucket, const Before& before) const;
+    void begin_epoch(BoxBucket& bucket) const;
     void update_bucket(int32_t leaf, bool forget_pairs);
     template <typename Visit>
     void pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBucket& b,

@@ -23,12 +23,19 @@ constexpr float greatest_wear = 1.1f;
 
 }  // namespace
 
+/// Where to know from what buckets had in them when nothing had moved.
+struct Tree::Before {
+    std::span<const Box4> boxes;    ///< of each item
+    bool still_in_buckets = false;  ///< they have the same leaves as then
+};
+
 void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     built_ = std::min(built_, epoch_ - 1);
     worn_ = 0;
     if (root_ == none || nodes_[size_t(root_)].is_leaf()) return;
-    if (!is_listed()) list();
-    if (fit(threads, before) <= greatest_wear * breadth_) return;
+    const bool listed = is_listed();
+    if (!listed) list();
+    if (fit(threads, {before, listed}) <= greatest_wear * breadth_) return;
     share_out_range(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Box4& box = nodes_[size_t(parts_[i].node)].box;
@@ -154,7 +161,7 @@ float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
         count += bough.buckets;
     }
     buckets_.resize(count);
-    return fit(threads, before);
+    return fit(threads, {before});
 }
 
 /// Divides the parts until they make boughs. A level at a time: what is on it is shared out.
@@ -248,7 +255,7 @@ Tree::Part* Tree::split(Part* begin, Part* end) {
 
 /// Fits all that is listed, and fills the buckets. Returns how broad those are: the sum of their
 /// perimeters.
-float Tree::fit(ThreadPool* threads, std::span<const Box4> before) {
+float Tree::fit(ThreadPool* threads, const Before& before) {
     share_out(threads, uint32_t(boughs_.size()),
               [&](uint32_t i) { boughs_[i].breadth = fit_bough(boughs_[i], before); });
     for (size_t i = stems_.size(); i-- > 0;) fit_node(inner_[stems_[i]]);
@@ -257,7 +264,7 @@ float Tree::fit(ThreadPool* threads, std::span<const Box4> before) {
     return breadth;
 }
 
-float Tree::fit_bough(const Bough& bough, std::span<const Box4> before) {
+float Tree::fit_bough(const Bough& bough, const Before& before) {
     const uint32_t begin = bough.fork.inner;
     for (uint32_t i = begin + bough.fork.count - 1; i-- > begin;) fit_node(inner_[i]);
     float breadth = 0.0f;
@@ -279,21 +286,33 @@ void Tree::fit_node(int32_t index) {
     node.moved = std::max(left.moved, right.moved);
 }
 
-void Tree::fill_bucket(const Spot& spot, BoxBucket& bucket, std::span<const Box4> before) const {
+void Tree::fill_bucket(const Spot& spot, BoxBucket& bucket, const Before& before) const {
+    begin_epoch(bucket);
     bucket.count = spot.count;
-    bucket.epoch = epoch_;
     bucket.moved = 0;
     for (uint32_t i = 0; i < spot.count; ++i) {
         const Node& leaf = nodes_[size_t(parts_[spot.part + i].node)];
         bucket.now.set(i, leaf.box);
-        bucket.before.set(i, leaf.item() < before.size() ? before[leaf.item()] : no_box);
         bucket.item[i] = leaf.item();
         bucket.moved |= uint32_t{has_moved(leaf)} << i;
+    }
+    if (before.still_in_buckets) return;
+    for (uint32_t i = 0; i < spot.count; ++i) {
+        const uint32_t item = bucket.item[i];
+        bucket.before.set(i, item < before.boxes.size() ? before.boxes[item] : no_box);
     }
     for (uint32_t i = spot.count; i < BoxBucket::capacity; ++i) {
         bucket.now.set(i, no_box);
         bucket.before.set(i, no_box);
     }
+}
+
+/// So far nothing in it has moved.
+void Tree::begin_epoch(BoxBucket& bucket) const {
+    if (bucket.epoch == epoch_) return;
+    bucket.before = bucket.now;
+    bucket.moved = 0;
+    bucket.epoch = epoch_;
 }
 
 /// A leaf has moved since its bucket was filled.
@@ -302,11 +321,7 @@ void Tree::update_bucket(int32_t leaf, bool forget_pairs) {
         const int32_t place = bucket_of_[size_t(i)];
         if (place < 0) continue;
         BoxBucket& bucket = buckets_[size_t(place)];
-        if (bucket.epoch != epoch_) {
-            bucket.before = bucket.now;
-            bucket.moved = 0;
-            bucket.epoch = epoch_;
-        }
+        begin_epoch(bucket);
         const Node& node = nodes_[size_t(leaf)];
         const uint32_t *first = bucket.item, *last = first + bucket.count;
         const auto slot = uint32_t(std::find(first, last, node.item()) - first);

@@ -135,6 +135,26 @@ TEST_CASE(
     REQUIRE(work_of(fresh.tree) > count / 16);
 }
 
+TEST_CASE("a walk does not come upon pairs in buckets that overlapped before") {
+    const auto boxes = scattered(1000, 20, 10);
+    Grown grown(2);
+    grown.insert(boxes);
+    grown.place(boxes);
+    REQUIRE(pairs_of(grown.tree).size() > 1000);
+    grown.tree.rest();
+    grown.place(boxes);
+    const size_t known = pairs_of(grown.tree).size();
+    REQUIRE(known < 100);  // of leaves that are in no bucket
+    grown.tree.touch(grown.leaves[500]);
+    const auto meets = std::count_if(boxes.begin(), boxes.end(),
+                                     [&](const Box4& box) { return overlap(box, boxes[500]); });
+    REQUIRE(meets > 1);
+    REQUIRE(pairs_of(grown.tree).size() >= known + size_t(meets) - 1);
+    grown.tree.rest();
+    grown.tree.move(grown.leaves[500], boxes[501]);
+    REQUIRE(pairs_of(grown.tree).count({500, 501}) == 1);
+}
+
 TEST_CASE("boxes that tremble are fitted and keep their places in the tree") {
     const uint32_t count = 2000;
     const auto rest = scattered(count, 80, 6);
