@@ -15,6 +15,7 @@
 #include <wide/kernels.h>
 #include <world/joint_types.h>
 #include <world/records.h>
+#include <world/step_notes.h>
 
 #include <array>
 #include <span>
@@ -35,35 +36,8 @@ inline constexpr float greatest_speed = 1e4f;
 /// Turning in one sub-step, rad.
 inline constexpr float greatest_turn = 3.0f;
 
-/// A body that moved far for its thickness in this step.
-struct FastBody {
-    uint32_t body = none;
-    V2 start;  ///< center of mass before
-    V2 shift;
-    float turn = 0.0f;
-};
-
 /// Contacts are in no order in memory: so many before its turn each is asked for.
 inline constexpr size_t contacts_ahead = 12;
-
-/// What is to do for some bodies that have moved.
-struct FinishedPiece {
-    std::vector<int32_t> placed;  ///< leaves of the shapes that left their fat boxes
-    std::vector<uint32_t> moved;  ///< those of the shapes that were not yet listed as moved
-    std::vector<FastBody> fast;
-    uint32_t sleep_candidates = 0;
-
-    void clear() {
-        placed.clear();
-        moved.clear();
-        fast.clear();
-        sleep_candidates = 0;
-    }
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        io(self.placed), io(self.moved), io(self.fast);
-    }
-};
 
 inline constexpr int color_count = 64;
 
@@ -81,14 +55,6 @@ struct Callbacks {
     RefreshCallback refresh;
 
     bool see_contacts() const { return mix || before_solve; }
-};
-
-/// What a joint that can break bore in this step, summed over the sub-steps.
-struct Strain {
-    uint32_t joint = none;
-    uint32_t index = 0;  ///< among the constraints of its type
-    V2 force;
-    float torque = 0.0f;
 };
 
 /// Everything of a world: arrays addressed by slot, lists of what is awake, lists of what an edit
