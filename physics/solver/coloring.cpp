@@ -149,24 +149,6 @@ uint32_t& WorldData::counted(const ActingContact& c) {
     return color_begin[sections[1].owner_of(c.node) * color_count * first_groups.size() + entry];
 }
 
-/// What is solved one at a time, in the order of the nodes.
-void WorldData::list_serial() {
-    serial_acting.clear();
-    first_serial.fill(0);
-    for (const ActingPiece& piece : acting_pieces) {
-        if (piece.serially == 0) continue;
-        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
-            if (!acting[i].serially) continue;
-            serial_acting.push_back(i);
-            ++first_serial[acting[i].node + 1u];
-        }
-    }
-    std::partial_sum(first_serial.begin(), first_serial.end(), first_serial.begin());
-    auto next = first_serial;
-    serial_contacts.resize(serial_acting.size());
-    for (const uint32_t i : serial_acting) serial_contacts[next[acting[i].node]++] = acting[i].slot;
-}
-
 /// Which blocks several threads share out, and what each consists of.
 void WorldData::make_sections() {
     const auto hands = uint32_t(threads != nullptr ? threads->at_a_time() : 1);

@@ -252,9 +252,11 @@ struct Bounce {
 
 }  // namespace
 
-bool ContactSolver::bounce_once(float dt) {
+bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
     bool any = false;
     for (const ContactConstraint& c : constraints) {
+        // Nothing new since the last pass.
+        if (pass > 1 && changed[c.a] + 1 < pass && changed[c.b] + 1 < pass) continue;
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
         Pair pair(c, bodies[c.a], bodies[c.b]);
@@ -279,14 +281,11 @@ bool ContactSolver::bounce_once(float dt) {
             extra.total[k] += impulse;
         }
         pair.store(bodies[c.a], bodies[c.b]);
+        for (const uint32_t body : {c.a, c.b})
+            if (bodies[body].inverse_mass != 0.0f || bodies[body].inverse_inertia != 0.0f)
+                changed[body] = pass;
     }
     return any;
-}
-
-void ContactSolver::bounce(float dt) {
-    constexpr int most_passes = 32;  // the longest row that a blow goes through in a step
-    for (int pass = 0; pass < most_passes && bounce_once(dt); ++pass) {
-    }
 }
 
 void ContactSolver::restitute() {

@@ -17,9 +17,12 @@ struct ContactSolver {
     float restitution_threshold = 1.0f;
 
     /// Before the sub-steps, which know no bounce: what meets fast enough within `dt` (s) leaves
-    /// with its share of the speed, pair by pair until none meets any more. So a blow goes through
-    /// a row of bodies in one step and none of it is lost in between.
-    void bounce(float dt);
+    /// with its share of the speed, pair by pair, pass after pass (`pass` = 1, 2, …) until none
+    /// meets any more: false. So a blow goes through a row of bodies in one step and none of it is
+    /// lost in between. `changed`, by body: the last pass that did anything to it; at first 0.
+    bool bounce(float dt, uint8_t pass, std::span<uint8_t> changed);
+    /// The longest row that a blow goes through in a step.
+    static constexpr uint8_t most_passes = 32;
     void warm_start();
     /// Soft: overlap is pushed out at a bias velocity. Normal directions only.
     void solve_biased();
@@ -31,7 +34,6 @@ struct ContactSolver {
     void restitute();
 
   private:
-    bool bounce_once(float dt);
     void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
     const Corner* corner_of(const ContactConstraint& c) const;
 };

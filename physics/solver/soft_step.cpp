@@ -170,7 +170,17 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         pass(kernels.relax, section, wide, step);
     };
     prepare_block(block, wide, step);
-    serial.bounce(step.h * float(settings.substeps));
+    if (!extras.empty()) {
+        bounced.assign(solver_bodies.size(), 0);
+        std::atomic<bool> any = true;
+        for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
+            any = false;
+            each_section(block, [&](uint32_t section) {
+                ContactSolver some = serial_of(plan.nodes_of(section - block.first_section));
+                if (some.bounce(step.h * float(settings.substeps), pass, bounced)) any = true;
+            });
+        }
+    }
     zero_locked();
     for (int substep = 0; substep < settings.substeps; ++substep) {
         const bool again = repeats && substep > 0;
@@ -185,7 +195,9 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         zero_locked();
         strain_joints();
     }
-    serial.restitute();
+    each_section(block, [&](uint32_t section) {
+        serial_of(plan.nodes_of(section - block.first_section)).restitute();
+    });
     zero_locked();
     store_block(block, wide, step);
 }

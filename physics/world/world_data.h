@@ -125,7 +125,8 @@ struct WorldData : Columns {
     std::vector<uint32_t> serial_acting;                     ///< solved one at a time
     std::array<uint32_t, 2 * most_strips + 1> first_serial;  ///< of a node, among `constraints`
     std::vector<uint32_t> reordered;
-    std::vector<uint8_t> turns, joint_notes;
+    std::vector<uint8_t> turns, joint_notes, serial_notes;
+    std::vector<uint8_t> bounced;  ///< by solver index: in which pass
     JointPlans joint_plans;
     std::vector<WideBlock> wide_blocks;    ///< for each that is solved at a time
     std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
@@ -442,7 +443,14 @@ struct WorldData : Columns {
     template <typename Visit>
     void for_each_acting_of(const StripNodes& nodes, Visit&& visit);
     uint32_t& counted(const ActingContact& contact);
+    // ../solver/serial_contacts.cpp
     void list_serial();
+    void prepare_serial(float dt, float ratio, const ContactStiffness& stiffness);
+    void give_extras();
+    void prepare_extra_of(size_t serial, float ratio);
+    void store_serial();
+    uint8_t store_constraint(const ContactConstraint& constraint);
+    Corner corner_of(const ContactRecord& contact) const;
     template <typename Visit>
     void for_each_colored(Visit&& visit);
     void count_places();
@@ -453,7 +461,6 @@ struct WorldData : Columns {
     bool passes_corner(const ContactRecord& contact, float dt) const;
     void prepare_contacts(float dt, float h, const ContactStiffness& stiffness);
     void store_contacts();
-    void update_touch(uint32_t contact, bool pushed);
     void zero_locked();
 
     template <typename Visit>
