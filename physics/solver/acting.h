@@ -38,13 +38,11 @@ inline StripNode node_of(SolverEnd a, SolverEnd b) {
 struct ActingContact {
     uint32_t slot = 0;
     SolverEnd end_a, end_b;
-    float friction = 0.0f;
-    uint32_t place = 0;  ///< among those of its color and block; then its lane
-    uint8_t color = 0;
+    uint32_t entry = 0;  ///< who counts it, its section and color
+    uint32_t place = 0;  ///< among those of its entry; then its lane
     StripNode node = 1;
-    bool serially : 1 = false;  ///< solved one at a time
-    bool touching : 1 = false;
-    bool hit_events : 1 = false;
+    bool serially = false;  ///< solved one at a time
+    bool touching = false, hit_events = false;
 
     uint32_t a() const { return end_a.index(); }
     uint32_t b() const { return end_b.index(); }

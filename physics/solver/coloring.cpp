@@ -26,13 +26,16 @@ constexpr size_t least_for_blocks = 4000;
 /// Contacts that a thread takes at a time.
 constexpr size_t piece_length = 512;
 
-/// Stable. Most pieces lie in one strip.
-void order_by_node(std::span<ActingContact> contacts, ActingPiece& piece) {
+/// Stable. `nodes`: those that there are, a bit each.
+void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, ActingPiece& piece) {
+    if (std::has_single_bit(nodes)) {
+        std::fill(piece.first.begin() + std::countr_zero(nodes) + 1, piece.first.end(),
+                  uint16_t(contacts.size()));
+        return;
+    }
     std::array<ActingContact, piece_length> sorted;
     for (const ActingContact& c : contacts) ++piece.first[c.node + 1u];
-    const bool mixed = contacts.size() > piece.first[contacts.empty() ? 0 : contacts[0].node + 1u];
     std::partial_sum(piece.first.begin(), piece.first.end(), piece.first.begin());
-    if (!mixed) return;
     auto next = piece.first;
     for (const ActingContact& c : contacts) sorted[next[c.node]++] = c;
     std::copy_n(sorted.begin(), contacts.size(), contacts.begin());
@@ -54,23 +57,24 @@ void WorldData::find_acting(float dt) {
     share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
         ActingPiece piece = {uint32_t(begin)};
         ActingContact* last = &acting[begin];
+        uint32_t nodes = 0;
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = awake_contacts[i];
             if (i + contacts_ahead < count) contacts[awake_contacts[i + contacts_ahead]].prefetch();
             const ContactRecord& record = contacts[slot];
             if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
+            const SolverEnd a = solver_ends[record.body_a], b = solver_ends[record.body_b];
+            const bool one_at_a_time = serially || record.special || record.curved ||
+                                       on_locked_axis(record) || passes_corner(record, dt);
             ActingContact& c = *last++;
-            c = {slot, solver_ends[record.body_a], solver_ends[record.body_b], record.friction};
-            c.node = node_of(c.end_a, c.end_b);
-            c.serially = serially || record.special || record.curved || on_locked_axis(record) ||
-                         passes_corner(record, dt);
-            c.touching = record.touching;
-            c.hit_events = record.hit_events;
+            c = {
+                slot, a, b, 0, 0, node_of(a, b), one_at_a_time, record.touching, record.hit_events};
+            nodes |= 1u << c.node;
             piece.serially += c.serially;
             if (blocks_stay && c.both_move())
                 piece.links_blocks |= blocks.block_of(c.a()) != blocks.block_of(c.b());
         }
-        order_by_node({&acting[begin], last}, piece);
+        order_by_node({&acting[begin], last}, nodes, piece);
         acting_pieces[begin / piece_length] = piece;
     });
 }
@@ -111,8 +115,8 @@ void WorldData::color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left
         }
         if (c.moves_a()) colors_of_body[a] |= uint64_t{1} << color;
         if (c.moves_b()) colors_of_body[b] |= uint64_t{1} << color;
-        c.color = uint8_t(color);
-        c.place = counted(c)++;
+        c.entry = entry_of(c, uint32_t(color));
+        c.place = color_begin[c.entry]++;
     });
 }
 
@@ -137,16 +141,19 @@ void WorldData::color_contacts() {
         make_blocks(false);
         make_sections();
         color_begin.assign(plan.owners() * color_count * first_groups.size(), 0);
-        for_each_colored([&](ActingContact& c) { c.place = counted(c)++; });
+        for_each_colored([&](ActingContact& c) {
+            c.entry = entry_of(c, c.entry % color_count);
+            c.place = color_begin[c.entry]++;
+        });
     }
     list_serial();
     place_lanes();
 }
 
-/// Contacts of the same color and section that are counted by the same thread.
-uint32_t& WorldData::counted(const ActingContact& c) {
-    const size_t entry = section_of(c) * color_count + c.color;
-    return color_begin[sections[1].owner_of(c.node) * color_count * first_groups.size() + entry];
+/// Contacts of the same color and section that are counted by the same thread have one entry.
+uint32_t WorldData::entry_of(const ActingContact& c, uint32_t color) const {
+    const size_t section = sections[1].owner_of(c.node) * first_groups.size() + section_of(c);
+    return uint32_t(section * color_count) + color;
 }
 
 /// Which blocks several threads share out, and what each consists of.
@@ -244,7 +251,7 @@ void WorldData::place_lanes() {
         for (uint32_t i = acting_pieces[piece].begin; i < acting_pieces[piece].end(); ++i) {
             ActingContact& c = acting[i];
             if (c.serially) continue;
-            c.place += counted(c);
+            c.place += color_begin[c.entry];
             lane_contacts[c.place] = i;
         }
     });
@@ -265,7 +272,7 @@ void WorldData::fill_group(size_t group, WideContact& wide, ContactLanes& from) 
         const ActingContact& c = acting[i];
         wide.a[lane] = c.a();
         wide.b[lane] = c.b();
-        wide.friction[lane] = c.friction;
+        wide.friction[lane] = contacts[c.slot].friction;
         from.manifolds[lane] = &contacts[c.slot].manifold;
         from.touching |= uint32_t{c.touching} << lane;
         from.tells_always |= uint32_t{c.hit_events} << lane;

@@ -42,11 +42,11 @@ struct StripSample {
 
 class Strips {
   public:
-    /// Into how many strips so many constraints are cut: a power of two. Fewer constraints than
-    /// this in a strip, and there is too little to do between two waits.
+    /// Into how many strips so many constraints are cut: a power of two.
     static uint32_t count_for(std::size_t constraints);
 
-    /// Into `count` strips, across the longer side of the samples, which are put in another order.
+    /// Into `count` strips: along the list that the samples are from, if it runs along an axis, else
+    /// across the longer side. The samples are put in another order.
     void cut(std::span<StripSample> samples, uint32_t count);
     uint32_t count() const { return count_; }
     StripNodes all_nodes() const { return {1, 2 * count_}; }

@@ -124,8 +124,7 @@ struct WorldData : Columns {
     std::vector<std::vector<uint32_t>> out_of_colors;        ///< by section: acting ones
     std::vector<uint32_t> serial_acting;                     ///< solved one at a time
     std::array<uint32_t, 2 * most_strips + 1> first_serial;  ///< of a node, among `constraints`
-    std::vector<uint32_t> reordered;
-    std::vector<uint8_t> turns, joint_notes, serial_notes;
+    std::vector<uint8_t> joint_notes, serial_notes;
     std::vector<uint8_t> bounced;  ///< by solver index: in which pass
     JointPlans joint_plans;
     std::vector<WideBlock> wide_blocks;    ///< for each that is solved at a time
@@ -411,7 +410,6 @@ struct WorldData : Columns {
                       float core) const;
     // strips.cpp
     void cut_into_strips();
-    void order_by_strips();
     // ../solver/soft_step.cpp
     struct BlockStep;
     using WidePass = void (*)(const WideStep&);
@@ -442,7 +440,7 @@ struct WorldData : Columns {
     void color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over);
     template <typename Visit>
     void for_each_acting_of(const StripNodes& nodes, Visit&& visit);
-    uint32_t& counted(const ActingContact& contact);
+    uint32_t entry_of(const ActingContact& contact, uint32_t color) const;
     // ../solver/serial_contacts.cpp
     void list_serial();
     void prepare_serial(float dt, float ratio, const ContactStiffness& stiffness);

@@ -35,7 +35,7 @@ std::vector<StripSample> samples_in(float width, float height, int count) {
     return samples;
 }
 
-/// Enough for eight strips, with all that needs more than wide contacts: joints across the cuts, a
+/// Enough for four strips, with all that needs more than wide contacts: joints across the cuts, a
 /// heavy beam that lies on everything, bouncing, ellipses, locked axes, a platform that moves on
 /// its own with things that hang from it.
 void fill(World& world) {
@@ -170,6 +170,15 @@ TEST_CASE("strips hold about as much work each and lie across the longer side") 
     REQUIRE(strips.leaf_at({1, 1}) < strips.leaf_at({1, 59}));
 }
 
+TEST_CASE("strips follow the list where it runs along an axis") {
+    std::vector<StripSample> rows;
+    for (int i = 0; i < 400; ++i) rows.push_back({{float(i % 40), 0.25f * float(i / 40)}, 1});
+    Strips strips;
+    strips.cut(rows, 2);
+    REQUIRE(strips.leaf_at({0, 0}) == strips.leaf_at({39, 0}));
+    REQUIRE(strips.leaf_at({0, 0}) < strips.leaf_at({0, 2.25f}));
+}
+
 TEST_CASE("what cannot be cut is in some strip") {
     Strips strips;
     std::vector<StripSample> one_place(40, StripSample{{3, 3}, 1});
@@ -182,12 +191,14 @@ TEST_CASE("what cannot be cut is in some strip") {
     REQUIRE(strips.count() == 1);
     REQUIRE(strips.leaf_at({0, 0}) == 1);
     REQUIRE(Strips::count_for(0) == 1);
+    REQUIRE(Strips::count_for(2047) == 1);
+    REQUIRE(Strips::count_for(2048) == 2);
     REQUIRE(Strips::count_for(1'000'000) == most_strips);
 }
 
 TEST_CASE("a heap of everything ends the same however many threads share out its strips") {
     const Course one = run_with(1, 70);
-    REQUIRE(one.strips == most_strips);
+    REQUIRE(one.strips >= 4);
     REQUIRE(one.broken > 0);
     REQUIRE(one.hits > 0);
     for (const int hands : {2, 3, 4, 8}) {
