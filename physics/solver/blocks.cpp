@@ -8,6 +8,9 @@ namespace {
 /// Steps after which blocks are made anew: islands come apart.
 constexpr int old_age = 64;
 
+/// Share of the contacts that makes an island nearly all there is.
+constexpr float nearly_all = 0.75f;
+
 }  // namespace
 
 void SolverBlocks::remember(std::span<const uint32_t> bodies, bool several) {
@@ -64,6 +67,17 @@ void SolverBlocks::finish() {
         ++bodies;
     }
     order_bodies();
+}
+
+bool SolverBlocks::are_mostly_one() {
+    uint32_t all = 0, most = 0;
+    for (const SolverBlock& block : blocks_) {
+        all += block.contacts;
+        most = std::max(most, block.contacts);
+    }
+    if (float(most) < nearly_all * float(all)) return false;
+    wait_ = old_age;
+    return true;
 }
 
 void SolverBlocks::finish_as_one() {

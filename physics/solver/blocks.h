@@ -11,7 +11,8 @@
 // and so many that its contacts stay in the cache of a core from the first pass to the last.
 //
 // A world has more than the first block only while all that acts are wide contacts between bodies
-// that move freely: then it makes no difference to an island which block it is in.
+// that move freely: then it makes no difference to an island which block it is in. Nor has it more
+// while nearly all of it is one island: then to look for islands in every step is in vain.
 
 namespace fettle::physics::detail {
 
@@ -39,6 +40,10 @@ class SolverBlocks {
     void finish();
     /// All in the first block, when there is little to do.
     void finish_as_one();
+    /// Found, as `finish` counted: then the next look is a while off.
+    bool are_mostly_one();
+    /// In each step that could do with several blocks, once: whether to look.
+    bool may_be_several() { return wait_ == 0 || --wait_ == 0; }
 
     /// From here on these blocks are of those bodies; `several`: in more than the first.
     void remember(std::span<const uint32_t> bodies, bool several);
@@ -73,7 +78,7 @@ class SolverBlocks {
     std::vector<SolverBlock> blocks_;
     std::vector<uint32_t> bodies_;  // whose blocks these are: slots
     bool several_ = false;
-    int age_ = 0;  // steps
+    int age_ = 0, wait_ = 0;  // steps
 };
 
 }  // namespace fettle::physics::detail

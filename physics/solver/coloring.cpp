@@ -201,9 +201,10 @@ void WorldData::update_blocks() {
     }
     colored_count = count - serially;
     const bool plain = serially == 0 && locked.empty() && !driven && acting_joints() == 0;
-    const bool several = plain && colored_count >= least_for_blocks;
+    const bool enough = plain && colored_count >= least_for_blocks;
+    const bool several = enough && blocks.may_be_several();
     if (linked || !blocks.may_stay(awake_bodies, several)) make_blocks(several);
-    if (!several) blocks[0].contacts = uint32_t(colored_count);
+    if (blocks.size() == 1) blocks[0].contacts = uint32_t(colored_count);
 }
 
 /// Each island in one block, where there is enough for several.
@@ -220,6 +221,7 @@ void WorldData::make_blocks(bool several) {
     blocks.find_islands();
     for_each_colored([&](const ActingContact& c) { blocks.count_contact(c.mover()); });
     blocks.finish();
+    if (blocks.are_mostly_one()) make_blocks(false);
 }
 
 /// Each colored contact gets a lane of its color in its block.
