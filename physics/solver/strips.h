@@ -45,8 +45,8 @@ class Strips {
     /// Into how many strips so many constraints are cut: a power of two.
     static uint32_t count_for(std::size_t constraints);
 
-    /// Into `count` strips: along the list that the samples are from, if it runs along an axis, else
-    /// across the longer side. The samples are put in another order.
+    /// Into `count` strips: along the list that the samples are from, if it runs along an axis,
+    /// else across the longer side. The samples are put in another order.
     void cut(std::span<StripSample> samples, uint32_t count);
     uint32_t count() const { return count_; }
     StripNodes all_nodes() const { return {1, 2 * count_}; }
