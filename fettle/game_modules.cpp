@@ -18,11 +18,6 @@ using property::Value;
 
 namespace {
 
-fs::path folder_of(const fs::path& game) {
-    std::error_code error;
-    return fs::is_directory(game, error) ? game : game.parent_path();
-}
-
 constexpr const char* manifest_name = "modules.json";
 
 }  // namespace

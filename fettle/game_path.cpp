@@ -50,6 +50,12 @@ void require_game(const fs::path& game) {
         throw FileError(game.string() + ": this folder is no game, it has no main.lua");
 }
 
+fs::path folder_of(const fs::path& game) {
+    std::error_code error;
+    const fs::path folder = fs::is_directory(game, error) ? game : game.parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+}
+
 namespace {
 
 bool has_word(std::string_view text, std::string_view word) {

@@ -27,6 +27,9 @@ std::filesystem::path installed_modules();
 /// main.lua.
 void require_game(const std::filesystem::path& game);
 
+/// The folder of a game, itself or where its file is; never empty.
+std::filesystem::path folder_of(const std::filesystem::path& game);
+
 /// Whether any Lua file of the game, or one of the chunks, has the word `quit`: whether a headless
 /// run can end by itself.
 bool mentions_quit(const std::filesystem::path& game, std::span<const std::string> chunks);

@@ -14,10 +14,9 @@ namespace {
 
 constexpr std::string_view of_fettle = "fettle:";  // before a name among Fettle's own files
 
-fs::path folder_of(const fs::path& game) {
+fs::path whole_folder_of(const fs::path& game) {
     std::error_code error;
-    const fs::path folder = fs::is_directory(game, error) ? game : game.parent_path();
-    return fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    return fs::weakly_canonical(folder_of(game), error);
 }
 
 /// "" when it is not below the folder.
@@ -31,13 +30,13 @@ std::string name_below(const fs::path& file, const fs::path& folder) {
 fs::path path_of(const std::string& name, const fs::path& game) {
     if (name.starts_with(of_fettle)) return assets() / name.substr(of_fettle.size());
     const fs::path path(name);
-    return path.is_absolute() ? path : folder_of(game) / path;
+    return path.is_absolute() ? path : whole_folder_of(game) / path;
 }
 
 }  // namespace
 
 app::RunFile recorded(const property::GameFiles::Finding& finding, const fs::path& game) {
-    std::string name = name_below(finding.file, folder_of(game));
+    std::string name = name_below(finding.file, whole_folder_of(game));
     if (name.empty()) {
         name = name_below(finding.file, assets());
         name = name.empty() ? finding.file.generic_string() : std::string(of_fettle) + name;

@@ -2,7 +2,6 @@
 
 #include <solver/strips.h>
 
-#include <array>
 #include <cstdint>
 
 namespace fettle::physics::detail {
@@ -57,12 +56,12 @@ static_assert(sizeof(ActingContact) == 24);
 /// Those that a thread found, by node, those of a node in the order of the awake contacts.
 struct ActingPiece {
     uint32_t begin = 0;
-    std::array<uint16_t, 2 * most_strips + 1> first = {};  ///< of a node, from `begin` on
-    uint32_t serially = 0;                                 ///< how many of them
-    bool links_blocks = false;                             ///< two blocks of an earlier step
+    NodeRanges nodes;           ///< from `begin` on
+    uint32_t serially = 0;      ///< how many of them
+    bool links_blocks = false;  ///< two blocks of an earlier step
 
-    uint32_t count() const { return first.back(); }
-    uint32_t end() const { return begin + first.back(); }
+    uint32_t count() const { return nodes.size(); }
+    uint32_t end() const { return begin + count(); }
 };
 
 }  // namespace fettle::physics::detail

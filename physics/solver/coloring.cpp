@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
 #include <utility>
 
 // Which contacts act, in which block and with which color. What has to look at every record is
-// shared out; the coloring itself, where each contact depends on those before, goes over the little
-// that is left of them.
+// shared out; the coloring itself, where each contact depends on those before, by the nodes, and
+// goes over the little that is left of the records.
 
 namespace fettle::physics::detail {
 namespace {
@@ -27,16 +26,16 @@ constexpr size_t least_for_blocks = 4000;
 constexpr size_t piece_length = 512;
 
 /// Stable. `nodes`: those that there are, a bit each.
-void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, ActingPiece& piece) {
+void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges& ranges) {
     if (std::has_single_bit(nodes)) {
-        std::fill(piece.first.begin() + std::countr_zero(nodes) + 1, piece.first.end(),
-                  uint16_t(contacts.size()));
+        ranges.count(uint32_t(std::countr_zero(nodes)), uint32_t(contacts.size()));
+        ranges.sum_up();
         return;
     }
+    for (const ActingContact& c : contacts) ranges.count(c.node);
+    ranges.sum_up();
     std::array<ActingContact, piece_length> sorted;
-    for (const ActingContact& c : contacts) ++piece.first[c.node + 1u];
-    std::partial_sum(piece.first.begin(), piece.first.end(), piece.first.begin());
-    auto next = piece.first;
+    auto next = ranges.places();
     for (const ActingContact& c : contacts) sorted[next[c.node]++] = c;
     std::copy_n(sorted.begin(), contacts.size(), contacts.begin());
 }
@@ -55,7 +54,8 @@ void WorldData::find_acting(float dt) {
     acting.resize(count);
     acting_pieces.resize((count + piece_length - 1) / piece_length);
     share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
-        ActingPiece piece = {uint32_t(begin)};
+        ActingPiece piece;
+        piece.begin = uint32_t(begin);
         ActingContact* last = &acting[begin];
         uint32_t nodes = 0;
         for (size_t i = begin; i < end; ++i) {
@@ -74,7 +74,7 @@ void WorldData::find_acting(float dt) {
             if (blocks_stay && c.both_move())
                 piece.links_blocks |= blocks.block_of(c.a()) != blocks.block_of(c.b());
         }
-        order_by_node({&acting[begin], last}, nodes, piece);
+        order_by_node({&acting[begin], last}, nodes, piece.nodes);
         acting_pieces[begin / piece_length] = piece;
     });
 }
@@ -83,9 +83,8 @@ void WorldData::find_acting(float dt) {
 template <typename Visit>
 void WorldData::for_each_acting_of(const StripNodes& nodes, Visit&& visit) {
     for (const ActingPiece& piece : acting_pieces) {
-        const uint32_t begin = piece.begin + piece.first[nodes.begin];
-        const uint32_t end = piece.begin + piece.first[nodes.end];
-        for (uint32_t i = begin; i < end; ++i) {
+        const uint32_t end = piece.begin + piece.nodes.end(nodes);
+        for (uint32_t i = piece.begin + piece.nodes.begin(nodes); i < end; ++i) {
             if (!acting[i].serially) visit(acting[i]);
         }
     }
@@ -141,7 +140,7 @@ void WorldData::color_contacts() {
         make_blocks(false);
         make_sections();
         color_begin.assign(plan.owners() * color_count * first_groups.size(), 0);
-        for_each_colored([&](ActingContact& c) {
+        for_each_acting_of(strips.all_nodes(), [&](ActingContact& c) {
             c.entry = entry_of(c, c.entry % color_count);
             c.place = color_begin[c.entry]++;
         });
@@ -181,15 +180,6 @@ size_t WorldData::section_of(const ActingContact& c) const {
     return block.first_section + sections_of(block).of(c.node);
 }
 
-template <typename Visit>
-void WorldData::for_each_colored(Visit&& visit) {
-    for (const ActingPiece& piece : acting_pieces) {
-        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
-            if (!acting[i].serially) visit(acting[i]);
-        }
-    }
-}
-
 /// The blocks of an earlier step will do as long as nothing links two of them.
 void WorldData::update_blocks() {
     size_t count = 0, serially = 0;
@@ -215,11 +205,12 @@ void WorldData::make_blocks(bool several) {
         blocks.finish_as_one();
         return;
     }
-    for_each_colored([&](const ActingContact& c) {
+    for_each_acting_of(strips.all_nodes(), [&](const ActingContact& c) {
         if (c.both_move()) blocks.link(c.a(), c.b());
     });
     blocks.find_islands();
-    for_each_colored([&](const ActingContact& c) { blocks.count_contact(c.mover()); });
+    for_each_acting_of(strips.all_nodes(),
+                       [&](const ActingContact& c) { blocks.count_contact(c.mover()); });
     blocks.finish();
     if (blocks.are_mostly_one()) make_blocks(false);
 }

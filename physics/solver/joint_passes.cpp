@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <numeric>
 
 // A step writes the joints that act into constraints, by type and in the order of the nodes they
 // belong to, solves those of some nodes at a time, and reads their impulses back.
@@ -101,12 +100,12 @@ void WorldData::list_acting_joints(JointPlan& plan) {
             joint_notes[i] = uint8_t(node | (joint.breakable() ? can_break : 0));
         }
     });
-    plan.first.fill(0);
-    for (const uint8_t note : joint_notes) ++plan.first[(note & ~can_break) + 1u];
-    plan.first[1] = 0;  // those that do not act
-    std::partial_sum(plan.first.begin(), plan.first.end(), plan.first.begin());
-    auto next = plan.first;
-    plan.joints.resize(plan.first.back());
+    plan.nodes.clear();
+    for (const uint8_t note : joint_notes)
+        if (note != 0) plan.nodes.count(note & ~can_break);
+    plan.nodes.sum_up();
+    auto next = plan.nodes.places();
+    plan.joints.resize(plan.nodes.size());
     for (size_t i = 0; i < awake.size(); ++i) {
         if (joint_notes[i] == 0) continue;
         const uint32_t place = next[joint_notes[i] & ~can_break]++;
@@ -167,8 +166,8 @@ template <bool backwards, typename Visit>
 void WorldData::for_each_joint_of(const StripNodes& nodes, Visit&& visit) {
     const auto pass = [&](auto& list) {
         using Data = typename std::remove_cvref_t<decltype(list)>::value_type::Data;
-        const auto& first = joint_plans.of_type[size_t(joint_type<Data>)].first;
-        const size_t begin = first[nodes.begin], end = first[nodes.end];
+        const NodeRanges& ranges = joint_plans.of_type[size_t(joint_type<Data>)].nodes;
+        const size_t begin = ranges.begin(nodes), end = ranges.end(nodes);
         for (size_t i = 0; i < end - begin; ++i) visit(list[backwards ? end - 1 - i : begin + i]);
     };
     std::apply([&](auto&... list) { (pass(list), ...); }, joint_constraints);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <numeric>
 
 namespace fettle::physics::detail {
 namespace {
@@ -69,13 +68,13 @@ void JointShare::unite() {
     std::sort(bodies_.begin(), bodies_.end());
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
     velocities_.resize(bodies_.size());
-    first_.fill(0);
-    for (const uint64_t body : bodies_) ++first_[(body >> 32) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    nodes_.clear();
+    for (const uint64_t body : bodies_) nodes_.count(uint32_t(body >> 32));
+    nodes_.sum_up();
 }
 
 void JointShare::remember(const StripNodes& nodes, std::span<const SolverBody> bodies) {
-    for (size_t i = first_[nodes.begin]; i < first_[nodes.end]; ++i) {
+    for (size_t i = nodes_.begin(nodes); i < nodes_.end(nodes); ++i) {
         const SolverBody& b = bodies[uint32_t(bodies_[i])];
         velocities_[i] = {b.velocity, b.angular_velocity};
     }
@@ -83,7 +82,7 @@ void JointShare::remember(const StripNodes& nodes, std::span<const SolverBody> b
 
 void JointShare::add_change(const StripNodes& nodes, std::span<const SolverBody> bodies,
                             std::span<SolverForce> forces) const {
-    for (size_t i = first_[nodes.begin]; i < first_[nodes.end]; ++i) {
+    for (size_t i = nodes_.begin(nodes); i < nodes_.end(nodes); ++i) {
         const SolverBody& b = bodies[uint32_t(bodies_[i])];
         SolverForce& f = forces[uint32_t(bodies_[i])];
         f.before = f.before + (b.velocity - velocities_[i].linear);

@@ -3,7 +3,6 @@
 #include <solver/constraint.h>
 #include <solver/strips.h>
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -76,7 +75,7 @@ class JointShare {
 
     std::vector<uint64_t> bodies_;  // node << 32 | body
     std::vector<Velocity> velocities_;
-    std::array<uint32_t, 2 * most_strips + 1> first_ = {};  // of a node
+    NodeRanges nodes_;
 };
 
 }  // namespace fettle::physics::detail

@@ -1,7 +1,5 @@
 #include <world/world_data.h>
 
-#include <numeric>
-
 // Contacts that are solved one at a time: where a body is locked along an axis, where surfaces
 // roll, bounce, move or bend, and what found no color. Constraints are written once a step in the
 // order of the nodes they belong to, and their impulses are read back.
@@ -96,17 +94,17 @@ V2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
 /// What is solved one at a time, in the order of the nodes.
 void WorldData::list_serial() {
     serial_acting.clear();
-    first_serial.fill(0);
+    serial_nodes.clear();
     for (const ActingPiece& piece : acting_pieces) {
         if (piece.serially == 0) continue;
         for (uint32_t i = piece.begin; i < piece.end(); ++i) {
             if (!acting[i].serially) continue;
             serial_acting.push_back(i);
-            ++first_serial[acting[i].node + 1u];
+            serial_nodes.count(acting[i].node);
         }
     }
-    std::partial_sum(first_serial.begin(), first_serial.end(), first_serial.begin());
-    auto next = first_serial;
+    serial_nodes.sum_up();
+    auto next = serial_nodes.places();
     serial_contacts.resize(serial_acting.size());
     for (const uint32_t i : serial_acting) serial_contacts[next[acting[i].node]++] = acting[i].slot;
 }

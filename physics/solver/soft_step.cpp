@@ -44,11 +44,13 @@ struct WorldData::BlockStep {
     SubstepLimits limits;
 };
 
-/// `work(section)` for each section of a block, by all threads if they share it out.
+/// `work(section, nodes)` for each section of a block, by all threads if they share it out.
 template <typename Work>
 void WorldData::each_section(const SolverBlock& block, Work&& work) {
-    sections_of(block).each(block.cut ? threads : nullptr,
-                            [&](uint32_t section) { work(block.first_section + section); });
+    const Sections& plan = sections_of(block);
+    plan.each(helpers_of(block), [&](uint32_t section) {
+        work(block.first_section + section, plan.nodes_of(section));
+    });
 }
 
 void WorldData::pass(WidePass kernel, uint32_t section, WideBlock& wide, const BlockStep& step) {
@@ -59,7 +61,7 @@ void WorldData::pass(WidePass kernel, uint32_t section, WideBlock& wide, const B
 
 void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
     wide.make_groups(block.first_group, block.group_end);
-    each_section(block, [&](uint32_t section) {
+    each_section(block, [&](uint32_t section, const StripNodes&) {
         const size_t end = first_groups[section + 1];
         for (size_t i = first_groups[section]; i < end; i += groups_at_a_time) {
             const size_t next = std::min(i + groups_at_a_time, end);
@@ -72,7 +74,7 @@ void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const B
 }
 
 void WorldData::store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
-    each_section(block, [&](uint32_t section) {
+    each_section(block, [&](uint32_t section, const StripNodes&) {
         const size_t begin = first_groups[section], end = first_groups[section + 1];
         const std::span to(wide.lanes_of(begin), end - begin);
         step.kernels.store(wide.contacts_of(begin), to, touch_distance);
@@ -82,26 +84,27 @@ void WorldData::store_block(const SolverBlock& block, WideBlock& wide, const Blo
 
 void WorldData::begin_substep(const SolverBlock& block, const BlockStep& step, bool again) {
     const std::span which = blocks.bodies_of(block);
-    ThreadPool* const helpers = block.cut ? threads : nullptr;
-    share_out_range(helpers, which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
-        integrate_velocities(which.subspan(begin, end - begin), solver_bodies, solver_forces,
-                             step.limits, again);
-    });
+    share_out_range(helpers_of(block), which.size(), bodies_at_a_time,
+                    [&](size_t begin, size_t end) {
+                        integrate_velocities(which.subspan(begin, end - begin), solver_bodies,
+                                             solver_forces, step.limits, again);
+                    });
 }
 
 void WorldData::move_bodies(const SolverBlock& block, const BlockStep& step) {
     const std::span which = blocks.bodies_of(block);
-    ThreadPool* const helpers = block.cut ? threads : nullptr;
-    share_out_range(helpers, which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
-        integrate_positions(which.subspan(begin, end - begin), solver_bodies, step.h);
-    });
+    share_out_range(
+        helpers_of(block), which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
+            integrate_positions(which.subspan(begin, end - begin), solver_bodies, step.h);
+        });
 }
 
 /// A block of nothing but wide contacts, through all sub-steps.
 void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
     const WideKernels& kernels = step.kernels;
     const auto all = [&](WidePass kernel) {
-        each_section(block, [&](uint32_t section) { pass(kernel, section, wide, step); });
+        each_section(
+            block, [&](uint32_t section, const StripNodes&) { pass(kernel, section, wide, step); });
     };
     prepare_block(block, wide, step);
     for (int substep = 0; substep < settings.substeps; ++substep) {
@@ -127,7 +130,6 @@ bool WorldData::repeats_pushes(const SolverBlock& block) {
 void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_step) {
     const WideKernels& kernels = step.kernels;
     const SolverBlock& block = blocks[0];
-    const Sections& plan = sections_of(block);
     WideBlock& wide = wide_blocks[0];
     ContactSolver serial;
     serial.bodies = solver_bodies;
@@ -139,7 +141,7 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
     serial.restitution_threshold = settings.restitution_threshold;
     const auto serial_of = [&](const StripNodes& nodes) {
         ContactSolver some = serial;
-        const size_t begin = first_serial[nodes.begin], end = first_serial[nodes.end];
+        const size_t begin = serial_nodes.begin(nodes), end = serial_nodes.end(nodes);
         some.constraints = some.constraints.subspan(begin, end - begin);
         return some;
     };
@@ -150,21 +152,18 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         else
             pass();
     };
-    const auto warm_start = [&](uint32_t section, bool again) {
-        const StripNodes nodes = plan.nodes_of(section - block.first_section);
+    const auto warm_start = [&](uint32_t section, const StripNodes& nodes, bool again) {
         around_joints(nodes, [&] { warm_start_joints(nodes); });
         if (again) return;
         serial_of(nodes).warm_start();
         pass(kernels.warm_start, section, wide, step);
     };
-    const auto solve_biased = [&](uint32_t section) {
-        const StripNodes nodes = plan.nodes_of(section - block.first_section);
+    const auto solve_biased = [&](uint32_t section, const StripNodes& nodes) {
         around_joints(nodes, [&] { solve_joints(joint_step, nodes); });
         serial_of(nodes).solve_biased();
         pass(kernels.solve_biased, section, wide, step);
     };
-    const auto relax = [&](uint32_t section) {
-        const StripNodes nodes = plan.nodes_of(section - block.first_section);
+    const auto relax = [&](uint32_t section, const StripNodes& nodes) {
         around_joints(nodes, [&] { relax_joints(joint_step, nodes); });
         serial_of(nodes).relax();
         pass(kernels.relax, section, wide, step);
@@ -175,9 +174,9 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         std::atomic<bool> any = true;
         for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
             any = false;
-            each_section(block, [&](uint32_t section) {
-                ContactSolver some = serial_of(plan.nodes_of(section - block.first_section));
-                if (some.bounce(step.h * float(settings.substeps), pass, bounced)) any = true;
+            each_section(block, [&](uint32_t, const StripNodes& nodes) {
+                const float dt = step.h * float(settings.substeps);
+                if (serial_of(nodes).bounce(dt, pass, bounced)) any = true;
             });
         }
     }
@@ -187,7 +186,9 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         begin_substep(block, step, again);
         zero_locked();
         if (!again || jointed)
-            each_section(block, [&](uint32_t section) { warm_start(section, again); });
+            each_section(block, [&](uint32_t section, const StripNodes& nodes) {
+                warm_start(section, nodes, again);
+            });
         each_section(block, solve_biased);
         zero_locked();
         move_bodies(block, step);
@@ -195,9 +196,7 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         zero_locked();
         strain_joints();
     }
-    each_section(block, [&](uint32_t section) {
-        serial_of(plan.nodes_of(section - block.first_section)).restitute();
-    });
+    each_section(block, [&](uint32_t, const StripNodes& nodes) { serial_of(nodes).restitute(); });
     zero_locked();
     store_block(block, wide, step);
 }

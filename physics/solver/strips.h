@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <span>
 
 // A heap of bodies that all touch each other, solved by several threads: it is cut into strips of
@@ -32,6 +33,24 @@ inline StripNode above_both(StripNode a, StripNode b) {
 /// Nodes `begin` to `end`, all of one level or all there are.
 struct StripNodes {
     uint32_t begin = 1, end = 2;
+};
+
+/// Where those of each node are in a list in the order of the nodes: `count` each, then `sum_up`.
+class NodeRanges {
+  public:
+    using Places = std::array<uint32_t, 2 * most_strips + 1>;
+
+    void clear() { first_.fill(0); }
+    void count(uint32_t node, uint32_t how_many = 1) { first_[node + 1] += how_many; }
+    void sum_up() { std::partial_sum(first_.begin(), first_.end(), first_.begin()); }
+    /// The place of the first of each node; a copy, to give out one after the other.
+    Places places() const { return first_; }
+    uint32_t begin(const StripNodes& nodes) const { return first_[nodes.begin]; }
+    uint32_t end(const StripNodes& nodes) const { return first_[nodes.end]; }
+    uint32_t size() const { return first_.back(); }
+
+  private:
+    Places first_ = {};
 };
 
 /// Something that takes time, and where it is.

@@ -62,8 +62,8 @@ void with_list(Lists& lists, JointType type, Visit&& visit) {
 
 /// The joints of a type that act in a step, in the order of the nodes they belong to.
 struct JointPlan {
-    std::vector<uint32_t> joints;                          ///< slots
-    std::array<uint32_t, 2 * most_strips + 1> first = {};  ///< of a node
+    std::vector<uint32_t> joints;  ///< slots
+    NodeRanges nodes;
 };
 
 struct JointPlans {

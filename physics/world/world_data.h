@@ -121,9 +121,9 @@ struct WorldData : Columns {
     Sections sections[2];                ///< of blocks that are whole, of those that are cut
     std::vector<uint32_t> color_begin;   ///< lanes, by who counts them, section and color
     std::vector<uint32_t> first_groups;  ///< of each section of each block, and the end
-    std::vector<std::vector<uint32_t>> out_of_colors;        ///< by section: acting ones
-    std::vector<uint32_t> serial_acting;                     ///< solved one at a time
-    std::array<uint32_t, 2 * most_strips + 1> first_serial;  ///< of a node, among `constraints`
+    std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting ones
+    std::vector<uint32_t> serial_acting;               ///< solved one at a time
+    NodeRanges serial_nodes;                           ///< of `constraints`
     std::vector<uint8_t> joint_notes, serial_notes;
     std::vector<uint8_t> bounced;  ///< by solver index: in which pass
     JointPlans joint_plans;
@@ -418,6 +418,7 @@ struct WorldData : Columns {
     void solve_first_block(const BlockStep& step, const JointStep& joint_step);
     void solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step);
     const Sections& sections_of(const SolverBlock& block) const { return sections[block.cut]; }
+    ThreadPool* helpers_of(const SolverBlock& block) const { return block.cut ? threads : nullptr; }
     template <typename Work>
     void each_section(const SolverBlock& block, Work&& work);
     void pass(WidePass kernel, uint32_t section, WideBlock& wide, const BlockStep& step);
@@ -449,8 +450,6 @@ struct WorldData : Columns {
     void store_serial();
     uint8_t store_constraint(const ContactConstraint& constraint);
     Corner corner_of(const ContactRecord& contact) const;
-    template <typename Visit>
-    void for_each_colored(Visit&& visit);
     void count_places();
     void place_lanes();
     void fill_group(size_t group, WideContact& wide, ContactLanes& from);

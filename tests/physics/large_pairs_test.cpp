@@ -189,13 +189,8 @@ TEST_CASE("large polygons meet pieces of outlines as they meet the convex polygo
     const std::vector<Vec2> clockwise(outline.rbegin(), outline.rend());
     int met = 0, behind = 0;
     for (int trial = 0; trial < 400; ++trial) {
-        std::vector<Vec2> points;
-        const int count = trial % 2 ? 300 : 20;
-        for (int i = 0; i < count; ++i) {
-            const float t = 6.2831853f * float(i) / float(count);
-            points.push_back({0.8f * std::cos(t), 0.5f * std::sin(t)});
-        }
-        const Polygon polygon{points, trial % 3 ? 0.0f : 0.1f};
+        const Polygon polygon{ellipse_points(0.8f, 0.5f, trial % 2 ? 300 : 20),
+                              trial % 3 ? 0.0f : 0.1f};
         // Pushed out along some direction until it touches.
         Pose pose{.angle = angle(random)};
         const float t = angle(random);
@@ -230,27 +225,6 @@ TEST_CASE("large polygons meet pieces of outlines as they meet the convex polygo
     REQUIRE(behind < 5);
 }
 
-TEST_CASE("a polygon of four thousand vertices rolls down a chain like a disc") {
-    World world({.sleeping = false});
-    const float slope = 0.2f;
-    Body ground = world.create_body({.type = BodyType::static_body, .angle = -slope});
-    Chain chain;
-    for (int i = 0; i <= 400; ++i) chain.points.push_back({float(i - 200), 0.0f});
-    ground.add(chain);
-    std::vector<Vec2> points;
-    for (int i = 0; i < 4096; ++i) {
-        const float t = 6.2831853f * float(i) / 4096.0f;
-        points.push_back({0.5f * std::cos(t), 0.5f * std::sin(t)});
-    }
-    Body body =
-        world.create_body({.position = Vec2(0.5f * std::sin(slope), 0.5f * std::cos(slope))});
-    body.add(Polygon{points});
-    run(world, 2.0f);
-    const double expected = 2.0 / 3.0 * 10.0 * std::sin(double(slope)) * 2.0;
-    REQUIRE(double(body.velocity().norm()) == Approx(expected).epsilon(0.01));
-    REQUIRE_FALSE(world.validate());
-}
-
 TEST_CASE("what slides over a large polygon in pieces is held by all of them") {
     // A crescent: its outer arc is cut into few pieces of many vertices.
     std::vector<Vec2> crescent;
@@ -262,11 +236,7 @@ TEST_CASE("what slides over a large polygon in pieces is held by all of them") {
         const float t = 3.1415927f * float(i) / 40.0f;
         crescent.push_back({2.8f * std::cos(t), 1.5f * std::sin(t)});
     }
-    std::vector<Vec2> wheel;
-    for (int i = 0; i < 100; ++i) {
-        const float t = 6.2831853f * float(i) / 100.0f;
-        wheel.push_back({0.3f * std::cos(t), 0.3f * std::sin(t)});
-    }
+    const std::vector<Vec2> wheel = ellipse_points(0.3f, 0.3f, 100);
     for (const Geometry& form : {Geometry(Polygon{wheel}), Geometry(Ellipse{0.3f, 0.29f})}) {
         World world({.sleeping = false});
         Body ground = world.create_body({.type = BodyType::static_body});

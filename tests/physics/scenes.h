@@ -3,6 +3,7 @@
 #include <fettle/physics/physics.h>
 
 #include <cmath>
+#include <vector>
 
 // What many tests set up, and how they look at it.
 
@@ -38,6 +39,17 @@ inline Body add_ball(World& world, const Vec2& position, float radius = 0.5f,
     Body ball = world.create_body({.position = position});
     ball.add(Circle{.radius = radius}, surface);
     return ball;
+}
+
+/// `count` points of an ellipse, counterclockwise from its right end.
+inline std::vector<Vec2> ellipse_points(float rx, float ry, int count,
+                                        const Vec2& center = {0.0f, 0.0f}) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const float t = 6.2831853f * float(i) / float(count);
+        points.push_back(center + Vec2(rx * std::cos(t), ry * std::sin(t)));
+    }
+    return points;
 }
 
 /// A box at rest on a static slope of this angle, friction as given on both; the slope passes

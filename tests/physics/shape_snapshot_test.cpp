@@ -14,16 +14,11 @@ void build_heap(World& world) {
     for (int i = 0; i < 24; ++i) {
         Body body = world.create_body(
             {.position = {float(i % 6) - 2.5f, 1.5f + float(i / 6)}, .angle = 0.4f * float(i)});
-        std::vector<Vec2> round;
-        for (int k = 0; k < 20; ++k) {
-            const float t = 6.2831853f * float(k) / 20.0f;
-            round.push_back({0.4f * std::cos(t), 0.3f * std::sin(t)});
-        }
         if (i % 4 == 0) body.add(Ellipse{0.5f, 0.3f});
         if (i % 4 == 1)
             body.add(
                 Concave{{{0, 0}, {0.8f, 0}, {0.8f, 0.3f}, {0.3f, 0.3f}, {0.3f, 0.8f}, {0, 0.8f}}});
-        if (i % 4 == 2) body.add(Polygon{round});
+        if (i % 4 == 2) body.add(Polygon{ellipse_points(0.4f, 0.3f, 20)});
         if (i % 4 == 3) body.add(Box{.width = 0.7f, .height = 0.7f}, {.restitution = 0.5f});
     }
 }
@@ -94,11 +89,7 @@ TEST_CASE("shapes without measure are refused or stand") {
         attempt(Ellipse{size, size});
         attempt(Concave{{{0, 0}, {size, 0}, {size, size}, {0.5f * size, 0.1f * size}, {0, size}}});
         attempt(Chain{{{0, 0}, {size, 0}}});
-        std::vector<Vec2> round;
-        for (int k = 0; k < 30; ++k) {
-            const float t = 6.2831853f * float(k) / 30.0f;
-            round.push_back({size * std::cos(t), size * std::sin(t)});
-        }
+        const std::vector<Vec2> round = ellipse_points(size, size, 30);
         attempt(Polygon{round});
         attempt(Polygon{round, size});
         for (int i = 0; i < 60; ++i) world.step(frame);

@@ -20,12 +20,9 @@ struct Twofold {
 
     Twofold(std::mt19937& random, int count, float rounding) : radius(rounding) {
         std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), stretch(0.3f, 2.0f);
-        std::vector<Vec2> points, hull;
         const float a = stretch(random), b = stretch(random);
-        for (int i = 0; i < count; ++i) {
-            const float t = 6.2831853f * float(i) / float(count);
-            points.push_back({0.3f + a * std::cos(t), -0.1f + b * std::sin(t)});
-        }
+        const std::vector<Vec2> points = ellipse_points(a, b, count, {0.3f, -0.1f});
+        std::vector<Vec2> hull;
         REQUIRE(convex_hull(points, hull) == HullStatus::ok);
         REQUIRE(int(hull.size()) == count);
         const float turn = angle(random);
