@@ -66,7 +66,7 @@ void Strips::cut(std::span<StripSample> samples, uint32_t count) {
     if (count_ == 1) return;
     upright_ = lie_upright(samples);
     std::sort(samples.begin(), samples.end(), [&](const StripSample& a, const StripSample& b) {
-        return along(a, upright_) < along(b, upright_);
+        return along(a, upright_ != 0) < along(b, upright_ != 0);
     });
     cut_below(samples, 1);
 }
@@ -79,7 +79,7 @@ void Strips::cut_below(std::span<const StripSample> samples, uint32_t node) {
     while (middle < samples.size() && 2.0f * (so_far + samples[middle].work) <= all)
         so_far += samples[middle++].work;
     middle = std::min(middle, samples.empty() ? 0 : samples.size() - 1);
-    limits_[node] = samples.empty() ? limits_[node / 2] : along(samples[middle], upright_);
+    limits_[node] = samples.empty() ? limits_[node / 2] : along(samples[middle], upright_ != 0);
     if (2 * node >= count_) return;
     cut_below(samples.first(middle), 2 * node);
     cut_below(samples.subspan(middle), 2 * node + 1);

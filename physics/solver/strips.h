@@ -71,18 +71,21 @@ class Strips {
     StripNodes all_nodes() const { return {1, 2 * count_}; }
     StripNode first_leaf() const { return StripNode(count_); }
     StripNode leaf_at(V2 place) const {
-        const float along = upright_ ? place.y : place.x;
+        const float along = upright_ != 0 ? place.y : place.x;
         uint32_t node = 1;
         while (node < count_) node = 2 * node + (along >= limits_[node]);
         return StripNode(node);
     }
+
+    /// Of what came as bytes: whether it may be asked.
+    bool are_sound() const { return count_ <= most_strips && std::has_single_bit(count_); }
 
   private:
     void cut_below(std::span<const StripSample> samples, uint32_t node);
 
     std::array<float, most_strips> limits_ = {};  ///< by node: where its two halves meet, m
     uint32_t count_ = 1;
-    bool upright_ = false;  ///< strips lie on each other
+    uint32_t upright_ = 0;  ///< 1: strips lie on each other
 };
 
 /// What is solved at a time, section by section. Where several threads share out a block, each has

@@ -15,8 +15,8 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 8;
-constexpr size_t world_data_size = 5784;  // without the lists of joints
+constexpr uint32_t archive_version = 9;
+constexpr size_t world_data_size = 5832;  // without the lists of joints
 
 /// Another layout of what is copied byte by byte is another format.
 constexpr uint32_t layout() {
@@ -56,7 +56,7 @@ void world_members(Io& io, World& w) {
     io(w.fixed_tree), io(w.moving_tree), io(w.pairs);
     io(w.moved_shapes), io(w.awake_bodies), io(w.awake_contacts), io(w.awake_joints);
     io(w.edited_bodies), io(w.edited_shapes);
-    io(w.last_substep), io(w.steps), io(w.sleep_candidates);
+    io(w.strips), io(w.last_substep), io(w.steps), io(w.sleep_candidates);
     event_members(io, w.events), event_members(io, w.pending);
     io(w.statistics);
     // A reminder for who adds a member: it belongs into the list above, unless it is made anew in

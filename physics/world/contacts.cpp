@@ -107,10 +107,10 @@ void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
         add_awake_contact(slot);
 }
 
-void WorldData::destroy_contact(uint32_t slot, bool in_narrow_phase) {
+void WorldData::destroy_contact(uint32_t slot) {
     ContactRecord& c = contacts[slot];
     if (c.touching) set_touching(slot, false);
-    if (c.awake_index != none && !in_narrow_phase) remove_awake_contact(slot);
+    if (c.awake_index != none) remove_awake_contact(slot);
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = bodies[owners[side]];

@@ -72,14 +72,15 @@ struct MemoryRelease {
 template <class Io, class World>
 void scratch_members(Io& io, World& w) {
     io(w.relocated), io(w.new_pairs), io(w.found_pairs), io(w.parts_of_walk);
-    io(w.contact_notes), io(w.piece_notes), io(w.finished), io(w.fast_bodies), io(w.gathered);
+    io(w.contact_notes), io(w.piece_notes), io(w.pairs_over), io(w.finished), io(w.fast_bodies),
+        io(w.gathered);
     io(w.solver_bodies), io(w.solver_ends), io(w.solver_forces), io(w.joint_share), io(w.locked);
     io(w.constraints), io(w.serial_contacts), io(w.extras), io(w.rolling_contacts);
     io(w.wide_blocks), io(w.acting), io(w.acting_pieces), io(w.colors_of_body);
     io(w.lane_contacts), io(w.spare_lanes), io(w.news), io(w.told), io(w.hits);
     io(w.blocks), io(w.color_begin), io(w.first_groups), io(w.out_of_colors), io(w.serial_acting);
     io(w.joint_notes), io(w.serial_notes), io(w.bounced), io(w.joint_plans);
-    io(w.joint_constraints), io(w.strains), io(w.parted);
+    io(w.joint_constraints), io(w.strains), io(w.parted), io(w.reordered);
 }
 
 template <class... Part>

@@ -163,35 +163,29 @@ void WorldData::collide_from(size_t begin) {
 }
 
 void WorldData::narrow_phase() {
-    size_t kept = 0;
+    pairs_over.clear();
     // Waking appends to the list: what is new is collided in a round of its own.
     for (size_t begin = 0; begin < awake_contacts.size();) {
         const size_t end = awake_contacts.size();
         collide_from(begin);
-        for (size_t i = begin; i < end; ++i) {
-            if (kept == i && (i - begin) % piece_length == 0 &&
-                piece_notes[(i - begin) / piece_length] == 0) {
-                // Nothing more of all of them, and they stay where they are.
-                kept = std::min(i + piece_length, end);
-                i = kept - 1;
-                continue;
+        for (size_t piece = begin; piece < end; piece += piece_length) {
+            if (piece_notes[(piece - begin) / piece_length] == 0) continue;
+            for (size_t i = piece; i < std::min(piece + piece_length, end); ++i) {
+                const uint32_t slot = awake_contacts[i];
+                if (contact_notes[i] == needs_more) follow_note(contacts[slot], slot);
+                if (contact_notes[i] == pair_is_over) pairs_over.push_back(slot);
             }
-            const uint32_t slot = awake_contacts[i];
-            if (contact_notes[i] == pair_is_over) {
-                destroy_contact(slot, true);
-                continue;
-            }
-            if (kept != i) {
-                awake_contacts[kept] = slot;
-                contacts[slot].awake_index = uint32_t(kept);
-            }
-            ++kept;
-            if (contact_notes[i] == needs_more) follow_note(contacts[slot], slot);
         }
         begin = end;
     }
-    awake_contacts.resize(kept);
-    for (uint32_t shape : moved_shapes) relocated[shape] = 0;
+    // Now that all are collided the last can take the place of one that goes.
+    for (const uint32_t slot : pairs_over) destroy_contact(slot);
+    // A few are cheaper to look up, many to go over.
+    if (moved_shapes.size() < relocated.size() / 64) {
+        for (const uint32_t shape : moved_shapes) relocated[shape] = 0;
+    } else {
+        std::ranges::fill(relocated, uint8_t{0});
+    }
     moved_shapes.clear();
 }
 

@@ -172,6 +172,7 @@ void WorldData::step(float dt) {
     finish_bodies(dt);
     stop_fast_bodies();
     tell_parted();
+    order_lists();
     statistics.finish_ms = clock.lap();
     ++steps;
     sleep_resting_islands();

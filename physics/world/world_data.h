@@ -101,6 +101,7 @@ struct WorldData : Columns {
     enum ContactNote : uint8_t { nothing_else, needs_more, pair_is_over };
     std::vector<uint8_t> contact_notes;  ///< by place among the awake contacts
     std::vector<uint8_t> piece_notes;    ///< whether a piece of them has one
+    std::vector<uint32_t> pairs_over;    ///< contacts that end with the narrow phase
     std::vector<SolverBody> solver_bodies;
     /// By body slot. Dense, where the records are not: every contact asks.
     std::vector<SolverEnd> solver_ends;
@@ -118,6 +119,7 @@ struct WorldData : Columns {
     std::vector<std::vector<ContactHitEvent>> hits;  ///< of the step, by piece
     SolverBlocks blocks;
     Strips strips;                       ///< where this step cuts the world
+    std::vector<uint32_t> reordered;     ///< while a list is put in their order
     Sections sections[2];                ///< of blocks that are whole, of those that are cut
     std::vector<uint32_t> color_begin;   ///< lanes, by who counts them, section and color
     std::vector<uint32_t> first_groups;  ///< of each section of each block, and the end
@@ -326,7 +328,7 @@ struct WorldData : Columns {
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const;
     bool callback_agrees(uint32_t shape_a, uint32_t shape_b) const;
     void create_contact(uint32_t shape_a, uint32_t shape_b);
-    void destroy_contact(uint32_t contact, bool in_narrow_phase = false);
+    void destroy_contact(uint32_t contact);
     void destroy_contacts_of_shape(uint32_t shape);
     void refilter(uint32_t shape);
     void remix(ContactRecord& contact) const;
@@ -410,6 +412,7 @@ struct WorldData : Columns {
                       float core) const;
     // strips.cpp
     void cut_into_strips();
+    void order_lists();
     // ../solver/soft_step.cpp
     struct BlockStep;
     using WidePass = void (*)(const WideStep&);
