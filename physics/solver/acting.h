@@ -17,9 +17,12 @@ class SolverEnd {
         static_assert(2 * most_strips <= 1 << strip_bits);
     }
 
+    static SolverEnd of_hub(uint32_t index) { return {index, 0, true}; }
+
     uint32_t index() const { return bits_ >> strip_bits >> 1; }
     StripNode strip() const { return StripNode(bits_ >> 1 & ((1u << strip_bits) - 1)); }
     bool moves() const { return (bits_ & 1) != 0; }
+    bool is_hub() const { return moves() && strip() == 0; }
 
   private:
     static constexpr int strip_bits = 4;
@@ -30,7 +33,7 @@ class SolverEnd {
 /// in any strip.
 inline StripNode node_of(SolverEnd a, SolverEnd b) {
     if (a.moves() && b.moves()) return above_both(a.strip(), b.strip());
-    return a.moves() || b.index() == 0 ? a.strip() : b.strip();
+    return std::max<StripNode>(a.moves() || b.index() == 0 ? a.strip() : b.strip(), 1);
 }
 
 /// A contact that acts in this step, as those see it who color it and put it into a group.
@@ -40,8 +43,9 @@ struct ActingContact {
     uint32_t entry = 0;  ///< who counts it, its section and color
     uint32_t place = 0;  ///< among those of its entry; then its lane
     StripNode node = 1;
-    bool serially = false;  ///< solved one at a time
-    bool touching = false, hit_events = false;
+    uint8_t hub = 0;            ///< a copy of which it acts on; 0: of none
+    bool serially : 1 = false;  ///< solved one at a time
+    bool touching : 1 = false, hit_events : 1 = false;
 
     uint32_t a() const { return end_a.index(); }
     uint32_t b() const { return end_b.index(); }

@@ -67,8 +67,17 @@ void WorldData::find_acting(float dt) {
             const bool one_at_a_time = serially || record.special || record.curved ||
                                        on_locked_axis(record) || passes_corner(record, dt);
             ActingContact& c = *last++;
-            c = {
-                slot, a, b, 0, 0, node_of(a, b), one_at_a_time, record.touching, record.hit_events};
+            c = {slot,
+                 a,
+                 b,
+                 0,
+                 0,
+                 node_of(a, b),
+                 0,
+                 one_at_a_time,
+                 record.touching,
+                 record.hit_events};
+            if (a.is_hub() || b.is_hub()) hubs.settle(c, solver_bodies);
             nodes |= 1u << c.node;
             piece.serially += c.serially;
             if (blocks_stay && c.both_move())
@@ -102,6 +111,7 @@ void WorldData::color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left
         });
     }
     for_each_acting_of(nodes, [&](ActingContact& c) {
+        if (c.hub != 0) hubs.choose_copy(c);
         const uint32_t a = c.a(), b = c.b();
         const uint64_t taken =
             (c.moves_a() ? colors_of_body[a] : 0) | (c.moves_b() ? colors_of_body[b] : 0);
@@ -109,6 +119,7 @@ void WorldData::color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left
         const int color = first + std::countr_one(taken >> first);
         if (color >= end_of_colors(c.both_move())) {
             c.serially = true;
+            if (c.hub != 0) hubs.give_up_copy(c);
             left_over.push_back(uint32_t(&c - acting.data()));
             return;
         }
@@ -190,7 +201,8 @@ void WorldData::update_blocks() {
         linked |= piece.links_blocks;
     }
     colored_count = count - serially;
-    const bool plain = serially == 0 && locked.empty() && !driven && acting_joints() == 0;
+    const bool plain =
+        serially == 0 && locked.empty() && !driven && hubs.empty() && acting_joints() == 0;
     const bool enough = plain && colored_count >= least_for_blocks;
     const bool several = enough && blocks.may_be_several();
     if (linked || !blocks.may_stay(awake_bodies, several)) make_blocks(several);
@@ -199,7 +211,7 @@ void WorldData::update_blocks() {
 
 /// Each island in one block, where there is enough for several.
 void WorldData::make_blocks(bool several) {
-    blocks.begin(uint32_t(solver_bodies.size()));
+    blocks.begin(uint32_t(awake_bodies.size()) + 1);
     blocks.remember(awake_bodies, several);
     if (!several) {
         blocks.finish_as_one();

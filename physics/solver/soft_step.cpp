@@ -49,7 +49,12 @@ template <typename Work>
 void WorldData::each_section(const SolverBlock& block, Work&& work) {
     const Sections& plan = sections_of(block);
     plan.each(helpers_of(block), [&](uint32_t section) {
-        work(block.first_section + section, plan.nodes_of(section));
+        const StripNodes nodes = plan.nodes_of(section);
+        const bool strip = nodes.begin >= strips.first_leaf(), root = nodes.begin == 1;
+        if (strip) hubs.hand_out(nodes, solver_bodies);
+        if (root && !strip) hubs.take_back(solver_bodies);
+        work(block.first_section + section, nodes);
+        if (root && strip) hubs.take_back(solver_bodies);
     });
 }
 

@@ -3,6 +3,7 @@
 #include <geometry/vector.h>
 #include <threads/pool.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -25,9 +26,9 @@ inline constexpr uint32_t most_strips = 8;
 /// Of a complete binary tree: 1 is the root, 2n and 2n + 1 are below n.
 using StripNode = uint8_t;
 
-/// The lowest node that is above both, or is both.
+/// The lowest node that is above both, or is both. Above what is in no strip, 0, is the root only.
 inline StripNode above_both(StripNode a, StripNode b) {
-    return StripNode(a >> std::bit_width(unsigned(a ^ b)));
+    return std::max<StripNode>(StripNode(a >> std::bit_width(unsigned(a ^ b))), 1);
 }
 
 /// Nodes `begin` to `end`, all of one level or all there are.

@@ -75,6 +75,7 @@ void scratch_members(Io& io, World& w) {
     io(w.contact_notes), io(w.piece_notes), io(w.pairs_over), io(w.finished), io(w.fast_bodies),
         io(w.gathered);
     io(w.solver_bodies), io(w.solver_ends), io(w.solver_forces), io(w.joint_share), io(w.locked);
+    io(w.hubs);
     io(w.constraints), io(w.serial_contacts), io(w.extras), io(w.rolling_contacts);
     io(w.wide_blocks), io(w.acting), io(w.acting_pieces), io(w.colors_of_body);
     io(w.lane_contacts), io(w.spare_lanes), io(w.news), io(w.told), io(w.hits);

@@ -1,6 +1,7 @@
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -33,7 +34,12 @@ class StageClock {
 }  // namespace
 
 /// What a piece of the awake bodies has that few have.
-enum Gathered : uint8_t { some_locked = 1, some_axis_locked = 2, some_driven = 4 };
+enum Gathered : uint8_t {
+    some_locked = 1,
+    some_axis_locked = 2,
+    some_driven = 4,
+    some_crowded = 8
+};
 
 uint8_t WorldData::gather_body(size_t i, float h) {
     const uint32_t slot = awake_bodies[i];
@@ -65,7 +71,8 @@ uint8_t WorldData::gather_body(size_t i, float h) {
     f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
     const bool axis = record.locked_x || record.locked_y;
     return uint8_t((axis ? some_axis_locked | some_locked : 0) |
-                   (record.locked_rotation ? some_locked : 0));
+                   (record.locked_rotation ? some_locked : 0) |
+                   (record.contact_count >= Hubs::least_contacts ? some_crowded : 0));
 }
 
 void WorldData::gather_bodies(float h) {
@@ -81,7 +88,13 @@ void WorldData::gather_bodies(float h) {
         gathered[begin / bodies_at_a_time] = found;
     });
     uint8_t found = 0;
-    for (const uint8_t piece : gathered) found |= piece;
+    hubs.begin(strips.count());
+    for (size_t piece = 0; piece < gathered.size(); ++piece) {
+        found |= gathered[piece];
+        // The solvers that take one contact after the other need none.
+        if ((gathered[piece] & some_crowded) != 0 && settings.solver == Solver::soft_step)
+            find_hubs(piece * bodies_at_a_time, std::min((piece + 1) * bodies_at_a_time, count));
+    }
     axes_locked = (found & some_axis_locked) != 0;
     driven = (found & some_driven) != 0;
     locked.clear();

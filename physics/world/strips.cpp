@@ -78,8 +78,8 @@ void WorldData::cut_into_strips() {
 void WorldData::order_lists() {
     if (strips.count() == 1 || steps % order_interval != 0) return;
     const auto strip_of = [&](uint32_t body_a, uint32_t body_b) {
-        const SolverEnd a = solver_ends[body_a];
-        return a.moves() ? a.strip() : solver_ends[body_b].strip();
+        const SolverEnd a = solver_ends[body_a], b = solver_ends[body_b];
+        return a.moves() && !a.is_hub() ? a.strip() : b.strip();
     };
     // Those of a strip in the order in which they are in memory.
     const auto strip_of_body = [&](uint32_t body) { return solver_ends[body].strip(); };

@@ -7,6 +7,7 @@
 #include <solver/acting.h>
 #include <solver/blocks.h>
 #include <solver/constraint.h>
+#include <solver/hubs.h>
 #include <solver/motion.h>
 #include <solver/rolling_contact.h>
 #include <solver/stiffness.h>
@@ -118,6 +119,7 @@ struct WorldData : Columns {
     std::vector<uint64_t> told;                      ///< a bit for each acting contact
     std::vector<std::vector<ContactHitEvent>> hits;  ///< of the step, by piece
     SolverBlocks blocks;
+    Hubs hubs;
     Strips strips;                       ///< where this step cuts the world
     std::vector<uint32_t> reordered;     ///< while a list is put in their order
     Sections sections[2];                ///< of blocks that are whole, of those that are cut
@@ -413,6 +415,10 @@ struct WorldData : Columns {
     // strips.cpp
     void cut_into_strips();
     void order_lists();
+    // hubs.cpp
+    void find_hubs(size_t begin, size_t end);
+    bool is_hub(uint32_t body) const;
+    float inverse_mass_at_rim(uint32_t body) const;
     // ../solver/soft_step.cpp
     struct BlockStep;
     using WidePass = void (*)(const WideStep&);
