@@ -21,7 +21,7 @@ constexpr uint64_t cut_interval = 8;
 
 /// Steps between two looks at whether the lists are in the order of the strips: bodies take their
 /// time from one strip to another.
-constexpr uint64_t order_interval = 16;
+constexpr uint64_t order_interval = 64;
 
 /// Stable. `strip_of(slot)`; `place(slot, i)`: told where it is now.
 template <typename StripOf, typename Place>

@@ -2,7 +2,6 @@
 // what one thread ends with.
 
 #include <solver/strips.h>
-#include <world/world_data.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,14 +10,10 @@
 
 #include "catch.h"
 #include "scenes.h"
+#include "world_inside.h"
 
 using namespace scenes;
 using namespace fettle::physics::detail;
-
-/// What the world has inside.
-struct fettle::physics::detail::WorldInside {
-    static WorldData& of(World& world) { return *world.data_; }
-};
 
 namespace {
 
@@ -69,6 +64,7 @@ void fill(World& world) {
 struct Course {
     std::vector<uint64_t> hashes;
     uint32_t strips = 1;
+    bool has_hub = false;
     size_t broken = 0, hits = 0;
 };
 
@@ -82,6 +78,7 @@ Course run_with(int hands, int steps) {
     for (int i = 0; i < steps; ++i) {
         world.step(frame);
         course.strips = std::max(course.strips, WorldInside::of(world).strips.count());
+        course.has_hub |= !WorldInside::of(world).hubs.empty();
         course.hashes.push_back(world.hash());
         course.broken += world.events().joint_broke.size();
         course.hits += world.events().contact_hit.size();
@@ -199,6 +196,7 @@ TEST_CASE("what cannot be cut is in some strip") {
 TEST_CASE("a heap of everything ends the same however many threads share out its strips") {
     const Course one = run_with(1, 70);
     REQUIRE(one.strips >= 4);
+    REQUIRE(one.has_hub);
     REQUIRE(one.broken > 0);
     REQUIRE(one.hits > 0);
     for (const int hands : {2, 3, 4, 8}) {
