@@ -29,11 +29,11 @@ class SolverEnd {
     uint32_t bits_ = 0;
 };
 
-/// The node that two bodies with something between them belong to. What takes no impulses may be
-/// in any strip.
+/// The node that two bodies with something between them belong to, if neither is a hub. What takes
+/// no impulses may be in any strip.
 inline StripNode node_of(SolverEnd a, SolverEnd b) {
     if (a.moves() && b.moves()) return above_both(a.strip(), b.strip());
-    return std::max<StripNode>(a.moves() || b.index() == 0 ? a.strip() : b.strip(), 1);
+    return a.moves() || b.index() == 0 ? a.strip() : b.strip();
 }
 
 /// A contact that acts in this step, as those see it who color it and put it into a group.
@@ -43,9 +43,13 @@ struct ActingContact {
     uint32_t entry = 0;  ///< who counts it, its section and color
     uint32_t place = 0;  ///< among those of its entry; then its lane
     StripNode node = 1;
-    uint8_t hub = 0;            ///< a copy of which it acts on; 0: of none
-    bool serially : 1 = false;  ///< solved one at a time
-    bool touching : 1 = false, hit_events : 1 = false;
+    uint8_t hub = 0;        ///< a copy of which it acts on; 0: of none
+    bool serially = false;  ///< solved one at a time
+    uint8_t tells = 0;      ///< `is_touching`, `of_hits`
+
+    enum Tells : uint8_t { is_touching = 1, of_hits = 2 };
+    bool touching() const { return (tells & is_touching) != 0; }
+    bool hit_events() const { return (tells & of_hits) != 0; }
 
     uint32_t a() const { return end_a.index(); }
     uint32_t b() const { return end_b.index(); }

@@ -50,6 +50,7 @@ constexpr size_t least_shared_first = 1000, least_shared = 2 * SolverBlocks::eno
 void WorldData::find_acting(float dt) {
     const size_t count = awake_contacts.size();
     const bool serially = settings.solver != Solver::soft_step;  // the others know no groups
+    const bool any_hubs = !hubs.empty();
     const bool blocks_stay = blocks.may_be_linked(awake_bodies);
     acting.resize(count);
     acting_pieces.resize((count + piece_length - 1) / piece_length);
@@ -66,18 +67,11 @@ void WorldData::find_acting(float dt) {
             const SolverEnd a = solver_ends[record.body_a], b = solver_ends[record.body_b];
             const bool one_at_a_time = serially || record.special || record.curved ||
                                        on_locked_axis(record) || passes_corner(record, dt);
+            const auto tells = uint8_t((record.touching ? ActingContact::is_touching : 0) |
+                                       (record.hit_events ? ActingContact::of_hits : 0));
             ActingContact& c = *last++;
-            c = {slot,
-                 a,
-                 b,
-                 0,
-                 0,
-                 node_of(a, b),
-                 0,
-                 one_at_a_time,
-                 record.touching,
-                 record.hit_events};
-            if (a.is_hub() || b.is_hub()) hubs.settle(c, solver_bodies);
+            c = {slot, a, b, 0, 0, node_of(a, b), 0, one_at_a_time, tells};
+            if (any_hubs && (a.is_hub() || b.is_hub())) hubs.settle(c, solver_bodies);
             nodes |= 1u << c.node;
             piece.serially += c.serially;
             if (blocks_stay && c.both_move())
@@ -279,8 +273,8 @@ void WorldData::fill_group(size_t group, WideContact& wide, ContactLanes& from) 
         wide.b[lane] = c.b();
         wide.friction[lane] = contacts[c.slot].friction;
         from.manifolds[lane] = &contacts[c.slot].manifold;
-        from.touching |= uint32_t{c.touching} << lane;
-        from.tells_always |= uint32_t{c.hit_events} << lane;
+        from.touching |= uint32_t{c.touching()} << lane;
+        from.tells_always |= uint32_t{c.hit_events()} << lane;
     }
 }
 

@@ -25,6 +25,7 @@ uint8_t Hubs::hub_of(SolverEnd end) const {
 }
 
 void Hubs::settle(ActingContact& c, std::span<const SolverBody> bodies) const {
+    c.node = 1;
     const uint8_t hub_a = hub_of(c.end_a), hub_b = hub_of(c.end_b);
     if ((hub_a == 0) == (hub_b == 0) || !c.both_move() || c.serially) return;
     const uint8_t hub = std::max(hub_a, hub_b);

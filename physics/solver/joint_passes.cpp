@@ -1,5 +1,6 @@
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -97,7 +98,8 @@ void WorldData::list_acting_joints(JointPlan& plan) {
             const SolverEnd a = solver_ends[joint.bodies[0]], b = solver_ends[joint.bodies[1]];
             const StripNode node =
                 above_both((a.index() != 0 ? a : b).strip(), (b.index() != 0 ? b : a).strip());
-            joint_notes[i] = uint8_t(node | (joint.breakable() ? can_break : 0));
+            joint_notes[i] =
+                uint8_t(std::max<StripNode>(node, 1) | (joint.breakable() ? can_break : 0));
         }
     });
     plan.nodes.clear();

@@ -68,8 +68,8 @@ void WorldData::tell_of_groups() {
         for (uint64_t left = told[word]; left != 0; left &= left - 1) {
             const ActingContact& c = acting[word * 64 + size_t(std::countr_zero(left))];
             const bool touching = (news[c.place / lanes].touches >> c.place % lanes & 1) != 0;
-            if (touching != c.touching) set_touching(c.slot, touching);
-            any_hits |= c.hit_events;
+            if (touching != c.touching()) set_touching(c.slot, touching);
+            any_hits |= c.hit_events();
         }
     }
     if (any_hits) tell_hits();

@@ -3,7 +3,6 @@
 #include <geometry/vector.h>
 #include <threads/pool.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -26,9 +25,9 @@ inline constexpr uint32_t most_strips = 8;
 /// Of a complete binary tree: 1 is the root, 2n and 2n + 1 are below n.
 using StripNode = uint8_t;
 
-/// The lowest node that is above both, or is both. Above what is in no strip, 0, is the root only.
+/// The lowest node that is above both, or is both. 0 if one is in no strip.
 inline StripNode above_both(StripNode a, StripNode b) {
-    return std::max<StripNode>(StripNode(a >> std::bit_width(unsigned(a ^ b))), 1);
+    return StripNode(a >> std::bit_width(unsigned(a ^ b)));
 }
 
 /// Nodes `begin` to `end`, all of one level or all there are.

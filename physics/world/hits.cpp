@@ -58,7 +58,7 @@ void WorldData::tell_hits() {
         found.clear();
         visit(begin, end, [&](const ActingContact& c) { contacts[c.slot].prefetch(); });
         visit(begin, end, [&](const ActingContact& c) {
-            if (!c.hit_events) return;
+            if (!c.hit_events()) return;
             if (const auto hit = hit_of(c.slot, nullptr)) found.push_back(*hit);
         });
     });
