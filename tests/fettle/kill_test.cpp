@@ -70,11 +70,15 @@ class Victim {
         REQUIRE(terminal_ >= 0);
         REQUIRE(grantpt(terminal_) == 0);
         REQUIRE(unlockpt(terminal_) == 0);
-        const std::string name = ptsname(terminal_);
+        // Opened by both: of a terminal whose other end nobody ever opened, a reader waits for ever.
+        const int out = open(ptsname(terminal_), O_WRONLY | O_NOCTTY);
+        REQUIRE(out >= 0);
         process_ = fork();
         REQUIRE(process_ >= 0);
-        if (process_ != 0) return;
-        const int out = open(name.c_str(), O_WRONLY | O_NOCTTY);
+        if (process_ != 0) {
+            close(out);
+            return;
+        }
         termios raw{};
         tcgetattr(out, &raw);
         cfmakeraw(&raw);
