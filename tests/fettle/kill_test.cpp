@@ -70,7 +70,8 @@ class Victim {
         REQUIRE(terminal_ >= 0);
         REQUIRE(grantpt(terminal_) == 0);
         REQUIRE(unlockpt(terminal_) == 0);
-        // Opened by both: of a terminal whose other end nobody ever opened, a reader waits for ever.
+        // Opened by both: of a terminal whose other end nobody ever opened, a reader waits for
+        // ever.
         const int out = open(ptsname(terminal_), O_WRONLY | O_NOCTTY);
         REQUIRE(out >= 0);
         process_ = fork();
