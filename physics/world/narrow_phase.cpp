@@ -15,8 +15,6 @@ namespace {
 constexpr size_t run_length = 64;
 /// Contacts that a thread takes at a time.
 constexpr size_t piece_length = 512;
-/// Of contacts that end, how long before their turn they are asked for, and what they lead to.
-constexpr size_t records_ahead = 8, pairs_ahead = 4;
 
 }  // namespace
 
@@ -164,29 +162,6 @@ void WorldData::collide_from(size_t begin) {
     });
 }
 
-/// What they need is anywhere in memory: asked for some before its turn.
-void WorldData::destroy_contacts(std::span<const uint32_t> over) {
-    for (size_t i = 0; i < over.size(); ++i) {
-        if (i + records_ahead < over.size()) {
-            const uint32_t slot = over[i + records_ahead];
-            contacts[slot].prefetch();
-            __builtin_prefetch(&contact_links[slot], 1);
-        }
-        if (i + pairs_ahead < over.size()) {
-            const uint32_t slot = over[i + pairs_ahead];
-            const ContactRecord& c = contacts[slot];
-            pairs.prefetch(c.shape_a, c.shape_b);
-            for (uint32_t side = 0; side < 2; ++side) {
-                const ListEdge& edge = contact_links[slot].edges[side];
-                if (edge.previous != none)
-                    __builtin_prefetch(&contact_links[edge.previous >> 1], 1);
-                if (edge.next != none) __builtin_prefetch(&contact_links[edge.next >> 1], 1);
-            }
-        }
-        destroy_contact(over[i]);
-    }
-}
-
 void WorldData::narrow_phase() {
     pairs_over.clear();
     // Waking appends to the list: what is new is collided in a round of its own.
@@ -204,13 +179,8 @@ void WorldData::narrow_phase() {
         begin = end;
     }
     // Now that all are collided the last can take the place of one that goes.
-    destroy_contacts(pairs_over);
-    // A few are cheaper to look up, many to go over.
-    if (moved_shapes.size() < relocated.size() / 64) {
-        for (const uint32_t shape : moved_shapes) relocated[shape] = 0;
-    } else {
-        std::ranges::fill(relocated, uint8_t{0});
-    }
+    for (const uint32_t slot : pairs_over) destroy_contact(slot);
+    if (!moved_shapes.empty()) std::ranges::fill(relocated, uint8_t{0});
     moved_shapes.clear();
 }
 

@@ -337,7 +337,6 @@ struct WorldData : Columns {
     void remix_shape(uint32_t shape);
     void narrow_phase();
     void collide_from(size_t begin);
-    void destroy_contacts(std::span<const uint32_t> over);
     void consult_callbacks();
     void tell_persisting();
     V2 middle_of(const ContactRecord& contact) const;
