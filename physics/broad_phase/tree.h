@@ -95,6 +95,8 @@ class Tree {
     bool is_leaf(int32_t node) const {
         return node >= 0 && size_t(node) < nodes_.size() && nodes_[size_t(node)].is_leaf();
     }
+    /// Of a leaf.
+    uint32_t item(int32_t leaf) const { return nodes_[size_t(leaf)].item(); }
 
     /// For saving and restoring.
     template <class Io, class Self>

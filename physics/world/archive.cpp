@@ -95,8 +95,9 @@ void World::restore(std::span<const std::byte> bytes) {
     WorldData fresh;
     world_members(read, fresh);
     if (!read.at_end()) throw std::invalid_argument("there is something behind the saved world");
-    if (const auto problem = fresh.links_problem())
-        throw std::invalid_argument("the saved world is damaged: " + *problem);
+    auto problem = fresh.links_problem();
+    if (!problem) problem = fresh.memberships_problem();
+    if (problem) throw std::invalid_argument("the saved world is damaged: " + *problem);
     data_->take(std::move(fresh));
 }
 

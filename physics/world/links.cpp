@@ -1,13 +1,16 @@
+#include <collision/climb.h>
 #include <world/world_data.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <new>
 #include <optional>
 #include <type_traits>
 
 // Whether a world that came as bytes may be walked: every index is in range and every list ends.
-// What it simulates may still be nonsense, as with any edit; it cannot reach foreign memory.
+// Whether its lists agree with what is in them is for memberships.cpp. What it simulates may still
+// be nonsense, as with any edit; it cannot reach foreign memory.
 
 namespace fettle::physics::detail {
 namespace {
@@ -150,6 +153,30 @@ void check_parts(const WorldData& w, Findings& findings) {
     }
 }
 
+/// As many vertices as its type has, and no more than the code for its kind can take.
+bool counts_its_vertices(const ShapeForm& form, ShapeType type) {
+    const uint32_t count = form.count;
+    if (form.kind == FormKind::border) return type == ShapeType::border;
+    if (form.kind == FormKind::large)
+        return type == ShapeType::polygon && count > uint32_t(most_small_vertices);
+    switch (type) {
+        case ShapeType::circle:
+        case ShapeType::ellipse:
+            return count == 1;
+        case ShapeType::segment:
+            return count == 2;
+        case ShapeType::box:
+            return count == 4;
+        case ShapeType::polygon:
+            return count >= 3 && count <= uint32_t(most_small_vertices);
+        case ShapeType::concave:
+        case ShapeType::chain:
+            return form.kind == FormKind::piece || form.kind == FormKind::outline;
+        default:
+            return false;
+    }
+}
+
 void check_shapes(const WorldData& w, Findings& findings) {
     const size_t n = w.shapes.size(), vertices = w.pool.local.size();
     findings.require(n >= 4 && w.forms.size() == n && w.boxes.size() == n &&
@@ -171,12 +198,15 @@ void check_shapes(const WorldData& w, Findings& findings) {
         const uint64_t taken = std::max<uint64_t>(
             shape.outline, form.count * (form.kind == FormKind::piece ? uint64_t{3} : 1) +
                                (form.count == 3 || form.kind == FormKind::ellipse));
-        const bool inside = taken == 0 || border ||
-                            (taken <= shape.capacity && shape.capacity <= vertices &&
-                             form.begin <= vertices - shape.capacity);
-        findings.require(
-            form.kind <= FormKind::outline && border == (form.kind == FormKind::border),
-            "the form of a shape");
+        const bool inside = border || shape.capacity == 0
+                                ? taken == 0 || border
+                                : taken <= shape.capacity && std::has_single_bit(shape.capacity) &&
+                                      shape.capacity <= vertices &&
+                                      form.begin <= vertices - shape.capacity;
+        findings.require(form.kind <= FormKind::outline &&
+                             border == (form.kind == FormKind::border) &&
+                             (w.shape_generations[i] == 0 || counts_its_vertices(form, shape.type)),
+                         "the form of a shape");
         findings.require(inside && border == (i < 4) && (!border || form.begin == i),
                          "the vertices of a shape");
     }

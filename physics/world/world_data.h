@@ -481,9 +481,10 @@ struct WorldData : Columns {
     // memory.cpp
     void trim();
 
-    // archive.cpp, links.cpp: saved worlds
+    // archive.cpp, links.cpp, memberships.cpp: saved worlds
     void take(WorldData&& other);
     std::optional<std::string> links_problem() const;
+    std::optional<std::string> memberships_problem() const;
 
     // fields.cpp
     void apply_fields(float h, float dt);

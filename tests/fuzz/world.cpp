@@ -1,5 +1,5 @@
 // The saved state of a physics world: bytes from anywhere, and a true state with some bytes
-// changed. Refused, or restored to a world that can be stepped.
+// changed. Refused, or restored to a world that can be stepped and taken apart.
 
 #include <cstring>
 #include <stdexcept>
@@ -56,5 +56,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     for (int i = 0; i < 3; ++i) world.step(1.0f / 60);
+    for (Body body : world.bodies()) {
+        body.destroy();
+        if (body.id().index % 2 == 0) world.step(1.0f / 60);
+    }
     return 0;
 }

@@ -275,6 +275,51 @@ TEST_CASE("flipped bits are refused or leave a world that can be stepped") {
     check_flipped_bits(saved(world), 1, 400, [](World&) {});
 }
 
+TEST_CASE("a saved world in which one body holds what hangs on another is refused") {
+    constexpr uint64_t mark = 0xfe77'1e00'b0d1'e500;
+    World world;
+    add_floor(world);
+    for (const uint64_t i : {0, 1}) {
+        const float x = 0.9f * static_cast<float>(i);
+        Body ball = world.create_body({.position = {x, 0.4f}, .user_data = mark + i});
+        ball.add(Circle{.radius = 0.5f});
+        world.create_revolute_joint({.body_b = ball.id(), .anchor_a = {x, 0.4f}});
+    }
+    run(world, 0.2f);
+    const auto bytes = saved(world);
+    World target;
+    REQUIRE_NOTHROW(target.restore(bytes));
+    const detail::BodyRecord record;
+    const size_t first = place_of(mark, bytes), second = place_of(mark + 1, bytes);
+    const size_t own = offset_in(record, record.user_data);
+    const auto refuses_shared = [&](const auto& member, const char* what) {
+        INFO(what);
+        auto damaged = bytes;
+        const size_t at = offset_in(record, member) - own;  // wraps, and back again
+        std::memcpy(&damaged[second + at], &bytes[first + at], sizeof member);
+        REQUIRE((damaged != bytes));
+        REQUIRE_THROWS_WITH(target.restore(damaged), contains(what));
+    };
+    refuses_shared(record.first_shape, "is listed in another body");
+    refuses_shared(record.first_contact, "has a broken list of contacts");
+    refuses_shared(record.first_joint, "has a broken list of joints");
+    run(target, 0.2f);
+    REQUIRE_FALSE(target.validate());
+}
+
+TEST_CASE("a saved shape with another number of vertices than its type has is refused") {
+    constexpr uint64_t mark = 0xfe77'1e00'5e17'1ce5;
+    World world;
+    add_ball(world, {0, 3}, 0.5f, {.user_data = mark});
+    auto bytes = saved(world);
+    World target;
+    REQUIRE_NOTHROW(target.restore(bytes));
+    const detail::ShapeRecord record;
+    const size_t at = place_of(mark, bytes) - offset_in(record, record.surface.user_data);
+    bytes[at + offset_in(record, record.type)] = static_cast<std::byte>(ShapeType::box);
+    REQUIRE_THROWS_WITH(target.restore(bytes), contains("the form of a shape"));
+}
+
 TEST_CASE("a saved world whose awake shape has no proxy in the broad phase is refused") {
     constexpr uint64_t mark = 0xfe77'1e00'5ca1'ab1e;
     World world;

@@ -1,0 +1,263 @@
+#include <world/world_data.h>
+
+#include <algorithm>
+
+// Whether the parts of a world that say the same thing in different ways agree: who hangs on a body
+// is in its lists, who is listed says so, and nobody else does. Whoever is taken out of a list by
+// what he says himself is then out of it. Every index must be in range, and every list end
+// (links.cpp).
+
+namespace fettle::physics::detail {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+std::string number(uint64_t value) {
+    return std::to_string(value);
+}
+
+/// What is marked is in the list; others may be too, whose slot has been given away since.
+template <class IsMarked>
+bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, IsMarked is_marked) {
+    std::vector<bool> listed(size);
+    for (const uint32_t i : list) listed[i] = true;
+    for (uint32_t i = 0; i < size; ++i)
+        if (is_marked(i) && !listed[i]) return false;
+    return true;
+}
+
+/// Every slot that is free, and no other, is in the list of those.
+template <class IsFree, class Next>
+bool lists_the_free(uint32_t first, size_t size, IsFree is_free, Next next) {
+    size_t free = 0;
+    for (uint32_t i = 0; i < size; ++i) free += is_free(i);
+    for (uint32_t i = first; i != none; i = next(i)) {
+        if (!is_free(i) || free == 0) return false;
+        --free;
+    }
+    return free == 0;
+}
+
+/// How many edges the list of a body has, each of which says so; none where one does not.
+template <class Edge, class Body>
+uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
+    uint32_t count = 0, previous = none;
+    for (uint32_t e = first; e != none; ++count) {
+        const ListEdge& edge = edge_of(e >> 1).edges[e & 1];
+        if (edge.previous != previous || body_of(e >> 1, e & 1) != body) return none;
+        previous = e;
+        e = edge.next;
+    }
+    return count;
+}
+
+Fault check_bodies(const WorldData& data) {
+    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0;
+    for (uint32_t body = 0; body < data.bodies.size(); ++body) {
+        const BodyRecord& record = data.bodies[body];
+        if (data.body_generations[body] == 0) {
+            if (record.solver_index != 0 || record.first_shape != none ||
+                record.first_contact != none || record.first_joint != none)
+                return "body " + number(body) + " is gone and has not let go";
+            continue;
+        }
+        live += body != 0;
+        if ((record.mass_dirty || record.placement_dirty) && !record.listed)
+            return "body " + number(body) + " is out of date and nobody knows";
+        if (record.solver_index != 0) {
+            ++awake;
+            if (record.island != none)
+                return "body " + number(body) + " is awake and in a sleeping island";
+            if (record.solver_index > data.awake_bodies.size() ||
+                data.awake_bodies[record.solver_index - 1] != body)
+                return "body " + number(body) + " is not where it is listed";
+        } else if (record.asleep()) {
+            ++asleep;
+            if (record.island == none) return "body " + number(body) + " sleeps in no island";
+        }
+    }
+    if (live != data.body_count) return std::string("the number of bodies is wrong");
+    if (awake != data.awake_bodies.size())
+        return std::string("the list of awake bodies is too long");
+    for (uint32_t i = 0; i < data.islands.size(); ++i)
+        data.for_each_asleep(i, [&](uint32_t) { ++in_islands; });
+    if (asleep != in_islands) return std::string("the islands hold bodies that do not sleep");
+    if (!lists_the_marked(data.edited_bodies, data.bodies.size(),
+                          [&](uint32_t body) { return data.bodies[body].listed; }))
+        return std::string("the list of edited bodies is wrong");
+    if (!lists_the_free(
+            data.free_body, data.bodies.size(),
+            [&](uint32_t body) { return data.body_generations[body] == 0; },
+            [&](uint32_t body) { return data.bodies[body].next; }))
+        return std::string("the list of free bodies is wrong");
+    return {};
+}
+
+Fault check_shapes(const WorldData& data) {
+    uint32_t live = 0, on_bodies = 0, listed = 0, proxies = 0;
+    for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
+        const ShapeRecord& record = data.shapes[shape];
+        if (data.shape_generations[shape] == 0) {
+            if (data.forms[shape].body != none || record.proxy != Tree::none ||
+                record.owner != none || record.capacity != 0)
+                return "shape " + number(shape) + " is gone and has not let go";
+            continue;
+        }
+        live += record.owner == none;
+        on_bodies += data.forms[shape].body != none;
+        if (record.geometry_dirty && !record.listed)
+            return "shape " + number(shape) + " is out of date and nobody knows";
+        if (record.proxy == Tree::none) continue;
+        ++proxies;
+        const Tree& tree = record.tree == Mobility::fixed ? data.fixed_tree : data.moving_tree;
+        if (tree.item(record.proxy) != shape || data.forms[shape].body == none)
+            return "shape " + number(shape) + " is in a tree as another one";
+    }
+    if (live != data.shape_count) return std::string("the number of shapes is wrong");
+    if (proxies != data.fixed_tree.size() + data.moving_tree.size())
+        return std::string("a tree holds shapes that do not exist");
+    for (uint32_t body = 0; body < data.bodies.size(); ++body) {
+        uint32_t previous = none;
+        for (uint32_t s = data.bodies[body].first_shape; s != none; s = data.shapes[s].next) {
+            if (data.forms[s].body != body || data.shapes[s].previous != previous)
+                return "shape " + number(s) + " is listed in another body";
+            previous = s;
+            ++listed;
+        }
+        if (data.bodies[body].last_shape != previous)
+            return "body " + number(body) + " has a broken list of shapes";
+    }
+    if (listed != on_bodies) return std::string("a shape is not listed in its body");
+    if (!lists_the_marked(data.edited_shapes, data.shapes.size(),
+                          [&](uint32_t shape) { return data.shapes[shape].listed; }))
+        return std::string("the list of edited shapes is wrong");
+    if (!lists_the_marked(data.moved_shapes, data.shapes.size(),
+                          [&](uint32_t shape) { return data.shapes[shape].moved; }))
+        return std::string("the list of moved shapes is wrong");
+    if (!lists_the_free(
+            data.free_shape, data.shapes.size(),
+            [&](uint32_t shape) { return data.shape_generations[shape] == 0; },
+            [&](uint32_t shape) { return data.shapes[shape].next; }))
+        return std::string("the list of free shapes is wrong");
+    return {};
+}
+
+Fault check_contacts(const WorldData& data) {
+    uint32_t live = 0, awake = 0, edges = 0;
+    std::vector<uint32_t> touching(data.bodies.size(), 0);
+    for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
+        const ContactRecord& c = data.contacts[slot];
+        if (c.shape_a == none) continue;
+        ++live;
+        if (c.shape_a >= c.shape_b)
+            return "contact " + number(slot) + " has its shapes in the wrong order";
+        if (data.pairs.find(c.shape_a, c.shape_b) != slot)
+            return "contact " + number(slot) + " is not in the pair set";
+        if (data.forms[c.shape_a].body != c.body_a || data.forms[c.shape_b].body != c.body_b)
+            return "contact " + number(slot) + " names a body that its shape left";
+        const bool active =
+            data.bodies[c.body_a].solver_index != 0 || data.bodies[c.body_b].solver_index != 0;
+        if (active != (c.awake_index != none))
+            return "contact " + number(slot) + " sleeps otherwise than its bodies";
+        if (active) {
+            ++awake;
+            if (c.awake_index >= data.awake_contacts.size() ||
+                data.awake_contacts[c.awake_index] != slot)
+                return "contact " + number(slot) + " is not where it is listed";
+        }
+        for (uint32_t body : {c.body_a, c.body_b}) touching[body] += c.touching && !c.sensor;
+    }
+    if (live != data.contact_count) return std::string("the number of contacts is wrong");
+    if (live != data.pairs.size()) return std::string("the pair set holds pairs without a contact");
+    if (awake != data.awake_contacts.size())
+        return std::string("the list of awake contacts is too long");
+    for (uint32_t body = 0; body < data.bodies.size(); ++body) {
+        const BodyRecord& record = data.bodies[body];
+        const uint32_t count = degree(
+            record.first_contact,
+            body, [&](uint32_t slot) -> auto& { return data.contact_links[slot]; },
+            [&](uint32_t slot, uint32_t side) {
+                const ContactRecord& c = data.contacts[slot];
+                return c.shape_a == none ? none : side == 0 ? c.body_a : c.body_b;
+            });
+        if (count != record.contact_count)
+            return "body " + number(body) + " has a broken list of contacts";
+        if (touching[body] != record.touching)
+            return "body " + number(body) + " miscounts what it touches";
+        edges += count;
+    }
+    if (edges != 2 * live) return std::string("a contact is not listed in its bodies");
+    if (!lists_the_free(
+            data.free_contact, data.contacts.size(),
+            [&](uint32_t slot) { return data.contacts[slot].shape_a == none; },
+            [&](uint32_t slot) { return data.contact_links[slot].edges[0].next; }))
+        return std::string("the list of free contacts is wrong");
+    return {};
+}
+
+/// Every joint is in the lists of both its bodies and at its place in the list of its type.
+Fault check_joints(const WorldData& data) {
+    uint32_t live = 0, edges = 0, awake = 0, placed = 0;
+    for (uint32_t joint = 0; joint < data.joints.size(); ++joint) {
+        const JointRecord& record = data.joints[joint];
+        const auto [a, b] = record.bodies;
+        const bool lives = data.joint_generations[joint] != 0;
+        live += lives;
+        const bool active = lives && record.acts() &&
+                            (data.bodies[a].solver_index != 0 || data.bodies[b].solver_index != 0);
+        const auto& list = data.awake_joints[size_t(record.type)];
+        const uint32_t index = record.awake_index;
+        if (active != (index != none) || (active && (index >= list.size() || list[index] != joint)))
+            return "joint " + number(joint) + " is not listed as it should be";
+        awake += active;
+    }
+    if (live != data.joint_count) return std::string("the number of joints is wrong");
+    for (const auto& list : data.awake_joints) awake -= uint32_t(list.size());
+    if (awake != 0) return std::string("the lists of awake joints are too long");
+    for (uint32_t body = 0; body < data.bodies.size(); ++body) {
+        const uint32_t count = degree(
+            data.bodies[body].first_joint,
+            body, [&](uint32_t joint) -> auto& { return data.joints[joint]; },
+            [&](uint32_t joint, uint32_t side) {
+                return data.joint_generations[joint] == 0 ? none : data.joints[joint].bodies[side];
+            });
+        if (count != data.bodies[body].joint_count)
+            return "body " + number(body) + " has a broken list of joints";
+        edges += count;
+    }
+    if (edges != 2 * live) return std::string("a joint is not listed in its bodies");
+    const auto check_list = [&](const auto& list, JointType type) {
+        for (size_t place = 0; place < list.size(); ++place) {
+            const uint32_t joint = list[place].joint;
+            placed += data.joint_generations[joint] != 0 && data.joints[joint].place == place &&
+                      data.joints[joint].type == type;
+        }
+        return uint32_t(list.size());
+    };
+    uint32_t listed = 0;
+    std::apply(
+        [&](const auto&... lists) {
+            uint32_t type = 0;
+            ((listed += check_list(lists, JointType(type++))), ...);
+        },
+        data.joint_lists);
+    if (placed != live || listed != live)
+        return std::string("a list of joints does not hold its joints");
+    if (!lists_the_free(
+            data.free_joint, data.joints.size(),
+            [&](uint32_t joint) { return data.joint_generations[joint] == 0; },
+            [&](uint32_t joint) { return data.joints[joint].next_free; }))
+        return std::string("the list of free joints is wrong");
+    return {};
+}
+
+}  // namespace
+
+std::optional<std::string> WorldData::memberships_problem() const {
+    for (auto check : {check_bodies, check_shapes, check_contacts, check_joints}) {
+        if (Fault fault = check(*this)) return fault;
+    }
+    return {};
+}
+
+}  // namespace fettle::physics::detail
