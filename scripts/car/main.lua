@@ -4,7 +4,11 @@
 local terrain = require("terrain")
 local car = require("car")
 
-game.drive = Object { autopilot = false, show_help = true, on_roof = 0.0 }  -- seconds on it
+game.drive = Object {
+    autopilot = false, show_help = true,
+    on_roof = 0.0, stuck = 0.0,  -- for so many seconds
+    farthest = 0.0,              -- m
+}
 
 local function place_coins()
     world.coins = Object {}
@@ -31,12 +35,22 @@ function start()
     view.center = world.car.chassis.position + vec(2, 1.5)
 end
 
-local function restart()
-    local position = world.car.chassis.position
+local function put_upright(x)
     local coins = world.car.coins
     world.car = nil
-    car.make(world, vec(position.x, terrain.height(position.x) + 1.6))
+    car.make(world, vec(x, terrain.height(x) + 1.6))
     world.car.coins = coins
+end
+
+-- Where it is, or at the beginning if it fell off the end of the world.
+local function restart()
+    local x = world.car.chassis.position.x
+    if x >= -25 and x <= terrain.length then
+        put_upright(x)
+    else
+        drive.farthest = 0.0
+        put_upright(0)
+    end
 end
 
 function key_pressed(key)
@@ -46,7 +60,10 @@ function key_pressed(key)
     if key == "p" then time.paused = not time.paused end
 end
 
--- Leaves off where the nose is high, and puts the car upright as a person would.
+-- Leaves off where the nose is high, backs off for a run-up where it gets no farther, and puts the car upright, as a
+-- person would.
+local patience, run_up = 3, 1.2  -- seconds
+
 local function autopilot(dt)
     local chassis = world.car.chassis
     drive.on_roof = math.cos(chassis.angle) < 0 and drive.on_roof + dt or 0
@@ -54,8 +71,13 @@ local function autopilot(dt)
         restart()
         return 0
     end
+    if chassis.position.x > drive.farthest + 0.5 then
+        drive.farthest, drive.stuck = chassis.position.x, 0
+    end
+    drive.stuck = drive.stuck < patience + run_up and drive.stuck + dt or 0
+    if drive.stuck > patience then return -1 end
     local speed = chassis.velocity.x
-    return (speed < 3 or speed < 10 and math.sin(chassis.angle) < 0.5) and 1 or 0
+    return (speed < 3 and math.sin(chassis.angle) < 0.8 or speed < 10 and math.sin(chassis.angle) < 0.5) and 1 or 0
 end
 
 function step(dt)
@@ -64,6 +86,7 @@ function step(dt)
     if drive.autopilot then wanted = autopilot(dt) end
     world.car.throttle = wanted
     car.drive(world.car)
+    if world.car.chassis.position.y < -2 * terrain.depth then restart() end
     -- The view runs ahead of the car, the farther the faster it is.
     local chassis = world.car.chassis
     local goal = chassis.position + vec(2 + chassis.velocity.x * 0.22, 0.8)

@@ -105,9 +105,9 @@ TEST_CASE("queries count what a function of the script accepts") {
 TEST_CASE("the car of the demo drives over its hills and the bridge") {
     const Folder folder;
     const Outcome done =
-        fettle(folder, {"run", "scripts/car", "--headless", "--steps", "1500", "--at",
+        fettle(folder, {"run", "scripts/car", "--headless", "--steps", "2400", "--at",
                         "1:drive.autopilot = true", "--at",
-                        "1500:print(world.car.chassis.position.x > 90, world.car.coins > 5)"});
+                        "2400:print(world.car.chassis.position.x > 90, world.car.coins > 5)"});
     CHECK(done.err.empty());
     CHECK(done.out == "true\ttrue\n");
 }
