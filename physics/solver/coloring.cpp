@@ -132,9 +132,9 @@ void WorldData::color_contacts() {
     const Sections& plan = sections[1];
     color_begin.assign(plan.owners() * color_count * first_groups.size(), 0);
     out_of_colors.resize(plan.size());
-    plan.each(plan.shared() ? threads : nullptr, [&](uint32_t section) {
+    SectionLoop(plan, plan.shared() ? threads : nullptr, [&](uint32_t section) {
         color_nodes(plan.nodes_of(section), out_of_colors[section]);
-    });
+    }).run();
     size_t left_overs = 0;
     for (const std::vector<uint32_t>& left_over : out_of_colors) {
         left_overs += left_over.size();

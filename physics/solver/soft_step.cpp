@@ -37,7 +37,7 @@ class IdleBlocks {
 }  // namespace
 
 /// What holds for all blocks during a step.
-struct WorldData::BlockStep {
+struct alignas(line_size) WorldData::BlockStep {
     const WideKernels& kernels;
     PrepareStep prepare;
     float h;
@@ -46,16 +46,18 @@ struct WorldData::BlockStep {
 
 /// `work(section, nodes)` for each section of a block, by all threads if they share it out.
 template <typename Work>
-void WorldData::each_section(const SolverBlock& block, Work&& work) {
+auto WorldData::section_loop(const SolverBlock& block, Work work) {
     const Sections& plan = sections_of(block);
-    plan.each(helpers_of(block), [&](uint32_t section) {
-        const StripNodes nodes = plan.nodes_of(section);
-        const bool strip = nodes.begin >= strips.first_leaf(), root = nodes.begin == 1;
-        if (strip) hubs.hand_out(nodes, solver_bodies);
-        if (root && !strip) hubs.take_back(solver_bodies);
-        work(block.first_section + section, nodes);
-        if (root && strip) hubs.take_back(solver_bodies);
-    });
+    return SectionLoop(plan, helpers_of(block),
+                       [this, &plan, work, before = block.first_section](uint32_t section) {
+                           const StripNodes nodes = plan.nodes_of(section);
+                           const bool strip = nodes.begin >= strips.first_leaf();
+                           const bool root = nodes.begin == 1;
+                           if (strip) hubs.hand_out(nodes, solver_bodies);
+                           if (root && !strip) hubs.take_back(solver_bodies);
+                           work(before + section, nodes);
+                           if (root && strip) hubs.take_back(solver_bodies);
+                       });
 }
 
 void WorldData::pass(WidePass kernel, uint32_t section, WideBlock& wide, const BlockStep& step) {
@@ -66,7 +68,7 @@ void WorldData::pass(WidePass kernel, uint32_t section, WideBlock& wide, const B
 
 void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
     wide.make_groups(block.first_group, block.group_end);
-    each_section(block, [&](uint32_t section, const StripNodes&) {
+    section_loop(block, [&](uint32_t section, const StripNodes&) {
         const size_t end = first_groups[section + 1];
         for (size_t i = first_groups[section]; i < end; i += groups_at_a_time) {
             const size_t next = std::min(i + groups_at_a_time, end);
@@ -75,51 +77,61 @@ void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const B
             for (size_t k = 0; k < next - i; ++k) fill_group(i + k, groups[k], from[k]);
             step.kernels.prepare(step.prepare, {from, next - i}, groups);
         }
-    });
+    }).run();
 }
 
-void WorldData::store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
-    each_section(block, [&](uint32_t section, const StripNodes&) {
-        const size_t begin = first_groups[section], end = first_groups[section + 1];
-        const std::span to(wide.lanes_of(begin), end - begin);
-        step.kernels.store(wide.contacts_of(begin), to, touch_distance);
-        for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
-    });
+void WorldData::store_section(uint32_t section, WideBlock& wide, const BlockStep& step) {
+    const size_t begin = first_groups[section], end = first_groups[section + 1];
+    const std::span to(wide.lanes_of(begin), end - begin);
+    step.kernels.store(wide.contacts_of(begin), to, touch_distance);
+    for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
 }
 
-void WorldData::begin_substep(const SolverBlock& block, const BlockStep& step, bool again) {
+auto WorldData::begin_loop(const SolverBlock& block, const BlockStep& step, bool again) {
     const std::span which = blocks.bodies_of(block);
-    share_out_range(helpers_of(block), which.size(), bodies_at_a_time,
-                    [&](size_t begin, size_t end) {
-                        integrate_velocities(which.subspan(begin, end - begin), solver_bodies,
-                                             solver_forces, step.limits, again);
-                    });
+    return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
+                     [this, which, &step, again](size_t begin, size_t end) {
+                         integrate_velocities(which.subspan(begin, end - begin), solver_bodies,
+                                              solver_forces, step.limits, again);
+                     });
 }
 
-void WorldData::move_bodies(const SolverBlock& block, const BlockStep& step) {
+auto WorldData::move_loop(const SolverBlock& block, const BlockStep& step) {
     const std::span which = blocks.bodies_of(block);
-    share_out_range(
-        helpers_of(block), which.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
-            integrate_positions(which.subspan(begin, end - begin), solver_bodies, step.h);
-        });
+    return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
+                     [this, which, h = step.h](size_t begin, size_t end) {
+                         integrate_positions(which.subspan(begin, end - begin), solver_bodies, h);
+                     });
 }
 
 /// A block of nothing but wide contacts, through all sub-steps.
 void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
     const WideKernels& kernels = step.kernels;
     const auto all = [&](WidePass kernel) {
-        each_section(
-            block, [&](uint32_t section, const StripNodes&) { pass(kernel, section, wide, step); });
+        return section_loop(block, [&, kernel](uint32_t section, const StripNodes&) {
+            pass(kernel, section, wide, step);
+        });
     };
+    const auto warm_start = all(kernels.warm_start), solve_biased = all(kernels.solve_biased);
+    const auto relax = all(kernels.relax);
+    const auto relax_and_store = section_loop(block, [&](uint32_t section, const StripNodes&) {
+        pass(kernels.relax, section, wide, step);
+        store_section(section, wide, step);
+    });
+    const auto begin = begin_loop(block, step, false), begin_again = begin_loop(block, step, true);
+    const auto move_bodies = move_loop(block, step);
     prepare_block(block, wide, step);
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        begin_substep(block, step, substep > 0);
-        if (substep == 0) all(kernels.warm_start);
-        all(kernels.solve_biased);
-        move_bodies(block, step);
-        all(kernels.relax);
+    for (int left = settings.substeps; left > 0; --left) {
+        const bool first = left == settings.substeps;
+        (first ? begin : begin_again).run();
+        if (first) warm_start.run();
+        solve_biased.run();
+        move_bodies.run();
+        if (left > 1)
+            relax.run();
+        else
+            relax_and_store.run();
     }
-    store_block(block, wide, step);
 }
 
 /// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
@@ -131,79 +143,120 @@ bool WorldData::repeats_pushes(const SolverBlock& block) {
     return true;
 }
 
-/// The first block, with all that the others do not have.
-void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_step) {
-    const WideKernels& kernels = step.kernels;
-    const SolverBlock& block = blocks[0];
-    WideBlock& wide = wide_blocks[0];
-    ContactSolver serial;
-    serial.bodies = solver_bodies;
-    serial.constraints = constraints;
-    serial.extras = extras;
-    serial.rolling = rolling_contacts;
-    serial.inverse_h = 1.0f / step.h;
-    serial.push_speed = settings.push_speed;
-    serial.restitution_threshold = settings.restitution_threshold;
-    const auto serial_of = [&](const StripNodes& nodes) {
+/// Passes over the first block, with all that the others do not have.
+struct alignas(line_size) WorldData::FirstBlock {
+    WorldData& world;
+    const BlockStep& step;
+    const JointStep& joint_step;
+    WideBlock& wide;
+    ContactSolver serial;  // all constraints
+    bool repeats = false;
+
+    ContactSolver serial_of(const StripNodes& nodes) const {
         ContactSolver some = serial;
-        const size_t begin = serial_nodes.begin(nodes), end = serial_nodes.end(nodes);
+        const size_t begin = world.serial_nodes.begin(nodes), end = world.serial_nodes.end(nodes);
         some.constraints = some.constraints.subspan(begin, end - begin);
         return some;
-    };
-    const bool repeats = repeats_pushes(block), jointed = acting_joints() > 0;
-    const auto around_joints = [&](const StripNodes& nodes, auto&& pass) {
+    }
+    template <typename Pass>
+    void around_joints(const StripNodes& nodes, Pass&& pass) const {
         if (repeats)
-            joint_share.around(nodes, solver_bodies, solver_forces, pass);
+            world.joint_share.around(nodes, world.solver_bodies, world.solver_forces, pass);
         else
             pass();
-    };
-    const auto warm_start = [&](uint32_t section, const StripNodes& nodes, bool again) {
-        around_joints(nodes, [&] { warm_start_joints(nodes); });
-        if (again) return;
+    }
+    void repeat_joints(const StripNodes& nodes) const {
+        around_joints(nodes, [&] { world.warm_start_joints(nodes); });
+    }
+    void warm_start(uint32_t section, const StripNodes& nodes) const {
+        repeat_joints(nodes);
         serial_of(nodes).warm_start();
-        pass(kernels.warm_start, section, wide, step);
-    };
-    const auto solve_biased = [&](uint32_t section, const StripNodes& nodes) {
-        around_joints(nodes, [&] { solve_joints(joint_step, nodes); });
+        world.pass(step.kernels.warm_start, section, wide, step);
+    }
+    void solve_biased(uint32_t section, const StripNodes& nodes) const {
+        around_joints(nodes, [&] { world.solve_joints(joint_step, nodes); });
         serial_of(nodes).solve_biased();
-        pass(kernels.solve_biased, section, wide, step);
-    };
-    const auto relax = [&](uint32_t section, const StripNodes& nodes) {
-        around_joints(nodes, [&] { relax_joints(joint_step, nodes); });
+        world.pass(step.kernels.solve_biased, section, wide, step);
+    }
+    void relax(uint32_t section, const StripNodes& nodes) const {
+        around_joints(nodes, [&] { world.relax_joints(joint_step, nodes); });
         serial_of(nodes).relax();
-        pass(kernels.relax, section, wide, step);
-    };
-    prepare_block(block, wide, step);
-    if (!extras.empty()) {
-        bounced.assign(solver_bodies.size(), 0);
+        world.pass(step.kernels.relax, section, wide, step);
+    }
+    void relax_and_store(uint32_t section, const StripNodes& nodes) const {
+        relax(section, nodes);
+        world.store_section(section, wide, step);
+    }
+    void bounce(const SolverBlock& block) const {
+        world.bounced.assign(world.solver_bodies.size(), 0);
         std::atomic<bool> any = true;
         for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
             any = false;
-            each_section(block, [&](uint32_t, const StripNodes& nodes) {
-                const float dt = step.h * float(settings.substeps);
-                if (serial_of(nodes).bounce(dt, pass, bounced)) any = true;
-            });
+            world
+                .section_loop(block,
+                              [&](uint32_t, const StripNodes& nodes) {
+                                  const float dt = step.h * float(world.settings.substeps);
+                                  if (serial_of(nodes).bounce(dt, pass, world.bounced)) any = true;
+                              })
+                .run();
         }
     }
+    void restitute(const SolverBlock& block) const {
+        world
+            .section_loop(
+                block, [this](uint32_t, const StripNodes& nodes) { serial_of(nodes).restitute(); })
+            .run();
+    }
+};
+
+void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_step) {
+    const SolverBlock& block = blocks[0];
+    FirstBlock first = {*this, step, joint_step, wide_blocks[0], {}};
+    first.serial.bodies = solver_bodies;
+    first.serial.constraints = constraints;
+    first.serial.extras = extras;
+    first.serial.rolling = rolling_contacts;
+    first.serial.inverse_h = 1.0f / step.h;
+    first.serial.push_speed = settings.push_speed;
+    first.serial.restitution_threshold = settings.restitution_threshold;
+    first.repeats = repeats_pushes(block);
+    const bool jointed = acting_joints() > 0;
+
+    const auto loop = [&](auto member) {
+        return section_loop(block, [&first, member](uint32_t section, const StripNodes& nodes) {
+            (first.*member)(section, nodes);
+        });
+    };
+    const auto warm_start = loop(&FirstBlock::warm_start);
+    const auto repeat_joints = section_loop(
+        block, [&first](uint32_t, const StripNodes& nodes) { first.repeat_joints(nodes); });
+    const auto solve_biased = loop(&FirstBlock::solve_biased), relax = loop(&FirstBlock::relax);
+    const auto relax_and_store = loop(&FirstBlock::relax_and_store);
+    const auto begin = begin_loop(block, step, false), begin_again = begin_loop(block, step, true);
+    const auto move_bodies = move_loop(block, step);
+
+    prepare_block(block, first.wide, step);
+    if (!extras.empty()) first.bounce(block);
     zero_locked();
     for (int substep = 0; substep < settings.substeps; ++substep) {
-        const bool again = repeats && substep > 0;
-        begin_substep(block, step, again);
+        const bool again = first.repeats && substep > 0;
+        (again ? begin_again : begin).run();
         zero_locked();
-        if (!again || jointed)
-            each_section(block, [&](uint32_t section, const StripNodes& nodes) {
-                warm_start(section, nodes, again);
-            });
-        each_section(block, solve_biased);
+        if (!again)
+            warm_start.run();
+        else if (jointed)
+            repeat_joints.run();
+        solve_biased.run();
         zero_locked();
-        move_bodies(block, step);
-        each_section(block, relax);
+        move_bodies.run();
+        (substep + 1 < settings.substeps ? relax : relax_and_store).run();
         zero_locked();
         strain_joints();
     }
-    each_section(block, [&](uint32_t, const StripNodes& nodes) { serial_of(nodes).restitute(); });
-    zero_locked();
-    store_block(block, wide, step);
+    if (!extras.empty()) {
+        first.restitute(block);
+        zero_locked();
+    }
 }
 
 void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness) {

@@ -105,22 +105,52 @@ class Sections {
     uint32_t owners() const { return 2 * parts_ - 1; }
     uint32_t owner_of(StripNode node) const { return owner_[node]; }
 
-    /// `work(section)` for each; whoever depends on another comes after it.
-    template <typename Work>
-    void each(ThreadPool* threads, Work&& work) const {
-        const uint32_t above = parts_ - 1, below = (size_ - above) / parts_;
-        share_out(threads, parts_, [&](uint32_t part) {
-            for (uint32_t i = 0; i < below; ++i) work(part * below + i);
-        });
-        uint32_t first = parts_ * below;
-        for (uint32_t width = parts_ / 2; width > 0; first += width, width /= 2)
-            share_out(threads, width, [&](uint32_t i) { work(first + i); });
-    }
+    uint32_t parts() const { return parts_; }
+    /// Sections of a part.
+    uint32_t below() const { return (size_ - (parts_ - 1)) / parts_; }
 
   private:
     uint32_t parts_ = 1, size_ = 1;
     std::array<uint8_t, 2 *most_strips> of_ = {}, owner_ = {};
     std::array<StripNodes, 2 * most_strips> nodes_ = {};
+};
+
+/// `work(section)` for each section, as often as it is run; whoever depends on another comes after
+/// it.
+template <typename Work>
+class alignas(line_size) SectionLoop {
+  public:
+    SectionLoop(const Sections& plan, ThreadPool* threads, Work work)
+        : work_(std::move(work)), threads_(threads) {
+        levels_[0] = {&work_, 0, plan.below()};
+        uint32_t first = plan.parts() * plan.below();
+        for (widths_[0] = plan.parts(); widths_[depth_ - 1] > 1; ++depth_) {
+            levels_[depth_] = {&work_, first, 1};
+            widths_[depth_] = widths_[depth_ - 1] / 2;
+            first += widths_[depth_];
+        }
+    }
+    SectionLoop(const SectionLoop&) = delete;
+    SectionLoop& operator=(const SectionLoop&) = delete;
+
+    void run() const {
+        for (uint32_t i = 0; i < depth_; ++i) share_out(threads_, widths_[i], levels_[i]);
+    }
+
+  private:
+    struct Level {
+        const Work* work;
+        uint32_t first, each;
+        void operator()(uint32_t part) const {
+            for (uint32_t i = 0; i < each; ++i) (*work)(first + part * each + i);
+        }
+    };
+    static constexpr uint32_t most_levels = std::bit_width(most_strips);
+
+    Work work_;
+    ThreadPool* threads_;
+    Level levels_[most_levels] = {};
+    uint32_t widths_[most_levels] = {}, depth_ = 1;
 };
 
 }  // namespace fettle::physics::detail

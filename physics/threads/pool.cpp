@@ -19,8 +19,8 @@ namespace {
 constexpr int spins = 20'000, yields = 2000;
 
 // How long to wait for who is about to be done, before taking what is left of theirs: pieces that
-// change hands are in the other's cache. A microsecond or two.
-constexpr int patience = 100;
+// change hands are in the other's cache. A microsecond.
+constexpr int patience = 40;
 
 // How long the caller waits for the last blocks before giving up the processor: whoever has one may
 // have lost theirs.

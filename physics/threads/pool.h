@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <thread>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace fettle::physics::detail {
@@ -83,14 +84,35 @@ void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
     for (uint32_t block = 0; block < count; ++block) work(block);
 }
 
-/// Runs `work(begin, end)` over 0 … size in pieces of `piece`.
+/// What all threads read over and over is alone in its lines of memory and never written to: a
+/// line that one has just written to takes another longer to read than a short loop takes.
+inline constexpr std::size_t line_size = 64;
+
+/// `work(begin, end)` over 0 … size in pieces of `piece`, as often as it is run.
+template <typename Work>
+class alignas(line_size) RangeLoop {
+  public:
+    RangeLoop(ThreadPool* pool, std::size_t size, std::size_t piece, Work work)
+        : work_(std::move(work)), pool_(pool), size_(size), piece_(piece) {}
+
+    void run() const { share_out(pool_, uint32_t((size_ + piece_ - 1) / piece_), *this); }
+    void operator()(uint32_t block) const {
+        const std::size_t begin = block * piece_;
+        work_(begin, begin + piece_ < size_ ? begin + piece_ : size_);
+    }
+
+  private:
+    Work work_;
+    ThreadPool* pool_;
+    std::size_t size_, piece_;
+};
+
+/// The same once.
 template <typename Work>
 void share_out_range(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
-    const auto count = uint32_t((size + piece - 1) / piece);
-    share_out(pool, count, [&](uint32_t block) {
-        const std::size_t begin = block * piece;
-        work(begin, begin + piece < size ? begin + piece : size);
-    });
+    RangeLoop(pool, size, piece, [&work](std::size_t begin, std::size_t end) {
+        work(begin, end);
+    }).run();
 }
 
 }  // namespace fettle::physics::detail

@@ -72,8 +72,7 @@ struct MemoryRelease {
 template <class Io, class World>
 void scratch_members(Io& io, World& w) {
     io(w.relocated), io(w.new_pairs), io(w.found_pairs), io(w.parts_of_walk);
-    io(w.contact_notes), io(w.piece_notes), io(w.pairs_over), io(w.finished), io(w.fast_bodies),
-        io(w.gathered);
+    io(w.collided), io(w.finished), io(w.fast_bodies), io(w.gathered);
     io(w.solver_bodies), io(w.solver_ends), io(w.solver_forces), io(w.joint_share), io(w.locked);
     io(w.hubs);
     io(w.constraints), io(w.serial_contacts), io(w.extras), io(w.rolling_contacts);
@@ -100,6 +99,7 @@ void WorldData::trim() {
     if ((awake_bodies.size() + 1) * 4 > once) return;
     MemoryRelease release;
     scratch_members(release, *this);
+    event_members(release, pending);
     Tree::scratch(release, moving_tree);
     Tree::scratch(release, fixed_tree);
     for (std::vector<uint32_t>* list :

@@ -12,9 +12,9 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Contacts between two looks at what came out: few enough that they are still in the cache.
-constexpr size_t run_length = 64;
+constexpr size_t run_length = 64;  // a bit each
 /// Contacts that a thread takes at a time.
-constexpr size_t piece_length = 512;
+constexpr size_t piece_length = 256;
 
 }  // namespace
 
@@ -49,29 +49,26 @@ class NarrowPhase {
                   world.pool.offsets.data()},
           kernels_(wide_kernels(world.most_lanes)) {}
 
-    /// Manifolds of some of the awake contacts, and notes for all of them: whether there is one.
-    bool run(size_t begin, size_t end) {
+    /// Manifolds of some of the awake contacts, and what they ask for.
+    void run(size_t begin, size_t end, CollidedPiece& piece) {
+        uint64_t over = 0;
         for (size_t i = begin; i < end; ++i) {
             if (i + contacts_ahead < world_.awake_contacts.size())
                 world_.contacts[world_.awake_contacts[i + contacts_ahead]].prefetch();
             ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
-            world_.contact_notes[i] = 0;
-            if (is_over(c))
-                world_.contact_notes[i] = WorldData::pair_is_over;
-            else if (!is_near(c))
+            const bool ends = is_over(c);
+            over |= uint64_t{ends} << (i - begin);
+            if (ends || !is_near(c))
                 c.manifold.count = 0;
             else
                 collide_pair(c);
         }
         if (batch_.count > 0) flush();
-        uint8_t noted = 0;
         for (size_t i = begin; i < end; ++i) {
-            if (world_.contact_notes[i] == 0 &&
-                needs_more(world_.contacts[world_.awake_contacts[i]]))
-                world_.contact_notes[i] = WorldData::needs_more;
-            noted |= world_.contact_notes[i];
+            const uint32_t slot = world_.awake_contacts[i];
+            if ((over >> (i - begin) & 1) != 0) piece.over.push_back(slot);
+            if (needs_more(world_.contacts[slot])) piece.more.push_back(slot);
         }
-        return noted != 0;
     }
 
   private:
@@ -132,7 +129,7 @@ class NarrowPhase {
     Manifold unused_;
 };
 
-/// What the notes ask for, of one contact.
+/// What a manifold asks for besides.
 void WorldData::follow_note(ContactRecord& c, uint32_t slot) {
     const bool active = c.manifold.count > 0;
     if (c.sensor) {
@@ -148,38 +145,41 @@ void WorldData::follow_note(ContactRecord& c, uint32_t slot) {
     }
 }
 
-/// Manifolds of the awake contacts from `begin` on, and what the pieces noted.
-void WorldData::collide_from(size_t begin) {
-    const size_t end = awake_contacts.size();
-    contact_notes.resize(end);
-    piece_notes.resize((end - begin + piece_length - 1) / piece_length);
-    share_out_range(threads, end - begin, piece_length, [&](size_t first, size_t last) {
+/// Manifolds of the awake contacts from `begin` on, in pieces from `first_piece` on; returns the
+/// end of those.
+size_t WorldData::collide_from(size_t begin, size_t first_piece) {
+    const size_t size = awake_contacts.size() - begin;
+    const size_t end = first_piece + (size + piece_length - 1) / piece_length;
+    if (collided.size() < end) collided.resize(end);
+    share_out_range(threads, size, piece_length, [&](size_t first, size_t last) {
         NarrowPhase phase(*this);
-        bool noted = false;
+        CollidedPiece& piece = collided[first_piece + first / piece_length];
+        piece.clear();
         for (size_t i = first; i < last; i += run_length)
-            noted |= phase.run(begin + i, begin + std::min(i + run_length, last));
-        piece_notes[first / piece_length] = noted;
+            phase.run(begin + i, begin + std::min(i + run_length, last), piece);
     });
+    return end;
+}
+
+/// Of pairs that are none any more. They have no manifold, and nobody asks for them until they go:
+/// that can be while the bodies are finished.
+void WorldData::end_pairs() {
+    for (CollidedPiece& piece : collided) {
+        for (const uint32_t slot : piece.over) destroy_contact(slot);
+        piece.over.clear();
+    }
 }
 
 void WorldData::narrow_phase() {
-    pairs_over.clear();
+    size_t pieces = 0;
     // Waking appends to the list: what is new is collided in a round of its own.
     for (size_t begin = 0; begin < awake_contacts.size();) {
         const size_t end = awake_contacts.size();
-        collide_from(begin);
-        for (size_t piece = begin; piece < end; piece += piece_length) {
-            if (piece_notes[(piece - begin) / piece_length] == 0) continue;
-            for (size_t i = piece; i < std::min(piece + piece_length, end); ++i) {
-                const uint32_t slot = awake_contacts[i];
-                if (contact_notes[i] == needs_more) follow_note(contacts[slot], slot);
-                if (contact_notes[i] == pair_is_over) pairs_over.push_back(slot);
-            }
-        }
+        for (const size_t last = collide_from(begin, pieces); pieces < last; ++pieces)
+            for (const uint32_t slot : collided[pieces].more) follow_note(contacts[slot], slot);
         begin = end;
     }
-    // Now that all are collided the last can take the place of one that goes.
-    for (const uint32_t slot : pairs_over) destroy_contact(slot);
+    collided.resize(pieces);
     if (!moved_shapes.empty()) std::ranges::fill(relocated, uint8_t{0});
     moved_shapes.clear();
 }

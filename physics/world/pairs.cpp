@@ -72,10 +72,15 @@ void WorldData::walk_trees() {
     moving_tree.begin_walk(moving_tree, enough, parts_of_walk);
     const size_t own = parts_of_walk.size();
     moving_tree.begin_walk(fixed_tree, enough, parts_of_walk);
-    look_in_pieces(parts_of_walk.size(), [&](size_t piece, std::vector<uint64_t>& found) {
-        const Tree& other = piece < own ? moving_tree : fixed_tree;
+    // The first parts are the largest: dealt out, so that every thread has as many of them.
+    const size_t hands = threads != nullptr ? size_t(threads->at_a_time()) : 1;
+    const size_t each = (parts_of_walk.size() + hands - 1) / hands;
+    look_in_pieces(each * hands, [&](size_t piece, std::vector<uint64_t>& found) {
+        const size_t part = piece / each + piece % each * hands;
+        if (part >= parts_of_walk.size()) return;
+        const Tree& other = part < own ? moving_tree : fixed_tree;
         const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
-        moving_tree.pairs(other, parts_of_walk[piece], overlaps, look);
+        moving_tree.pairs(other, parts_of_walk[part], overlaps, look);
     });
 }
 

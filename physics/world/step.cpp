@@ -1,4 +1,5 @@
 #include <geometry/trigonometry.h>
+#include <world/archive.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -170,7 +171,8 @@ void WorldData::step(float dt) {
     StageClock total, clock;
     refresh();
     std::swap(events, pending);
-    pending = {};
+    const auto clear = [](auto& list) { list.clear(); };
+    event_members(clear, pending);
     stepping = true;
     statistics.moved_proxies = 0;
     statistics.edits_ms = clock.lap();

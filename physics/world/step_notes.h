@@ -16,6 +16,21 @@ struct FastBody {
     float turn = 0.0f;
 };
 
+/// What the manifolds of some contacts ask for besides: slots, in the order of the list.
+struct CollidedPiece {
+    std::vector<uint32_t> over;  ///< no pairs any more
+    std::vector<uint32_t> more;  ///< a touch ends, or somebody asleep is about to be hit
+
+    void clear() {
+        over.clear();
+        more.clear();
+    }
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.over), io(self.more);
+    }
+};
+
 /// What is to do for some bodies that have moved.
 struct FinishedPiece {
     std::vector<int32_t> placed;  ///< leaves of the shapes that left their fat boxes

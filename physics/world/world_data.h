@@ -99,10 +99,7 @@ struct WorldData : Columns {
     std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
 
     // Of the step; kept for their capacity.
-    enum ContactNote : uint8_t { nothing_else, needs_more, pair_is_over };
-    std::vector<uint8_t> contact_notes;  ///< by place among the awake contacts
-    std::vector<uint8_t> piece_notes;    ///< whether a piece of them has one
-    std::vector<uint32_t> pairs_over;    ///< contacts that end with the narrow phase
+    std::vector<CollidedPiece> collided;
     std::vector<SolverBody> solver_bodies;
     /// By body slot. Dense, where the records are not: every contact asks.
     std::vector<SolverEnd> solver_ends;
@@ -336,7 +333,8 @@ struct WorldData : Columns {
     void remix(ContactRecord& contact) const;
     void remix_shape(uint32_t shape);
     void narrow_phase();
-    void collide_from(size_t begin);
+    size_t collide_from(size_t begin, size_t first_piece);
+    void end_pairs();
     void consult_callbacks();
     void tell_persisting();
     V2 middle_of(const ContactRecord& contact) const;
@@ -409,6 +407,7 @@ struct WorldData : Columns {
     void stop_fast_bodies();
     void stop_or_list(const FastBody& fast, FinishedPiece& piece);
     void stop_body(const FastBody& fast, FinishedPiece& piece);
+    bool is_disabled(uint32_t shape, uint32_t other) const;
     float limit_motion(const FastBody& fast) const;
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
@@ -421,6 +420,7 @@ struct WorldData : Columns {
     float inverse_mass_at_rim(uint32_t body) const;
     // ../solver/soft_step.cpp
     struct BlockStep;
+    struct FirstBlock;
     using WidePass = void (*)(const WideStep&);
     void solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness);
     bool repeats_pushes(const SolverBlock& block);
@@ -429,12 +429,12 @@ struct WorldData : Columns {
     const Sections& sections_of(const SolverBlock& block) const { return sections[block.cut]; }
     ThreadPool* helpers_of(const SolverBlock& block) const { return block.cut ? threads : nullptr; }
     template <typename Work>
-    void each_section(const SolverBlock& block, Work&& work);
+    auto section_loop(const SolverBlock& block, Work work);
     void pass(WidePass kernel, uint32_t section, WideBlock& wide, const BlockStep& step);
     void prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step);
-    void store_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step);
-    void begin_substep(const SolverBlock& block, const BlockStep& step, bool again);
-    void move_bodies(const SolverBlock& block, const BlockStep& step);
+    void store_section(uint32_t section, WideBlock& wide, const BlockStep& step);
+    auto begin_loop(const SolverBlock& block, const BlockStep& step, bool again);
+    auto move_loop(const SolverBlock& block, const BlockStep& step);
     // ../solver
     void solve_sequentially(const JointStep& joint_step);
     void solve_directly(const JointStep& joint_step);

@@ -106,7 +106,9 @@ TEST_CASE("every node is in one section and comes after all that is below it") {
         for (uint32_t parts = 1; parts <= strips; parts *= 2) {
             const Sections sections(strips, parts);
             std::vector<uint32_t> order;
-            sections.each(nullptr, [&](uint32_t section) { order.push_back(section); });
+            SectionLoop(sections, nullptr, [&](uint32_t section) {
+                order.push_back(section);
+            }).run();
             REQUIRE(order.size() == sections.size());
             std::vector<int> turn(2 * strips, -1);
             for (size_t i = 0; i < order.size(); ++i) {
@@ -133,7 +135,7 @@ TEST_CASE("threads that share out sections never hold nodes of which one is abov
     std::vector<std::atomic<int>> begun(16), done(16);
     for (int round = 1; round <= 200; ++round) {
         std::atomic<bool> wrong = false;
-        sections.each(&pool, [&](uint32_t section) {
+        SectionLoop(sections, &pool, [&](uint32_t section) {
             const StripNodes nodes = sections.nodes_of(section);
             for (uint32_t node = nodes.begin; node < nodes.end; ++node) {
                 ++begun[node];
@@ -141,7 +143,7 @@ TEST_CASE("threads that share out sections never hold nodes of which one is abov
                     if (is_above(node, below) && done[below] != round) wrong = true;
                 ++done[node];
             }
-        });
+        }).run();
         REQUIRE_FALSE(wrong);
     }
     for (uint32_t node = 1; node < 16; ++node) REQUIRE(begun[node] == 200);
