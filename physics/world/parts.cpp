@@ -76,6 +76,27 @@ std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std
     return kept;
 }
 
+/// What touches a part looks at each of its vertices; which parts it touches, the tree finds.
+constexpr size_t most_vertices = 16;
+
+/// Places 0 … count of a convex piece in parts of few, halved until they are.
+std::vector<std::vector<uint32_t>> in_parts(size_t count) {
+    std::vector<std::vector<uint32_t>> parts(1);
+    for (uint32_t i = 0; i < count; ++i) parts[0].push_back(i);
+    for (size_t i = 0; i < parts.size();) {
+        if (parts[i].size() <= most_vertices) {
+            ++i;
+            continue;
+        }
+        const auto middle = parts[i].begin() + std::ptrdiff_t(parts[i].size() / 2);
+        std::vector<uint32_t> half(middle, parts[i].end());
+        half.push_back(parts[i].front());
+        parts[i].erase(middle + 1, parts[i].end());
+        parts.push_back(std::move(half));
+    }
+    return parts;
+}
+
 /// Whether a piece goes from one vertex to another along the outline of n vertices.
 bool on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, uint32_t n) {
     auto at = size_t(std::find(piece.begin(), piece.end(), from) - piece.begin());
@@ -97,21 +118,24 @@ Parts concave_parts(std::span<const V2> points) {
     for (uint32_t i = 0; i < n; ++i) normals[i] = normal_between(p[i], p[(i + 1) % n]);
     for (const std::vector<uint32_t>& whole : convex_pieces(p)) {
         const std::vector<uint32_t> piece = without_flat(whole, p);
-        const size_t count = piece.size(), begin = parts.values.size();
-        parts.counts.push_back(uint32_t(count));
-        for (uint32_t i : piece) parts.values.push_back(p[i]);
-        for (uint32_t i : piece) {
-            parts.values.push_back(normals[(i + n - 1) % n]);
-            parts.values.push_back(normals[i]);
-        }
-        // An edge of the outline is told by its normal, to the bit.
-        V2* limits = &parts.values[begin + count];
-        for (size_t k = 0; k < count; ++k) {
-            const size_t next = (k + 1) % count;
-            const V2 own = normal_between(p[piece[k]], p[piece[next]]);
-            if (!on_outline(whole, piece[k], piece[next], n)) continue;
-            limits[2 * k + 1] = own;
-            limits[2 * next] = own;
+        for (const std::vector<uint32_t>& part : in_parts(piece.size())) {
+            const size_t count = part.size(), begin = parts.values.size();
+            parts.counts.push_back(uint32_t(count));
+            for (uint32_t k : part) parts.values.push_back(p[piece[k]]);
+            for (uint32_t k : part) {
+                parts.values.push_back(normals[(piece[k] + n - 1) % n]);
+                parts.values.push_back(normals[piece[k]]);
+            }
+            // An edge of the outline is told by its normal, to the bit.
+            V2* limits = &parts.values[begin + count];
+            for (size_t i = 0; i < count; ++i) {
+                const uint32_t here = part[i], there = part[(i + 1) % count];
+                const uint32_t from = piece[here], to = piece[there];
+                if (there != (here + 1) % piece.size() || !on_outline(whole, from, to, n)) continue;
+                const V2 own = normal_between(p[from], p[to]);
+                limits[2 * i + 1] = own;
+                limits[2 * ((i + 1) % count)] = own;
+            }
         }
     }
     return parts;
