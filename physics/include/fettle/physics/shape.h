@@ -68,8 +68,8 @@ class Shape {
     void add_vertex(const Vec2& point);  ///< polygon; body coordinates
     bool closed() const;                 ///< chain
     void set_closed(bool closed);
-    /// Concave: the convex pieces it collides as, counter-clockwise, body coordinates. Chain: its
-    /// segments. Others: nothing.
+    /// Concave: the convex pieces it collides as, counter-clockwise, of sixteen vertices at most,
+    /// body coordinates. Chain: its segments. Others: nothing.
     std::vector<std::vector<Vec2>> pieces() const;
 
     float density() const;
