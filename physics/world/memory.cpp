@@ -71,7 +71,7 @@ struct MemoryRelease {
 /// Every vector whose elements do not outlive a step.
 template <class Io, class World>
 void scratch_members(Io& io, World& w) {
-    io(w.relocated), io(w.new_pairs), io(w.found_pairs), io(w.parts_of_walk);
+    io(w.relocated), io(w.new_pairs), io(w.spare_pairs), io(w.found_pairs), io(w.parts_of_walk);
     io(w.collided), io(w.finished), io(w.fast_bodies), io(w.gathered);
     io(w.solver_bodies), io(w.solver_ends), io(w.solver_forces), io(w.joint_share), io(w.locked);
     io(w.hubs);

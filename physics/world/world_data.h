@@ -91,6 +91,7 @@ struct WorldData : Columns {
     std::vector<uint32_t> moved_shapes;  ///< look for new pairs
     std::vector<uint8_t> relocated;      ///< of the step, by shape: its fat box is another
     std::vector<uint64_t> new_pairs;     ///< of the step: upper << 32 | lower
+    std::vector<uint64_t> spare_pairs;   ///< while they are sorted
     std::vector<std::vector<uint64_t>> found_pairs;  ///< of the step, by piece
     std::vector<Tree::NodePair> parts_of_walk;       ///< of the step
     std::vector<uint32_t> awake_bodies;              ///< slots; solver index is the place + 1
