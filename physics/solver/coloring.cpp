@@ -23,7 +23,7 @@ constexpr int end_of_colors(bool both_move) {
 constexpr size_t least_for_blocks = 4000;
 
 /// Contacts that a thread takes at a time.
-constexpr size_t piece_length = 512;
+constexpr size_t piece_length = 256;
 
 /// Stable. `nodes`: those that there are, a bit each.
 void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges& ranges) {

@@ -13,7 +13,7 @@ namespace fettle::physics::detail {
 namespace {
 
 // What a thread takes at a time.
-constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 512;
+constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 1024;
 
 /// Who solves a block takes one that is idle and gives it back. There is one for every thread.
 class IdleBlocks {
