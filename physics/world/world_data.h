@@ -335,7 +335,6 @@ struct WorldData : Columns {
     void remix_shape(uint32_t shape);
     void narrow_phase();
     size_t collide_from(size_t begin, size_t first_piece);
-    void end_pairs();
     void consult_callbacks();
     void tell_persisting();
     V2 middle_of(const ContactRecord& contact) const;
@@ -408,7 +407,6 @@ struct WorldData : Columns {
     void stop_fast_bodies();
     void stop_or_list(const FastBody& fast, FinishedPiece& piece);
     void stop_body(const FastBody& fast, FinishedPiece& piece);
-    bool is_disabled(uint32_t shape, uint32_t other) const;
     float limit_motion(const FastBody& fast) const;
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
