@@ -61,28 +61,52 @@ uint32_t Strips::count_for(std::size_t constraints) {
     return count;
 }
 
-void Strips::cut(std::span<StripSample> samples, uint32_t count) {
+namespace {
+
+/// How much work there is up to where, in so many steps.
+class WorkAlong {
+  public:
+    WorkAlong(std::span<const StripSample> samples, bool upright) {
+        const auto before = [&](const StripSample& a, const StripSample& b) {
+            return along(a, upright) < along(b, upright);
+        };
+        const auto [low, high] = std::minmax_element(samples.begin(), samples.end(), before);
+        begin_ = along(*low, upright);
+        step_ = (along(*high, upright) - begin_) / float(steps);
+        const float per_step = step_ > 0.0f ? 1.0f / step_ : 0.0f;
+        for (const StripSample& sample : samples) {
+            const float place = (along(sample, upright) - begin_) * per_step;
+            up_to_[1 + std::min(std::size_t(place), steps - 1)] += sample.work;
+        }
+        std::partial_sum(up_to_.begin(), up_to_.end(), up_to_.begin());
+    }
+
+    /// Where this share of all work is on the one side.
+    float at(float share) const {
+        const float wanted = share * up_to_.back();
+        const auto end = std::lower_bound(up_to_.begin() + 1, up_to_.end() - 1, wanted);
+        const float work = *end - end[-1];
+        const float part = work > 0.0f ? (wanted - end[-1]) / work : 0.0f;
+        return begin_ + step_ * (float(end - up_to_.begin() - 1) + part);
+    }
+
+  private:
+    static constexpr std::size_t steps = 512;
+    std::array<float, steps + 1> up_to_ = {};
+    float begin_, step_;  // m
+};
+
+}  // namespace
+
+void Strips::cut(std::span<const StripSample> samples, uint32_t count) {
     count_ = samples.empty() ? 1 : count;
     if (count_ == 1) return;
     upright_ = lie_upright(samples);
-    std::sort(samples.begin(), samples.end(), [&](const StripSample& a, const StripSample& b) {
-        return along(a, upright_ != 0) < along(b, upright_ != 0);
-    });
-    cut_below(samples, 1);
-}
-
-/// Where half of the work of a node is on either side.
-void Strips::cut_below(std::span<const StripSample> samples, uint32_t node) {
-    float all = 0.0f, so_far = 0.0f;
-    for (const StripSample& sample : samples) all += sample.work;
-    std::size_t middle = 0;
-    while (middle < samples.size() && 2.0f * (so_far + samples[middle].work) <= all)
-        so_far += samples[middle++].work;
-    middle = std::min(middle, samples.empty() ? 0 : samples.size() - 1);
-    limits_[node] = samples.empty() ? limits_[node / 2] : along(samples[middle], upright_ != 0);
-    if (2 * node >= count_) return;
-    cut_below(samples.first(middle), 2 * node);
-    cut_below(samples.subspan(middle), 2 * node + 1);
+    const WorkAlong work(samples, upright_ != 0);
+    for (uint32_t node = 1; node < count_; ++node) {
+        const uint32_t level = std::bit_floor(node);
+        limits_[node] = work.at(float(2 * (node - level) + 1) / float(2 * level));
+    }
 }
 
 Sections::Sections(uint32_t strips, uint32_t parts) : parts_(parts) {

@@ -65,8 +65,8 @@ class Strips {
     static uint32_t count_for(std::size_t constraints);
 
     /// Into `count` strips: along the list that the samples are from, if it runs along an axis,
-    /// else across the longer side. The samples are put in another order.
-    void cut(std::span<StripSample> samples, uint32_t count);
+    /// else across the longer side.
+    void cut(std::span<const StripSample> samples, uint32_t count);
     uint32_t count() const { return count_; }
     StripNodes all_nodes() const { return {1, 2 * count_}; }
     StripNode first_leaf() const { return StripNode(count_); }
@@ -81,8 +81,6 @@ class Strips {
     bool are_sound() const { return count_ <= most_strips && std::has_single_bit(count_); }
 
   private:
-    void cut_below(std::span<const StripSample> samples, uint32_t node);
-
     std::array<float, most_strips> limits_ = {};  ///< by node: where its two halves meet, m
     uint32_t count_ = 1;
     uint32_t upright_ = 0;  ///< 1: strips lie on each other

@@ -66,6 +66,13 @@ float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 ce
     return arrival > 0.0f ? min(arrival, probe.fraction) : probe.fraction;
 }
 
+/// By a callback. Where there is none the pairs may be ending meanwhile (finish_bodies).
+bool WorldData::is_disabled(uint32_t shape, uint32_t other) const {
+    if (!callbacks.see_contacts()) return false;
+    const uint32_t contact = pairs.find(shape, other);
+    return contact != PairSet::absent && contacts[contact].disabled;
+}
+
 float WorldData::limit_motion(const FastBody& fast) const {
     const BodyRecord& record = bodies[fast.body];
     const Rotation q = {states[fast.body].cosine, states[fast.body].sine};
@@ -77,8 +84,7 @@ float WorldData::limit_motion(const FastBody& fast) const {
         const Box4 swept = grow(unite(boxes[s], start), speculative_margin);
         auto meet = [&](uint32_t other) {
             if (shapes[other].surface.sensor || !may_collide(s, other)) return;
-            const uint32_t contact = pairs.find(s, other);
-            if (contact != PairSet::absent && contacts[contact].disabled) return;
+            if (is_disabled(s, other)) return;
             limit = min(limit, sweep_shape(fast, s, other, centroid, 0.5f * record.thickness));
         };
         fixed_tree.query(swept, meet);

@@ -58,10 +58,18 @@ void WorldData::finish_body(size_t place, float dt, FinishedPiece& piece) {
 void WorldData::finish_bodies(float dt) {
     const size_t count = awake_bodies.size();
     finished.resize((count + piece_length - 1) / piece_length);
-    share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
-        FinishedPiece& piece = finished[begin / piece_length];
+    // Where a callback may have disabled a contact, who is stopped asks for it by its pair.
+    if (callbacks.see_contacts()) end_pairs();
+    share_out(threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
+        if (block == 0) {
+            end_pairs();
+            return;
+        }
+        FinishedPiece& piece = finished[block - 1];
         piece.clear();
-        for (size_t place = begin; place < end; ++place) finish_body(place, dt, piece);
+        const size_t end = std::min(block * piece_length, count);
+        for (size_t place = (block - 1) * piece_length; place < end; ++place)
+            finish_body(place, dt, piece);
     });
     sleep_candidates = 0;
     fast_bodies.clear();

@@ -80,7 +80,7 @@ void scratch_members(Io& io, World& w) {
     io(w.lane_contacts), io(w.spare_lanes), io(w.news), io(w.told), io(w.hits);
     io(w.blocks), io(w.color_begin), io(w.first_groups), io(w.out_of_colors), io(w.serial_acting);
     io(w.joint_notes), io(w.serial_notes), io(w.bounced), io(w.joint_plans);
-    io(w.joint_constraints), io(w.strains), io(w.parted), io(w.reordered);
+    io(w.joint_constraints), io(w.strains), io(w.parted), io(w.reordering);
 }
 
 template <class... Part>

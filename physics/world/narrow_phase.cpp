@@ -1,3 +1,4 @@
+#include <geometry/growth.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace {
 
 /// Contacts between two looks at what came out: few enough that they are still in the cache.
 constexpr size_t run_length = 64;  // a bit each
-/// Contacts that a thread takes at a time.
-constexpr size_t piece_length = 256;
+/// Contacts that a thread takes at a time, and shapes.
+constexpr size_t piece_length = 128, shapes_at_a_time = 512;
 
 }  // namespace
 
@@ -50,12 +51,12 @@ class NarrowPhase {
           kernels_(wide_kernels(world.most_lanes)) {}
 
     /// Manifolds of some of the awake contacts, and what they ask for.
-    void run(size_t begin, size_t end, CollidedPiece& piece) {
+    void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
         uint64_t over = 0;
         for (size_t i = begin; i < end; ++i) {
-            if (i + contacts_ahead < world_.awake_contacts.size())
-                world_.contacts[world_.awake_contacts[i + contacts_ahead]].prefetch();
-            ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
+            if (i + contacts_ahead < slots.size())
+                world_.contacts[slots[i + contacts_ahead]].prefetch();
+            ContactRecord& c = world_.contacts[slots[i]];
             const bool ends = is_over(c);
             over |= uint64_t{ends} << (i - begin);
             if (ends || !is_near(c))
@@ -65,7 +66,7 @@ class NarrowPhase {
         }
         if (batch_.count > 0) flush();
         for (size_t i = begin; i < end; ++i) {
-            const uint32_t slot = world_.awake_contacts[i];
+            const uint32_t slot = slots[i];
             if ((over >> (i - begin) & 1) != 0) piece.over.push_back(slot);
             if (needs_more(world_.contacts[slot])) piece.more.push_back(slot);
         }
@@ -145,39 +146,74 @@ void WorldData::follow_note(ContactRecord& c, uint32_t slot) {
     }
 }
 
-/// Manifolds of the awake contacts from `begin` on, in pieces from `first_piece` on; returns the
-/// end of those.
-size_t WorldData::collide_from(size_t begin, size_t first_piece) {
-    const size_t size = awake_contacts.size() - begin;
-    const size_t end = first_piece + (size + piece_length - 1) / piece_length;
-    if (collided.size() < end) collided.resize(end);
-    share_out_range(threads, size, piece_length, [&](size_t first, size_t last) {
+/// Manifolds of those contacts, and what they ask for, in pieces from `first` on; returns the end
+/// of those. `beside(i)` for each i below `others`: meanwhile.
+template <typename Work>
+size_t WorldData::collide_awake(std::span<const uint32_t> slots, size_t first, uint32_t others,
+                                Work&& beside) {
+    const size_t pieces = (slots.size() + piece_length - 1) / piece_length;
+    if (collided.size() < first + pieces) collided.resize(first + pieces);
+    share_out(threads, others + uint32_t(pieces), [&](uint32_t block) {
+        if (block < others) {
+            beside(block);
+            return;
+        }
         NarrowPhase phase(*this);
-        CollidedPiece& piece = collided[first_piece + first / piece_length];
+        CollidedPiece& piece = collided[first + block - others];
         piece.clear();
-        for (size_t i = first; i < last; i += run_length)
-            phase.run(begin + i, begin + std::min(i + run_length, last), piece);
+        const size_t begin = (block - others) * piece_length;
+        const size_t end = std::min(begin + piece_length, slots.size());
+        for (size_t i = begin; i < end; i += run_length)
+            phase.run(slots, i, std::min(i + run_length, end), piece);
     });
-    return end;
+    return first + pieces;
+}
+
+/// Contacts are made one after the other. Whoever is free meanwhile collides those there are.
+size_t WorldData::collide_and_create() {
+    make_room(awake_contacts, new_pairs.size());
+    const size_t spare = contacts.size() - contact_count;
+    make_room(contacts, new_pairs.size() - std::min(new_pairs.size(), spare));
+    const size_t moved = moved_shapes.size();
+    const auto marks = uint32_t((moved + shapes_at_a_time - 1) / shapes_at_a_time);
+    return collide_awake(awake_contacts, 0, moved == 0 ? 0 : 1 + marks, [&](uint32_t i) {
+        if (i == 0) {
+            create_contacts();
+            return;
+        }
+        const size_t begin = (i - 1) * shapes_at_a_time;
+        mark_paired(
+            std::span(moved_shapes).subspan(begin, std::min(shapes_at_a_time, moved - begin)));
+    });
 }
 
 void WorldData::narrow_phase() {
-    size_t pieces = 0;
-    // Waking appends to the list: what is new is collided in a round of its own.
-    for (size_t begin = 0; begin < awake_contacts.size();) {
-        const size_t end = awake_contacts.size();
-        for (const size_t last = collide_from(begin, pieces); pieces < last; ++pieces)
-            for (const uint32_t slot : collided[pieces].more) follow_note(contacts[slot], slot);
-        begin = end;
+    size_t collided_contacts = awake_contacts.size(), noted = 0;
+    size_t pieces = collide_and_create();
+    // What is new is collided in a round of its own, and so is what the notes wake.
+    for (;;) {
+        const std::span slots = std::span(awake_contacts).subspan(collided_contacts);
+        collided_contacts = awake_contacts.size();
+        if (!slots.empty()) pieces = collide_awake(slots, pieces, 0, [](uint32_t) {});
+        for (; noted < pieces; ++noted)
+            for (const uint32_t slot : collided[noted].more) follow_note(contacts[slot], slot);
+        if (collided_contacts == awake_contacts.size()) break;
     }
     collided.resize(pieces);
-    // Now that all are collided the last can take the place of one that goes. Ending them only
-    // while the bodies are finished was tried, and the rotor of `spinner` pressed fifteen bodies
-    // through its ring where it presses one.
+    // Now that all are collided the last can take the place of one that goes. What else is to do
+    // for it can wait until the bodies are finished.
     for (const CollidedPiece& piece : collided)
-        for (const uint32_t slot : piece.over) destroy_contact(slot);
+        for (const uint32_t slot : piece.over) remove_awake_contact(slot);
     if (!moved_shapes.empty()) std::ranges::fill(relocated, uint8_t{0});
     moved_shapes.clear();
+}
+
+/// Of pairs that are none any more. They have no manifold, and nobody asks for them until they go.
+void WorldData::end_pairs() {
+    for (CollidedPiece& piece : collided) {
+        for (const uint32_t slot : piece.over) destroy_contact(slot);
+        piece.over.clear();
+    }
 }
 
 }  // namespace fettle::physics::detail

@@ -14,8 +14,6 @@ namespace {
 
 /// Moved shapes that a thread takes at a time, and parts that a walk is shared out in.
 constexpr size_t shapes_at_a_time = 16, walk_parts = 64;
-/// Of those that are only marked.
-constexpr size_t marks_at_a_time = 512;
 /// Far enough that what a pair needs is there when its turn comes.
 constexpr size_t pairs_ahead = 6;
 
@@ -140,6 +138,7 @@ void WorldData::prefetch_pair(uint64_t pair) const {
     pairs.prefetch(a, b);
 }
 
+/// What there are already may be collided meanwhile.
 void WorldData::create_contacts() {
     for (size_t i = 0; i < new_pairs.size(); ++i) {
         if (i + pairs_ahead < new_pairs.size()) prefetch_pair(new_pairs[i + pairs_ahead]);
@@ -150,20 +149,18 @@ void WorldData::create_contacts() {
     }
 }
 
-/// All pairs are known now that the fat boxes of some of the moved shapes make.
-void WorldData::mark_paired(size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-        const uint32_t shape = moved_shapes[i];
+/// All pairs are known now that their fat boxes make.
+void WorldData::mark_paired(std::span<const uint32_t> moved) {
+    for (const uint32_t shape : moved) {
         shapes[shape].moved = false;
-        relocated[shape] = 1;
         paired_boxes[shape] = fat_boxes[shape];
     }
 }
 
 void WorldData::find_pairs() {
     relocated.resize(shapes.size(), 0);
-    if (moved_shapes.empty()) return;
     new_pairs.clear();
+    if (moved_shapes.empty()) return;
     moving_tree.settle(threads, paired_boxes);
     fixed_tree.settle(threads, paired_boxes);
     if (4 * moved_shapes.size() < moving_tree.size())
@@ -172,16 +169,7 @@ void WorldData::find_pairs() {
         walk_trees();
     if (settings.bounds) look_at_border();
     order_pairs();
-    // Contacts are made one after the other; who is free meanwhile does the rest.
-    const size_t moved = moved_shapes.size();
-    share_out(threads, uint32_t(1 + (moved + marks_at_a_time - 1) / marks_at_a_time),
-              [&](uint32_t piece) {
-                  const size_t end = piece * marks_at_a_time;
-                  if (piece == 0)
-                      create_contacts();
-                  else
-                      mark_paired(end - marks_at_a_time, std::min(end, moved));
-              });
+    for (const uint32_t shape : moved_shapes) relocated[shape] = 1;
     moving_tree.rest();
     fixed_tree.rest();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <solver/strips.h>
 #include <world/records.h>
 
 #include <vector>
@@ -47,6 +48,17 @@ struct FinishedPiece {
     template <class Io, class Self>
     static void scratch(Io& io, Self& self) {
         io(self.placed), io(self.moved), io(self.fast);
+    }
+};
+
+/// A list that is put into the order of the strips.
+struct Reordering {
+    std::vector<uint32_t> list;
+    std::vector<StripNode> strips;  ///< of what is in it, as it was
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.list), io(self.strips);
     }
 };
 

@@ -10,8 +10,8 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Bodies that are asked where they are: halves come out a few hundredths from equal.
-constexpr size_t sample_count = 256;
+/// Bodies that are asked where they are: halves come out a hundredth or two from equal.
+constexpr size_t sample_count = 1024;
 
 /// What a body in a heap has at most, if it is no larger than the others.
 constexpr uint32_t usual_neighbors = 8;
@@ -20,25 +20,42 @@ constexpr uint32_t usual_neighbors = 8;
 constexpr uint64_t cut_interval = 8;
 
 /// Steps between two looks at whether the lists are in the order of the strips: bodies take their
-/// time from one strip to another.
-constexpr uint64_t order_interval = 64;
+/// time from one strip to another, contacts come and go at the end of the list. What is in order
+/// within a strip stays so for longer.
+constexpr uint64_t order_interval = 16, sort_interval = 64;
 
-/// Stable. `strip_of(slot)`; `place(slot, i)`: told where it is now.
-template <typename StripOf, typename Place>
-void order_by_strip(std::vector<uint32_t>& list, std::vector<uint32_t>& spare, StripOf&& strip_of,
-                    Place&& place) {
-    if (std::ranges::is_sorted(list, {}, strip_of)) return;
-    NodeRanges ranges;
-    for (const uint32_t slot : list) ranges.count(strip_of(slot));
-    ranges.sum_up();
-    auto next = ranges.places();
-    spare.resize(list.size());
-    for (const uint32_t slot : list) {
-        const uint32_t i = next[strip_of(slot)]++;
-        spare[i] = slot;
-        place(slot, i);
+/// What a thread takes at a time, and far enough that a record is there when its turn comes.
+constexpr size_t piece_length = 512, records_ahead = 8;
+
+/// Stable. `records`: where what is in the list is asked for; `strip_of(slot)`; `place(slot, i)`:
+/// told where it is now. `placed`: so far all know where they are.
+template <typename Records, typename StripOf, typename Place>
+void order_by_strip(ThreadPool* threads, Reordering& scratch, std::vector<uint32_t>& list,
+                    bool placed, Records& records, StripOf&& strip_of, Place&& place) {
+    const auto each = [&](auto&& visit) {
+        share_out_range(threads, list.size(), piece_length, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                if (i + records_ahead < end)
+                    __builtin_prefetch(&records[list[i + records_ahead]], 1);
+                visit(i);
+            }
+        });
+    };
+    std::vector<StripNode>& strips = scratch.strips;
+    strips.resize(list.size());
+    each([&](size_t i) { strips[i] = strip_of(list[i]); });
+    if (!std::ranges::is_sorted(strips)) {
+        NodeRanges ranges;
+        for (const StripNode strip : strips) ranges.count(strip);
+        ranges.sum_up();
+        auto next = ranges.places();
+        scratch.list.resize(list.size());
+        for (size_t i = 0; i < list.size(); ++i) scratch.list[next[strips[i]]++] = list[i];
+        list.swap(scratch.list);
+    } else if (placed) {
+        return;
     }
-    list.swap(spare);
+    each([&](size_t i) { place(list[i], uint32_t(i)); });
 }
 
 }  // namespace
@@ -81,24 +98,25 @@ void WorldData::order_lists() {
         const SolverEnd a = solver_ends[body_a], b = solver_ends[body_b];
         return a.moves() && !a.is_hub() ? a.strip() : b.strip();
     };
+    const auto order = [&](std::vector<uint32_t>& list, bool placed, auto& records,
+                           auto&& strip_of_one, auto&& place) {
+        order_by_strip(threads, reordering, list, placed, records, strip_of_one, place);
+    };
     // Those of a strip in the order in which they are in memory.
-    const auto strip_of_body = [&](uint32_t body) { return solver_ends[body].strip(); };
-    if (!std::ranges::is_sorted(awake_bodies, {}, strip_of_body)) std::ranges::sort(awake_bodies);
-    order_by_strip(awake_bodies, reordered, strip_of_body,
-                   [&](uint32_t body, uint32_t i) { bodies[body].solver_index = i + 1; });
-    order_by_strip(
-        awake_contacts, reordered,
-        [&](uint32_t contact) {
-            return strip_of(contacts[contact].body_a, contacts[contact].body_b);
-        },
-        [&](uint32_t contact, uint32_t i) { contacts[contact].awake_index = i; });
+    const bool in_order = steps % sort_interval != 0 || std::ranges::is_sorted(awake_bodies);
+    if (!in_order) std::ranges::sort(awake_bodies);
+    order(
+        awake_bodies, in_order, bodies, [&](uint32_t body) { return solver_ends[body].strip(); },
+        [&](uint32_t body, uint32_t i) { bodies[body].solver_index = i + 1; });
+    order(
+        awake_contacts, true, contacts,
+        [&](uint32_t slot) { return strip_of(contacts[slot].body_a, contacts[slot].body_b); },
+        [&](uint32_t slot, uint32_t i) { contacts[slot].awake_index = i; });
     for (auto& list : awake_joints) {
-        order_by_strip(
-            list, reordered,
-            [&](uint32_t joint) {
-                return strip_of(joints[joint].bodies[0], joints[joint].bodies[1]);
-            },
-            [&](uint32_t joint, uint32_t i) { joints[joint].awake_index = i; });
+        order(
+            list, true, joints,
+            [&](uint32_t slot) { return strip_of(joints[slot].bodies[0], joints[slot].bodies[1]); },
+            [&](uint32_t slot, uint32_t i) { joints[slot].awake_index = i; });
     }
 }
 

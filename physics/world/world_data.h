@@ -119,7 +119,7 @@ struct WorldData : Columns {
     SolverBlocks blocks;
     Hubs hubs;
     Strips strips;                       ///< where this step cuts the world
-    std::vector<uint32_t> reordered;     ///< while a list is put in their order
+    Reordering reordering;               ///< of a list, into their order
     Sections sections[2];                ///< of blocks that are whole, of those that are cut
     std::vector<uint32_t> color_begin;   ///< lanes, by who counts them, section and color
     std::vector<uint32_t> first_groups;  ///< of each section of each block, and the end
@@ -322,7 +322,7 @@ struct WorldData : Columns {
     void order_pairs();
     void prefetch_pair(uint64_t pair) const;
     void create_contacts();
-    void mark_paired(size_t begin, size_t end);
+    void mark_paired(std::span<const uint32_t> moved);
     // contacts.cpp: pairs and manifolds
     bool filters_agree(uint32_t shape_a, uint32_t shape_b) const;
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const;
@@ -334,7 +334,10 @@ struct WorldData : Columns {
     void remix(ContactRecord& contact) const;
     void remix_shape(uint32_t shape);
     void narrow_phase();
-    size_t collide_from(size_t begin, size_t first_piece);
+    template <typename Work>
+    size_t collide_awake(std::span<const uint32_t> slots, size_t first, uint32_t others, Work&&);
+    size_t collide_and_create();
+    void end_pairs();
     void consult_callbacks();
     void tell_persisting();
     V2 middle_of(const ContactRecord& contact) const;
@@ -407,6 +410,7 @@ struct WorldData : Columns {
     void stop_fast_bodies();
     void stop_or_list(const FastBody& fast, FinishedPiece& piece);
     void stop_body(const FastBody& fast, FinishedPiece& piece);
+    bool is_disabled(uint32_t shape, uint32_t other) const;
     float limit_motion(const FastBody& fast) const;
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
