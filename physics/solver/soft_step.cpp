@@ -121,13 +121,12 @@ void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const Blo
     const auto begin = begin_loop(block, step, false), begin_again = begin_loop(block, step, true);
     const auto move_bodies = move_loop(block, step);
     prepare_block(block, wide, step);
-    for (int left = settings.substeps; left > 0; --left) {
-        const bool first = left == settings.substeps;
-        (first ? begin : begin_again).run();
-        if (first) warm_start.run();
+    for (int substep = 0; substep < settings.substeps; ++substep) {
+        (substep > 0 ? begin_again : begin).run();
+        if (substep == 0) warm_start.run();
         solve_biased.run();
         move_bodies.run();
-        if (left > 1)
+        if (substep + 1 < settings.substeps)
             relax.run();
         else
             relax_and_store.run();

@@ -38,6 +38,20 @@ bool lists_the_free(uint32_t first, size_t size, IsFree is_free, Next next) {
     return free == 0;
 }
 
+/// The lists of bodies, or of shapes: of those that were edited, and of free slots.
+template <class Record>
+Fault check_slot_lists(const std::string& kind, const std::vector<Record>& records,
+                       const std::vector<uint32_t>& generations,
+                       const std::vector<uint32_t>& edited, uint32_t first_free) {
+    if (!lists_the_marked(edited, records.size(), [&](uint32_t i) { return records[i].listed; }))
+        return "the list of edited " + kind + " is wrong";
+    if (!lists_the_free(
+            first_free, records.size(), [&](uint32_t i) { return generations[i] == 0; },
+            [&](uint32_t i) { return records[i].next; }))
+        return "the list of free " + kind + " is wrong";
+    return {};
+}
+
 /// How many edges the list of a body has, each of which says so; none where one does not.
 template <class Edge, class Body>
 uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
@@ -82,15 +96,8 @@ Fault check_bodies(const WorldData& data) {
     for (uint32_t i = 0; i < data.islands.size(); ++i)
         data.for_each_asleep(i, [&](uint32_t) { ++in_islands; });
     if (asleep != in_islands) return std::string("the islands hold bodies that do not sleep");
-    if (!lists_the_marked(data.edited_bodies, data.bodies.size(),
-                          [&](uint32_t body) { return data.bodies[body].listed; }))
-        return std::string("the list of edited bodies is wrong");
-    if (!lists_the_free(
-            data.free_body, data.bodies.size(),
-            [&](uint32_t body) { return data.body_generations[body] == 0; },
-            [&](uint32_t body) { return data.bodies[body].next; }))
-        return std::string("the list of free bodies is wrong");
-    return {};
+    return check_slot_lists("bodies", data.bodies, data.body_generations, data.edited_bodies,
+                            data.free_body);
 }
 
 Fault check_shapes(const WorldData& data) {
@@ -128,18 +135,11 @@ Fault check_shapes(const WorldData& data) {
             return "body " + number(body) + " has a broken list of shapes";
     }
     if (listed != on_bodies) return std::string("a shape is not listed in its body");
-    if (!lists_the_marked(data.edited_shapes, data.shapes.size(),
-                          [&](uint32_t shape) { return data.shapes[shape].listed; }))
-        return std::string("the list of edited shapes is wrong");
     if (!lists_the_marked(data.moved_shapes, data.shapes.size(),
                           [&](uint32_t shape) { return data.shapes[shape].moved; }))
         return std::string("the list of moved shapes is wrong");
-    if (!lists_the_free(
-            data.free_shape, data.shapes.size(),
-            [&](uint32_t shape) { return data.shape_generations[shape] == 0; },
-            [&](uint32_t shape) { return data.shapes[shape].next; }))
-        return std::string("the list of free shapes is wrong");
-    return {};
+    return check_slot_lists("shapes", data.shapes, data.shape_generations, data.edited_shapes,
+                            data.free_shape);
 }
 
 Fault check_contacts(const WorldData& data) {
