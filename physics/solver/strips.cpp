@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fettle::physics::detail {
 namespace {
@@ -63,21 +64,30 @@ uint32_t Strips::count_for(std::size_t constraints) {
 
 namespace {
 
-/// How much work there is up to where, in so many steps.
+/// How much work there is up to where, in so many steps from the first sample to the last between
+/// `from` and `to`.
 class WorkAlong {
   public:
-    WorkAlong(std::span<const StripSample> samples, bool upright) {
-        const auto before = [&](const StripSample& a, const StripSample& b) {
-            return along(a, upright) < along(b, upright);
+    WorkAlong(std::span<const StripSample> samples, bool upright, float from, float to)
+        : samples_(samples), upright_(upright), begin_(to) {
+        const auto each = [&](auto&& visit) {
+            for (const StripSample& sample : samples) {
+                const float place = along(sample, upright);
+                if (place >= from && place <= to) visit(place, sample.work);
+            }
         };
-        const auto [low, high] = std::minmax_element(samples.begin(), samples.end(), before);
-        begin_ = along(*low, upright);
-        step_ = (along(*high, upright) - begin_) / float(steps);
+        float end = from;
+        each([&](float place, float) {
+            begin_ = std::min(begin_, place);
+            end = std::max(end, place);
+        });
+        if (end - begin_ > narrowest * (1.0f + std::fabs(begin_)))
+            step_ = (end - begin_) / float(steps);
         const float per_step = step_ > 0.0f ? 1.0f / step_ : 0.0f;
-        for (const StripSample& sample : samples) {
-            const float place = (along(sample, upright) - begin_) * per_step;
-            up_to_[1 + std::min(std::size_t(place), steps - 1)] += sample.work;
-        }
+        each([&](float place, float work) {
+            const auto i = std::size_t((place - begin_) * per_step);
+            up_to_[1 + std::min(i, steps - 1)] += work;
+        });
         std::partial_sum(up_to_.begin(), up_to_.end(), up_to_.begin());
     }
 
@@ -87,13 +97,22 @@ class WorkAlong {
         const auto end = std::lower_bound(up_to_.begin() + 1, up_to_.end() - 1, wanted);
         const float work = *end - end[-1];
         const float part = work > 0.0f ? (wanted - end[-1]) / work : 0.0f;
-        return begin_ + step_ * (float(end - up_to_.begin() - 1) + part);
+        const float begin = begin_ + step_ * float(end - up_to_.begin() - 1);
+        // Somebody is far away from all others, or they stand in rows.
+        if (step_ > 0.0f && work > most_in_a_step * up_to_.back())
+            return WorkAlong(samples_, upright_, begin, begin + step_).at(part);
+        return begin + step_ * part;
     }
 
   private:
     static constexpr std::size_t steps = 512;
+    static constexpr float most_in_a_step = 0.02f;
+    static constexpr float narrowest = 1e-5f;  // what is closer, for its distance, is at one place
+
+    const std::span<const StripSample> samples_;
+    const bool upright_;
     std::array<float, steps + 1> up_to_ = {};
-    float begin_, step_;  // m
+    float begin_, step_ = 0.0f;  // m
 };
 
 }  // namespace
@@ -102,7 +121,8 @@ void Strips::cut(std::span<const StripSample> samples, uint32_t count) {
     count_ = samples.empty() ? 1 : count;
     if (count_ == 1) return;
     upright_ = lie_upright(samples);
-    const WorkAlong work(samples, upright_ != 0);
+    constexpr float anywhere = std::numeric_limits<float>::infinity();
+    const WorkAlong work(samples, upright_ != 0, -anywhere, anywhere);
     for (uint32_t node = 1; node < count_; ++node) {
         const uint32_t level = std::bit_floor(node);
         limits_[node] = work.at(float(2 * (node - level) + 1) / float(2 * level));

@@ -169,6 +169,20 @@ TEST_CASE("strips hold about as much work each and lie across the longer side") 
     REQUIRE(strips.leaf_at({1, 1}) < strips.leaf_at({1, 59}));
 }
 
+TEST_CASE("strips are as good with somebody who has left for the far away") {
+    auto samples = samples_in(100, 60, 4000);
+    samples[17].place = {3e7f, 1};
+    samples[90].place = {-2e5f, 1};
+    Strips strips;
+    strips.cut(samples, 4);
+    std::vector<int> count(8);
+    for (const StripSample& sample : samples) ++count[strips.leaf_at(sample.place)];
+    for (uint32_t leaf = 4; leaf < 8; ++leaf) {
+        REQUIRE(count[leaf] > 900);
+        REQUIRE(count[leaf] < 1100);
+    }
+}
+
 TEST_CASE("strips follow the list where it runs along an axis") {
     std::vector<StripSample> rows;
     for (int i = 0; i < 400; ++i) rows.push_back({{float(i % 40), 0.25f * float(i / 40)}, 1});
@@ -207,4 +221,24 @@ TEST_CASE("a heap of everything ends the same however many threads share out its
         REQUIRE(several.broken == one.broken);
         REQUIRE(several.hits == one.hits);
     }
+}
+
+TEST_CASE("bodies know their places when the list was in no order and then in that of the strips") {
+    World world;
+    world.set_gravity({0, 0});
+    std::vector<Body> row;
+    for (int i = 0; i < 2400; ++i) {
+        row.push_back(world.create_body({.position = {float(i), 0}, .velocity = {0, 1}}));
+        row.back().add(Circle{.radius = 0.3f});
+        if (i > 0)
+            world.create_distance_joint(
+                {.body_a = row[size_t(i) - 1].id(), .body_b = row.back().id()});
+    }
+    row[10].destroy();  // the last takes its place in the list
+    for (int i = 0; i < 66; ++i) world.step(1.0f / 60.0f);
+    REQUIRE(WorldInside::of(world).strips.count() > 1);
+    REQUIRE_FALSE(world.validate());
+    row[20].destroy();
+    world.step(1.0f / 60.0f);
+    REQUIRE_FALSE(world.validate());
 }
