@@ -37,6 +37,22 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
     add_output(*command, options.output);
 }
 
+void add_threads(CLI::App& app, ThreadsOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "threads", "How many times as fast a step is when several threads share it out");
+    command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
+        ->type_name("NAME");
+    command->add_option("--threads", options.threads, "Threads that are compared with one")
+        ->check(CLI::Range(2, 64))
+        ->capture_default_str();
+    command->add_option("--runs", options.runs, "Runs; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--steps", options.steps, "Steps instead of the scene's own number")
+        ->check(CLI::Range(2, 1000000));
+    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+}
+
 void add_tree(CLI::App& app, TreeOptions& options) {
     CLI::App* command = app.add_subcommand("tree", "What the live property tree costs");
     command->add_option("--repetitions", options.repetitions, "Repetitions; the median counts")
@@ -142,6 +158,8 @@ int main(int argc, char** argv) {
     add_past(app, past);
     StabilityOptions stability;
     add_scenes(app, scenes);
+    ThreadsOptions threads;
+    add_threads(app, threads);
     add_tree(app, tree);
     add_hosting(app, hosting);
     add_hosted_steps(app, hosted_steps);
@@ -159,6 +177,7 @@ int main(int argc, char** argv) {
     }
     try {
         if (app.got_subcommand("scenes")) return run_scenes(scenes);
+        if (app.got_subcommand("threads")) return run_threads(threads);
 #ifdef FETTLE_BENCH_GOOGLE
         if (app.got_subcommand("tree")) return run_tree(tree);
 #else

@@ -23,6 +23,15 @@ struct ScenesOptions {
 };
 int run_scenes(const ScenesOptions& options);
 
+struct ThreadsOptions {
+    std::vector<std::string> scenes;  // none: all
+    int threads = 2;
+    int runs = 3;
+    int steps = 0;  // 0: as the scene says
+    bool json = false;
+};
+int run_threads(const ThreadsOptions& options);
+
 struct HostingOptions {
     int bodies = 10000;
     int pairs = 30;

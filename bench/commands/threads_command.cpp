@@ -1,0 +1,187 @@
+// `fettle-bench threads`: how many times as fast a step is when several threads share it out, and
+// which of its stages.
+
+#include <fettle/physics/physics.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+#include "commands/commands.h"
+#include "engines/fettle_engine.h"
+#include "measure/round_trip.h"
+#include "measure/simulation.h"
+#include "measure/timing.h"
+#include "report/json_lines.h"
+#include "report/progress.h"
+#include "report/table.h"
+#include "scenes/catalogue.h"
+
+namespace fettle::bench {
+namespace {
+
+constexpr double least_speedup = 1.7;  // on two threads
+constexpr int steps_a_turn = 100;  // in shorter ones it shows that threads that wait fall asleep
+
+constexpr std::array<const char*, 5> stage_names = {"pairs", "narrow", "solve", "finish", "other"};
+using Stages = std::array<double, stage_names.size()>;  // ms
+
+Stages stages_of(const physics::StepStatistics& s) {
+    const float other = s.total_ms - s.pairs_ms - s.narrow_ms - s.solve_ms - s.finish_ms;
+    return {static_cast<double>(s.pairs_ms), static_cast<double>(s.narrow_ms),
+            static_cast<double>(s.solve_ms), static_cast<double>(s.finish_ms),
+            static_cast<double>(other)};
+}
+
+/// A scene on some threads.
+class Side {
+  public:
+    Side(const Scene& scene, int threads) : simulation_(scene, "fettle", make_fettle(scene)) {
+        simulation_.engine().set_threads(threads);
+        simulation_.advance(1);  // finds every pair anew: not counted
+    }
+
+    void advance(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            ms_.push_back(simulation_.advance(1).wall_ms);
+            const Stages now = stages_of(fettle_world(simulation_.engine()).statistics());
+            for (std::size_t k = 0; k < now.size(); ++k) stages_[k] += now[k];
+        }
+    }
+
+    int steps() const { return simulation_.steps(); }
+    std::uint64_t hash() const { return simulation_.hash(); }
+    double mean_ms() const {
+        return std::accumulate(ms_.begin(), ms_.end(), 0.0) / static_cast<double>(ms_.size());
+    }
+    double median_ms() const { return median(ms_); }
+    Stages stages() const {
+        Stages mean = stages_;
+        for (double& ms : mean) ms /= static_cast<double>(ms_.size());
+        return mean;
+    }
+
+  private:
+    Simulation simulation_;
+    std::vector<double> ms_;
+    Stages stages_ = {};
+};
+
+/// Of one run, or the median of several.
+struct Result {
+    double one_ms = 0, several_ms = 0;  // the mean step
+    double speedup = 0;                 // of the mean step
+    double median_speedup = 0;          // of the median step, which other work spoils less
+    double round_trip_ns = 0;           // the worse of before and after
+    Stages one = {}, several = {};
+};
+
+Result run_once(const Scene& scene, int threads, int run, Progress& progress) {
+    Side one(scene, 1), several(scene, threads);
+    const double before = round_trip_ns();
+    while (one.steps() < scene.steps) {
+        const int steps = std::min(steps_a_turn, scene.steps - one.steps());
+        const bool one_first = (one.steps() / steps_a_turn + run) % 2 == 0;
+        (one_first ? one : several).advance(steps);
+        (one_first ? several : one).advance(steps);
+        progress.add(static_cast<double>(steps) / scene.steps);
+    }
+    if (one.hash() != several.hash())
+        throw std::runtime_error(scene.name + ": ended in another state on " +
+                                 std::to_string(threads) + " threads than on one");
+    return {.one_ms = one.mean_ms(),
+            .several_ms = several.mean_ms(),
+            .speedup = one.mean_ms() / several.mean_ms(),
+            .median_speedup = one.median_ms() / several.median_ms(),
+            .round_trip_ns = std::max(before, round_trip_ns()),
+            .one = one.stages(),
+            .several = several.stages()};
+}
+
+/// Each figure for itself.
+Result median_of(const std::vector<Result>& runs) {
+    const auto of = [&](auto&& figure_of) {
+        std::vector<double> values;
+        for (const Result& run : runs) values.push_back(figure_of(run));
+        return median(values);
+    };
+    Result result;
+    for (double Result::*figure : {&Result::one_ms, &Result::several_ms, &Result::speedup,
+                                   &Result::median_speedup, &Result::round_trip_ns})
+        result.*figure = of([&](const Result& run) { return run.*figure; });
+    for (std::size_t k = 0; k < stage_names.size(); ++k) {
+        result.one[k] = of([&](const Result& run) { return run.one[k]; });
+        result.several[k] = of([&](const Result& run) { return run.several[k]; });
+    }
+    return result;
+}
+
+void print_json(const std::string& scene, int threads, int steps, const Result& result) {
+    std::cout << json_line({{"scene", scene},
+                            {"threads", static_cast<long long>(threads)},
+                            {"steps", static_cast<long long>(steps)},
+                            {"one_ms", result.one_ms},
+                            {"several_ms", result.several_ms},
+                            {"speedup", result.speedup},
+                            {"median_speedup", result.median_speedup},
+                            {"round_trip_ns", result.round_trip_ns}})
+              << "\n";
+    for (std::size_t k = 0; k < stage_names.size(); ++k)
+        std::cout << json_line({{"scene", scene},
+                                {"threads", static_cast<long long>(threads)},
+                                {"stage", std::string(stage_names[k])},
+                                {"one_ms", result.one[k]},
+                                {"several_ms", result.several[k]}})
+                  << "\n";
+    std::cout.flush();  // a long run may be cut short
+}
+
+}  // namespace
+
+int run_threads(const ThreadsOptions& options) {
+    std::vector<const CatalogueEntry*> scenes;
+    for (const std::string& name : options.scenes) scenes.push_back(&scene_named(name));
+    for (const CatalogueEntry& entry : catalogue())
+        if (options.scenes.empty() && entry.make) scenes.push_back(&entry);
+
+    const std::string several = "on " + std::to_string(options.threads);
+    Table speed({"ms a step", "on one", several, "times as fast", "at least", "median step",
+                 "ns there and back"});
+    std::vector<std::string> stage_headers = {"ms a stage"};
+    for (const char* name : stage_names) {
+        stage_headers.emplace_back(name);
+        stage_headers.push_back(several);
+    }
+    Table stages(stage_headers);
+    {
+        Progress progress(static_cast<double>(scenes.size()) * options.runs);
+        for (const CatalogueEntry* entry : scenes) {
+            Scene scene = entry->make();
+            if (options.steps > 0) scene.steps = options.steps;
+            std::vector<Result> runs;
+            for (int run = 0; run < options.runs; ++run) {
+                progress.begin(scene.name + ", run " + std::to_string(run + 1) + " of " +
+                               std::to_string(options.runs));
+                runs.push_back(run_once(scene, options.threads, run, progress));
+            }
+            const Result result = median_of(runs);
+            if (options.json) print_json(scene.name, options.threads, scene.steps, result);
+            speed.add({scene.name, figure(result.one_ms), figure(result.several_ms),
+                       figure(result.speedup), options.threads == 2 ? figure(least_speedup) : "",
+                       figure(result.median_speedup), figure(result.round_trip_ns)});
+            std::vector<std::string> line = {scene.name};
+            for (std::size_t k = 0; k < stage_names.size(); ++k) {
+                line.push_back(figure(result.one[k]));
+                line.push_back(figure(result.several[k]));
+            }
+            stages.add(std::move(line));
+        }
+    }
+    if (!options.json) std::cout << speed.text() << "\n" << stages.text();
+    return 0;
+}
+
+}  // namespace fettle::bench
