@@ -68,8 +68,10 @@ void WorldData::finish_bodies(float dt) {
         FinishedPiece& piece = finished[block - 1];
         piece.clear();
         const size_t end = std::min(block * piece_length, count);
-        for (size_t place = (block - 1) * piece_length; place < end; ++place)
+        for (size_t place = (block - 1) * piece_length; place < end; ++place) {
+            if (place + bodies_ahead < end) bodies[awake_bodies[place + bodies_ahead]].prefetch();
             finish_body(place, dt, piece);
+        }
     });
     sleep_candidates = 0;
     fast_bodies.clear();

@@ -85,7 +85,10 @@ void WorldData::gather_bodies(float h) {
     gathered.resize((count + bodies_at_a_time - 1) / bodies_at_a_time);
     share_out_range(threads, count, bodies_at_a_time, [&](size_t begin, size_t end) {
         uint8_t found = 0;
-        for (size_t i = begin; i < end; ++i) found |= gather_body(i, h);
+        for (size_t i = begin; i < end; ++i) {
+            if (i + bodies_ahead < end) bodies[awake_bodies[i + bodies_ahead]].prefetch();
+            found |= gather_body(i, h);
+        }
         gathered[begin / bodies_at_a_time] = found;
     });
     uint8_t found = 0;

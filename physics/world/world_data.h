@@ -37,8 +37,8 @@ inline constexpr float greatest_speed = 1e4f;
 /// Turning in one sub-step, rad.
 inline constexpr float greatest_turn = 3.0f;
 
-/// Contacts are in no order in memory: so many before its turn each is asked for.
-inline constexpr size_t contacts_ahead = 12;
+/// What is awake is in no order in memory: so many before its turn each is asked for.
+inline constexpr size_t contacts_ahead = 12, bodies_ahead = 6;
 
 inline constexpr int color_count = 64;
 
