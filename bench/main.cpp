@@ -5,6 +5,8 @@
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "commands/commands.h"
 
@@ -12,26 +14,42 @@ namespace {
 
 using namespace fettle::bench;
 
+void add_json(CLI::App& command, bool& json) {
+    command.add_flag("--json", json, "Print a JSON object a line instead of a table");
+}
+
 void add_output(CLI::App& command, OutputOptions& output) {
-    command.add_flag("--json", output.json, "Print a JSON object a line instead of a table");
+    add_json(command, output.json);
     command.add_option("--svg", output.svg, "Also draw the table as a chart")->type_name("FILE");
+}
+
+void add_scene_names(CLI::App& command, std::vector<std::string>& scenes,
+                     const std::string& what = "Only this scene (repeatable)") {
+    command.add_option("--scene", scenes, what)->type_name("NAME");
+}
+
+void add_runs(CLI::App& command, int& runs) {
+    command.add_option("--runs", runs, "Runs; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+}
+
+void add_steps(CLI::App& command, int& steps) {
+    command.add_option("--steps", steps, "Steps instead of the scene's own number")
+        ->check(CLI::Range(2, 1000000));
 }
 
 void add_scenes(CLI::App& app, ScenesOptions& options) {
     CLI::App* command =
         app.add_subcommand("scenes", "Step time of the same scenes in every engine");
-    command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
-        ->type_name("NAME");
+    add_scene_names(*command, options.scenes);
     command->add_option("--engine", options.engines, "Only this engine (repeatable)")
         ->type_name("fettle|hosted|box2d|chipmunk");
     command->add_option("--threads", options.threads, "Threads an engine may use")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
-    command->add_option("--runs", options.runs, "Runs; the median counts")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_option("--steps", options.steps, "Steps instead of the scene's own number")
-        ->check(CLI::Range(2, 1000000));
+    add_runs(*command, options.runs);
+    add_steps(*command, options.steps);
     command->add_flag("--processor-time", options.processor_time,
                       "Time on a processor instead of wall time: where others use the machine too");
     add_output(*command, options.output);
@@ -40,17 +58,13 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
 void add_threads(CLI::App& app, ThreadsOptions& options) {
     CLI::App* command = app.add_subcommand(
         "threads", "How many times as fast a step is when several threads share it out");
-    command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
-        ->type_name("NAME");
+    add_scene_names(*command, options.scenes);
     command->add_option("--threads", options.threads, "Threads that are compared with one")
         ->check(CLI::Range(2, 64))
         ->capture_default_str();
-    command->add_option("--runs", options.runs, "Runs; the median counts")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_option("--steps", options.steps, "Steps instead of the scene's own number")
-        ->check(CLI::Range(2, 1000000));
-    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+    add_runs(*command, options.runs);
+    add_steps(*command, options.steps);
+    add_json(*command, options.json);
 }
 
 void add_tree(CLI::App& app, TreeOptions& options) {
@@ -99,13 +113,12 @@ void add_past(CLI::App& app, PastOptions& options) {
     command->add_option("--seconds", options.seconds, "Of the game, that are simulated")
         ->check(CLI::Range(2, 60))
         ->capture_default_str();
-    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+    add_json(*command, options.json);
 }
 
 void add_stability(CLI::App& app, StabilityOptions& options) {
     CLI::App* command = app.add_subcommand("stability", "How well stacks stand, in every engine");
-    command->add_option("--scene", options.scenes, "Only this scene (repeatable)")
-        ->type_name("NAME");
+    add_scene_names(*command, options.scenes);
     command->add_option("--engine", options.engines, "Only this engine (repeatable)")
         ->type_name("fettle|box2d|chipmunk");
     add_output(*command, options.output);
@@ -114,28 +127,22 @@ void add_stability(CLI::App& app, StabilityOptions& options) {
 void add_shapes(CLI::App& app, ShapesOptions& options) {
     CLI::App* command =
         app.add_subcommand("shapes", "What a contact costs by the number of vertices");
-    command->add_option("--runs", options.runs, "Runs; the median counts")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+    add_runs(*command, options.runs);
+    add_json(*command, options.json);
 }
 
 void add_growth(CLI::App& app, GrowthOptions& options) {
     CLI::App* command = app.add_subcommand(
         "growth", "What a body costs in small and in large worlds, in time and in memory");
-    command->add_option("--runs", options.runs, "Runs; the median counts")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_flag("--json", options.output.json,
-                      "Print a JSON object a line instead of a table");
+    add_runs(*command, options.runs);
+    add_json(*command, options.output.json);
 }
 
 void add_solvers(CLI::App& app, SolversOptions& options) {
     CLI::App* command =
         app.add_subcommand("solvers", "How well and how fast the three solvers do the same");
-    command->add_option("--scene", options.scenes, "Only this stability scene (repeatable)")
-        ->type_name("NAME");
-    command->add_flag("--json", options.json, "Print a JSON object a line instead of a table");
+    add_scene_names(*command, options.scenes, "Only this stability scene (repeatable)");
+    add_json(*command, options.json);
     command->add_option("--plots", options.plots, "Also write curves into this folder")
         ->type_name("DIR");
 }
