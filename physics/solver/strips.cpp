@@ -54,16 +54,6 @@ bool lie_upright(std::span<const StripSample> samples) {
     return extent(samples, true) > upright_ratio * extent(samples, false);
 }
 
-}  // namespace
-
-uint32_t Strips::count_for(std::size_t constraints) {
-    uint32_t count = 1;
-    while (count < most_strips && constraints >= unit * (4 * count * count)) count *= 2;
-    return count;
-}
-
-namespace {
-
 /// How much work there is up to where, in so many steps from the first sample to the last between
 /// `from` and `to`.
 class WorkAlong {
@@ -116,6 +106,12 @@ class WorkAlong {
 };
 
 }  // namespace
+
+uint32_t Strips::count_for(std::size_t constraints) {
+    uint32_t count = 1;
+    while (count < most_strips && constraints >= unit * (4 * count * count)) count *= 2;
+    return count;
+}
 
 void Strips::cut(std::span<const StripSample> samples, uint32_t count) {
     count_ = samples.empty() ? 1 : count;
