@@ -13,7 +13,8 @@
 namespace fettle::console::compat {
 
 inline ImTextureID texture_id(app::Surface::Texture texture) {
-    return (ImTextureID)(std::uintptr_t)texture;  // a pointer before 1.91.4, an integer since
+    // A pointer before 1.91.4, an integer since.
+    return (ImTextureID)(std::uintptr_t)texture;  // NOLINT(performance-no-int-to-ptr)
 }
 
 inline app::Surface::Texture surface_texture(ImTextureID id) {

@@ -49,7 +49,7 @@ class LogView {
     struct Point {
         std::uint64_t line = 0;
         std::size_t offset = 0;
-        friend auto operator<=>(const Point&, const Point&) = default;
+        friend auto operator<=>(const Point&, const Point&) = default;  // NOLINT: no pointer here
     };
     struct Selection {
         Point from, to;  // in the order they were made

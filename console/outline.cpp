@@ -40,6 +40,7 @@ class Pen {
 
     void line(const std::vector<Vec2>& world, bool closed) {
         std::vector<ImVec2> pixels;
+        pixels.reserve(world.size());
         for (const Vec2& point : world) pixels.push_back(pixel(point));
         stroke(pixels, closed);
     }

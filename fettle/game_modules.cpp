@@ -60,10 +60,10 @@ fs::path module_file(const std::string& name, const fs::path& game) {
         std::error_code error;
         return given.is_absolute() || fs::exists(given, error) ? given : folder / given;
     }
-    const fs::path beside = folder / (name + ".so");
+    fs::path beside = folder / (name + ".so");
     std::error_code error;
     if (fs::exists(beside, error)) return beside;
-    const fs::path installed = installed_modules() / (name + ".so");
+    fs::path installed = installed_modules() / (name + ".so");
     if (fs::exists(installed, error)) return installed;
     throw FileError("module \"" + name + "\": there is neither " + beside.string() + " nor " +
                     installed.string());

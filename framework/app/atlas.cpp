@@ -144,7 +144,7 @@ bool Atlas::prepare(const std::u32string& line, unsigned size, Face face) {
                         image.getSize().x +
                     static_cast<std::size_t>(sfml::left(drawn.textureRect));
                 std::copy_n(from + 4 * row, std::size_t{4} * width,
-                            pixels.begin() + static_cast<std::ptrdiff_t>(4 * width * y));
+                            pixels.begin() + std::ptrdiff_t{4} * width * y);
             }
             sfml::update(texture_, pixels.data(), width, height, static_cast<unsigned>(patch->left),
                          static_cast<unsigned>(patch->top));

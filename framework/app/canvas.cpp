@@ -14,7 +14,7 @@ namespace {
 
 sf::Color native(Color color, float opacity = 1) {
     const auto channel = [](float value) {
-        return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0f, 1.0f) + 0.5f);
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
     };
     return {channel(color.r), channel(color.g), channel(color.b), channel(color.a * opacity)};
 }

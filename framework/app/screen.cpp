@@ -106,7 +106,7 @@ class Picture : public Screen {
 class Pacer {
   public:
     void wait(bool vsync) {
-        using namespace std::chrono;
+        using std::chrono::steady_clock;
         const auto now = steady_clock::now();
         const auto spent = now - last_;
         last_ = now;
@@ -114,10 +114,10 @@ class Pacer {
             fast_frames_ = 0;
             return;
         }
-        fast_frames_ = spent < 4ms ? fast_frames_ + 1 : 0;
+        fast_frames_ = spent < std::chrono::milliseconds(4) ? fast_frames_ + 1 : 0;
         if (fast_frames_ > 20) waits_ = true;
         if (!waits_) return;
-        constexpr auto frame = duration_cast<steady_clock::duration>(1s) / 60;
+        constexpr auto frame = steady_clock::duration(std::chrono::seconds(1)) / 60;
         next_ = std::max(next_ + frame, now);
         if (next_ > now + frame) next_ = now + frame;
         std::this_thread::sleep_until(next_);

@@ -1,6 +1,8 @@
 #include "class_registry.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
@@ -50,6 +52,16 @@ Value zero_of(const Property& property) {
     return {};
 }
 
+/// The bound itself if it is a float, else the next one inside (`inwards`: 1 or -1).
+double inner_float(double bound, float inwards) {
+    const auto nearest = static_cast<float>(bound);
+    const double widened = static_cast<double>(nearest);
+    const bool outside = inwards > 0 ? widened < bound : widened > bound;
+    return outside ? static_cast<double>(
+                         std::nextafter(nearest, inwards * std::numeric_limits<float>::infinity()))
+                   : widened;
+}
+
 // Numbers and vectors may be read and written without a Value in between where that leaves out
 // nothing of what a write is.
 Property::Shortcut shortcut_to(const Property& property) {
@@ -71,13 +83,19 @@ Property::Shortcut shortcut_to(const Property& property) {
             shortcut.write = called;
     }
     if (property.read_only || binding.overridden != nullptr) shortcut.write = Way::none;
-    if (binding.kind != BindingKind::stored && binding.invalidate == nullptr)
-        shortcut.at_once = shortcut.write;
+    if (binding.kind != BindingKind::stored && binding.invalidate == nullptr &&
+        (number ? binding.number.plain : binding.vec2.plain))
+        shortcut.plain = shortcut.write;
     shortcut.narrow = property.precision() == Precision::single_precision;
-    const double largest = shortcut.narrow ? static_cast<double>(std::numeric_limits<float>::max())
-                                           : std::numeric_limits<double>::max();
+    // An integer that becomes a double up to there was that very number, and is it in the memory.
+    const double largest = shortcut.narrow ? 0x1p24 : 0x1p53 - 1;
     shortcut.min = std::max(property.range.min, -largest);
     shortcut.max = std::min(property.range.max, largest);
+    if (shortcut.narrow) {
+        // What lies between two floats of the range is in it after rounding too.
+        shortcut.min = inner_float(shortcut.min, 1);
+        shortcut.max = inner_float(shortcut.max, -1);
+    }
     return shortcut;
 }
 
@@ -175,8 +193,8 @@ void ClassRegistry::add_property(Class& made, Property property) {
         property.range.min = std::max(property.range.min, -0x1p31);
         property.range.max = std::min(property.range.max, 0x1p31 - 1);
     }
-    property.interest = 0;
     property.shortcut = shortcut_to(property);
+    property.note_interest(0);
     property.enumerator_values.assign(property.enumerators.begin(), property.enumerators.end());
     check_default(made, property);
     Property& kept = made.own_properties_.emplace_back(std::move(property));

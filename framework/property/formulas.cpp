@@ -307,6 +307,11 @@ std::string Formulas::note_cycle(const Entry& again) {
     return text;
 }
 
+void Formulas::note_into(std::vector<Dependency>* dependencies) {
+    noting_ = dependencies;
+    tree_.state().note_listeners();
+}
+
 void Formulas::run(Entry& e) {
     const std::shared_ptr<Entry> held = entries_.at(e.cell);
     std::vector<Dependency> found;
@@ -316,7 +321,7 @@ void Formulas::run(Entry& e) {
     e.cycle.clear();
     e.running = true;
     stack_.push_back(&e);
-    noting_ = &found;
+    note_into(&found);
     try {
         result = e.formula.function(tree_);
     } catch (const std::exception& raised) {
@@ -324,14 +329,14 @@ void Formulas::run(Entry& e) {
         if (error.empty()) error = "failed";
     }
     if (!e.cycle.empty()) error = e.cycle;
-    noting_ = nullptr;  // a setter may read what it likes
+    note_into(nullptr);  // a setter may read what it likes
     stack_.pop_back();
     e.running = false;
     struct Restore {
-        std::vector<Dependency>*& noting;
+        Formulas& formulas;
         std::vector<Dependency>* outer;
-        ~Restore() { noting = outer; }
-    } restore{noting_, outer};
+        ~Restore() { formulas.note_into(outer); }
+    } restore{*this, outer};
     if (too_deep_ != nullptr) throw Error(ErrorKind::formula, "formulas are nested too deep");
     if (e.removed) return;
     set_dependencies(e, std::move(found));

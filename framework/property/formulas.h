@@ -100,6 +100,8 @@ class Formulas {
     void settle(Entry& e);
     void settle_known(Entry& e);
     void run(Entry& e);
+    /// Where what is read now is noted; nullptr: nowhere.
+    void note_into(std::vector<Dependency>* dependencies);
     void finish(Entry& e, const Value& result);
     void fail(Entry& e, const std::string& error);
     void set_dependencies(Entry& e, std::vector<Dependency> found);

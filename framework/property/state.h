@@ -109,7 +109,13 @@ struct Tree::State {
     /// Formulas compute; they do not write.
     void forbid_in_formula(const char* what) const;
     /// To be called whenever the writer is another, or an edit begins or ends.
-    void note_recording() { records = history.recording(writer); }
+    void note_recording() {
+        records = history.recording(writer);
+        note_listeners();
+    }
+    /// To be called whenever a formula begins or ends to compute, and when there may be other
+    /// shadows.
+    void note_listeners() { writes.open(!records && !formulas.tracking() && shadows.empty()); }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 
     /// Calls `what(observer)` for each observer.
@@ -145,11 +151,9 @@ struct Tree::State {
 
     // typed_ways.cpp
     template <class T>
-    bool write_typed(Handle instance, const Property& property, T value);
+    Put write_typed(Handle instance, const Property& property, T value);
     template <class T>
-    bool write_by_way(Handle instance, const Property& property, T value, const Node& node);
-    void note_typed(Handle instance, const Property& property);
-    bool take_back(PlainWrite& entry, Put why);
+    Put write_by_way(Handle instance, const Property& property, T value, const Node& node);
     [[noreturn]] void take_back_thrown(PlainWrite& entry);
     void tell_untold();
 

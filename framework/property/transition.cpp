@@ -103,6 +103,7 @@ void Transition::watch_again() {
         for (const std::uint32_t index : state_.watchers.watched_slots())
             state_.shadows.refresh(state_.tree, state_.watchers, state_.nodes.handle(index));
     }
+    state_.note_listeners();
 }
 
 void Transition::tell_created() {

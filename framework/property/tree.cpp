@@ -93,7 +93,7 @@ const Class& Tree::define(ClassDescriptor descriptor) {
     state_->stored.push_back(made.stored_.empty() ? nullptr
                                                   : std::make_unique<StoredColumns>(made));
     for (const Property& property : made.own_properties_)
-        property.interest = state_->watchers.interest(property);
+        property.note_interest(state_->watchers.interest(property));
     return made;
 }
 
@@ -181,7 +181,10 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     for (const Property* property : of.initial_)
         write(index, nodes[index], *property, property->default_value);
     structure_changed(parent, name);
-    if (watchers.any_broad()) shadows.refresh(tree, watchers, self);
+    if (watchers.any_broad()) {
+        shadows.refresh(tree, watchers, self);
+        note_listeners();
+    }
     if (watchers.any_created())
         queue_item({.kind = QueueItem::Kind::created,
                     .what = Existence{.instance = self,
@@ -248,6 +251,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
     tombstones.push_back({self, path, tree.cause()});
     if (tombstones.size() > 8192) tombstones.pop_front();
     shadows.forget(tree, self);
+    note_listeners();
     if (nodes[index].has_formula)
         for (const Property* property : tree.properties(self)) drop_formula(self, *property);
     const std::uint32_t parent = nodes[index].parent;

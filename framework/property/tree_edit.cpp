@@ -236,7 +236,7 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
                           const Value& old_value) {
     note_edit();
     tell_plain_writes();
-    writes.note(handle, property.symbol, writer, step);
+    writes.note(handle, property, writer, step);
     if (history.recording()) writes.note_in_full(handle, property.symbol, tree.cause());
     if (node.has_dependents) formulas.changed({handle.index, property.symbol});
     if (!node.watched && property.interest == 0) return;
@@ -343,7 +343,7 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
         slot->any_type = slot->infinity = true;
         slot->doc = "Added to this instance by a user.";
         slot->binding.kind = BindingKind::ad_hoc;
-        slot->interest = watchers.interest(*slot);
+        slot->note_interest(watchers.interest(*slot));
     }
     return *slot;
 }

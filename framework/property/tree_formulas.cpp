@@ -117,7 +117,7 @@ Provenance Tree::who(Handle instance, const Property& property) const {
     if (const auto step = state_->shadows.simulated_at({instance.index, property.symbol}))
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
     state_->tell_plain_writes();
-    const Provenance written = state_->writes.find(instance, property.symbol);
+    Provenance written = state_->writes.find(instance, property.symbol);
     if (written.known || !property.simulated) return written;
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
 }

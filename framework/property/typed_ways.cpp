@@ -30,16 +30,19 @@ const Typed<T>& typed_way(const Binding& binding) {
         return binding.vec2;
 }
 
-// As the property's memory holds it; false where it needs a second look. A NaN is never in range.
-bool fit(const Property::Shortcut& shortcut, double& x) {
-    if (shortcut.narrow) x = static_cast<double>(static_cast<float>(x));
+// A NaN is never in range. What lies between two floats is in it after rounding too.
+bool fits(const Property::Shortcut& shortcut, double x) {
     return x >= shortcut.min && x <= shortcut.max;
 }
-bool fit(const Property::Shortcut& shortcut, Vec2& v) {
-    double x = v.x(), y = v.y();
-    if (!fit(shortcut, x) || !fit(shortcut, y)) return false;
-    v = Vec2(x, y);  // at once: whoever reads both would wait for one half after the other
-    return true;
+bool fits(const Property::Shortcut& shortcut, const Vec2& v) {
+    return fits(shortcut, v.x()) && fits(shortcut, v.y());
+}
+
+double narrowed(double x) {
+    return static_cast<double>(static_cast<float>(x));
+}
+Vec2 narrowed(const Vec2& v) {
+    return {narrowed(v.x()), narrowed(v.y())};
 }
 
 template <class T>
@@ -68,28 +71,22 @@ bool put_stored(Tree::State& s, const Node& node, const Property& property, cons
     return true;
 }
 
-}  // namespace
-
-template <class T>
-static void put_down(PlainWrite& entry, Handle instance, const Property& property, const T& value) {
+void put_down(PlainWrite& entry, Handle instance, const Property& property, double x) {
     entry.instance = instance;
-    entry.property = property.symbol;
-    entry.is_vec2 = !std::is_same_v<T, double>;
-    if constexpr (std::is_same_v<T, double>) {
-        entry.x = value;
-    } else {
-        entry.x = value.x();
-        entry.y = value.y();
-    }
+    entry.property = &property;
+    entry.x = x;
+}
+void put_down(PlainWrite& entry, Handle instance, const Property& property, const Vec2& v) {
+    put_down(entry, instance, property, v.x());
+    entry.y = v.y();
 }
 
-/// What is left to do in the less usual circumstances.
-[[gnu::noinline]] void Tree::State::note_typed(Handle instance, const Property& property) {
-    const Binding& binding = property.binding;
-    if (binding.invalidate != nullptr)
-        // The setter may have moved nodes.
-        binding.invalidate(binding.context, nodes[instance.index].row);
-    note_edit();
+}  // namespace
+
+Value PlainWrite::value() const {
+    const bool narrow = property->shortcut.narrow;
+    if (property->type == Type::number) return Value(narrow ? narrowed(x) : x);
+    return Value(narrow ? narrowed(Vec2(x, y)) : Vec2(x, y));
 }
 
 /// The setter threw: the write did not happen. Called while the exception is caught.
@@ -100,84 +97,64 @@ static void put_down(PlainWrite& entry, Handle instance, const Property& propert
         throw;
     } catch (const std::invalid_argument& refusal) {
         throw Error(ErrorKind::rejected,
-                    tree.path(was.instance, *tree.find(was.instance, was.property)) + ": " +
-                        refusal.what());
+                    tree.path(was.instance, *was.property) + ": " + refusal.what());
     }
 }
 
-/// Hands the value of `entry` over to the module. The entry in the log is made first: then next to
-/// nothing has to be kept over the call.
+/// Of properties kept by the tree, of setters that may do anything, and of those that want to hear
+/// of writes. The setter may itself write, read formulas, and move nodes.
 template <class T>
-[[gnu::always_inline]] inline static Put hand_over(Tree::State& s, PlainWrite& entry,
-                                                   const Property& property, Row row,
-                                                   typename Typed<T>::Passed value) {
-    try {
-        return typed_way<T>(property.binding).put(property.binding, row, value);
-    } catch (...) {
-        s.take_back_thrown(entry);
-    }
-}
-
-/// The value was there already (true), or takes the long way.
-[[gnu::noinline]] bool Tree::State::take_back(PlainWrite& entry, Put why) {
-    writes.take_back(entry);
-    return why == Put::same;
-}
-
-/// Of properties kept by the tree, and of those that want to hear of writes.
-template <class T>
-[[gnu::noinline]] bool Tree::State::write_by_way(Handle instance, const Property& property, T value,
-                                                 const Node& node) {
+[[gnu::noinline]] Put Tree::State::write_by_way(Handle instance, const Property& property, T value,
+                                                const Node& node) {
+    if (property.interest != 0 || records || formulas.tracking()) return Put::untried;
     const bool by_setter = property.shortcut.write == by_call<T>;
-    if (!by_setter && property.shortcut.write != in_tree<T>) return false;
-    if (!by_setter && !put_stored<T>(*this, node, property, value)) return true;
+    if (!by_setter && property.shortcut.write != in_tree<T>) return Put::untried;
+    if (property.shortcut.narrow) value = narrowed(value);
+    if (!by_setter && !put_stored<T>(*this, node, property, value)) return Put::done;
     if (writes.full()) [[unlikely]]
         tell_untold();
+    // Made first: then next to nothing has to be kept over the call.
     PlainWrite& entry = writes.begin();
     put_down(entry, instance, property, value);
+    const Binding& binding = property.binding;
     if (by_setter) {
-        const Put put = hand_over<T>(*this, entry, property, node.row, value);
-        if (put != Put::done) return take_back(entry, put);
+        Put put{};
+        try {
+            put = typed_way<T>(binding).put(binding, node.row, value);
+        } catch (...) {
+            take_back_thrown(entry);
+        }
+        if (put != Put::done) {
+            writes.take_back(entry);
+            return put == Put::same ? Put::done : Put::untried;
+        }
     }
     edited = true;
     ++epoch;
-    if (!shadows.empty() || property.binding.invalidate != nullptr) note_typed(instance, property);
-    return true;
+    if (binding.invalidate != nullptr)
+        binding.invalidate(binding.context, nodes[instance.index].row);
+    if (!shadows.empty() || binding.invalidate != nullptr) note_edit();
+    return Put::done;
 }
 
-/// The write itself, and what it leaves to do.
+/// Only where nobody has to be told at once, and no other value stands for the cell's. Ends with
+/// the call of the setter, so that nothing has to be kept over it.
 template <class T>
-[[gnu::noinline]] static bool put_at_once(Tree::State& s, PlainWrite& entry,
-                                          const Property& property, Row row,
-                                          typename Typed<T>::Passed value) {
-    const Put put = hand_over<T>(s, entry, property, row, value);
-    if (put != Put::done) [[unlikely]]
-        return s.take_back(entry, put);
-    ++s.epoch;
-    if (!s.shadows.empty()) [[unlikely]]
-        s.note_edit();
-    return true;
-}
-
-/// Only where nobody has to be told at once, and no other value stands for the cell's.
-template <class T>
-[[gnu::always_inline]] inline bool Tree::State::write_typed(Handle instance,
-                                                            const Property& property, T value) {
+[[gnu::always_inline]] inline Put Tree::State::write_typed(Handle instance,
+                                                           const Property& property, T value) {
     const Node* const node = nodes.find_if<&Node::writable>(instance);
-    if (node == nullptr || property.interest != 0 || records || formulas.tracking() ||
-        !fit(property.shortcut, value)) [[unlikely]]
-        return false;
-    if (property.shortcut.at_once != by_call<T> || writes.full()) [[unlikely]]
+    if (node == nullptr || !fits(property.shortcut, value)) [[unlikely]]
+        return Put::untried;
+    if (property.at_once != by_call<T> || !writes.open()) [[unlikely]]
         return write_by_way<T>(instance, property, value, *node);
-    PlainWrite& entry = writes.begin();
-    put_down(entry, instance, property, value);
-    return put_at_once<T>(*this, entry, property, node->row, value);
+    put_down(writes.begin(), instance, property, value);
+    ++epoch;
+    return typed_way<T>(property.binding).put(property.binding, node->row, value);
 }
 
-void Observer::wrote_plain(const Tree& tree, std::span<const PlainWrite> writes) {
+void Observer::wrote_plain(const Tree&, std::span<const PlainWrite> writes) {
     for (const PlainWrite& write : writes)
-        if (write.instance)
-            wrote(write.instance, *tree.find(write.instance, write.property), write.value());
+        if (write.instance) wrote(write.instance, *write.property, write.value());
 }
 
 void Tree::State::tell_untold() {
@@ -194,11 +171,19 @@ bool Tree::read(Handle instance, const Property& property, double& number) const
 bool Tree::read(Handle instance, const Property& property, Vec2& vector) const {
     return read_typed(*state_, instance, property, vector);
 }
-bool Tree::write(Handle instance, const Property& property, double number) {
+Put Tree::begin_write(Handle instance, const Property& property, double number) {
     return state_->write_typed(instance, property, number);
 }
-bool Tree::write(Handle instance, const Property& property, const Vec2& vector) {
+Put Tree::begin_write(Handle instance, const Property& property, const Vec2& vector) {
     return state_->write_typed(instance, property, vector);
+}
+
+bool Tree::end_write(Put put) {
+    if (put == Put::done) return true;
+    if (put == Put::untried) return false;
+    state_->writes.take_back_last();
+    --state_->epoch;
+    return put == Put::same;
 }
 
 }  // namespace fettle::property

@@ -55,7 +55,7 @@ void take_out(std::vector<Watcher*>& list, Watcher& watcher) {
 Connection Watchers::add(Watcher watcher) {
     watcher.id = ++last_id_;
     Watcher& kept =
-        *all_.emplace(watcher.id, std::make_unique<Watcher>(std::move(watcher))).first->second;
+        *all_.emplace(last_id_, std::make_unique<Watcher>(std::move(watcher))).first->second;
     list_of(kept)->push_back(&kept);
     if (kept.index != 0) on_index_[kept.index].push_back(&kept);
     if (kept.event != nullptr) ++kept.event->listeners;

@@ -12,7 +12,7 @@ namespace fettle::property {
 void Tree::State::count_interest(const Watcher& watcher, int sign) {
     const auto count = [&](const Property& property) {
         if (Watchers::may_want(watcher, property))
-            property.interest += static_cast<std::uint32_t>(sign);
+            property.note_interest(property.interest + static_cast<std::uint32_t>(sign));
     };
     for (std::uint32_t i = 0; i < classes.size(); ++i)
         for (const Property& property : classes[i].own_properties_) count(property);
@@ -21,6 +21,7 @@ void Tree::State::count_interest(const Watcher& watcher, int sign) {
 
 void Tree::State::refresh_shadows_below(std::uint32_t top) {
     visit_below(top, [this](std::uint32_t i) { shadows.refresh(tree, watchers, nodes.handle(i)); });
+    note_listeners();
 }
 
 /// Visits every shadowed cell that a broad watcher wants or would want. Only what the watcher may
@@ -66,6 +67,7 @@ void Tree::State::watcher_added(const Watcher& watcher) {
             shadows.keep(tree, instance, property);
         });
     }
+    note_listeners();
 }
 
 void Tree::State::watcher_removed(const Watcher& watcher) {
@@ -80,6 +82,7 @@ void Tree::State::watcher_removed(const Watcher& watcher) {
                 shadows.drop(cell);
         });
     }
+    note_listeners();
 }
 
 namespace {

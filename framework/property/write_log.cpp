@@ -235,7 +235,7 @@ void WriteLog::Player::again(Did did) {
     if (did == Did::refreshed) return refresh();
     if (did == Did::plain) {
         const auto done = from_.get<PlainWrite>();
-        if (done.instance) write(done.instance, done.property, done.value());
+        if (done.instance) write(done.instance, done.property->symbol, done.value());
         return;
     }
     const auto instance = from_.get<Handle>();

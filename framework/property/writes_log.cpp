@@ -24,6 +24,7 @@ void WritesLog::tell(Writer writer, std::uint64_t step) {
     if (next_ == ring_end) next_ = ring_.get();
     untold_ = next_;
     end_ = untold_ + std::min<std::ptrdiff_t>(most_untold, ring_end - untold_);
+    open(open_);
 }
 
 void WritesLog::take_back(PlainWrite& entry) {
@@ -37,7 +38,7 @@ Provenance WritesLog::find(Handle instance, Symbol property) const {
     Provenance out;
     for (std::uint64_t number = told_; number > 0 && told_ - number < most; --number) {
         const PlainWrite& write = ring_.get()[(number - 1) % most];
-        if (write.instance.index != instance.index || write.property != property) continue;
+        if (write.instance.index != instance.index || write.property->symbol != property) continue;
         // A slot's next owner has been written by nobody yet.
         if (write.instance.generation != instance.generation) break;
         const auto run = std::lower_bound(runs_.begin(), runs_.end(), number,

@@ -22,10 +22,18 @@ class WritesLog {
   public:
     /// It is time to tell of them: no other write can begin.
     bool full() const { return next_ == end_; }
+    /// A write of the shortest way can begin: all that could be against it and does not depend on
+    /// the cell is in this one answer.
+    bool open() const { return next_ < open_end_; }
+    void open(bool whether) {
+        open_ = whether;
+        open_end_ = open_ ? end_ : nullptr;
+    }
     /// A write of the typed ways begins: its entry, to be filled in. It counts unless it is taken
     /// back; a setter may itself write before that is known.
     PlainWrite& begin() { return *next_++; }
     void take_back(PlainWrite& entry);
+    void take_back_last() { --next_; }
 
     /// What has begun and was not yet told of.
     std::span<const PlainWrite> untold() const { return {untold_, next_}; }
@@ -34,8 +42,8 @@ class WritesLog {
     void tell(Writer writer, std::uint64_t step);
 
     /// A write of any other kind. Nothing may be untold.
-    void note(Handle instance, Symbol property, Writer writer, std::uint64_t step) {
-        begin() = {.instance = instance, .property = property};
+    void note(Handle instance, const Property& property, Writer writer, std::uint64_t step) {
+        begin() = {.instance = instance, .property = &property};
         tell(writer, step);
     }
     void note_in_full(Handle instance, Symbol property, const Cause& cause) {
@@ -66,7 +74,9 @@ class WritesLog {
     PlainWrite* untold_ = ring_.get();
     PlainWrite* next_ = ring_.get();
     PlainWrite* end_ = ring_.get() + most_untold;  // of what may be untold
-    std::uint64_t told_ = 0;                       // writes, ever
+    PlainWrite* open_end_ = end_;                  // nullptr where the shortest way is closed
+    bool open_ = true;
+    std::uint64_t told_ = 0;  // writes, ever
     std::deque<Run> runs_;
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
 };

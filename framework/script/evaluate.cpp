@@ -20,7 +20,6 @@
 namespace fettle::script {
 
 using property::Property;
-using property::Value;
 
 namespace {
 

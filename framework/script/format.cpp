@@ -181,11 +181,10 @@ std::string brief(lua_State* L, int index, int depth) {
     if (vec_at(L, index) || color_at(L, index) || list_at(L, index)) {
         try {
             const Value value = to_value(L, index);
-            Value shown = value;
             // Components that fit a float are shown as one.
             if (const auto* v = vec_at(L, index))
                 return machine.tree.text(
-                    shown, static_cast<double>(static_cast<float>(v->x)) == v->x &&
+                    value, static_cast<double>(static_cast<float>(v->x)) == v->x &&
                                    static_cast<double>(static_cast<float>(v->y)) == v->y
                                ? property::Precision::single_precision
                                : property::Precision::double_precision);

@@ -66,7 +66,7 @@ Place property_at(lua_State* L, const char* what) {
         throw Error(ErrorKind::wrong_type, std::string(what) +
                                                ": needs a path like \"world.ball.mass\", not " +
                                                describe_type(L, 1));
-    const Place place = property::resolve(machine.tree, lua_tostring(L, 1));
+    Place place = property::resolve(machine.tree, lua_tostring(L, 1));
     if (place.property == nullptr)
         throw Error(ErrorKind::wrong_type, std::string(what) + ": " +
                                                machine.tree.path(place.instance) +

@@ -24,6 +24,7 @@ using property::Error;
 using property::ErrorKind;
 using property::Handle;
 using property::Property;
+using property::Put;
 using property::Symbol;
 using property::Type;
 using property::Value;
@@ -202,21 +203,23 @@ constexpr int vec_metatable = lua_upvalueindex(1);  // of `__index`
     return 1;
 }
 
-// Kept short, as `instance_newindex` is: what is not a number goes elsewhere.
+// Kept short, as `instance_newindex` is: what is not a number goes elsewhere. Scripts cannot get at
+// either function, so Lua calls them with an instance.
 int instance_index(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
-    if (!self || self->tag != Tag::instance) no_self(L);
     const void* key = lua_topointer(L, 2);
     const Machine& machine = machine_of(L);
     const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
     if (!slot.is_of(self->instance_class, key) || machine.recording.active) [[unlikely]]
         return read_at_length(L, *self);
-    if (slot.member == Member::vec2) return read_vec2(L, *self, *slot.property);
     double number;
-    if (slot.member == Member::number && machine.tree.read(self->handle, *slot.property, number))
-        [[likely]] {
-        lua_pushnumber(L, number);
-        return 1;
+    if (slot.member == Member::number) {
+        if (machine.tree.read(self->handle, *slot.property, number)) [[likely]] {
+            lua_pushnumber(L, number);
+            return 1;
+        }
+    } else if (slot.member == Member::vec2) {
+        return read_vec2(L, *self, *slot.property);
     }
     return read_at_length(L, *self);
 }
@@ -307,35 +310,41 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     return write_slowly(L, machine, self);
 }
 
-/// The vector at the top, into a property that may be one.
-[[gnu::noinline]] int write_vec2(lua_State* L, const InstanceBox& self, const Property& property) {
-    const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
-    if (box != nullptr && box->tag == Tag::vec &&
-        machine_of(L).tree.write(self.handle, property, Vec2(box->x, box->y)))
-        return 0;
+/// Not a number into a property that may be one: perhaps a vector into one that may be that.
+[[gnu::noinline]] int write_other(lua_State* L, const InstanceBox& self) {
+    Machine& machine = machine_of(L);
+    const void* key = lua_topointer(L, 2);
+    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
+    if (slot.is_of(self.instance_class, key) && slot.member == Member::vec2) {
+        const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
+        if (box != nullptr && box->tag == Tag::vec &&
+            machine.tree.write(self.handle, *slot.property, Vec2(box->x, box->y)))
+            return 0;
+    }
     return write_at_length(L, self);
 }
 
+[[gnu::noinline]] int end_write(lua_State* L, const InstanceBox& self, Put put) {
+    return machine_of(L).tree.end_write(put) ? 0 : write_at_length(L, self);
+}
+
 // Kept short: what is not a number written to a number goes elsewhere. The value comes last, so
-// that it need not be kept over a call.
+// that it need not be kept over a call. Nobody asks here whether a console command is being noted
+// down: its edits are recorded, and what is recorded is not written this way.
 int instance_newindex(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
-    if (!self || self->tag != Tag::instance) no_self(L);
     const void* key = lua_topointer(L, 2);
-    const Machine& machine = machine_of(L);
-    const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-    if (!slot.is_of(self->instance_class, key) || machine.recording.active) [[unlikely]]
-        return write_at_length(L, *self);
-    if (slot.member == Member::vec2) return write_vec2(L, *self, *slot.property);
-    const Property* const property = slot.property;
-    if (slot.member == Member::number && lua_type(L, 3) == LUA_TNUMBER) [[likely]] {
-        const auto number = static_cast<double>(lua_tonumber(L, 3));
-        // A greater integer may be none that a number can be.
-        if (std::abs(number) <= exact_in_float &&
-            machine_of(L).tree.write(self->handle, *property, number)) [[likely]]
-            return 0;
-    }
-    return write_at_length(L, *self);
+    const Dispatch& slot = machine_of(L).dispatch.slot(self->instance_class, key);
+    if (!slot.is_of(self->instance_class, key) || slot.member != Member::number) [[unlikely]]
+        return write_other(L, *self);
+    const Property& property = *slot.property;
+    if (lua_type(L, 3) != LUA_TNUMBER) [[unlikely]]
+        return write_other(L, *self);
+    const auto number = static_cast<double>(lua_tonumber(L, 3));
+    const Put put = machine_of(L).tree.begin_write(self->handle, property, number);
+    if (put != Put::done) [[unlikely]]
+        return end_write(L, *self, put);
+    return 0;
 }
 
 // --- The other metamethods

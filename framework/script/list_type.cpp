@@ -140,7 +140,7 @@ int list_pairs(lua_State* L) {
     lua_createtable(L, static_cast<int>(value.list().size()), 0);
     for (std::size_t i = 0; i < value.list().size(); ++i) {
         push_element(L, box, value.list()[i], i + 1);
-        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
     }
     lua_pushinteger(L, 0);
     lua_pushcclosure(L, guarded<next_element>, 2);

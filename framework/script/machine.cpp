@@ -68,10 +68,10 @@ int open_all(lua_State* L) {
 
 Machine::Machine(property::Tree& property_tree, Options runtime_options)
     : tree(property_tree),
-      options(runtime_options),
+      options(std::move(runtime_options)),
       files(options.files != nullptr ? *options.files : files_on_disk),
-      arena(runtime_options.memory_limit),
-      random(runtime_options.seed),
+      arena(options.memory_limit),
+      random(options.seed),
       subscriptions(std::make_unique<Subscriptions>(*this)),
       classes(std::make_unique<ScriptClasses>(*this)) {
     main = lua_newstate(Arena::allocate, &arena);

@@ -70,7 +70,7 @@ void check_finite(double value, const char* what) {
 }
 
 Vec2 point_at(lua_State* L, int index, const char* what) {
-    const Vec2 v = check_vec(L, index, what);
+    Vec2 v = check_vec(L, index, what);
     check_finite(v.x(), what);
     check_finite(v.y(), what);
     return v;

@@ -80,7 +80,7 @@ std::vector<std::string> modules_of(const fs::path& folder) {
 fs::path inside(const fs::path& folder, const std::string& file, const std::string& name) {
     std::error_code code;
     const fs::path root = fs::canonical(folder, code);
-    const fs::path path = code ? fs::path() : fs::canonical(root / file, code);
+    fs::path path = code ? fs::path() : fs::canonical(root / file, code);
     if (code || !fs::is_regular_file(path, code))
         throw Error(ErrorKind::unknown_name, "require: no module \"" + name + "\" (" + file + ")" +
                                                  property::suggestion(name, modules_of(folder)));

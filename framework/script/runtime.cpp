@@ -21,7 +21,7 @@ struct Runtime::State : Machine {
 };
 
 Runtime::Runtime(property::Tree& tree, Options options)
-    : state_(std::make_unique<State>(tree, options)) {
+    : state_(std::make_unique<State>(tree, std::move(options))) {
     state_->error_sink = [](const ScriptError& error) {
         std::fprintf(stderr, "%s\n%s", error.message.c_str(), error.traceback.c_str());
     };

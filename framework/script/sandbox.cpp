@@ -21,9 +21,6 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
-
 namespace {
 
 // Copies fields of the library table `from` (a global) into a new table.

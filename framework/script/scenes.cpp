@@ -46,7 +46,7 @@ fs::path below(const fs::path& folder, const std::string& file, const char* what
     std::error_code code;
     const fs::path root = fs::canonical(folder, code);
     if (code) return {};
-    const fs::path path = fs::weakly_canonical(root / file, code);
+    fs::path path = fs::weakly_canonical(root / file, code);
     if (code) return {};
     const fs::path relative = path.lexically_relative(root);
     if (relative.empty() || *relative.begin() == "..")

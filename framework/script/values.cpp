@@ -156,7 +156,7 @@ void push_value(lua_State* L, const Value& value) {
             lua_createtable(L, static_cast<int>(list.size()), 0);
             for (std::size_t i = 0; i < list.size(); ++i) {
                 push_value(L, list[i]);
-                lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+                lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
             }
             break;
         }
@@ -384,7 +384,7 @@ std::string origin_path(Machine& machine, const Origin& origin) {
 }
 
 Value origin_read(Machine& machine, const Origin& origin) {
-    const Value whole = machine.tree.get(origin.instance, origin_property(machine, origin));
+    Value whole = machine.tree.get(origin.instance, origin_property(machine, origin));
     if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size() / 8);
     if (origin.depth == 0) return whole;
     return property::part_of(whole, segments(origin, nullptr), origin_path(machine, origin));

@@ -74,7 +74,7 @@ inline WideIncident incident_edge(const WideEdge& reference, const WidePolygon& 
         const int next = (i + 1) & 3;
         const Wide d =
             reference.nx * (first ? u.nx[i] : v.nx[i]) + reference.ny * (first ? u.ny[i] : v.ny[i]);
-        const WideInt lower = i == 0 ? d == d : d < least;
+        const WideInt lower = i == 0 ? ~WideInt{} : d < least;
         least = lower ? d : least;
         best.x1 = lower ? (first ? u.vx[next] : v.vx[next]) : best.x1;
         best.y1 = lower ? (first ? u.vy[next] : v.vy[next]) : best.y1;

@@ -76,6 +76,7 @@ void put_by_slot(Binding& binding) {
     static_assert(static_cast<int>(Put::same) == static_cast<int>(Written::same) &&
                   static_cast<int>(Put::done) == static_cast<int>(Written::done) &&
                   static_cast<int>(Put::declined) == static_cast<int>(Written::refused));
+    binding.number.plain = true;
     binding.number.put = [](const Binding& self, Row row, double value) {
         physics::World& world = static_cast<Hosting*>(self.context)->world(row);
         return static_cast<Put>(world.write<number>(slot_of(row), static_cast<float>(value)));

@@ -27,7 +27,7 @@ bool stir(WorldData& data, uint32_t index) {
 
 /// Almost every body that is written is like this: stirring it is one store.
 bool stirs(const BodyRecord& record) {
-    return !record.listed && record.mobility == Mobility::dynamic && !record.asleep();
+    return record.solver_index != 0 && record.mobility == Mobility::dynamic && !record.listed;
 }
 
 [[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {

@@ -7,11 +7,9 @@ namespace {
 
 using property::Binding;
 using property::BindingKind;
-using property::Handle;
 using property::Property;
 using property::Row;
 using property::Tree;
-using property::Value;
 
 fettle_status get(void* context, fettle_row row, fettle_value* value) {
     auto& p = *static_cast<GuestProperty*>(context);

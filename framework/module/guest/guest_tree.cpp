@@ -100,7 +100,10 @@ void Tree::require(Handle instance) const {
 const Class& Tree::class_of(Handle instance) const {
     State& s = *state_;
     const char* name = s.host->class_name(s.host->self, sent(instance));
-    if (name == nullptr) require(instance);  // throws
+    if (name == nullptr) {
+        require(instance);  // says what is wrong
+        throw Error(ErrorKind::unknown_name, "the game does not tell of what class it is");
+    }
     const auto found = s.by_name.find(name);
     if (found != s.by_name.end()) return *found->second;
     const Class* of = s.known(name);
@@ -267,6 +270,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     const Tree::State& s = tree.state();
     module::Outgoing outgoing;
     std::vector<fettle_value> told;
+    told.reserve(values.size());
     for (const Value& value : values) told.push_back(outgoing.put(value));
     s.require(s.host->ask(s.host->self, sent(instance), id_of(s, event), told.data(),
                           static_cast<std::uint32_t>(told.size()),

@@ -68,7 +68,7 @@ class Keeping {
     fs::path scene_file(const JournalRow& row) const {
         std::error_code error;
         if (row.file.empty()) return {};
-        const fs::path file = fs::weakly_canonical(row.file, error);
+        fs::path file = fs::weakly_canonical(row.file, error);
         const fs::path relative = file.lexically_relative(state_.folder);
         if (error || relative.empty() || *relative.begin() == ".." || !state_.files.exists(file))
             return {};

@@ -186,7 +186,7 @@ SavedGame Saves::read(const fs::path& file) const {
 }
 
 fs::path Saves::existing(const std::string& slot) const {
-    const fs::path path = file(slot);
+    fs::path path = file(slot);
     std::error_code ignored;
     if (fs::exists(path, ignored)) return path;
     std::vector<std::string> slots;

@@ -62,9 +62,9 @@ enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc }
 
 struct Binding;
 
-/// What became of a value put into a cell: it was there already; it is there now; or it takes the
-/// long way, which knows why it cannot be there.
-enum class Put : std::uint8_t { same, done, declined };
+/// What became of a value put into a cell: it was there already; it is there now; it takes the long
+/// way, which knows why it cannot be there; or nobody tried, for the same reason.
+enum class Put : std::uint8_t { same, done, declined, untried };
 
 /// A number or a vector as it is read and written without a Value in between: what scripts do most.
 /// Made by the makers below; the binding is handed in so that a column knows its stride.
@@ -74,6 +74,9 @@ struct Typed {
     T (*get)(const Binding&, Row) = nullptr;
     /// Writes unless the cell holds these very bits. May throw as `Binding::set` does.
     Put (*put)(const Binding&, Row, Passed value) = nullptr;
+    /// `put` writes memory of the module and does nothing else: it neither throws nor asks the
+    /// tree. It may be given more digits than the cell holds.
+    bool plain = false;
 };
 
 struct Binding {
@@ -141,18 +144,23 @@ struct Property {
     const Class* owner = nullptr;
     std::vector<Value> enumerator_values{};
     std::uint32_t stored_index = 0;
-    mutable std::uint32_t interest =
-        0;  // broad watchers (class, pattern) that may match this property
-    /// Whether the typed ways of `Tree` may read and write it, and what they may write: finite, in
-    /// range.
+    /// Whether the typed ways of `Tree` may read and write it, and from where to where: in range,
+    /// and no greater than that integers are exact.
     struct Shortcut {
         enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
         Way read = Way::none;
         Way write = Way::none;
-        Way at_once = Way::none;  // as `write`, where a call of the setter is all there is to do
+        Way plain = Way::none;    // as `write`, where a call of a plain `put` is all there is to do
         bool narrow = false;      // rounded to float
-        double min = 0, max = 0;
+        double min = 0, max = 0;  // values that the memory holds exactly
     } shortcut{};
+    /// Broad watchers (class, pattern) that may match this property. Kept by `note_interest`.
+    mutable std::uint32_t interest = 0;
+    mutable Shortcut::Way at_once = Shortcut::Way::none;  // `plain`, while nobody is interested
+    void note_interest(std::uint32_t watchers) const {
+        interest = watchers;
+        at_once = watchers == 0 ? shortcut.plain : Shortcut::Way::none;
+    }
 
     Precision precision() const {
         return binding.kind == BindingKind::column &&
@@ -337,7 +345,7 @@ inline bool same_bits(const Vec2& a, const Vec2& b) {
 /// The typed ways to a cell of `T` at a fixed place in a row, kept there as `Kept`s.
 template <class T, class Kept, class Context, class Base>
 Typed<T> typed_column() {
-    constexpr std::size_t count = sizeof(T) / sizeof(double);
+    constexpr std::size_t count = std::is_same_v<T, double> ? 1 : 2;
     static constexpr auto at = [](const Binding& b, Row row) {
         return reinterpret_cast<std::byte*>(Base{}(*static_cast<Context*>(b.context))) +
                std::size_t{row} * b.stride;
@@ -352,9 +360,9 @@ Typed<T> typed_column() {
     };
     Typed<T> typed;
     typed.get = [](const Binding& b, Row row) -> T { return load(at(b, row)); };
+    typed.plain = true;
     typed.put = [](const Binding& b, Row row, typename Typed<T>::Passed value) {
         std::byte* const cell = at(b, row);
-        if (same_bits(load(cell), value)) return Put::same;
         Kept kept[count];
         if constexpr (count == 1) {
             kept[0] = static_cast<Kept>(value);
@@ -362,6 +370,7 @@ Typed<T> typed_column() {
             kept[0] = static_cast<Kept>(value.x());
             kept[1] = static_cast<Kept>(value.y());
         }
+        if (std::memcmp(cell, kept, sizeof kept) == 0) return Put::same;
         std::memcpy(cell, kept, sizeof kept);
         return Put::done;
     };

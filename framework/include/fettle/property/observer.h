@@ -21,10 +21,10 @@ class Tree;
 /// instance) was refused after all.
 struct PlainWrite {
     Handle instance;
-    Symbol property;
-    bool is_vec2 = false;
+    const Property* property = nullptr;
     double x = 0, y = 0;
-    Value value() const { return is_vec2 ? Value(Vec2(x, y)) : Value(x); }
+    /// As the property holds it.
+    Value value() const;
 };
 
 /// Members are called in the middle of a write, scripts' writes included: an implementation costs

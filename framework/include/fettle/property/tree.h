@@ -123,8 +123,17 @@ class Tree {
     /// anything else, and before the writer or the step changes, but not at once.
     bool read(Handle instance, const Property& property, double& number) const;
     bool read(Handle instance, const Property& property, Vec2& vector) const;
-    bool write(Handle instance, const Property& property, double number);
-    bool write(Handle instance, const Property& property, const Vec2& vector);
+    bool write(Handle instance, const Property& property, double number) {
+        return end_write(begin_write(instance, property, number));
+    }
+    bool write(Handle instance, const Property& property, const Vec2& vector) {
+        return end_write(begin_write(instance, property, vector));
+    }
+    /// `write` in two calls, for those who mind each nanosecond: anything but Put::done has to be
+    /// ended at once.
+    Put begin_write(Handle instance, const Property& property, double number);
+    Put begin_write(Handle instance, const Property& property, const Vec2& vector);
+    bool end_write(Put begun);
     /// Back to the default (or to what its owner computes).
     void reset(Handle instance, const Property& property);
     bool overridden(Handle instance, const Property& property) const;
