@@ -102,7 +102,7 @@ bool on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, 
     auto at = size_t(std::find(piece.begin(), piece.end(), from) - piece.begin());
     for (uint32_t vertex = from; vertex != to;) {
         at = (at + 1) % piece.size();
-        if (piece[at] != (vertex + 1) % n) return false;
+        if (piece[at] != (vertex + 1) % n) return false;  // NOLINT: n is not 0
         vertex = piece[at];
     }
     return true;
@@ -123,7 +123,7 @@ Parts concave_parts(std::span<const V2> points) {
             parts.counts.push_back(uint32_t(count));
             for (uint32_t k : part) parts.values.push_back(p[piece[k]]);
             for (uint32_t k : part) {
-                parts.values.push_back(normals[(piece[k] + n - 1) % n]);
+                parts.values.push_back(normals[(piece[k] + n - 1) % n]);  // NOLINT: n is not 0
                 parts.values.push_back(normals[piece[k]]);
             }
             // An edge of the outline is told by its normal, to the bit.
