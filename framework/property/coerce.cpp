@@ -79,11 +79,11 @@ class Coercion {
             fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got " +
                                             shown(whole) + ": infinity is not allowed here");
         if (property_.precision() == Precision::single_precision) {
-            const auto narrow = static_cast<float>(x);
+            const double narrow = narrowed(x);
             if (std::isinf(narrow) && !std::isinf(x)) {
                 if (!property_.clamp || !property_.range.bounded()) out_of_range(whole);
             } else {
-                x = static_cast<double>(narrow);
+                x = narrow;
             }
         }
         if (x >= property_.range.min && x <= property_.range.max) return x;
@@ -94,9 +94,8 @@ class Coercion {
     Value number(const Value& value) const {
         if (value.is(Type::integer)) {
             const auto x = static_cast<double>(value.integer());
-            const double held = property_.precision() == Precision::single_precision
-                                    ? static_cast<double>(static_cast<float>(x))
-                                    : x;
+            const double held =
+                property_.precision() == Precision::single_precision ? narrowed(x) : x;
             if (held >= integer_limit || static_cast<std::int64_t>(held) != value.integer())
                 fail(ErrorKind::out_of_range,
                      "the integer " + shown(value) + " has no exact value as a number here");
@@ -214,6 +213,10 @@ std::string range_text(const Property& property) {
 }
 
 }  // namespace
+
+[[gnu::noinline]] double narrowed(double x) {
+    return static_cast<double>(static_cast<float>(x));
+}
 
 std::string expectation(const Property& property) {
     if (property.any_type) return "a value";

@@ -9,6 +9,7 @@
 
 #include <fettle/property/tree.h>
 
+#include "coerce.h"
 #include "state.h"
 
 namespace fettle::property {
@@ -38,10 +39,10 @@ bool fits(const Property::Shortcut& shortcut, const Vec2& v) {
     return fits(shortcut, v.x()) && fits(shortcut, v.y());
 }
 
-double narrowed(double x) {
-    return static_cast<double>(static_cast<float>(x));
+double as_held(double x) {
+    return narrowed(x);
 }
-Vec2 narrowed(const Vec2& v) {
+Vec2 as_held(const Vec2& v) {
     return {narrowed(v.x()), narrowed(v.y())};
 }
 
@@ -85,8 +86,8 @@ void put_down(PlainWrite& entry, Handle instance, const Property& property, cons
 
 Value PlainWrite::value() const {
     const bool narrow = property->shortcut.narrow;
-    if (property->type == Type::number) return Value(narrow ? narrowed(x) : x);
-    return Value(narrow ? narrowed(Vec2(x, y)) : Vec2(x, y));
+    if (property->type == Type::number) return Value(narrow ? as_held(x) : x);
+    return Value(narrow ? as_held(Vec2(x, y)) : Vec2(x, y));
 }
 
 /// The setter threw: the write did not happen. Called while the exception is caught.
@@ -109,7 +110,7 @@ template <class T>
     if (property.interest != 0 || records || formulas.tracking()) return Put::untried;
     const bool by_setter = property.shortcut.write == by_call<T>;
     if (!by_setter && property.shortcut.write != in_tree<T>) return Put::untried;
-    if (property.shortcut.narrow) value = narrowed(value);
+    if (property.shortcut.narrow) value = as_held(value);
     if (!by_setter && !put_stored<T>(*this, node, property, value)) return Put::done;
     if (writes.full()) [[unlikely]]
         tell_untold();

@@ -190,3 +190,76 @@ TEST_CASE_METHOD(Fixture, "a change that a callback's write brings about says wh
     tree.barrier();
     CHECK(cause == "main.lua:7, step 3");
 }
+
+TEST_CASE_METHOD(Fixture, "the shortest way tells what the memory holds, not what was given") {
+    Listener listener(tree);
+    const Property& velocity = of(ball, "velocity");
+    const Vec2 given(0.1, 0.2);
+    CHECK(tree.begin_write(ball, velocity, given) == Put::done);
+    CHECK(tree.begin_write(ball, velocity, given) == Put::same);
+    CHECK(tree.end_write(Put::same));
+    CHECK(module.ball(ball).velocity[1] == 0.2f);
+    CHECK_FALSE(tree.write(ball, velocity, Vec2(0x1p24 + 1, 0)));  // no float is that number
+    tree.barrier();
+    REQUIRE(listener.told.size() == 1);
+    const Vec2 held(static_cast<double>(0.1f), static_cast<double>(0.2f));
+    CHECK(listener.told[0].what == "velocity = " + tree.text(Value(held)));
+    CHECK(tree.who(ball, of(ball, "charge")).known == false);
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "whoever has to be told at once closes the shortest way while it must be") {
+    const Property& charge = of(ball, "charge");
+    double next = 0;
+    const auto is_open = [&] { return tree.begin_write(ball, charge, ++next) == Put::done; };
+    const auto is_told = [&] {
+        const Put put = tree.begin_write(ball, charge, ++next);
+        if (put == Put::untried) tree.set(ball, charge, Value(next));
+        return put == Put::untried;
+    };
+    CHECK(is_open());
+    {
+        const Connection watch = tree.watch(*module.type, &charge, [](const Change&) {});
+        CHECK(is_told());
+        Connection(watch).stop();
+        CHECK(is_open());
+    }
+    {
+        const Tree::CauseScope console(tree, Writer::console);
+        CHECK(is_told());
+    }
+    CHECK(is_open());
+    bool refused = false;
+    tree.set_formula(kept, of(kept, "score"), {.function = [&](const Tree&) {
+                         refused = tree.begin_write(ball, charge, 1.0) == Put::untried;
+                         return Value(1.0);
+                     }});
+    CHECK(tree.get(kept, "score") == Value(1.0));
+    CHECK(refused);
+    CHECK(is_open());
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "a shadow anywhere keeps who wrote last, and lets go of it when it ends") {
+    const Handle other = tree.create(*module.type, tree.root(), "other");
+    const Property& charge = of(other, "charge");
+    std::string cause;
+    Connection watch = tree.watch(ball, of(ball, "velocity"),
+                                  [&](const Change& change) { cause = change.cause.text(); });
+    const auto write_and_move = [&](std::uint64_t step, double value) {
+        tree.set_step(step);
+        const Tree::CauseScope script(tree, Writer::script);
+        CHECK(tree.write(other, charge, value));
+        module.ball(ball).velocity[0] += 1;  // as a setter of the module may do
+    };
+    write_and_move(3, 2.0);
+    tree.barrier();
+    CHECK(cause == "script, step 3");
+    watch.stop();
+    write_and_move(4, 3.0);
+    watch = tree.watch(ball, of(ball, "velocity"),
+                       [&](const Change& change) { cause = change.cause.text(); });
+    write_and_move(5, 4.0);
+    tree.barrier();
+    CHECK(cause == "script, step 5");
+}
