@@ -153,13 +153,13 @@ template <class T>
     return typed_way<T>(property.binding).put(property.binding, node->row, value);
 }
 
-void Observer::wrote_plain(const Tree&, std::span<const PlainWrite> writes) {
-    for (const PlainWrite& write : writes)
+void Observer::wrote_plain(const Tree&, const PlainWrites& writes) {
+    for (const PlainWrite& write : writes.list)
         if (write.instance) wrote(write.instance, *write.property, write.value());
 }
 
 void Tree::State::tell_untold() {
-    const std::span<const PlainWrite> told = writes.untold();
+    const PlainWrites told = writes.untold();
     // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
     writes.tell(writer, step);
     if (replaying) return;

@@ -44,11 +44,10 @@ WriteLog::~WriteLog() {
 LoggedWrites WriteLog::take() {
     tree_.state().tell_plain_writes();
     LoggedWrites piece;
-    // The buffer stays, so that a step's worth of writes is one allocation of the right size.
-    piece.bytes.assign(bytes_.begin(), bytes_.end());
-    bytes_.clear();
-    piece.formulas = std::exchange(formulas_, {});
-    piece.too_much = std::exchange(too_much_, false);
+    piece.bytes = joined();
+    piece.formulas = std::move(formulas_);
+    piece.too_much = too_much_;
+    forget();
     const History& history = tree_.state().history;
     if (history.version() != history_version_) {
         history_version_ = history.version();
@@ -57,12 +56,45 @@ LoggedWrites WriteLog::take() {
     return piece;
 }
 
+void WriteLog::put_plain(std::vector<std::byte>& bytes, std::span<const PlainWrite> writes) {
+    ByteWriter to(bytes);
+    to.put(Did::plain);
+    to.put(static_cast<std::uint32_t>(writes.size()));
+    const auto more = std::as_bytes(writes);
+    bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+// The buffer stays, so that a step's worth of writes is one allocation of the right size.
+std::vector<std::byte> WriteLog::joined() const {
+    std::vector<std::byte> all;
+    constexpr std::size_t head = sizeof(Did) + sizeof(std::uint32_t);
+    all.reserve(bytes_.size() + kept_.size() * head + kept_count_ * sizeof(PlainWrite));
+    auto from = bytes_.begin();
+    const auto copy_up_to = [&](std::vector<std::byte>::const_iterator end) {
+        all.insert(all.end(), from, end);
+        from = end;
+    };
+    for (const Kept& kept : kept_) {
+        copy_up_to(bytes_.begin() + static_cast<std::ptrdiff_t>(kept.at));
+        put_plain(all, kept.writes.list);
+    }
+    copy_up_to(bytes_.end());
+    return all;
+}
+
+void WriteLog::forget() {
+    bytes_.clear();
+    kept_.clear();
+    kept_count_ = 0;
+    formulas_.clear();
+    too_much_ = false;
+}
+
 bool WriteLog::notes() {
-    if (bytes_.size() > most) {
-        too_much_ = true;
-        bytes_.clear();
+    if (bytes_.size() + kept_count_ * sizeof(PlainWrite) > most) {
+        forget();
         bytes_.shrink_to_fit();
-        formulas_.clear();
+        too_much_ = true;
     }
     return calls_ == 0 && !too_much_;
 }
@@ -74,13 +106,11 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
     to.put(property.symbol.id());
 }
 
-void WriteLog::wrote_plain(const Tree&, std::span<const PlainWrite> writes) {
+void WriteLog::wrote_plain(const Tree&, const PlainWrites& writes) {
     if (!notes()) return;
-    ByteWriter to(bytes_);
-    to.put(Did::plain);
-    to.put(static_cast<std::uint32_t>(writes.size()));
-    const auto bytes = std::as_bytes(writes);
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    if (writes.list.size() < worth_keeping) return put_plain(bytes_, writes.list);
+    kept_.push_back({bytes_.size(), writes});
+    kept_count_ += writes.list.size();
 }
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
@@ -177,9 +207,7 @@ void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
 
 // What was not taken belongs to a time that is left.
 void WriteLog::restored() {
-    bytes_.clear();
-    formulas_.clear();
-    too_much_ = false;
+    forget();
     history_version_ = tree_.state().history.version();
 }
 

@@ -1,30 +1,35 @@
 #include "writes_log.h"
 
 #include <algorithm>
-#include <new>
 
 namespace fettle::property {
 
-PlainWrite* WritesLog::new_ring() {
-    static_assert(most % most_untold == 0);
-    void* const ring = std::calloc(most, sizeof(PlainWrite));
-    if (ring == nullptr) throw std::bad_alloc();
-    return static_cast<PlainWrite*>(ring);
+// The oldest chunk is used again, unless somebody keeps it.
+void WritesLog::add_chunk() {
+    std::shared_ptr<Chunk> chunk;
+    if (chunks_.size() == most / in_chunk) {
+        chunk = std::move(chunks_.front());
+        chunks_.pop_front();
+        first_ += in_chunk;
+    }
+    if (chunk == nullptr || chunk.use_count() > 1) chunk = std::make_shared<Chunk>();
+    chunks_.push_back(std::move(chunk));
+    next_ = chunks_.back()->data();
+    end_ = next_ + in_chunk;
+    open(open_);
 }
 
 void WritesLog::tell(Writer writer, std::uint64_t step) {
-    told_ += static_cast<std::uint64_t>(next_ - untold_);
+    const auto count = static_cast<std::uint64_t>(next_ - untold_);
+    if (next_ == end_) add_chunk();  // first, since it may fail
+    told_ += count;
     if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step) {
         while (!runs_.empty() && runs_.front().end + most <= told_) runs_.pop_front();
         runs_.push_back({.end = told_, .step = step, .writer = writer});
     } else {
         runs_.back().end = told_;
     }
-    PlainWrite* const ring_end = ring_.get() + most;
-    if (next_ == ring_end) next_ = ring_.get();
     untold_ = next_;
-    end_ = untold_ + std::min<std::ptrdiff_t>(most_untold, ring_end - untold_);
-    open(open_);
 }
 
 void WritesLog::take_back(PlainWrite& entry) {
@@ -36,8 +41,9 @@ void WritesLog::take_back(PlainWrite& entry) {
 
 Provenance WritesLog::find(Handle instance, Symbol property) const {
     Provenance out;
-    for (std::uint64_t number = told_; number > 0 && told_ - number < most; --number) {
-        const PlainWrite& write = ring_.get()[(number - 1) % most];
+    for (std::uint64_t number = told_; number > first_; --number) {
+        const std::uint64_t at = number - 1 - first_;
+        const PlainWrite& write = (*chunks_[at / in_chunk])[at % in_chunk];
         if (write.instance.index != instance.index || write.property->symbol != property) continue;
         // A slot's next owner has been written by nobody yet.
         if (write.instance.generation != instance.generation) break;

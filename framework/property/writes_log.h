@@ -1,10 +1,10 @@
 #pragma once
-// Who wrote last. Every edit leaves its entry in a ring: the typed ways put theirs there as they
+// Who wrote last. Every edit leaves its entry in a log: the typed ways put theirs there as they
 // write, so that it costs a callback of a game next to nothing. Edits by people and changes of
 // watched cells also keep where they came from.
 
+#include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <deque>
 #include <memory>
 #include <span>
@@ -36,7 +36,7 @@ class WritesLog {
     void take_back_last() { --next_; }
 
     /// What has begun and was not yet told of.
-    std::span<const PlainWrite> untold() const { return {untold_, next_}; }
+    PlainWrites untold() const { return {{untold_, next_}, chunks_.back()}; }
     bool any_untold() const { return next_ != untold_; }
     /// Says who wrote them, and when.
     void tell(Writer writer, std::uint64_t step);
@@ -54,7 +54,9 @@ class WritesLog {
 
   private:
     static constexpr std::size_t most = std::size_t{1} << 18;
-    static constexpr std::size_t most_untold = 512;  // they stay in the nearest cache
+    // As many as may be untold: they stay in the nearest cache.
+    static constexpr std::size_t in_chunk = 512;
+    using Chunk = std::array<PlainWrite, in_chunk>;
 
     /// One after the other by one writer in one step.
     struct Run {
@@ -63,18 +65,14 @@ class WritesLog {
         Writer writer;
     };
 
-    // Zeroed by the system as it is first touched, so that a game which writes little has little of
-    // it.
-    struct Free {
-        void operator()(PlainWrite* ring) const { std::free(ring); }
-    };
-    static PlainWrite* new_ring();
+    void add_chunk();
 
-    std::unique_ptr<PlainWrite, Free> ring_{new_ring()};
-    PlainWrite* untold_ = ring_.get();
-    PlainWrite* next_ = ring_.get();
-    PlainWrite* end_ = ring_.get() + most_untold;  // of what may be untold
-    PlainWrite* open_end_ = end_;                  // nullptr where the shortest way is closed
+    std::deque<std::shared_ptr<Chunk>> chunks_{std::make_shared<Chunk>()};  // the last is filled
+    std::uint64_t first_ = 0;  // how many writes there had been before those in chunks
+    PlainWrite* untold_ = chunks_.back()->data();
+    PlainWrite* next_ = untold_;
+    PlainWrite* end_ = untold_ + in_chunk;
+    PlainWrite* open_end_ = end_;  // nullptr where the shortest way is closed
     bool open_ = true;
     std::uint64_t told_ = 0;  // writes, ever
     std::deque<Run> runs_;

@@ -3,6 +3,7 @@
 // it has been done. Logs that play it again and journals that keep it are fed by them; game logic
 // watches instead.
 
+#include <memory>
 #include <span>
 
 #include <fettle/property/class.h>
@@ -27,6 +28,12 @@ struct PlainWrite {
     Value value() const;
 };
 
+/// Some of them in their order. Who wants to look at them later keeps `owner` rather than a copy.
+struct PlainWrites {
+    std::span<const PlainWrite> list;
+    std::shared_ptr<const void> owner;
+};
+
 /// Members are called in the middle of a write, scripts' writes included: an implementation costs
 /// the game what it costs, must not throw, and must not change the tree. Who writes is
 /// `Tree::cause()`; what a formula computes is written by Writer::formula.
@@ -40,7 +47,7 @@ class Observer {
     /// told together because a call for each would cost more than the write. Told before anything
     /// else is, and before the writer or the step changes. Calls `wrote` for
     /// each unless it is overridden.
-    virtual void wrote_plain(const Tree& tree, std::span<const PlainWrite> writes);
+    virtual void wrote_plain(const Tree& tree, const PlainWrites& writes);
     /// The property was given back to its owner, or its default.
     virtual void was_reset(Handle, const Property&) {}
     /// An ad-hoc property ended.

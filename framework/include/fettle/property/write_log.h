@@ -37,12 +37,12 @@ class WriteLog : public Observer {
     /// What was noted since the last call.
     LoggedWrites take();
     /// Whether there is something to take.
-    bool any() const { return !bytes_.empty(); }
+    bool any() const { return !bytes_.empty() || !kept_.empty(); }
     /// Does a piece again: in the `go_on` of `Tree::restore`, in the state it was noted in.
     void play(const LoggedWrites& piece);
 
     void wrote(Handle instance, const Property& property, const Value& now) override;
-    void wrote_plain(const Tree&, std::span<const PlainWrite> writes) override;
+    void wrote_plain(const Tree&, const PlainWrites& writes) override;
     void was_reset(Handle instance, const Property& property) override;
     void removed(Handle instance, const Property& property) override;
     void formula_changed(Handle instance, const Property& property) override;
@@ -63,12 +63,25 @@ class WriteLog : public Observer {
     class FETTLE_PROPERTY_PRIVATE Player;
     void note(Did what, Handle instance, const Property& property);
 
+    /// Plain writes come between the first `at` bytes and the others. Where they are kept they need
+    /// be copied once only, when all is taken.
+    struct Kept {
+        std::size_t at;
+        PlainWrites writes;
+    };
+    static constexpr std::size_t worth_keeping = 32;  // fewer are sooner copied
+
     /// Whether what is done now is to be noted.
     bool notes();
+    void forget();
+    std::vector<std::byte> joined() const;
+    static void put_plain(std::vector<std::byte>& bytes, std::span<const PlainWrite> writes);
 
     Tree& tree_;
     bool too_much_ = false;
     std::vector<std::byte> bytes_;
+    std::vector<Kept> kept_;
+    std::size_t kept_count_ = 0;  // of writes
     std::vector<Formula> formulas_;
     std::uint64_t history_version_ = 0;
     bool call_noted_ = false;
