@@ -13,11 +13,19 @@ thread_local Question* asked = nullptr;
 /// While it lives, a question is asked on this thread.
 class Asking {
   public:
-    explicit Asking(Question& question) : before_(asked) { asked = &question; }
-    ~Asking() { asked = before_; }
+    Asking(Tree::State& state, Question& question) : state_(state), before_(asked) {
+        ask(&question);
+    }
+    ~Asking() { ask(before_); }
     Asking(const Asking&) = delete;
 
   private:
+    void ask(Question* question) {
+        asked = question;
+        state_.note_listeners();
+    }
+
+    Tree::State& state_;
     Question* before_;
 };
 
@@ -51,7 +59,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     if (event.listeners == 0 || !tree.alive(instance)) return;
     Tree::State& s = tree.state();
     Question question(tree, instance, event, values, changeable);
-    const Asking asking(question);
+    const Asking asking(s, question);
     // A handler may stop watchers, itself included.
     s.watchers.handlers_begin();
     for (const Watcher* watcher : s.watchers.of_event(instance, event, s.watchers.last_id()))

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <fettle/property/observer.h>
+#include <fettle/property/question.h>
 #include <fettle/property/tree.h>
 
 #include "class_registry.h"
@@ -113,9 +114,12 @@ struct Tree::State {
         records = history.recording(writer);
         note_listeners();
     }
-    /// To be called whenever a formula begins or ends to compute, and when there may be other
-    /// shadows.
-    void note_listeners() { writes.open(!records && !formulas.tracking() && shadows.empty()); }
+    /// To be called whenever a formula begins or ends to compute or a question to be asked, and
+    /// when there may be other shadows.
+    void note_listeners() {
+        writes.open(!records && shadows.empty() && !formulas.tracking() &&
+                    Question::current() == nullptr);
+    }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 
     /// Calls `what(observer)` for each observer.
@@ -154,7 +158,7 @@ struct Tree::State {
     Put write_typed(Handle instance, const Property& property, T value);
     template <class T>
     Put write_by_way(Handle instance, const Property& property, T value, const Node& node);
-    [[noreturn]] void take_back_thrown(PlainWrite& entry);
+    [[noreturn]] void refused(Handle instance, const Property& property) const;
     void tell_untold();
 
     // delivery.cpp

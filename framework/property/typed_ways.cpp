@@ -91,14 +91,12 @@ Value PlainWrite::value() const {
 }
 
 /// The setter threw: the write did not happen. Called while the exception is caught.
-[[noreturn, gnu::cold, gnu::noinline]] void Tree::State::take_back_thrown(PlainWrite& entry) {
-    const PlainWrite was = entry;
-    writes.take_back(entry);
+[[noreturn, gnu::cold, gnu::noinline]] void Tree::State::refused(Handle instance,
+                                                                 const Property& property) const {
     try {
         throw;
     } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected,
-                    tree.path(was.instance, *was.property) + ": " + refusal.what());
+        throw Error(ErrorKind::rejected, tree.path(instance, property) + ": " + refusal.what());
     }
 }
 
@@ -107,7 +105,8 @@ Value PlainWrite::value() const {
 template <class T>
 [[gnu::noinline]] Put Tree::State::write_by_way(Handle instance, const Property& property, T value,
                                                 const Node& node) {
-    if (property.interest != 0 || records || formulas.tracking()) return Put::untried;
+    if (property.interest != 0 || records || formulas.tracking() || Question::current() != nullptr)
+        return Put::untried;
     const bool by_setter = property.shortcut.write == by_call<T>;
     if (!by_setter && property.shortcut.write != in_tree<T>) return Put::untried;
     if (property.shortcut.narrow) value = as_held(value);
@@ -123,7 +122,8 @@ template <class T>
         try {
             put = typed_way<T>(binding).put(binding, node.row, value);
         } catch (...) {
-            take_back_thrown(entry);
+            writes.take_back(entry);
+            refused(instance, property);
         }
         if (put != Put::done) {
             writes.take_back(entry);

@@ -20,15 +20,14 @@ void WritesLog::add_chunk() {
 }
 
 void WritesLog::tell(Writer writer, std::uint64_t step) {
-    const auto count = static_cast<std::uint64_t>(next_ - untold_);
-    if (next_ == end_) add_chunk();  // first, since it may fail
-    told_ += count;
+    const std::uint64_t told = told_ + static_cast<std::uint64_t>(next_ - untold_);
     if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step) {
-        while (!runs_.empty() && runs_.front().end + most <= told_) runs_.pop_front();
+        while (!runs_.empty() && runs_.front().end + most <= told) runs_.pop_front();
         runs_.push_back({.end = told_, .step = step, .writer = writer});
-    } else {
-        runs_.back().end = told_;
     }
+    // Up to here memory may be refused, and nothing has been told.
+    if (next_ == end_) add_chunk();
+    runs_.back().end = told_ = told;
     untold_ = next_;
 }
 

@@ -4,6 +4,7 @@
 // watched cells also keep where they came from.
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -33,7 +34,11 @@ class WritesLog {
     /// back; a setter may itself write before that is known.
     PlainWrite& begin() { return *next_++; }
     void take_back(PlainWrite& entry);
-    void take_back_last() { --next_; }
+    /// The one that began last. Nobody may have been told since.
+    void take_back_last() {
+        assert(any_untold());
+        next_ -= any_untold();
+    }
 
     /// What has begun and was not yet told of.
     PlainWrites untold() const { return {{untold_, next_}, chunks_.back()}; }

@@ -36,12 +36,6 @@ bool stirs(const BodyRecord& record) {
     return true;
 }
 
-[[gnu::noinline]] Written stir_and_turn(WorldData& data, uint32_t index, float angular_velocity) {
-    if (!stir(data, index)) return Written::refused;
-    data.states[index].angular_velocity = angular_velocity;
-    return Written::done;
-}
-
 bool same(float a, float b) {
     return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
 }
@@ -51,7 +45,7 @@ Written turn(WorldData& data, uint32_t index, float angular_velocity) {
     BodyRecord& record = data.bodies[index];
     if (same(state.angular_velocity, angular_velocity)) return Written::same;
     if (!stirs(record)) [[unlikely]]
-        return stir_and_turn(data, index, angular_velocity);
+        return Written::refused;
     record.sleep_time = 0.0f;
     state.angular_velocity = angular_velocity;
     return Written::done;
@@ -62,11 +56,10 @@ template <float BodyRecord::*setting>
 Written set(WorldData& data, uint32_t index, float value) {
     BodyRecord& record = data.bodies[index];
     if (same(record.*setting, value)) return Written::same;
+    if (!stirs(record)) [[unlikely]]
+        return Written::refused;
+    record.sleep_time = 0.0f;
     record.*setting = value;
-    if (stirs(record)) [[likely]]
-        record.sleep_time = 0.0f;
-    else
-        data.wake_body(index);
     return Written::done;
 }
 

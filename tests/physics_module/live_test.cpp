@@ -2,6 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
+
+#include <fettle/property/observer.h>
 
 #include "catch.h"
 #include "game.h"
@@ -32,6 +36,25 @@ std::vector<Vec2> points_of(const Value& list) {
     for (const Value& v : list.list()) points.push_back(v.vec2());
     return points;
 }
+
+/// Puts down what is written in batches.
+class Batches : public property::Observer {
+  public:
+    explicit Batches(property::Tree& tree) : tree_(tree) { tree_.observe(*this); }
+    ~Batches() override { tree_.unobserve(*this); }
+    void wrote_plain(const property::Tree&, const property::PlainWrites& writes) override {
+        for (const property::PlainWrite& write : writes.list)
+            if (write.instance) told.push_back(write.property->name + " " + write_text(write.x));
+    }
+    void wrote(Handle, const property::Property& of, const Value& now) override {
+        told.push_back(of.name + " " + write_text(now.number()));
+    }
+    std::vector<std::string> told;
+
+  private:
+    static std::string write_text(double x) { return property::number_text(x); }
+    property::Tree& tree_;
+};
 
 bool has_point(const std::vector<Vec2>& points, const Vec2& wanted) {
     for (const Vec2& p : points)
@@ -366,4 +389,50 @@ TEST_CASE_METHOD(Game, "a body keeps its place when its center of mass is moved"
     CHECK(vec(crate, "position").isApprox(Vec2(2, 3), 1e-5));
     set(crate, "center", Value());
     CHECK(vec(crate, "center") == Vec2(0, 0));
+}
+
+TEST_CASE_METHOD(Game, "a number that a body cannot have leaves no trace among what was written") {
+    const Handle heavy = body("Circle", {0, 5}), other = body("Circle", {9, 5});
+    const auto& spin = tree.property(heavy, "angular_velocity");
+    step(1);
+    Batches batches(tree);
+    for (int i = 1; i <= 600; ++i) {  // a refused one is the last of its batch too
+        REQUIRE(tree.write(other, spin, i));
+        // Its mass is found anew before the number is looked at; whoever keeps the past is told.
+        set(heavy, "mass", inf);
+        CHECK_FALSE(tree.write(heavy, spin, i));
+        REQUIRE_THROWS(tree.set(heavy, spin, Value(double(i))));
+        REQUIRE(tree.write(other, spin, -i));
+        set(heavy, "mass", 1);
+    }
+    tree.barrier();
+    std::vector<std::string> expected;
+    for (int i = 1; i <= 600; ++i)
+        for (const std::string& told :
+             {"angular_velocity " + std::to_string(i), std::string("mass inf"),
+              "angular_velocity " + std::to_string(-i), std::string("mass 1")})
+            expected.push_back(told);
+    CHECK(batches.told == expected);
+    CHECK(number(other, "angular_velocity") == -600);
+    CHECK(number(heavy, "angular_velocity") == 0);
+}
+
+TEST_CASE_METHOD(Game,
+                 "numbers written to bodies that sleep, are driven or were just edited arrive") {
+    floor();
+    const Handle sleeper = body("Box", {0, 0.5}), driven = body("Box", {9, 5}, "kinematic");
+    REQUIRE(falls_asleep(sleeper));
+    tree.set(sleeper, tree.property(sleeper, "angular_velocity"), Value(1.0));
+    CHECK(awake(sleeper));
+    CHECK(number(sleeper, "angular_velocity") == 1);
+    REQUIRE(falls_asleep(sleeper));
+    tree.set(sleeper, tree.property(sleeper, "gravity_scale"), Value(-1.0));
+    CHECK(awake(sleeper));
+    tree.set(driven, tree.property(driven, "angular_velocity"), Value(2.0));
+    CHECK(number(driven, "angular_velocity") == 2);
+    set(shape_of(sleeper), "density", 3);
+    tree.set(sleeper, tree.property(sleeper, "angular_velocity"), Value(4.0));
+    CHECK(number(sleeper, "angular_velocity") == 4);
+    step(1);
+    CHECK(y(sleeper) > 0.5);
 }

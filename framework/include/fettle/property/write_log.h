@@ -69,7 +69,7 @@ class WriteLog : public Observer {
         std::size_t at;
         PlainWrites writes;
     };
-    static constexpr std::size_t worth_keeping = 32;  // fewer are sooner copied
+    static constexpr std::size_t worth_keeping = 128;  // fewer are sooner copied
 
     /// Whether what is done now is to be noted.
     bool notes();

@@ -37,14 +37,15 @@ struct Columns {
 };
 }  // namespace detail
 
-/// What became of a number written by slot: it was there already, it is there now, or the body
-/// cannot have it and nothing was done.
+/// What became of a number written by slot: it was there already; it is there now; or it is for the
+/// setter of `Body`, and nothing was done: the body sleeps, does not move by itself, or its mass or
+/// shapes were edited since the last step. Writing calls nobody and allocates nothing.
 enum class Written : uint8_t { same, done, refused };
 
 /// Numbers of a body that hosts write by slot, as the setters of `Body` of the same names do; those
 /// tell what is in range, and here nobody looks.
 enum class BodyNumber : uint8_t {
-    angular_velocity,  ///< refused where the body does not move by itself
+    angular_velocity,
     torque,
     gravity_scale,
     linear_damping,
