@@ -68,18 +68,22 @@ void put_numbers(Binding& binding, Get, Set) {
     };
 }
 
-/// The same by slot, for what scripts write most.
-template <physics::BodyNumber number>
-void put_by_slot(Binding& binding) {
+inline property::Put put(physics::Written written) {
     using physics::Written;
     using property::Put;
     static_assert(static_cast<int>(Put::same) == static_cast<int>(Written::same) &&
                   static_cast<int>(Put::done) == static_cast<int>(Written::done) &&
                   static_cast<int>(Put::declined) == static_cast<int>(Written::refused));
+    return static_cast<Put>(written);
+}
+
+/// The same by slot, for what scripts write most.
+template <physics::BodyNumber number>
+void put_by_slot(Binding& binding) {
     binding.number.plain = true;
     binding.number.put = [](const Binding& self, Row row, double value) {
         physics::World& world = static_cast<Hosting*>(self.context)->world(row);
-        return static_cast<Put>(world.write<number>(slot_of(row), static_cast<float>(value)));
+        return put(world.write<number>(slot_of(row), static_cast<float>(value)));
     };
 }
 

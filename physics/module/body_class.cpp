@@ -48,7 +48,7 @@ Binding angle(Hosting& hosting) {
 }
 
 Binding velocity(Hosting& hosting) {
-    return accessor(
+    Binding binding = accessor(
         hosting, [](Hosting& h, Row row) { return widen(h.velocity(row)); },
         [](Hosting& h, Row row, const Value& value) {
             const physics::Vec2 wanted = narrow(value.vec2());
@@ -57,6 +57,14 @@ Binding velocity(Hosting& hosting) {
                 require_movable(h.body(row));
             }
         });
+    binding.vec2.plain = true;
+    binding.vec2.put = [](const Binding& self, Row row, const property::Vec2& value) {
+        auto& h = *static_cast<Hosting*>(self.context);
+        // Where it has no world, its velocity is kept until it has one.
+        if (world_number(row) == limbo) return property::Put::declined;
+        return put(h.world(row).write_velocity(slot_of(row), narrow(value)));
+    };
+    return binding;
 }
 
 Binding angular_velocity(Hosting& hosting) {

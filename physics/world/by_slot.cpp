@@ -74,6 +74,18 @@ bool World::set_velocity(uint32_t index, const Vec2& velocity) {
     return true;
 }
 
+Written World::write_velocity(uint32_t index, const Vec2& velocity) {
+    BodyState& state = data_->states[index];
+    BodyRecord& record = data_->bodies[index];
+    if (same(state.velocity.x(), velocity.x()) && same(state.velocity.y(), velocity.y()))
+        return Written::same;
+    if (!stirs(record)) [[unlikely]]
+        return Written::refused;
+    record.sleep_time = 0.0f;
+    state.velocity = velocity;
+    return Written::done;
+}
+
 template <>
 Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value) {
     return turn(*data_, index, value);

@@ -426,8 +426,14 @@ TEST_CASE_METHOD(Game,
     CHECK(awake(sleeper));
     CHECK(number(sleeper, "angular_velocity") == 1);
     REQUIRE(falls_asleep(sleeper));
+    tree.set(sleeper, tree.property(sleeper, "velocity"), Value(Vec2(0.5, 0)));
+    CHECK(awake(sleeper));
+    CHECK(vec(sleeper, "velocity") == Vec2(0.5, 0));
+    REQUIRE(falls_asleep(sleeper));
     tree.set(sleeper, tree.property(sleeper, "gravity_scale"), Value(-1.0));
     CHECK(awake(sleeper));
+    tree.set(driven, tree.property(driven, "velocity"), Value(Vec2(0, 2)));
+    CHECK(vec(driven, "velocity") == Vec2(0, 2));
     tree.set(driven, tree.property(driven, "angular_velocity"), Value(2.0));
     CHECK(number(driven, "angular_velocity") == 2);
     set(shape_of(sleeper), "density", 3);

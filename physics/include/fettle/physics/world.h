@@ -37,9 +37,10 @@ struct Columns {
 };
 }  // namespace detail
 
-/// What became of a number written by slot: it was there already; it is there now; or it is for the
-/// setter of `Body`, and nothing was done: the body sleeps, does not move by itself, or its mass or
-/// shapes were edited since the last step. Writing calls nobody and allocates nothing.
+/// What became of a number or a velocity written by slot: it was there already; it is there now; or
+/// it is for the setter of `Body`, and nothing was done: the body sleeps, does not move by itself,
+/// or its mass or shapes were edited since the last step. Writing calls nobody and allocates
+/// nothing.
 enum class Written : uint8_t { same, done, refused };
 
 /// Numbers of a body that hosts write by slot, as the setters of `Body` of the same names do; those
@@ -201,6 +202,7 @@ class World {
     bool set_velocity(uint32_t index, const Vec2& velocity);
     template <BodyNumber number>
     Written write(uint32_t index, float value);
+    Written write_velocity(uint32_t index, const Vec2& velocity);
     const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
     std::span<const BodyState> states() const { return columns_->states; }
     /// Generation of what lives in a slot, 0 where nothing does. Slots 0 … `body_slots()`-1; slot 0
