@@ -31,7 +31,7 @@ class Timeline::Jumps : public property::Observer {
     explicit Jumps(property::Tree& tree) : tree_(tree) { tree_.observe(*this); }
     ~Jumps() override { tree_.unobserve(*this); }
     void restored() override { jumped = !travelling; }
-    void wrote_plain(const property::Tree&, const property::PlainWrites&) override {
+    void wrote_plain(const property::PlainWrites&) override {
         // not one by one
     }
 

@@ -217,6 +217,9 @@ std::string range_text(const Property& property) {
 [[gnu::noinline]] double narrowed(double x) {
     return static_cast<double>(static_cast<float>(x));
 }
+Vec2 narrowed(const Vec2& v) {
+    return {narrowed(v.x()), narrowed(v.y())};
+}
 
 std::string expectation(const Property& property) {
     if (property.any_type) return "a value";

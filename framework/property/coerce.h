@@ -20,6 +20,7 @@ Value coerce_value(const Property& property, const Value& value, const CoerceCon
 /// As a float holds it. A call, since GCC 12 at -O2 makes nothing of two such roundings whose
 /// results lie beside each other, as those of a vector do.
 double narrowed(double x);
+Vec2 narrowed(const Vec2& v);
 
 /// "a number from 0 to 1 kg", "one of "static", "kinematic", "dynamic"", "a list of vec2".
 std::string expectation(const Property& property);

@@ -116,9 +116,10 @@ struct Tree::State {
     }
     /// To be called whenever a formula begins or ends to compute or a question to be asked, and
     /// when there may be other shadows.
-    void note_listeners() {
-        writes.open(!records && shadows.empty() && !formulas.tracking() &&
-                    Question::current() == nullptr);
+    void note_listeners() { writes.open(shadows.empty() && !only_the_long_way()); }
+    /// What is written is an edit to be recorded, or not allowed.
+    bool only_the_long_way() const {
+        return records || formulas.tracking() || Question::current() != nullptr;
     }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 

@@ -39,13 +39,6 @@ bool fits(const Property::Shortcut& shortcut, const Vec2& v) {
     return fits(shortcut, v.x()) && fits(shortcut, v.y());
 }
 
-double as_held(double x) {
-    return narrowed(x);
-}
-Vec2 as_held(const Vec2& v) {
-    return {narrowed(v.x()), narrowed(v.y())};
-}
-
 template <class T>
 [[gnu::noinline]] bool read_stored(const Tree::State& s, const Node& node, const Property& property,
                                    T& out) {
@@ -86,8 +79,8 @@ void put_down(PlainWrite& entry, Handle instance, const Property& property, cons
 
 Value PlainWrite::value() const {
     const bool narrow = property->shortcut.narrow;
-    if (property->type == Type::number) return Value(narrow ? as_held(x) : x);
-    return Value(narrow ? as_held(Vec2(x, y)) : Vec2(x, y));
+    if (property->type == Type::number) return Value(narrow ? narrowed(x) : x);
+    return Value(narrow ? narrowed(Vec2(x, y)) : Vec2(x, y));
 }
 
 /// The setter threw: the write did not happen. Called while the exception is caught.
@@ -105,11 +98,10 @@ Value PlainWrite::value() const {
 template <class T>
 [[gnu::noinline]] Put Tree::State::write_by_way(Handle instance, const Property& property, T value,
                                                 const Node& node) {
-    if (property.interest != 0 || records || formulas.tracking() || Question::current() != nullptr)
-        return Put::untried;
+    if (property.interest != 0 || only_the_long_way()) return Put::untried;
     const bool by_setter = property.shortcut.write == by_call<T>;
     if (!by_setter && property.shortcut.write != in_tree<T>) return Put::untried;
-    if (property.shortcut.narrow) value = as_held(value);
+    if (property.shortcut.narrow) value = narrowed(value);
     if (!by_setter && !put_stored<T>(*this, node, property, value)) return Put::done;
     if (writes.full()) [[unlikely]]
         tell_untold();
@@ -153,7 +145,7 @@ template <class T>
     return typed_way<T>(property.binding).put(property.binding, node->row, value);
 }
 
-void Observer::wrote_plain(const Tree&, const PlainWrites& writes) {
+void Observer::wrote_plain(const PlainWrites& writes) {
     for (const PlainWrite& write : writes.list)
         if (write.instance) wrote(write.instance, *write.property, write.value());
 }
@@ -163,7 +155,7 @@ void Tree::State::tell_untold() {
     // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
     writes.tell(writer, step);
     if (replaying) return;
-    for (Observer* observer : observers) observer->wrote_plain(tree, told);
+    for (Observer* observer : observers) observer->wrote_plain(told);
 }
 
 bool Tree::read(Handle instance, const Property& property, double& number) const {

@@ -106,7 +106,7 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
     to.put(property.symbol.id());
 }
 
-void WriteLog::wrote_plain(const Tree&, const PlainWrites& writes) {
+void WriteLog::wrote_plain(const PlainWrites& writes) {
     if (!notes()) return;
     if (writes.list.size() < worth_keeping) return put_plain(bytes_, writes.list);
     kept_.push_back({bytes_.size(), writes});

@@ -55,6 +55,16 @@ auto widened(const T& got) {
         return to_value(got);
 }
 
+/// What the library says of a number written by slot, as the tree says it.
+inline property::Put put(physics::Written written) {
+    using physics::Written;
+    using property::Put;
+    static_assert(static_cast<int>(Put::same) == static_cast<int>(Written::same) &&
+                  static_cast<int>(Put::done) == static_cast<int>(Written::done) &&
+                  static_cast<int>(Put::declined) == static_cast<int>(Written::refused));
+    return static_cast<Put>(written);
+}
+
 /// Numbers written without a Value in between. Both are captureless lambdas: `get` (Hosting&, Row)
 /// gives a float, `set` (Hosting&, Row, float) takes one.
 template <class Get, class Set>
@@ -66,15 +76,6 @@ void put_numbers(Binding& binding, Get, Set) {
         Set{}(h, row, static_cast<float>(value));
         return property::Put::done;
     };
-}
-
-inline property::Put put(physics::Written written) {
-    using physics::Written;
-    using property::Put;
-    static_assert(static_cast<int>(Put::same) == static_cast<int>(Written::same) &&
-                  static_cast<int>(Put::done) == static_cast<int>(Written::done) &&
-                  static_cast<int>(Put::declined) == static_cast<int>(Written::refused));
-    return static_cast<Put>(written);
 }
 
 /// The same by slot, for what scripts write most.

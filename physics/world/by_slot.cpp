@@ -40,27 +40,25 @@ bool same(float a, float b) {
     return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
 }
 
-Written turn(WorldData& data, uint32_t index, float angular_velocity) {
-    BodyState& state = data.states[index];
-    BodyRecord& record = data.bodies[index];
-    if (same(state.angular_velocity, angular_velocity)) return Written::same;
+bool same(const Vec2& a, const Vec2& b) {
+    return same(a.x(), b.x()) && same(a.y(), b.y());
+}
+
+template <class T>
+Written store(BodyRecord& record, T& cell, const T& value) {
+    if (same(cell, value)) return Written::same;
     if (!stirs(record)) [[unlikely]]
         return Written::refused;
     record.sleep_time = 0.0f;
-    state.angular_velocity = angular_velocity;
+    cell = value;
     return Written::done;
 }
 
-/// What the next step reads, whatever the body is.
+/// What the next step reads.
 template <float BodyRecord::*setting>
 Written set(WorldData& data, uint32_t index, float value) {
     BodyRecord& record = data.bodies[index];
-    if (same(record.*setting, value)) return Written::same;
-    if (!stirs(record)) [[unlikely]]
-        return Written::refused;
-    record.sleep_time = 0.0f;
-    record.*setting = value;
-    return Written::done;
+    return store(record, record.*setting, value);
 }
 
 }  // namespace
@@ -75,20 +73,12 @@ bool World::set_velocity(uint32_t index, const Vec2& velocity) {
 }
 
 Written World::write_velocity(uint32_t index, const Vec2& velocity) {
-    BodyState& state = data_->states[index];
-    BodyRecord& record = data_->bodies[index];
-    if (same(state.velocity.x(), velocity.x()) && same(state.velocity.y(), velocity.y()))
-        return Written::same;
-    if (!stirs(record)) [[unlikely]]
-        return Written::refused;
-    record.sleep_time = 0.0f;
-    state.velocity = velocity;
-    return Written::done;
+    return store(data_->bodies[index], data_->states[index].velocity, velocity);
 }
 
 template <>
 Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value) {
-    return turn(*data_, index, value);
+    return store(data_->bodies[index], data_->states[index].angular_velocity, value);
 }
 template <>
 Written World::write<BodyNumber::torque>(uint32_t index, float value) {

@@ -42,7 +42,7 @@ class Batches : public property::Observer {
   public:
     explicit Batches(property::Tree& tree) : tree_(tree) { tree_.observe(*this); }
     ~Batches() override { tree_.unobserve(*this); }
-    void wrote_plain(const property::Tree&, const property::PlainWrites& writes) override {
+    void wrote_plain(const property::PlainWrites& writes) override {
         for (const property::PlainWrite& write : writes.list)
             if (write.instance) told.push_back(write.property->name + " " + write_text(write.x));
     }

@@ -47,7 +47,7 @@ class Observer {
     /// told together because a call for each would cost more than the write. Told before anything
     /// else is, and before the writer or the step changes. Calls `wrote` for
     /// each unless it is overridden.
-    virtual void wrote_plain(const Tree& tree, const PlainWrites& writes);
+    virtual void wrote_plain(const PlainWrites& writes);
     /// The property was given back to its owner, or its default.
     virtual void was_reset(Handle, const Property&) {}
     /// An ad-hoc property ended.

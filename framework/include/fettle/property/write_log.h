@@ -42,7 +42,7 @@ class WriteLog : public Observer {
     void play(const LoggedWrites& piece);
 
     void wrote(Handle instance, const Property& property, const Value& now) override;
-    void wrote_plain(const Tree&, const PlainWrites& writes) override;
+    void wrote_plain(const PlainWrites& writes) override;
     void was_reset(Handle instance, const Property& property) override;
     void removed(Handle instance, const Property& property) override;
     void formula_changed(Handle instance, const Property& property) override;
