@@ -89,12 +89,12 @@ Property::Shortcut shortcut_to(const Property& property) {
     shortcut.narrow = property.precision() == Precision::single_precision;
     // An integer that becomes a double up to there was that very number, and is it in the memory.
     const double largest = shortcut.narrow ? 0x1p24 : 0x1p53 - 1;
-    shortcut.min = std::max(property.range.min, -largest);
-    shortcut.max = std::min(property.range.max, largest);
+    shortcut.takes.min = std::max(property.range.min, -largest);
+    shortcut.takes.max = std::min(property.range.max, largest);
     if (shortcut.narrow) {
         // What lies between two floats of the range is in it after rounding too.
-        shortcut.min = inner_float(shortcut.min, 1);
-        shortcut.max = inner_float(shortcut.max, -1);
+        shortcut.takes.min = inner_float(shortcut.takes.min, 1);
+        shortcut.takes.max = inner_float(shortcut.takes.max, -1);
     }
     return shortcut;
 }

@@ -86,7 +86,7 @@ class Coercion {
                 x = narrow;
             }
         }
-        if (x >= property_.range.min && x <= property_.range.max) return x;
+        if (property_.range.contains(x)) return x;
         if (!property_.clamp) out_of_range(whole);
         return std::clamp(x, property_.range.min, property_.range.max);
     }
@@ -117,8 +117,7 @@ class Coercion {
         } else {
             wrong_type(value);
         }
-        if (static_cast<double>(result) < property_.range.min ||
-            static_cast<double>(result) > property_.range.max) {
+        if (!property_.range.contains(static_cast<double>(result))) {
             if (!property_.clamp) out_of_range(value);
             result = static_cast<std::int64_t>(
                 std::clamp(static_cast<double>(result), property_.range.min, property_.range.max));

@@ -156,9 +156,11 @@ struct Tree::State {
 
     // typed_ways.cpp
     template <class T>
-    Put write_typed(Handle instance, const Property& property, T value);
+    Put write_at_once(Handle instance, const Property& property, T value);
     template <class T>
-    Put write_by_way(Handle instance, const Property& property, T value, const Node& node);
+    bool write_by_way(Handle instance, const Property& property, T value);
+    template <class T>
+    bool end_write(Put begun, Handle instance, const Property& property, const T& value);
     [[noreturn]] void refused(Handle instance, const Property& property) const;
     void tell_untold();
 

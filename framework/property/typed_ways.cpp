@@ -31,12 +31,12 @@ const Typed<T>& typed_way(const Binding& binding) {
         return binding.vec2;
 }
 
-// A NaN is never in range. What lies between two floats is in it after rounding too.
-bool fits(const Property::Shortcut& shortcut, double x) {
-    return x >= shortcut.min && x <= shortcut.max;
-}
-bool fits(const Property::Shortcut& shortcut, const Vec2& v) {
-    return fits(shortcut, v.x()) && fits(shortcut, v.y());
+template <class T>
+const Range& at_once(const Property& property) {
+    if constexpr (std::is_same_v<T, double>)
+        return property.numbers_at_once;
+    else
+        return property.vec2s_at_once;
 }
 
 template <class T>
@@ -96,13 +96,14 @@ Value PlainWrite::value() const {
 /// Of properties kept by the tree, of setters that may do anything, and of those that want to hear
 /// of writes. The setter may itself write, read formulas, and move nodes.
 template <class T>
-[[gnu::noinline]] Put Tree::State::write_by_way(Handle instance, const Property& property, T value,
-                                                const Node& node) {
-    if (property.interest != 0 || only_the_long_way()) return Put::untried;
+bool Tree::State::write_by_way(Handle instance, const Property& property, T value) {
+    const Node* const node = nodes.find_if<&Node::writable>(instance);
+    if (node == nullptr || !property.shortcut.takes.contains(value)) return false;
+    if (property.interest != 0 || only_the_long_way()) return false;
     const bool by_setter = property.shortcut.write == by_call<T>;
-    if (!by_setter && property.shortcut.write != in_tree<T>) return Put::untried;
+    if (!by_setter && property.shortcut.write != in_tree<T>) return false;
     if (property.shortcut.narrow) value = narrowed(value);
-    if (!by_setter && !put_stored<T>(*this, node, property, value)) return Put::done;
+    if (!by_setter && !put_stored<T>(*this, *node, property, value)) return true;
     if (writes.full()) [[unlikely]]
         tell_untold();
     // Made first: then next to nothing has to be kept over the call.
@@ -112,14 +113,14 @@ template <class T>
     if (by_setter) {
         Put put{};
         try {
-            put = typed_way<T>(binding).put(binding, node.row, value);
+            put = typed_way<T>(binding).put(binding, node->row, value);
         } catch (...) {
             writes.take_back(entry);
             refused(instance, property);
         }
         if (put != Put::done) {
             writes.take_back(entry);
-            return put == Put::same ? Put::done : Put::untried;
+            return put == Put::same;
         }
     }
     edited = true;
@@ -127,22 +128,29 @@ template <class T>
     if (binding.invalidate != nullptr)
         binding.invalidate(binding.context, nodes[instance.index].row);
     if (!shadows.empty() || binding.invalidate != nullptr) note_edit();
-    return Put::done;
+    return true;
 }
 
 /// Only where nobody has to be told at once, and no other value stands for the cell's. Ends with
 /// the call of the setter, so that nothing has to be kept over it.
 template <class T>
-[[gnu::always_inline]] inline Put Tree::State::write_typed(Handle instance,
-                                                           const Property& property, T value) {
+[[gnu::always_inline]] inline Put Tree::State::write_at_once(Handle instance,
+                                                             const Property& property, T value) {
     const Node* const node = nodes.find_if<&Node::writable>(instance);
-    if (node == nullptr || !fits(property.shortcut, value)) [[unlikely]]
+    if (node == nullptr || !at_once<T>(property).contains(value) || !writes.open()) [[unlikely]]
         return Put::untried;
-    if (property.at_once != by_call<T> || !writes.open()) [[unlikely]]
-        return write_by_way<T>(instance, property, value, *node);
     put_down(writes.begin(), instance, property, value);
     ++epoch;
     return typed_way<T>(property.binding).put(property.binding, node->row, value);
+}
+
+template <class T>
+bool Tree::State::end_write(Put begun, Handle instance, const Property& property, const T& value) {
+    if (begun == Put::done) return true;
+    if (begun == Put::untried) return write_by_way<T>(instance, property, value);
+    writes.take_back_last();
+    --epoch;
+    return begun == Put::same;
 }
 
 void Observer::wrote_plain(const PlainWrites& writes) {
@@ -165,18 +173,17 @@ bool Tree::read(Handle instance, const Property& property, Vec2& vector) const {
     return read_typed(*state_, instance, property, vector);
 }
 Put Tree::begin_write(Handle instance, const Property& property, double number) {
-    return state_->write_typed(instance, property, number);
+    return state_->write_at_once(instance, property, number);
 }
 Put Tree::begin_write(Handle instance, const Property& property, const Vec2& vector) {
-    return state_->write_typed(instance, property, vector);
+    return state_->write_at_once(instance, property, vector);
 }
 
-bool Tree::end_write(Put put) {
-    if (put == Put::done) return true;
-    if (put == Put::untried) return false;
-    state_->writes.take_back_last();
-    --state_->epoch;
-    return put == Put::same;
+bool Tree::end_write(Put begun, Handle instance, const Property& property, double number) {
+    return state_->end_write(begun, instance, property, number);
+}
+bool Tree::end_write(Put begun, Handle instance, const Property& property, const Vec2& vector) {
+    return state_->end_write(begun, instance, property, vector);
 }
 
 }  // namespace fettle::property

@@ -32,7 +32,9 @@ struct Dispatch {
     bool is_property() const { return property != nullptr; }
     /// Another name may hold the slot.
     bool is_of(const property::Class* of, const void* name) const {
-        return key == name && instance_class == of;
+        if (key != name) [[unlikely]]
+            return false;
+        return instance_class == of;
     }
 };
 

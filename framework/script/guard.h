@@ -16,13 +16,19 @@ std::string position(lua_State* L);
 [[noreturn]] void raise(lua_State* L, const std::string& message);
 [[noreturn]] void raise_text(lua_State* L, const char* message);
 
-template <int (*function)(lua_State*)>
-int guarded(lua_State* L) {
+/// Gives what `body` returns.
+template <class Body>
+auto guard(lua_State* L, const Body& body) {
     try {
-        return function(L);
+        return body();
     } catch (const std::exception& error) {
         raise_text(L, error.what());
     }
+}
+
+template <int (*function)(lua_State*)>
+int guarded(lua_State* L) {
+    return guard(L, [L] { return function(L); });
 }
 
 /// Adds `function` under `name` to the table on top.

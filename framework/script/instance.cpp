@@ -196,11 +196,17 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
 
 constexpr int vec_metatable = lua_upvalueindex(1);  // of `__index`
 
-[[gnu::noinline]] int read_vec2(lua_State* L, const InstanceBox& self, const Property& property) {
+[[gnu::noinline]] int read_vec2(lua_State* L, const InstanceBox& self, const Property* property) {
     Vec2 vector;
-    if (!machine_of(L).tree.read(self.handle, property, vector)) return read_at_length(L, self);
-    push_vec(L, vector, self.handle, property, vec_metatable);
+    if (!machine_of(L).tree.read(self.handle, *property, vector)) return read_at_length(L, self);
+    push_vec(L, vector, self.handle, *property, vec_metatable);
     return 1;
+}
+
+/// What a short way goes on to: guarded here, so that there it is a jump.
+template <auto function, class... Given>
+[[gnu::noinline]] int go_on(lua_State* L, const InstanceBox& self, Given... given) {
+    return guard(L, [&] { return function(L, self, given...); });
 }
 
 // Kept short, as `instance_newindex` is: what is not a number goes elsewhere. Scripts cannot get at
@@ -211,17 +217,16 @@ int instance_index(lua_State* L) {
     const Machine& machine = machine_of(L);
     const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
     if (!slot.is_of(self->instance_class, key) || machine.recording.active) [[unlikely]]
-        return read_at_length(L, *self);
+        return go_on<read_at_length>(L, *self);
+    if (slot.member == Member::vec2) return go_on<read_vec2>(L, *self, slot.property);
+    if (slot.member != Member::number) [[unlikely]]
+        return go_on<read_at_length>(L, *self);
     double number;
-    if (slot.member == Member::number) {
-        if (machine.tree.read(self->handle, *slot.property, number)) [[likely]] {
-            lua_pushnumber(L, number);
-            return 1;
-        }
-    } else if (slot.member == Member::vec2) {
-        return read_vec2(L, *self, *slot.property);
-    }
-    return read_at_length(L, *self);
+    const Property& property = *slot.property;
+    if (!guard(L, [&] { return machine.tree.read(self->handle, property, number); })) [[unlikely]]
+        return go_on<read_at_length>(L, *self);
+    lua_pushnumber(L, number);
+    return 1;
 }
 
 // --- Writing
@@ -324,8 +329,10 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     return write_at_length(L, self);
 }
 
-[[gnu::noinline]] int end_write(lua_State* L, const InstanceBox& self, Put put) {
-    return machine_of(L).tree.end_write(put) ? 0 : write_at_length(L, self);
+int end_write(lua_State* L, const InstanceBox& self, const Property* property, Put begun) {
+    const auto number = static_cast<double>(lua_tonumber(L, 3));
+    const bool written = machine_of(L).tree.end_write(begun, self.handle, *property, number);
+    return written ? 0 : write_at_length(L, self);
 }
 
 // Kept short: what is not a number written to a number goes elsewhere. The value comes last, so
@@ -336,14 +343,14 @@ int instance_newindex(lua_State* L) {
     const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine_of(L).dispatch.slot(self->instance_class, key);
     if (!slot.is_of(self->instance_class, key) || slot.member != Member::number) [[unlikely]]
-        return write_other(L, *self);
+        return go_on<write_other>(L, *self);
     const Property& property = *slot.property;
     if (lua_type(L, 3) != LUA_TNUMBER) [[unlikely]]
-        return write_other(L, *self);
+        return go_on<write_at_length>(L, *self);
     const auto number = static_cast<double>(lua_tonumber(L, 3));
-    const Put put = machine_of(L).tree.begin_write(self->handle, property, number);
-    if (put != Put::done) [[unlikely]]
-        return end_write(L, *self, put);
+    const Put begun = machine_of(L).tree.begin_write(self->handle, property, number);
+    if (begun != Put::done) [[unlikely]]
+        return go_on<end_write>(L, *self, &property, begun);
     return 0;
 }
 
@@ -415,9 +422,10 @@ void open_instance(lua_State* L, Machine& machine) {
     // and in a full table they may stand behind others.
     lua_createtable(L, 0, 64);
     push_registry(L, machine.vec_meta);
-    lua_pushcclosure(L, guarded<instance_index>, 1);
+    lua_pushcclosure(L, instance_index, 1);
     lua_setfield(L, -2, "__index");
-    add_function<instance_newindex>(L, "__newindex");
+    lua_pushcfunction(L, instance_newindex);
+    lua_setfield(L, -2, "__newindex");
     add_function<instance_tostring>(L, "__tostring");
     add_function<instance_length>(L, "__len");
     add_function<instance_pairs>(L, "__pairs");

@@ -27,6 +27,7 @@ inline constexpr std::uint32_t most_slots = 1u << slot_bits;
 inline constexpr std::uint32_t most_worlds = 1u << (32 - slot_bits);
 /// The world of what is in no world: never stepped.
 inline constexpr std::uint32_t limbo = 0;
+inline constexpr std::uint32_t first_world = limbo + 1;
 
 constexpr std::uint32_t world_number(Row row) {
     return row >> slot_bits;
@@ -80,7 +81,14 @@ class Hosting {
     Hosting(property::Tree& tree, property::SnapshotPart& part);
 
     // --- From rows to objects
-    HostedWorld& hosted(Row row) { return *worlds_[world_number(row)]; }
+    // Most games have one world. Where its number is only compared, processors go on to what is in
+    // it while the row is still being fetched.
+    HostedWorld& hosted(Row row) {
+        const std::uint32_t number = world_number(row);
+        if (number == first_world) [[likely]]
+            return *worlds_[first_world];
+        return *worlds_[number];
+    }
     physics::World& world(Row row) { return hosted(row).world; }
     const physics::BodyState& state(Row row) { return world(row).state(slot_of(row)); }
     physics::Body body(Row row) {

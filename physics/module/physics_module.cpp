@@ -42,7 +42,7 @@ void PhysicsModule::step(double dt) {
     const Hosting::Doing step(*hosting_);
     hosting_->follow_listeners();
     hosting_->joints.tighten();
-    for (std::uint32_t n = limbo + 1; n < most_worlds; ++n) {
+    for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting_->world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
         if (hosted->unreported) {  // nobody asked: nothing is kept for who may never do
@@ -56,7 +56,7 @@ void PhysicsModule::step(double dt) {
 
 void PhysicsModule::report(property::Tree& tree) {
     tree.stepped();
-    for (std::uint32_t n = limbo + 1; n < most_worlds; ++n) {
+    for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting_->world_at(n);
         if (hosted == nullptr || !hosted->unreported) continue;
         hosted->unreported = false;
@@ -79,7 +79,7 @@ void PhysicsModule::refresh(std::uint64_t what) {
 
 std::uint64_t PhysicsModule::hash() const {
     std::uint64_t combined = 0;
-    for (std::uint32_t n = limbo + 1; n < most_worlds; ++n) {
+    for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         const HostedWorld* hosted = hosting_->world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
         // One world alone has its own hash: 0 · anything is 0.

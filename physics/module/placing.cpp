@@ -28,7 +28,7 @@ Row row_of(std::uint32_t world, Object made) {
 
 Row Hosting::create_world(Handle self) {
     const Doing placing(*this);
-    std::uint32_t number = limbo + 1;
+    std::uint32_t number = first_world;
     while (number < most_worlds && worlds_[number] != nullptr) ++number;
     if (number == most_worlds)
         no_room("there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");

@@ -44,11 +44,16 @@ bool same(const Vec2& a, const Vec2& b) {
     return same(a.x(), b.x()) && same(a.y(), b.y());
 }
 
+/// Apart, so that there is no jump on the way of what is written.
+[[gnu::cold, gnu::noinline]] Written not_written(bool same) {
+    return same ? Written::same : Written::refused;
+}
+
 template <class T>
 Written store(BodyRecord& record, T& cell, const T& value) {
-    if (same(cell, value)) return Written::same;
-    if (!stirs(record)) [[unlikely]]
-        return Written::refused;
+    const bool held = same(cell, value);
+    if (held || !stirs(record)) [[unlikely]]
+        return not_written(held);
     record.sleep_time = 0.0f;
     cell = value;
     return Written::done;

@@ -197,7 +197,7 @@ TEST_CASE_METHOD(Fixture, "the shortest way tells what the memory holds, not wha
     const Vec2 given(0.1, 0.2);
     CHECK(tree.begin_write(ball, velocity, given) == Put::done);
     CHECK(tree.begin_write(ball, velocity, given) == Put::same);
-    CHECK(tree.end_write(Put::same));
+    CHECK(tree.end_write(Put::same, ball, velocity, given));
     CHECK(module.ball(ball).velocity[1] == 0.2f);
     CHECK_FALSE(tree.write(ball, velocity, Vec2(0x1p24 + 1, 0)));  // no float is that number
     tree.barrier();

@@ -52,6 +52,10 @@ struct Range {
         return min != -std::numeric_limits<double>::infinity() ||
                max != std::numeric_limits<double>::infinity();
     }
+    /// A NaN is in no range.
+    bool contains(double x) const { return x >= min && x <= max; }
+    bool contains(const Vec2& v) const { return contains(v.x()) && contains(v.y()); }
+    static constexpr Range nothing() { return {.min = 1, .max = 0}; }
 };
 
 /// The native type of one element of a column. `enumeration` is a byte that indexes the property's
@@ -144,22 +148,29 @@ struct Property {
     const Class* owner = nullptr;
     std::vector<Value> enumerator_values{};
     std::uint32_t stored_index = 0;
-    /// Whether the typed ways of `Tree` may read and write it, and from where to where: in range,
-    /// and no greater than that integers are exact.
+    /// Whether the typed ways of `Tree` may read and write it.
     struct Shortcut {
         enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
         Way read = Way::none;
         Way write = Way::none;
-        Way plain = Way::none;    // as `write`, where a call of a plain `put` is all there is to do
-        bool narrow = false;      // rounded to float
-        double min = 0, max = 0;  // values that the memory holds exactly
+        Way plain = Way::none;  // as `write`, where a call of a plain `put` is all there is to do
+        bool narrow = false;    // rounded to float
+        // In range, and no greater than that integers are exact; after rounding too.
+        Range takes = Range::nothing();
     } shortcut{};
     /// Broad watchers (class, pattern) that may match this property. Kept by `note_interest`.
     mutable std::uint32_t interest = 0;
-    mutable Shortcut::Way at_once = Shortcut::Way::none;  // `plain`, while nobody is interested
+    /// What may be written by a call of a plain `put` and nothing else: nothing while somebody is
+    /// interested.
+    mutable Range numbers_at_once = Range::nothing();
+    mutable Range vec2s_at_once = Range::nothing();
     void note_interest(std::uint32_t watchers) const {
         interest = watchers;
-        at_once = watchers == 0 ? shortcut.plain : Shortcut::Way::none;
+        const auto taken = [&](Shortcut::Way way) {
+            return watchers == 0 && shortcut.plain == way ? shortcut.takes : Range::nothing();
+        };
+        numbers_at_once = taken(Shortcut::Way::number);
+        vec2s_at_once = taken(Shortcut::Way::vec2);
     }
 
     Precision precision() const {

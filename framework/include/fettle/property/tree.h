@@ -124,16 +124,19 @@ class Tree {
     bool read(Handle instance, const Property& property, double& number) const;
     bool read(Handle instance, const Property& property, Vec2& vector) const;
     bool write(Handle instance, const Property& property, double number) {
-        return end_write(begin_write(instance, property, number));
+        const Put begun = begin_write(instance, property, number);
+        return begun == Put::done || end_write(begun, instance, property, number);
     }
     bool write(Handle instance, const Property& property, const Vec2& vector) {
-        return end_write(begin_write(instance, property, vector));
+        const Put begun = begin_write(instance, property, vector);
+        return begun == Put::done || end_write(begun, instance, property, vector);
     }
-    /// `write` in two calls, for those who mind each nanosecond: anything but Put::done has to be
-    /// ended at once.
+    /// `write` in two calls, for those who mind each nanosecond. The first takes the shortest way
+    /// and throws nothing; unless it returns Put::done, the second has to follow it, of the same.
     Put begin_write(Handle instance, const Property& property, double number);
     Put begin_write(Handle instance, const Property& property, const Vec2& vector);
-    bool end_write(Put begun);
+    bool end_write(Put begun, Handle instance, const Property& property, double number);
+    bool end_write(Put begun, Handle instance, const Property& property, const Vec2& vector);
     /// Back to the default (or to what its owner computes).
     void reset(Handle instance, const Property& property);
     bool overridden(Handle instance, const Property& property) const;
