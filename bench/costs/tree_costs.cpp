@@ -55,13 +55,13 @@ class ProbeTree {
 
   private:
     property::ClassDescriptor describe() {
-        const auto at_position = [](ProbeTree& t) { return &t.array[0].position; };
+        const auto at_position = [](ProbeTree& t) noexcept { return &t.array[0].position; };
         property::ClassDescriptor probe{.name = "Probe", .doc = "Something to measure."};
         probe.properties = {
             {.name = "mass",
              .default_value = 1.0,
              .binding = column(*this, property::Native::f32, sizeof(Probe),
-                               [](ProbeTree& t) { return &t.array[0].mass; })},
+                               [](ProbeTree& t) noexcept { return &t.array[0].mass; })},
             {.name = "position",
              .type = property::Type::vec2,
              .default_value = Vec2(0, 0),

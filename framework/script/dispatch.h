@@ -30,7 +30,8 @@ struct Dispatch {
     int reference = LUA_NOREF;
     Member member = Member::none;
     bool is_property() const { return property != nullptr; }
-    /// Another name may hold the slot.
+    /// Another name may hold the slot, but hardly ever does: asked apart, or compilers put that
+    /// case in the way.
     bool is_of(const property::Class* of, const void* name) const {
         if (key != name) [[unlikely]]
             return false;

@@ -203,7 +203,8 @@ constexpr int vec_metatable = lua_upvalueindex(1);  // of `__index`
     return 1;
 }
 
-/// What a short way goes on to: guarded here, so that there it is a jump.
+/// What a short way goes on to, in a function of its own that catches exceptions: one that catches
+/// none can end with a jump to it.
 template <auto function, class... Given>
 [[gnu::noinline]] int go_on(lua_State* L, const InstanceBox& self, Given... given) {
     return guard(L, [&] { return function(L, self, given...); });
@@ -315,7 +316,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     return write_slowly(L, machine, self);
 }
 
-/// Not a number into a property that may be one: perhaps a vector into one that may be that.
+/// Not to a property of numbers, as far as is known: perhaps a vector to one of vectors.
 [[gnu::noinline]] int write_other(lua_State* L, const InstanceBox& self) {
     Machine& machine = machine_of(L);
     const void* key = lua_topointer(L, 2);

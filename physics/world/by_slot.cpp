@@ -44,16 +44,17 @@ bool same(const Vec2& a, const Vec2& b) {
     return same(a.x(), b.x()) && same(a.y(), b.y());
 }
 
-/// Apart, so that there is no jump on the way of what is written.
-[[gnu::cold, gnu::noinline]] Written not_written(bool same) {
-    return same ? Written::same : Written::refused;
+/// Apart, so that no jump is taken on the way of what is written. The velocity of a body just
+/// edited is not yet what its cell says: it changes with the center of mass.
+[[gnu::cold, gnu::noinline]] Written not_written(const BodyRecord& record, bool held) {
+    return held && !record.listed ? Written::same : Written::refused;
 }
 
 template <class T>
 Written store(BodyRecord& record, T& cell, const T& value) {
     const bool held = same(cell, value);
     if (held || !stirs(record)) [[unlikely]]
-        return not_written(held);
+        return not_written(record, held);
     record.sleep_time = 0.0f;
     cell = value;
     return Written::done;

@@ -442,3 +442,19 @@ TEST_CASE_METHOD(Game,
     step(1);
     CHECK(y(sleeper) > 0.5);
 }
+
+TEST_CASE_METHOD(Game, "a velocity written to a body is its velocity though its shape was moved") {
+    const Handle plain = body("Circle", {0, 5}), watched = body("Circle", {9, 5});
+    const auto watch = tree.watch(watched, tree.property(watched, "gravity_scale"),
+                                  [](const property::Change&) {});
+    for (const Handle spinning : {plain, watched}) {
+        set(spinning, "angular_velocity", 2);
+        step(1);
+        const Vec2 velocity = vec(spinning, "velocity");
+        // The center of mass moves with the shape, and has another velocity.
+        set(shape_of(spinning), "center", Vec2(3, 0));
+        const auto& written = tree.property(spinning, "velocity");
+        if (!tree.write(spinning, written, velocity)) tree.set(spinning, written, Value(velocity));
+        CHECK(vec(spinning, "velocity") == velocity);
+    }
+}

@@ -28,7 +28,7 @@ class BallModule {
         ClassDescriptor d;
         d.name = "Ball";
         d.doc = "A test ball.";
-        const auto base = [](BallModule& m) { return &m.balls[0].mass; };
+        const auto base = [](BallModule& m) noexcept { return &m.balls[0].mass; };
         Property mass{.name = "mass",
                       .default_value = 1.0,
                       .unit = "kg",
@@ -42,15 +42,15 @@ class BallModule {
         Property velocity{.name = "velocity", .type = Type::vec2, .unit = "m/s"};
         velocity.simulated = true;
         velocity.binding = column(*this, Native::vec2f, sizeof(Ball),
-                                  [](BallModule& m) { return &m.balls[0].velocity; });
+                                  [](BallModule& m) noexcept { return &m.balls[0].velocity; });
         Property charge{.name = "charge", .range = {-10, 10}};
         charge.infinity = charge.clamp = true;
         charge.binding = column(*this, Native::f64, sizeof(Ball),
-                                [](BallModule& m) { return &m.balls[0].charge; });
+                                [](BallModule& m) noexcept { return &m.balls[0].charge; });
         Property kind{
             .name = "kind", .type = Type::text, .enumerators = {"dynamic", "static", "kinematic"}};
         kind.binding = column(*this, Native::enumeration, sizeof(Ball),
-                              [](BallModule& m) { return &m.balls[0].kind; });
+                              [](BallModule& m) noexcept { return &m.balls[0].kind; });
         Property radius{.name = "radius", .default_value = 0.5, .unit = "m", .range = {0, 100}};
         radius.binding = accessor(
             *this, [](BallModule& m, Row r) { return m.balls[r].radius; },

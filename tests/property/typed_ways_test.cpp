@@ -214,7 +214,7 @@ TEST_CASE_METHOD(Fixture,
     const auto is_open = [&] { return tree.begin_write(ball, charge, ++next) == Put::done; };
     const auto is_told = [&] {
         const Put put = tree.begin_write(ball, charge, ++next);
-        if (put == Put::untried) tree.set(ball, charge, Value(next));
+        if (!tree.end_write(put, ball, charge, next)) tree.set(ball, charge, Value(next));
         return put == Put::untried;
     };
     CHECK(is_open());
@@ -231,7 +231,7 @@ TEST_CASE_METHOD(Fixture,
     CHECK(is_open());
     bool refused = false;
     tree.set_formula(kept, of(kept, "score"), {.function = [&](const Tree&) {
-                         refused = tree.begin_write(ball, charge, 1.0) == Put::untried;
+                         refused = !tree.write(ball, charge, 1.0);
                          return Value(1.0);
                      }});
     CHECK(tree.get(kept, "score") == Value(1.0));

@@ -66,8 +66,9 @@ enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc }
 
 struct Binding;
 
-/// What became of a value put into a cell: it was there already; it is there now; it takes the long
-/// way, which knows why it cannot be there; or nobody tried, for the same reason.
+/// What became of a value put into a cell: it was there already; it is there now; it is for the
+/// long way, which knows why it cannot be there; or nobody tried, since it takes more than the
+/// shortest way (`Tree::begin_write` alone says so).
 enum class Put : std::uint8_t { same, done, declined, untried };
 
 /// A number or a vector as it is read and written without a Value in between: what scripts do most.
@@ -161,7 +162,7 @@ struct Property {
     /// Broad watchers (class, pattern) that may match this property. Kept by `note_interest`.
     mutable std::uint32_t interest = 0;
     /// What may be written by a call of a plain `put` and nothing else: nothing while somebody is
-    /// interested.
+    /// interested, and never anything but what the property's type says, or there may be no `put`.
     mutable Range numbers_at_once = Range::nothing();
     mutable Range vec2s_at_once = Range::nothing();
     void note_interest(std::uint32_t watchers) const {
@@ -371,7 +372,7 @@ Typed<T> typed_column() {
     };
     Typed<T> typed;
     typed.get = [](const Binding& b, Row row) -> T { return load(at(b, row)); };
-    typed.plain = true;
+    typed.plain = std::is_nothrow_invocable_v<Base, Context&>;
     typed.put = [](const Binding& b, Row row, typename Typed<T>::Passed value) {
         std::byte* const cell = at(b, row);
         Kept kept[count];
@@ -389,7 +390,7 @@ Typed<T> typed_column() {
 }
 
 /// A column over `Element`s of `stride` bytes. `base` is a captureless lambda: (Context&) ->
-/// pointer to the first element.
+/// pointer to the first element. Scripts write numbers and vectors faster where it is `noexcept`.
 template <class Context, class Base>
 Binding column(Context& context, Native native, std::size_t stride, Base) {
     static_assert(std::is_empty_v<Base>, "a lambda without captures, not a function's address");

@@ -132,7 +132,9 @@ class Tree {
         return begun == Put::done || end_write(begun, instance, property, vector);
     }
     /// `write` in two calls, for those who mind each nanosecond. The first takes the shortest way
-    /// and throws nothing; unless it returns Put::done, the second has to follow it, of the same.
+    /// and throws nothing. Unless it returns Put::done, the second has to be called with the same
+    /// arguments before anything else is done to the tree; it does the rest, and returns and throws
+    /// what `write` does.
     Put begin_write(Handle instance, const Property& property, double number);
     Put begin_write(Handle instance, const Property& property, const Vec2& vector);
     bool end_write(Put begun, Handle instance, const Property& property, double number);
