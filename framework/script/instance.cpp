@@ -196,7 +196,7 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
 
 constexpr int vec_metatable = lua_upvalueindex(1);  // of `__index`
 
-[[gnu::noinline]] int read_vec2(lua_State* L, const InstanceBox& self, const Property* property) {
+int read_vec2(lua_State* L, const InstanceBox& self, const Property* property) {
     Vec2 vector;
     if (!machine_of(L).tree.read(self.handle, *property, vector)) return read_at_length(L, self);
     push_vec(L, vector, self.handle, *property, vec_metatable);
@@ -317,7 +317,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
 }
 
 /// Not to a property of numbers, as far as is known: perhaps a vector to one of vectors.
-[[gnu::noinline]] int write_other(lua_State* L, const InstanceBox& self) {
+int write_other(lua_State* L, const InstanceBox& self) {
     Machine& machine = machine_of(L);
     const void* key = lua_topointer(L, 2);
     const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
