@@ -83,8 +83,8 @@ template <physics::BodyNumber number>
 void put_by_slot(Binding& binding) {
     binding.number.plain = true;
     binding.number.put = [](const Binding& self, Row row, double value) {
-        physics::World& world = static_cast<Hosting*>(self.context)->world(row);
-        return put(world.write<number>(slot_of(row), static_cast<float>(value)));
+        const auto [in, slot] = static_cast<Hosting*>(self.context)->at(row);
+        return put(in.world.write<number>(slot, static_cast<float>(value)));
     };
 }
 

@@ -59,10 +59,10 @@ Binding velocity(Hosting& hosting) {
         });
     binding.vec2.plain = true;
     binding.vec2.put = [](const Binding& self, Row row, const property::Vec2& value) {
-        auto& h = *static_cast<Hosting*>(self.context);
         // Where it has no world, its velocity is kept until it has one.
         if (world_number(row) == limbo) return property::Put::declined;
-        return put(h.world(row).write_velocity(slot_of(row), narrow(value)));
+        const auto [in, slot] = static_cast<Hosting*>(self.context)->at(row);
+        return put(in.world.write_velocity(slot, narrow(value)));
     };
     return binding;
 }
@@ -176,7 +176,8 @@ Binding mass(Hosting& hosting) {
     Binding binding = overridable<&Body::mass, &Body::set_mass, &Body::mass_override>(hosting);
     binding.number.get = [](const Binding& self, Row row) -> double {
         auto& h = *static_cast<Hosting*>(self.context);
-        return static_cast<double>(h.world(row).mass(slot_of(row)));
+        const auto [in, slot] = h.at(row);
+        return static_cast<double>(in.world.mass(slot));
     };
     return binding;
 }

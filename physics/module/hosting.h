@@ -81,23 +81,31 @@ class Hosting {
     Hosting(property::Tree& tree, property::SnapshotPart& part);
 
     // --- From rows to objects
-    // Most games have one world. Where its number is only compared, processors go on to what is in
-    // it while the row is still being fetched.
-    HostedWorld& hosted(Row row) {
-        const std::uint32_t number = world_number(row);
-        if (number == first_world) [[likely]]
-            return *worlds_[first_world];
-        return *worlds_[number];
+    struct Place {
+        HostedWorld& in;
+        std::uint32_t slot;
+    };
+    // Most games have one world. Where a row is only compared, processors go on to what is in that
+    // world while the row is still being fetched.
+    Place at(Row row) {
+        const std::uint32_t slot = row - make_row(first_world, 0);
+        if (slot < most_slots) [[likely]]
+            return {*worlds_[first_world], slot};
+        return {*worlds_[world_number(row)], slot_of(row)};
     }
+    HostedWorld& hosted(Row row) { return at(row).in; }
     physics::World& world(Row row) { return hosted(row).world; }
-    const physics::BodyState& state(Row row) { return world(row).state(slot_of(row)); }
+    const physics::BodyState& state(Row row) {
+        const auto [in, slot] = at(row);
+        return in.world.state(slot);
+    }
     physics::Body body(Row row) {
-        physics::World& in = world(row);
-        return in.body({slot_of(row), in.body_generation(slot_of(row))});
+        const auto [in, slot] = at(row);
+        return in.world.body({slot, in.world.body_generation(slot)});
     }
     physics::Shape shape(Row row) {
-        physics::World& in = world(row);
-        return in.shape({slot_of(row), in.shape_generation(slot_of(row))});
+        const auto [in, slot] = at(row);
+        return in.world.shape({slot, in.world.shape_generation(slot)});
     }
     physics::Field field(Row row);
     /// Of the center of mass.

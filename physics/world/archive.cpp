@@ -15,7 +15,7 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 9;
+constexpr uint32_t archive_version = 10;
 constexpr size_t world_data_size = 5864;  // without the lists of joints
 
 /// Another layout of what is copied byte by byte is another format.

@@ -106,14 +106,13 @@ void check_bodies(const WorldData& w, Findings& findings) {
         n > 0 && w.states.size() == n && w.previous.size() == n && w.body_generations.size() == n,
         "bodies");
     for (const BodyRecord& body : w.bodies) {
-        findings.require(body.mobility <= Mobility::dynamic &&
-                             body.type <= BodyType::dynamic_body &&
-                             body.solver_index <= w.awake_bodies.size() &&
-                             are_bools(body.locked_x, body.locked_y, body.locked_rotation,
-                                       body.can_sleep, body.bullet, body.never_awake,
-                                       body.mass_dirty, body.placement_dirty, body.listed) &&
-                             optional_index(body.island, w.islands.size()),
-                         "a body");
+        findings.require(
+            body.mobility <= Mobility::dynamic && body.type <= BodyType::dynamic_body &&
+                body.solver_index <= w.awake_bodies.size() &&
+                are_bools(body.locked_x, body.locked_y, body.locked_rotation, body.can_sleep,
+                          body.bullet, body.never_awake, body.mass_dirty, body.placement_dirty) &&
+                body.listed <= 1 && optional_index(body.island, w.islands.size()),
+            "a body");
         findings.require(
             optional_index(body.last_shape, shapes) &&
                 list_ends(body.first_shape, shapes, [&](uint32_t s) { return w.shapes[s].next; }),

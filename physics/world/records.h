@@ -51,7 +51,9 @@ struct BodyRecord {
         0.0f;  ///< least half width of the shapes, m: moving farther in a step is fast
     float sleep_time = 0.0f;    ///< s under the sleep speed
     uint32_t solver_index = 0;  ///< 1 + place among the awake; 0: fixed or asleep
-    Mobility mobility = Mobility::fixed;
+    // In one byte: whoever writes asks for both at once.
+    Mobility mobility : 4 = Mobility::fixed;
+    uint8_t listed : 4 = 0;  ///< in the list of bodies to refresh
     BodyType type = BodyType::dynamic_body;
     bool locked_x = false, locked_y = false, locked_rotation = false;
     bool can_sleep = true;
@@ -60,8 +62,7 @@ struct BodyRecord {
 
     bool mass_dirty = false;
     bool placement_dirty =
-        false;            ///< moved by an edit: rotated vertices, boxes and proxies are out of date
-    bool listed = false;  ///< in the list of bodies to refresh
+        false;  ///< moved by an edit: rotated vertices, boxes and proxies are out of date
     uint32_t first_shape = none, last_shape = none;
     uint32_t first_contact = none;  ///< edge: contact << 1 | side
     uint32_t contact_count = 0;

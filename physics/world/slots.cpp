@@ -73,7 +73,7 @@ uint32_t WorldData::create_body(const BodyDef& def) {
     uint32_t slot = free_body;
     if (slot != none) {
         free_body = bodies[slot].next;
-        bodies[slot] = {};
+        bodies[slot] = BodyRecord();
         states[slot] = {};
     } else {
         slot = uint32_t(bodies.size());
@@ -138,7 +138,7 @@ void WorldData::destroy_body(uint32_t body) {
     while (bodies[body].first_shape != none) destroy_shape(bodies[body].first_shape);
     if (bodies[body].solver_index != 0) remove_awake(body);
     leave_island(body);
-    bodies[body] = {};
+    bodies[body] = BodyRecord();
     bodies[body].next = free_body;
     free_body = body;
     body_generations[body] = 0;
