@@ -56,12 +56,12 @@ std::uint64_t Tree::step() const {
 void Tree::set_step(std::uint64_t step) {
     state_->tell_plain_writes();
     state_->step = step;
-    ++state_->epoch;  // the clock, too, is written without telling
+    ++state_->upheavals;  // the clock, too, is written without telling
 }
 
 void Tree::stepped() {
     state_->stepped = true;
-    ++state_->epoch;
+    ++state_->upheavals;
 }
 
 Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate)
@@ -91,7 +91,7 @@ Cause Tree::cause() const {
 /// edit elsewhere changes.
 void Tree::State::note_edit() {
     edited = true;
-    ++epoch;
+    ++upheavals;
     if (shadows.empty()) return;
     last_edit.writer = writer;
     last_edit.step = step;

@@ -204,7 +204,7 @@ void Formulas::set_dependencies(Entry& e, std::vector<Dependency> found) {
 // --------------------------------------------------------------------------------------------------
 
 bool Formulas::settled(const Entry& e) const {
-    return e.state == State::clean && (!e.volatile_sources || e.checked == tree_.state().epoch);
+    return e.state == State::clean && (!e.volatile_sources || e.checked == tree_.state().epoch());
 }
 
 Formulas::Finding Formulas::look_at_sources(const Entry& e, Entry*& unsettled) const {
@@ -250,7 +250,7 @@ void Formulas::settle_known(Entry& top) {
                 run(e);
             } else {
                 e.state = State::clean;
-                e.checked = tree_.state().epoch;
+                e.checked = tree_.state().epoch();
             }
         }
         e.queued = false;
@@ -341,7 +341,7 @@ void Formulas::run(Entry& e) {
     if (e.removed) return;
     set_dependencies(e, std::move(found));
     e.state = State::clean;
-    e.checked = tree_.state().epoch;
+    e.checked = tree_.state().epoch();
     if (error.empty())
         finish(e, result);
     else
@@ -370,7 +370,7 @@ void Formulas::finish(Entry& e, const Value& result) {
     e.value = next;
     e.error.clear();
     e.state = State::clean;
-    e.checked = s.epoch;
+    e.checked = s.epoch();
 }
 
 void Formulas::fail(Entry& e, const std::string& error) {

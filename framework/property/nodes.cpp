@@ -63,7 +63,7 @@ std::uint32_t Nodes::allocate() {
         nodes_[index] = Node{};
         nodes_[index].generation = generation;
     }
-    nodes_[index].alive = true;
+    nodes_[index].dead = 0;
     ++alive_;
     return index;
 }
@@ -81,7 +81,7 @@ void Nodes::release(std::uint32_t index, bool keep) {
     if (node.counts_children)
         counters_.erase(counters_.lower_bound(counter_key(index, {})),
                         counters_.lower_bound(counter_key(index + 1, {})));
-    node.alive = false;
+    node.dead = 1;
     node.kept = keep;
     // Of a slot that is kept the generation still tells whose it was.
     node.generation = keep ? node.generation + 1 : next_generation(index, node.generation);
@@ -106,14 +106,14 @@ void Nodes::revive(Handle handle) {
     }
     node = Node{};
     node.generation = handle.generation;
-    node.alive = true;
+    node.dead = 0;
     ++alive_;
 }
 
 bool Nodes::keeps(Handle handle) const {
     if (handle.index >= end()) return false;
     const Node& node = nodes_[handle.index];
-    return node.kept && !node.alive && node.generation == handle.generation + 1;
+    return node.kept && !node.alive() && node.generation == handle.generation + 1;
 }
 
 void Nodes::free_kept(Handle handle) {

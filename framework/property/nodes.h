@@ -41,7 +41,7 @@ struct Node {
     std::uint32_t stored_row = 0;
     std::uint16_t class_id = 0;
     // Numbers of one bit rather than bools: compilers look at several of them at once.
-    std::uint8_t alive : 1 = 0;
+    std::uint8_t dead : 1 = 1;        // all that stands in the way of a write is a bit that is set
     std::uint8_t watched : 1 = 0;     // somebody watches this very instance
     std::uint8_t fresh : 1 = 0;       // made since the last barrier: nobody has been told of it
     std::uint8_t has_ad_hoc : 1 = 0;  // looked up only then
@@ -51,10 +51,11 @@ struct Node {
     std::uint8_t counts_children : 1 = 0;
     std::uint8_t kept : 1 = 0;  // dead, and its slot waits for it to come back
 
+    bool alive() const { return !dead; }
     /// Its cells say what its properties are.
-    bool readable() const { return alive && !has_formula; }
+    bool readable() const { return !dead && !has_formula; }
     /// And nobody has to be told at once of what is written to them.
-    bool writable() const { return alive && !watched && !has_formula && !has_dependents; }
+    bool writable() const { return !dead && !watched && !has_formula && !has_dependents; }
 };
 static_assert(sizeof(Node) == 40);
 
@@ -66,7 +67,7 @@ class Nodes {
     Node* find(Handle handle) {
         if (handle.index >= end()) return nullptr;
         Node* const node = nodes_.data() + handle.index;
-        return node->generation == handle.generation && node->alive ? node : nullptr;
+        return node->generation == handle.generation && node->alive() ? node : nullptr;
     }
     const Node* find(Handle handle) const { return const_cast<Nodes*>(this)->find(handle); }
     /// If all of that holds of it (a member of `Node`). As `find`, for the shortest ways.

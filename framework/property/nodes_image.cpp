@@ -60,7 +60,7 @@ class NameMap {
 void Nodes::save(ByteWriter& to) const {
     Names names;
     for (std::uint32_t i = 1; i < end(); ++i)
-        if (nodes_[i].alive) names.use(nodes_[i].name.base);
+        if (nodes_[i].alive()) names.use(nodes_[i].name.base);
     for (const auto& [key, last] : counters_) {
         const auto stem = std::bit_cast<Symbol>(static_cast<std::uint32_t>(key));
         names.use(stem);
@@ -87,14 +87,14 @@ Nodes Nodes::load(ByteReader& from, const std::vector<std::uint16_t>& classes) {
     from.require(!read.nodes_.empty() && read.nodes_.size() < UINT32_MAX, "it has no instances");
     for (std::uint32_t i = 1; i < read.end(); ++i) {
         Node& node = read.nodes_[i];
-        if (!node.alive) continue;
+        if (!node.alive()) continue;
         ++read.alive_;
         from.require(node.class_id < classes.size(), "an instance of no class");
         node.class_id = classes[node.class_id];
         node.name.base = names(node.name.base, from);
     }
     for (const std::uint32_t index : read.free_)
-        from.require(index != 0 && index < read.end() && !read.nodes_[index].alive,
+        from.require(index != 0 && index < read.end() && !read.nodes_[index].alive(),
                      "a free place that is taken");
     for (std::size_t n = from.count(12); n > 0; --n) {
         const auto key = from.get<std::uint64_t>();
@@ -109,12 +109,12 @@ Nodes Nodes::load(ByteReader& from, const std::vector<std::uint16_t>& classes) {
 /// Every child is in the list of its parent, once, and everybody hangs somewhere or nowhere.
 bool Nodes::links_hold() const {
     const auto inside = [this](std::uint32_t index) {
-        return index < end() && nodes_[index].alive;
+        return index < end() && nodes_[index].alive();
     };
     std::size_t listed = 0, hanging = 0;
     for (std::uint32_t parent = 1; parent < end(); ++parent) {
         const Node& above = nodes_[parent];
-        if (!above.alive) continue;
+        if (!above.alive()) continue;
         if (above.parent != 0) {
             ++hanging;
             if (!inside(above.parent) || above.parent == parent) return false;
@@ -132,7 +132,7 @@ bool Nodes::links_hold() const {
     std::size_t reached = 0;
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 1; i < end(); ++i)
-        if (nodes_[i].alive && nodes_[i].parent == 0) open.push_back(i);
+        if (nodes_[i].alive() && nodes_[i].parent == 0) open.push_back(i);
     while (!open.empty()) {
         const std::uint32_t index = open.back();
         open.pop_back();
@@ -149,7 +149,7 @@ void Nodes::index_names() {
     index_.assign(size, 0);
     indexed_ = 0;
     for (std::uint32_t i = 1; i < end(); ++i)
-        if (nodes_[i].alive && nodes_[i].parent != 0) index_insert(i);
+        if (nodes_[i].alive() && nodes_[i].parent != 0) index_insert(i);
 }
 
 void Nodes::replace(Nodes&& other) {
@@ -160,12 +160,13 @@ void Nodes::replace(Nodes&& other) {
     for (std::uint32_t i = 1; i < room; ++i) {
         // The last generation that was given in this slot, here or in a future left before.
         std::uint32_t last = 0;
-        if (i < count) last = present[i].alive ? present[i].generation : present[i].generation - 1;
+        if (i < count)
+            last = present[i].alive() ? present[i].generation : present[i].generation - 1;
         if (const auto found = issued.find(i); found != issued.end())
             last = std::max(last, found->second);
         if (i >= other.end()) {
             other.issued_[i] = last;
-        } else if (Node& node = other.nodes_[i]; node.alive || node.kept) {
+        } else if (Node& node = other.nodes_[i]; node.alive() || node.kept) {
             if (last >= node.generation) other.issued_[i] = last;
         } else {
             node.generation = std::max(node.generation, last + 1);

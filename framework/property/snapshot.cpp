@@ -18,7 +18,7 @@ namespace fettle::property {
 namespace {
 
 constexpr std::array<char, 8> magic = {'F', 'e', 't', 't', 'l', 'e', 's', '1'};
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 struct FileHeader {
     std::array<char, 8> magic = property::magic;

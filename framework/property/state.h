@@ -79,9 +79,9 @@ struct Tree::State {
     bool in_barrier = false;
     bool stepped = false;  // since the shadows were last compared
     bool edited = false;
-    std::uint64_t epoch = 1;  // counts whatever may have changed a value that nobody announces
-    bool ending = false;      // the tree itself is being destroyed
-    Cause last_edit;          // kept while anything is shadowed; its place, while what is derived
+    std::uint64_t upheavals = 1;  // what `epoch` counts beside writes in the log
+    bool ending = false;          // the tree itself is being destroyed
+    Cause last_edit;  // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
     std::vector<std::function<void()>> at_barrier;  // when it is between steps
     std::vector<SnapshotPart*> parts;
@@ -99,6 +99,9 @@ struct Tree::State {
     const Event* ready_event = nullptr;
     const Event* deleted_event = nullptr;
     const Event* restored_event = nullptr;
+
+    /// Grows with whatever may have changed a value that nobody announces.
+    std::uint64_t epoch() const { return upheavals + writes.ever(); }
 
     Node& require(Handle handle) {
         Node* node = nodes.find(handle);

@@ -10,7 +10,7 @@ Transition::Transition(Tree::State& state) : state_(state), left_(state.step) {
     // A formula that was to settle tells its value as it would have.
     lived_.reserve(state_.nodes.alive());
     for (std::uint32_t i = 1; i < state_.nodes.end(); ++i)
-        if (state_.nodes[i].alive) note(i);
+        if (state_.nodes[i].alive()) note(i);
 }
 
 void Transition::note(std::uint32_t index) {
@@ -97,7 +97,7 @@ void Transition::watch_again() {
     state_.shadows = {};
     if (state_.watchers.any_broad()) {
         for (std::uint32_t i = 1; i < state_.nodes.end(); ++i)
-            if (state_.nodes[i].alive)
+            if (state_.nodes[i].alive())
                 state_.shadows.refresh(state_.tree, state_.watchers, state_.nodes.handle(i));
     } else {
         for (const std::uint32_t index : state_.watchers.watched_slots())
@@ -110,7 +110,7 @@ void Transition::tell_created() {
     if (!state_.watchers.any_created()) return;
     std::size_t next = 0;
     for (std::uint32_t i = 1; i < state_.nodes.end(); ++i) {
-        if (!state_.nodes[i].alive) continue;
+        if (!state_.nodes[i].alive()) continue;
         const Handle self = state_.nodes.handle(i);
         while (next < lived_.size() && lived_[next].instance.index < i) ++next;
         if (next < lived_.size() && lived_[next].instance == self) continue;

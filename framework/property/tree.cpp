@@ -37,7 +37,7 @@ Tree::~Tree() {
     State& s = *state_;
     s.ending = true;
     for (std::uint32_t i = 1; i < s.nodes.end(); ++i)
-        if (s.nodes[i].alive && s.nodes[i].parent == 0) destroy(s.nodes.handle(i));
+        if (s.nodes[i].alive() && s.nodes[i].parent == 0) destroy(s.nodes.handle(i));
 }
 
 void Tree::State::define_object() {
@@ -210,7 +210,7 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
 }
 
 void Tree::State::structure_changed(std::uint32_t parent, const NodeName& name) {
-    ++epoch;
+    ++upheavals;
     if (formulas.size() == 0) return;
     formulas.changed({parent, Symbol(name.text())});
     formulas.structure_changed();

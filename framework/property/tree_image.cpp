@@ -69,7 +69,7 @@ Memory TreeImage::save(const Tree::State& s, ByteWriter& to) {
     const std::size_t values = to.begin_block();
     for (std::uint32_t i = 1; i < s.nodes.end(); ++i) {
         const Node& node = s.nodes[i];
-        if (!node.alive || by_class[node.class_id].empty()) continue;
+        if (!node.alive() || by_class[node.class_id].empty()) continue;
         to.put(s.nodes.handle(i));
         to.put(std::uint64_t{by_class[node.class_id].size()});
         for (const Property* property : by_class[node.class_id]) {
@@ -106,7 +106,7 @@ TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
     read_values(from);
     read_formulas(from, memory);
     for (std::uint32_t i = 0; i < state_.nodes.end(); ++i)
-        before_.push_back(state_.nodes[i].alive ? state_.nodes[i].generation : 0);
+        before_.push_back(state_.nodes[i].alive() ? state_.nodes[i].generation : 0);
 }
 
 void TreeImage::read_classes(ByteReader& from) {
@@ -124,7 +124,7 @@ void TreeImage::read_classes(ByteReader& from) {
 void TreeImage::check_services(const ByteReader& from) const {
     for (std::uint32_t i = 1; i < state_.nodes.end(); ++i) {
         const Node& here = state_.nodes[i];
-        if (!here.alive || here.parent != state_.root.index ||
+        if (!here.alive() || here.parent != state_.root.index ||
             state_.classes[here.class_id].creatable())
             continue;
         const Node* there = nodes_.find(state_.nodes.handle(i));
@@ -147,7 +147,7 @@ void TreeImage::read_columns(ByteReader& from) {
     }
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
         const Node& node = nodes_[i];
-        if (!node.alive || state_.stored[node.class_id] == nullptr ||
+        if (!node.alive() || state_.stored[node.class_id] == nullptr ||
             state_.classes[node.class_id].snapshots() == Snapshots::never)
             continue;
         const auto column = std::find_if(columns_.begin(), columns_.end(),
@@ -163,7 +163,7 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
         own.index = from.get<std::uint32_t>();
         own.name = from.text();
         own.value = from.value();
-        from.require(own.index < nodes_.end() && nodes_[own.index].alive && !own.name.empty(),
+        from.require(own.index < nodes_.end() && nodes_[own.index].alive() && !own.name.empty(),
                      "a property of nobody");
         ad_hoc_.push_back(std::move(own));
     }
@@ -208,7 +208,7 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
 
 void TreeImage::each(const std::function<void(Handle, const Class&, Row)>& visit) const {
     for (std::uint32_t i = 1; i < nodes_.end(); ++i)
-        if (nodes_[i].alive)
+        if (nodes_[i].alive())
             visit(nodes_.handle(i), state_.classes[nodes_[i].class_id], nodes_[i].row);
 }
 
@@ -241,7 +241,7 @@ void TreeImage::put_nodes() {
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
         Node& node = nodes_[i];
         node.watched = node.fresh = node.has_formula = node.has_dependents = false;
-        if (!node.alive) continue;
+        if (!node.alive()) continue;
         const Class& of = s.classes[node.class_id];
         const bool lived = lived_before({i, node.generation});
         // Rows that are made anew, or that the present knows.
@@ -255,7 +255,7 @@ void TreeImage::put_nodes() {
     s.tell_plain_writes();
     s.step = step_;
     s.stepped = s.edited = true;
-    ++s.epoch;
+    ++s.upheavals;
     s.history.restore(history_);
     if (history_ == nullptr) s.nodes.free_all_kept();
 }
@@ -313,7 +313,7 @@ void TreeImage::make_rows() {
         }
     };
     for (std::uint32_t top = 1; top < s.nodes.end(); ++top)
-        if (s.nodes[top].alive && s.nodes[top].parent == 0) s.visit_below(top, make);
+        if (s.nodes[top].alive() && s.nodes[top].parent == 0) s.visit_below(top, make);
 }
 
 void TreeImage::put_values() {

@@ -111,6 +111,11 @@ bool Tree::State::write_by_way(Handle instance, const Property& property, T valu
     put_down(entry, instance, property, value);
     const Binding& binding = property.binding;
     if (by_setter) {
+        // The log counts the write already; a formula that is read before it is done reads another.
+        struct Done {
+            std::uint64_t& upheavals;
+            ~Done() { ++upheavals; }
+        } done{upheavals};
         Put put{};
         try {
             put = typed_way<T>(binding).put(binding, node->row, value);
@@ -124,7 +129,6 @@ bool Tree::State::write_by_way(Handle instance, const Property& property, T valu
         }
     }
     edited = true;
-    ++epoch;
     if (binding.invalidate != nullptr)
         binding.invalidate(binding.context, nodes[instance.index].row);
     if (!shadows.empty() || binding.invalidate != nullptr) note_edit();
@@ -140,7 +144,6 @@ template <class T>
     if (node == nullptr || !at_once<T>(property).contains(value) || !writes.open()) [[unlikely]]
         return Put::untried;
     put_down(writes.begin(), instance, property, value);
-    ++epoch;
     return typed_way<T>(property.binding).put(property.binding, node->row, value);
 }
 
@@ -149,7 +152,6 @@ bool Tree::State::end_write(Put begun, Handle instance, const Property& property
     if (begun == Put::done) return true;
     if (begun == Put::untried) return write_by_way<T>(instance, property, value);
     writes.take_back_last();
-    --epoch;
     return begun == Put::same;
 }
 
@@ -172,6 +174,11 @@ bool Tree::read(Handle instance, const Property& property, double& number) const
 bool Tree::read(Handle instance, const Property& property, Vec2& vector) const {
     return read_typed(*state_, instance, property, vector);
 }
+const Row* Tree::readable(Handle instance) const {
+    const Node* const node = state_->nodes.find_if<&Node::readable>(instance);
+    return node != nullptr && !state_->formulas.tracking() ? &node->row : nullptr;
+}
+
 Put Tree::begin_write(Handle instance, const Property& property, double number) {
     return state_->write_at_once(instance, property, number);
 }

@@ -42,7 +42,7 @@ void Tree::State::each_cell_wanted(const Watcher& watcher, Visit visit) {
         return;
     }
     for (std::uint32_t i = 1; i < nodes.end(); ++i)
-        if (nodes[i].alive) look_at(i);
+        if (nodes[i].alive()) look_at(i);
 }
 
 /// The instance below which everything hangs that a pattern can match: "world.crates" of
@@ -90,7 +90,7 @@ namespace {
 template <class Visit>
 void each_instance(Tree::State& state, const Class& of, Visit visit) {
     for (std::uint32_t i = 1; i < state.nodes.end(); ++i)
-        if (state.nodes[i].alive && state.classes[state.nodes[i].class_id].is_a(of))
+        if (state.nodes[i].alive() && state.classes[state.nodes[i].class_id].is_a(of))
             visit(state.nodes.handle(i));
 }
 

@@ -20,7 +20,7 @@ void WritesLog::add_chunk() {
 }
 
 void WritesLog::tell(Writer writer, std::uint64_t step) {
-    const std::uint64_t told = told_ + static_cast<std::uint64_t>(next_ - untold_);
+    const std::uint64_t told = ever();
     if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step) {
         while (!runs_.empty() && runs_.front().end + most <= told) runs_.pop_front();
         runs_.push_back({.end = told_, .step = step, .writer = writer});

@@ -127,6 +127,39 @@ TEST_CASE_METHOD(Fixture, "a person's edit never takes the typed way past the hi
     CHECK(tree.history().size() == 1);
 }
 
+TEST_CASE_METHOD(Fixture, "a formula read inside a setter is read again after the write") {
+    // What the formula reads depends on the cell in a way that nobody has declared.
+    struct Gauge {
+        Tree& tree;
+        double level = 0, seen = 0;
+        Handle reader;
+    } gauge{.tree = tree, .reader = {}};
+    ClassDescriptor tank{.name = "Tank"};
+    Property level{.name = "level"};
+    level.binding = accessor(
+        gauge, [](Gauge& g, Row) { return g.level; },
+        [](Gauge& g, Row, const Value& v) {
+            g.seen = g.tree.get(g.reader, "mass").number();
+            g.level = v.number();
+        });
+    tank.properties = {level};
+    ClassDescriptor dial{.name = "Dial"};
+    Property shown{.name = "shown", .read_only = true};
+    shown.binding = accessor(gauge, [](Gauge& g, Row) { return g.level; });
+    dial.properties = {shown};
+    const Handle full = tree.create(tree.define(std::move(tank)), tree.root(), "tank");
+    const Handle read = tree.create(tree.define(std::move(dial)), tree.root(), "dial");
+    gauge.reader = ball;
+    tree.set_formula(ball, "mass",
+                     {[&](const Tree& t) { return Value(t.get(read, "shown").number() + 1); }, {}});
+
+    for (const double wanted : {1.0, 2.0, 3.0}) {
+        CHECK(tree.write(full, of(full, "level"), wanted));
+        CHECK(gauge.seen == wanted);  // of the level before
+        CHECK(tree.get(ball, "mass").number() == wanted + 1);
+    }
+}
+
 TEST_CASE_METHOD(Fixture, "a setter that refuses is heard on the typed way too") {
     CHECK(message_of([&] { tree.write(ball, of(ball, "radius"), 13.0); }) ==
           "ball.radius: thirteen brings bad luck");
