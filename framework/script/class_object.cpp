@@ -136,13 +136,14 @@ int construct(lua_State* L) {
                                                " { }, not " + describe_type(L, 2));
     lua_settop(L, 3);
     // Without this the children would be echoed one by one in the console.
-    const bool recording = std::exchange(machine.recording.active, false);
+    const bool recording = machine.recording.active;
+    machine.record(false);
     Handle made;
     try {
         made = machine.classes->create(*of);
         if (lua_istable(L, 2)) fill(L, machine, *of, made);
     } catch (const std::exception& error) {
-        machine.recording.active = recording;
+        machine.record(recording);
         std::string message = error.what();
         if (made && machine.tree.alive(made)) {
             message = named_by_class(message, machine.tree.path(made), *of);
@@ -150,10 +151,10 @@ int construct(lua_State* L) {
         }
         throw Error(ErrorKind::rejected, message);
     } catch (...) {
-        machine.recording.active = recording;
+        machine.record(recording);
         throw;  // an error of Lua itself
     }
-    machine.recording.active = recording;
+    machine.record(recording);
     push_instance(L, made);
     return 1;
 }

@@ -1,12 +1,12 @@
 #pragma once
 // From the name a script writes to what an instance has under it. Lua interns short names, so the
-// address of a name (lua_topointer, which also tells a name from a number in the same call) and the
-// class of the instance find the property in one probe of a small table. Names that are in it are
-// anchored in Lua's registry, so an address never comes to mean another name.
+// address of a name (lua_topointer, which also tells a name from a number in the same call) finds
+// what it stands for in a table of the instance's class. Names that are in one are anchored in
+// Lua's registry, so an address never comes to mean another name.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include <fettle/property/class.h>
 
@@ -16,48 +16,63 @@ namespace fettle::script {
 
 enum class Member : std::uint8_t {
     none,
-    property,  // declared by the class
-    number,    // such a one that may be a number read and written the short way
-    vec2,      // the same for a vector
-    function,  // a method of the class or of every instance: `reference` is in the registry
-    dynamic    // not declared: a child, an ad-hoc property, or nothing
+    property,     // declared by the class
+    number,       // such a one that may be a number its owner is asked for
+    kept_number,  // the same, kept by the tree
+    vec2,         // the same for a vector, whoever has it
+    function,     // a method of the class or of every instance: `reference` is in the registry
+    dynamic       // not declared: a child, an ad-hoc property, or nothing
 };
 
-struct Dispatch {
-    const void* key = nullptr;
-    const property::Class* instance_class = nullptr;
-    const property::Property* property = nullptr;
+/// An entry; as large as the distance of two is to be.
+struct alignas(32) Dispatch {
+    static const property::Property no_property;
+
+    const void* key = &no_property;  // of no name
+    /// Never null: one that is none can be neither read nor written the short way.
+    const property::Property* property = &no_property;
     int reference = LUA_NOREF;
     Member member = Member::none;
-    bool is_property() const { return property != nullptr; }
-    /// Another name may hold the slot, but hardly ever does: asked apart, or compilers put that
-    /// case in the way.
-    bool is_of(const property::Class* of, const void* name) const {
-        if (key != name) [[unlikely]]
-            return false;
-        return instance_class == of;
-    }
+    bool is_property() const { return property != &no_property; }
 };
 
-class DispatchCache {
+/// What a class has under the names that scripts have used with it.
+class DispatchTable {
   public:
-    Dispatch& slot(const property::Class* instance_class, const void* key) {
-        return slots_[place(instance_class, key)];
+    DispatchTable(property::Tree& in, const property::Class& its_class, bool is_open);
+    DispatchTable(const DispatchTable&) = delete;
+
+    property::Tree& tree;
+    const property::Class& of;
+
+    /// Where the name stands, unless another stands there (then its `key` is another): nearly
+    /// always it has its place to itself.
+    const Dispatch& at(const void* key) const {
+        // Offsets in bytes: nothing has to be multiplied on the shortest way of all.
+        const auto* const bytes = reinterpret_cast<const std::byte*>(open_);
+        return *reinterpret_cast<const Dispatch*>(bytes + (offset(key) & open_mask_));
     }
-    const Dispatch& slot(const property::Class* instance_class, const void* key) const {
-        return slots_[place(instance_class, key)];
-    }
-    void clear() { slots_.fill({}); }
+    /// nullptr when nobody has looked for the name yet.
+    const Dispatch* find(const void* key) const;
+    const Dispatch& add(const Dispatch& entry);
+    /// In a table that is closed every name is said to stand elsewhere.
+    void open(bool whether);
 
   private:
-    static constexpr std::size_t size = 2048;
-    static std::size_t place(const property::Class* instance_class, const void* key) {
-        const auto a = reinterpret_cast<std::uintptr_t>(key);
-        const auto b = reinterpret_cast<std::uintptr_t>(instance_class);
-        return (a + b) / 16 & (size - 1);
+    // The places of two names, 16 bytes or more apart as all that Lua allocates, are an entry
+    // apart.
+    static std::size_t offset(const void* key) {
+        return reinterpret_cast<std::uintptr_t>(key) * (sizeof(Dispatch) / 16);
     }
+    std::size_t mask() const { return (size_ - 1) * sizeof(Dispatch); }
+    Dispatch& free_or_of(const void* key) const;
 
-    std::array<Dispatch, size> slots_{};
+    const Dispatch* open_ = nullptr;
+    std::size_t open_mask_ = 0;
+    bool is_open_;
+    std::size_t size_ = 64;  // a power of two
+    std::size_t count_ = 0;
+    std::unique_ptr<Dispatch[]> entries_ = std::make_unique<Dispatch[]>(size_);
 };
 
 }  // namespace fettle::script

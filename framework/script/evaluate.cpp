@@ -231,14 +231,14 @@ class Session {
             machine.tree.begin_edit(std::string(command.substr(0, 80)));
         }
         machine.recording = {};
-        machine.recording.active = true;
+        machine.record(true);
         machine.writer = property::Writer::console;
         machine.budget.begin(machine.options.console_budget, machine.options.console_memory);
     }
     ~Session() {
         machine_.budget.end();
         machine_.writer = property::Writer::script;
-        machine_.recording.active = false;
+        machine_.record(false);
         machine_.tree.end_edit();
     }
     Session(const Session&) = delete;

@@ -25,6 +25,7 @@ using property::ErrorKind;
 using property::Handle;
 using property::Property;
 using property::Put;
+using property::Row;
 using property::Symbol;
 using property::Type;
 using property::Value;
@@ -83,19 +84,32 @@ void push_property(lua_State* L, Machine& machine, Handle instance, const Proper
 
 // Which way a declared property is read and written.
 Member member_for(const Property& property) {
-    if (property.shortcut.read == Property::Shortcut::Way::none) return Member::property;
-    return property.type == Type::number ? Member::number : Member::vec2;
+    using Way = Property::Shortcut::Way;
+    switch (property.shortcut.read) {
+        case Way::none:
+            return Member::property;
+        case Way::number:
+            return Member::number;
+        case Way::stored_number:
+            return Member::kept_number;
+        default:
+            return Member::vec2;
+    }
+}
+
+bool is_number(Member member) {
+    return member == Member::number || member == Member::kept_number;
 }
 
 // Names found once are remembered for the class; how they are remembered is what they are.
-const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of, const void* key,
+const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, const void* key,
                       std::string_view name) {
     static constexpr std::size_t longest_interned = 40;  // longer names of Lua have no one address
     static constexpr std::size_t most_dynamic_names = 4096;  // a script may make up names forever
     static thread_local Dispatch uncached;
     Dispatch found;
     found.key = key;
-    found.instance_class = &of;
+    const property::Class& of = members.of;
     const Symbol symbol = Symbol::find(name);
     if (const Property* property = symbol ? of.property(symbol) : nullptr) {
         found.member = member_for(*property);
@@ -119,18 +133,15 @@ const Dispatch& learn(lua_State* L, Machine& machine, const property::Class& of,
     lua_pushboolean(L, 1);
     lua_rawset(L, -3);
     lua_pop(L, 1);
-    Dispatch& slot = machine.dispatch.slot(&of, key);
-    slot = found;
-    return slot;
+    return members.add(found);
 }
 
-const Dispatch& look_up(lua_State* L, Machine& machine, const property::Class& of) {
+const Dispatch& look_up(lua_State* L, Machine& machine, DispatchTable& members) {
     const void* key = lua_topointer(L, 2);
-    const Dispatch& slot = machine.dispatch.slot(&of, key);
-    if (slot.is_of(&of, key)) return slot;
+    if (const Dispatch* known = members.find(key)) return *known;
     std::size_t length = 0;
     const char* name = lua_tolstring(L, 2, &length);
-    return learn(L, machine, of, key, {name, length});
+    return learn(L, machine, members, key, {name, length});
 }
 
 Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
@@ -143,7 +154,7 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
     const Handle instance = self.handle;
     if (lua_type(L, 2) == LUA_TSTRING) {
         // A method tells itself what a deleted instance cannot do; `alive` can be asked.
-        const Dispatch& found = look_up(L, machine, *self.instance_class);
+        const Dispatch& found = look_up(L, machine, *self.members);
         if (found.member == Member::function) {
             push_registry(L, found.reference);
             return 1;
@@ -157,7 +168,7 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
     if (lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name,
                     machine.tree.path(instance) + ": a name is a text, not " + describe_type(L, 2));
-    const Dispatch& found = look_up(L, machine, *self.instance_class);
+    const Dispatch& found = look_up(L, machine, *self.members);
     std::size_t length = 0;
     const char* key = lua_tolstring(L, 2, &length);
     const std::string_view name(key, length);
@@ -166,7 +177,7 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
         push_property(L, machine, instance, *found.property);
         return 1;
     }
-    if (machine.classes->push_function(L, *self.instance_class)) return 1;
+    if (machine.classes->push_function(L, self.members->of)) return 1;
     if (const Handle child = machine.tree.child(instance, name)) {
         push_instance(L, child);
         return 1;
@@ -186,21 +197,32 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
 /// A declared property that is none of the common, or another member.
 [[gnu::noinline]] int read_at_length(lua_State* L, const InstanceBox& self) {
     Machine& machine = machine_of(L);
-    const void* key = lua_topointer(L, 2);
-    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
-    if (!slot.is_of(self.instance_class, key) || !slot.is_property() || machine.recording.active)
+    const Dispatch* known = self.members->find(lua_topointer(L, 2));
+    if (known == nullptr || !known->is_property() || machine.recording.active)
         return read_slowly(L, machine, self);
-    push_property(L, machine, self.handle, *slot.property);
+    push_property(L, machine, self.handle, *known->property);
     return 1;
 }
 
-constexpr int vec_metatable = lua_upvalueindex(1);  // of `__index`
+/// A vector or a number, if it can be read without a Value in between.
+int read_typed(lua_State* L, const InstanceBox& self, Member member, const Property* property) {
+    const property::Tree& tree = self.members->tree;
+    if (Vec2 vector; member == Member::vec2 && tree.read(self.handle, *property, vector)) {
+        push_vec(L, vector, self.handle, *property);
+        return 1;
+    }
+    if (double number; is_number(member) && tree.read(self.handle, *property, number)) {
+        lua_pushnumber(L, number);
+        return 1;
+    }
+    return read_at_length(L, self);
+}
 
-int read_vec2(lua_State* L, const InstanceBox& self, const Property* property) {
-    Vec2 vector;
-    if (!machine_of(L).tree.read(self.handle, *property, vector)) return read_at_length(L, self);
-    push_vec(L, vector, self.handle, *property, vec_metatable);
-    return 1;
+/// Of a name that does not stand where it is looked for first, or nowhere yet.
+int read_displaced(lua_State* L, const InstanceBox& self) {
+    const Dispatch* known = self.members->find(lua_topointer(L, 2));
+    if (known == nullptr || machine_of(L).recording.active) return read_at_length(L, self);
+    return read_typed(L, self, known->member, known->property);
 }
 
 /// What a short way goes on to, in a function of its own that catches exceptions: one that catches
@@ -211,22 +233,22 @@ template <auto function, class... Given>
 }
 
 // Kept short, as `instance_newindex` is: what is not a number goes elsewhere. Scripts cannot get at
-// either function, so Lua calls them with an instance.
+// either function, so Lua calls them with an instance. While a console command is being noted down,
+// no name stands where it is looked for first.
 int instance_index(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     const void* key = lua_topointer(L, 2);
-    const Machine& machine = machine_of(L);
-    const Dispatch& slot = machine.dispatch.slot(self->instance_class, key);
-    if (!slot.is_of(self->instance_class, key) || machine.recording.active) [[unlikely]]
+    const DispatchTable& members = *self->members;
+    const Dispatch& found = members.at(key);
+    if (found.key != key) [[unlikely]]
+        return go_on<read_displaced>(L, *self);
+    if (found.member != Member::number)
+        return go_on<read_typed>(L, *self, found.member, found.property);
+    const Row* row = members.tree.readable(self->handle);
+    if (row == nullptr) [[unlikely]]
         return go_on<read_at_length>(L, *self);
-    if (slot.member == Member::vec2) return go_on<read_vec2>(L, *self, slot.property);
-    if (slot.member != Member::number) [[unlikely]]
-        return go_on<read_at_length>(L, *self);
-    double number;
-    const Property& property = *slot.property;
-    if (!guard(L, [&] { return machine.tree.read(self->handle, property, number); })) [[unlikely]]
-        return go_on<read_at_length>(L, *self);
-    lua_pushnumber(L, number);
+    const property::Binding& binding = found.property->binding;
+    lua_pushnumber(L, guard(L, [&] { return binding.number.get(binding, *row); }));
     return 1;
 }
 
@@ -294,37 +316,39 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     if (lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name,
                     machine.tree.path(instance) + ": a name is a text, not " + describe_type(L, 2));
-    const Dispatch& found = look_up(L, machine, *self.instance_class);
+    const Dispatch& found = look_up(L, machine, *self.members);
     std::size_t length = 0;
     const char* key = lua_tolstring(L, 2, &length);
     const std::string_view name(key, length);
     if (found.is_property())
         write_declared(L, machine, instance, *found.property);
     else
-        write_member(L, machine, instance, *self.instance_class, name);
+        write_member(L, machine, instance, self.members->of, name);
     return 0;
 }
 
 /// A declared property whose value is none of the common, or another member.
 [[gnu::noinline]] int write_at_length(lua_State* L, const InstanceBox& self) {
     Machine& machine = machine_of(L);
-    const void* key = lua_topointer(L, 2);
-    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
-    if (slot.is_of(self.instance_class, key) && slot.is_property() && !machine.recording.active &&
-        write_simple(L, machine, self.handle, *slot.property))
+    const Dispatch* known = self.members->find(lua_topointer(L, 2));
+    if (known != nullptr && known->is_property() && !machine.recording.active &&
+        write_simple(L, machine, self.handle, *known->property))
         return 0;
     return write_slowly(L, machine, self);
 }
 
-/// Not to a property of numbers, as far as is known: perhaps a vector to one of vectors.
-int write_other(lua_State* L, const InstanceBox& self) {
-    Machine& machine = machine_of(L);
-    const void* key = lua_topointer(L, 2);
-    const Dispatch& slot = machine.dispatch.slot(self.instance_class, key);
-    if (slot.is_of(self.instance_class, key) && slot.member == Member::vec2) {
+/// Not a number to a property of numbers, or of a name that does not stand where it is looked for
+/// first.
+int write_typed(lua_State* L, const InstanceBox& self) {
+    property::Tree& tree = self.members->tree;
+    const Dispatch* known = self.members->find(lua_topointer(L, 2));
+    if (known != nullptr && known->member == Member::vec2) {
         const auto* box = static_cast<const VecBox*>(lua_touserdata(L, 3));
         if (box != nullptr && box->tag == Tag::vec &&
-            machine.tree.write(self.handle, *slot.property, Vec2(box->x, box->y)))
+            tree.write(self.handle, *known->property, Vec2(box->x, box->y)))
+            return 0;
+    } else if (known != nullptr && is_number(known->member) && lua_type(L, 3) == LUA_TNUMBER) {
+        if (tree.write(self.handle, *known->property, static_cast<double>(lua_tonumber(L, 3))))
             return 0;
     }
     return write_at_length(L, self);
@@ -332,24 +356,23 @@ int write_other(lua_State* L, const InstanceBox& self) {
 
 int end_write(lua_State* L, const InstanceBox& self, const Property* property, Put begun) {
     const auto number = static_cast<double>(lua_tonumber(L, 3));
-    const bool written = machine_of(L).tree.end_write(begun, self.handle, *property, number);
+    const bool written = self.members->tree.end_write(begun, self.handle, *property, number);
     return written ? 0 : write_at_length(L, self);
 }
 
-// Kept short: what is not a number written to a number goes elsewhere. The value comes last, so
-// that it need not be kept over a call. Nobody asks here whether a console command is being noted
-// down: its edits are recorded, and what is recorded is not written this way.
+// Kept short: what is not a number written to a number goes elsewhere, and what is no number can
+// never be written this way. The value comes last, so that it need not be kept over a call.
 int instance_newindex(lua_State* L) {
     const auto* self = static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     const void* key = lua_topointer(L, 2);
-    const Dispatch& slot = machine_of(L).dispatch.slot(self->instance_class, key);
-    if (!slot.is_of(self->instance_class, key) || slot.member != Member::number) [[unlikely]]
-        return go_on<write_other>(L, *self);
-    const Property& property = *slot.property;
+    const Dispatch& found = self->members->at(key);
+    if (found.key != key) [[unlikely]]
+        return go_on<write_typed>(L, *self);
+    const Property& property = *found.property;
     if (lua_type(L, 3) != LUA_TNUMBER) [[unlikely]]
-        return go_on<write_at_length>(L, *self);
+        return go_on<write_typed>(L, *self);
     const auto number = static_cast<double>(lua_tonumber(L, 3));
-    const Put begun = machine_of(L).tree.begin_write(self->handle, property, number);
+    const Put begun = self->members->tree.begin_write(self->handle, property, number);
     if (begun != Put::done) [[unlikely]]
         return go_on<end_write>(L, *self, &property, begun);
     return 0;
@@ -421,9 +444,8 @@ int instance_pairs(lua_State* L) {
 void open_instance(lua_State* L, Machine& machine) {
     // Roomier than it need be: Lua looks `__index` and `__newindex` up at each use of an instance,
     // and in a full table they may stand behind others.
-    lua_createtable(L, 0, 64);
-    push_registry(L, machine.vec_meta);
-    lua_pushcclosure(L, instance_index, 1);
+    lua_createtable(L, 0, 256);
+    lua_pushcfunction(L, instance_index);  // no closure: Lua gets to plain functions first
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, instance_newindex);
     lua_setfield(L, -2, "__newindex");

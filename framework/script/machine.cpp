@@ -101,4 +101,18 @@ Machine::~Machine() {
     lua_close(main);
 }
 
+DispatchTable& Machine::dispatch_of(const property::Class& of) {
+    if (of.id() >= dispatch.size()) dispatch.resize(of.id() + 1);
+    auto& table = dispatch[of.id()];
+    if (!table) table = std::make_unique<DispatchTable>(tree, of, !recording.active);
+    return *table;
+}
+
+void Machine::record(bool whether) {
+    if (recording.active == whether) return;
+    recording.active = whether;
+    for (const auto& table : dispatch)
+        if (table) table->open(!whether);
+}
+
 }  // namespace fettle::script

@@ -63,8 +63,8 @@ struct Machine {
     std::shared_ptr<lua_State*> alive;  // what outlives Lua asks here; nullptr inside once closed
     lua_State* running = nullptr;       // thread that runs now; exact, since we make every switch
     Budget budget{*this};
-    DispatchCache dispatch;
-    std::size_t dynamic_names = 0;  // in it, of things that no class declares
+    std::vector<std::unique_ptr<DispatchTable>> dispatch;  // by the number of the class
+    std::size_t dynamic_names = 0;  // in them, of things that no class declares
     Random random;
     Timers timers{*this};
     std::unique_ptr<Subscriptions> subscriptions;
@@ -85,7 +85,7 @@ struct Machine {
     int proxies = 0;      // weak: handle -> proxy
     int environment = 0;  // globals of game and console
     int declared = 0;     // names of globals ever assigned
-    int anchors = 0;      // names in the dispatch cache
+    int anchors = 0;      // names in the dispatch tables
     int generic = 0;      // methods every instance has
     int loaded = 0;       // modules by name
     int last_result = 0;  // `_` is element 1: a reference itself must never be nil
@@ -109,6 +109,11 @@ struct Machine {
     /// Instances a script made and has not placed yet.
     std::vector<property::Handle> unplaced;
     std::size_t unplaced_limit = 64;
+
+    DispatchTable& dispatch_of(const property::Class& of);
+    /// Whether what happens from now on is noted in `recording`. What is noted is read and written
+    /// the long way.
+    void record(bool whether);
 };
 
 inline Machine& machine_of(lua_State* L) {

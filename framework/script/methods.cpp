@@ -47,11 +47,10 @@ int call_method(lua_State* L) {
         throw Error(ErrorKind::wrong_type,
                     method.name + ": call it with a colon, as in ball:" + method.name + "(...)");
     machine.tree.require(self->handle);
-    const auto& own = self->instance_class->method(method.symbol);
+    const auto& own = self->members->of.method(method.symbol);
     if (own != &method)
         throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " +
-                                               self->instance_class->name() + " has no " +
-                                               method.name);
+                                               self->members->of.name() + " has no " + method.name);
     std::array<Value, most_parameters> values;
     const int given = lua_gettop(L) - 1;
     if (given > static_cast<int>(std::min(most_parameters, method.parameters.size())))

@@ -55,11 +55,8 @@ void push_vec(lua_State* L, const Vec2& v, const Origin& origin) {
     new (&box->origin) Origin(origin);
 }
 
-void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& property,
-              int metatable) {
-    auto* box = static_cast<VecBox*>(lua_newuserdatauv(L, sizeof(VecBox), 0));
-    lua_pushvalue(L, metatable);
-    lua_setmetatable(L, -2);
+void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& property) {
+    auto* box = new_box<VecBox>(L, sizeof(VecBox), machine_of(L).vec_meta);
     box->tag = Tag::vec;
     box->has_origin = true;
     box->x = v.x();
@@ -99,12 +96,12 @@ void push_instance(lua_State* L, Handle handle) {
     }
     lua_pop(L, 1);
     // A handle whose instance is gone already still gets a proxy: using it says who deleted it.
-    const property::Class* of =
-        machine.tree.alive(handle) ? &machine.tree.class_of(handle) : &machine.tree.object_class();
+    const property::Class& of =
+        machine.tree.alive(handle) ? machine.tree.class_of(handle) : machine.tree.object_class();
     auto* box = new_box<InstanceBox>(L, sizeof(InstanceBox), machine.instance_meta);
     box->tag = Tag::instance;
     box->handle = handle;
-    box->instance_class = of;
+    box->members = &machine.dispatch_of(of);
     lua_pushvalue(L, -1);
     lua_rawseti(L, -3, key);
     lua_remove(L, -2);
@@ -198,7 +195,7 @@ void push_value(lua_State* L, const Value& value, const Origin& origin) {
 // --- From Lua
 
 std::string describe_type(lua_State* L, int index) {
-    if (const auto* box = instance_at(L, index)) return "a " + box->instance_class->name();
+    if (const auto* box = instance_at(L, index)) return "a " + box->members->of.name();
     if (vec_at(L, index)) return "a vec";
     if (color_at(L, index)) return "a color";
     if (list_at(L, index)) return "a list";

@@ -14,6 +14,8 @@
 
 namespace fettle::script {
 
+class DispatchTable;
+
 struct Machine;
 
 enum class Tag : std::uint32_t {
@@ -43,7 +45,7 @@ struct Origin {
 struct InstanceBox {
     Tag tag;
     property::Handle handle;
-    const property::Class* instance_class;
+    DispatchTable* members;  // of its class
 };
 
 struct VecBox {
@@ -92,10 +94,9 @@ double check_number(lua_State* L, int index, const char* what);
 
 void push_vec(lua_State* L, const property::Vec2& v);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);
-/// As read from a property: what scripts do most with vectors. `metatable` is where that of
-/// vectors stands, an upvalue of the caller.
+/// As read from a property: what scripts do most with vectors.
 void push_vec(lua_State* L, const property::Vec2& v, property::Handle instance,
-              const property::Property& property, int metatable);
+              const property::Property& property);
 void push_color(lua_State* L, property::Color color);
 void push_color(lua_State* L, property::Color color, const Origin& origin);
 /// The one proxy of the instance; nil for the null handle.

@@ -121,6 +121,39 @@ TEST_CASE("a new name becomes a property of its own unless it nearly is a declar
     CHECK_THAT(s.fails("world.ball.f = {x = 1}"), contains("named keys (x)"));
 }
 
+TEST_CASE("every name keeps what it stands for however many there are") {
+    Stage s;
+    s.run(R"(
+        class "Crate" { stock = 0, home = vec(0, 0) }
+        world.ball, world.box, world.crate = Body { friction = 0.25 }, Body {}, Crate {}
+        for round = 1, 3 do
+            for i = 1, 700 do
+                world.ball["own" .. i] = i * round
+                world.box["own" .. i] = -i * round
+            end
+            for i = 1, 700 do
+                assert(world.ball["own" .. i] == i * round)
+                assert(world.box["own" .. i] == -i * round)
+            end
+        end
+        for i = 1, 30 do
+            world.ball.velocity, world.crate.home = vec(i, -i), vec(-i, i)
+            world.ball.friction, world.crate.stock = i / 64, i
+            assert(world.ball.velocity == vec(i, -i) and world.crate.home == vec(-i, i))
+            assert(world.ball.friction == i / 64 and world.crate.stock == i)
+            assert(world.box.velocity == vec(0, 0) and world.ball.type == "dynamic")
+            assert(world.ball:has("own700") and world.ball.name == "ball")
+        end
+    )");
+    CHECK(s.console("world.ball.own7 + world.box.own8") == "-3");
+    CHECK(s.console("world.ball.friction") == "0.46875");
+    CHECK(s.console("world.crate.stock") == "30");
+    s.run("world.ball.friction = 0.5 assert(world.ball.friction == 0.5)");
+    CHECK_THAT(s.fails("world.ball.friction = '0.5'"), contains("world.ball.friction"));
+    CHECK_THAT(s.fails("world.ball[1] = 2"), contains("a name is a text"));
+    CHECK_THAT(s.fails("world.ball.nudge = 2"), contains("is a method"));
+}
+
 TEST_CASE("assigning nil restores the default") {
     Stage s;
     s.run("world.ball = Body { friction = 0.1 }; world.ball.friction = nil");
