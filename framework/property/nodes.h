@@ -40,8 +40,9 @@ struct Node {
     Row row = 0;
     std::uint32_t stored_row = 0;
     std::uint16_t class_id = 0;
-    // Numbers of one bit rather than bools: compilers look at several of them at once.
-    std::uint8_t dead : 1 = 1;        // all that stands in the way of a write is a bit that is set
+    // Numbers of one bit rather than bools: compilers look at several of them at once. Those that
+    // stand in the way of a write stand there when they are set.
+    std::uint8_t dead : 1 = 1;
     std::uint8_t watched : 1 = 0;     // somebody watches this very instance
     std::uint8_t fresh : 1 = 0;       // made since the last barrier: nobody has been told of it
     std::uint8_t has_ad_hoc : 1 = 0;  // looked up only then

@@ -100,7 +100,8 @@ struct Tree::State {
     const Event* deleted_event = nullptr;
     const Event* restored_event = nullptr;
 
-    /// Grows with whatever may have changed a value that nobody announces.
+    /// Another after whatever may have changed a value that nobody announces. What the shortest way
+    /// takes back it had before: nobody can have looked in between.
     std::uint64_t epoch() const { return upheavals + writes.ever(); }
 
     Node& require(Handle handle) {

@@ -111,10 +111,11 @@ bool Tree::State::write_by_way(Handle instance, const Property& property, T valu
     put_down(entry, instance, property, value);
     const Binding& binding = property.binding;
     if (by_setter) {
-        // The log counts the write already; a formula that is read before it is done reads another.
+        // The log counts the write already. A formula that the setter reads must not take the epoch
+        // it saw for the one after the write, nor for the one after taking it back.
         struct Done {
             std::uint64_t& upheavals;
-            ~Done() { ++upheavals; }
+            ~Done() { upheavals += 2; }
         } done{upheavals};
         Put put{};
         try {

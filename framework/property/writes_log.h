@@ -43,7 +43,7 @@ class WritesLog {
     /// What has begun and was not yet told of.
     PlainWrites untold() const { return {{untold_, next_}, chunks_.back()}; }
     bool any_untold() const { return next_ != untold_; }
-    /// How many have begun and not been taken back.
+    /// How many have begun. Falls by one where the last is taken back.
     std::uint64_t ever() const { return told_ + static_cast<std::uint64_t>(next_ - untold_); }
     /// Says who wrote them, and when.
     void tell(Writer writer, std::uint64_t step);
@@ -81,7 +81,7 @@ class WritesLog {
     PlainWrite* end_ = untold_ + in_chunk;
     PlainWrite* open_end_ = end_;  // nullptr where the shortest way is closed
     bool open_ = true;
-    std::uint64_t told_ = 0;  // writes
+    std::uint64_t told_ = 0;  // writes that were told, ever
     std::deque<Run> runs_;
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
 };

@@ -17,14 +17,14 @@ namespace fettle::script {
 enum class Member : std::uint8_t {
     none,
     property,     // declared by the class
-    number,       // such a one that may be a number its owner is asked for
-    kept_number,  // the same, kept by the tree
-    vec2,         // the same for a vector, whoever has it
+    number,       // a declared number that may be read and written without a Value in between
+    kept_number,  // the same, of a property that the tree keeps
+    vec2,         // a declared vector, of either kind
     function,     // a method of the class or of every instance: `reference` is in the registry
     dynamic       // not declared: a child, an ad-hoc property, or nothing
 };
 
-/// An entry; as large as the distance of two is to be.
+/// An entry. Its size is a power of two, for the sake of `DispatchTable::offset`.
 struct alignas(32) Dispatch {
     static const property::Property no_property;
 

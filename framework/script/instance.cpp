@@ -1,6 +1,6 @@
 // Reading and writing an instance from a script. The order in which a name is looked up: declared
 // property, method, function of a script's class, child, ad-hoc property. The first two are found
-// in one probe of the dispatch cache; this is the hot path of every game.
+// in one probe of the class's dispatch table; this is the hot path of every game.
 
 #include "instance.h"
 
@@ -161,6 +161,7 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
         }
     }
     machine.tree.require(instance);
+    if (refresh_class(machine, self)) return read_slowly(L, machine, self);
     if (lua_isinteger(L, 2)) {
         push_instance(L, nth_child(machine, instance, lua_tointeger(L, 2)));
         return 1;
@@ -313,6 +314,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
 [[gnu::noinline]] int write_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     const Handle instance = self.handle;
     machine.tree.require(instance);
+    refresh_class(machine, self);
     if (lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name,
                     machine.tree.path(instance) + ": a name is a text, not " + describe_type(L, 2));

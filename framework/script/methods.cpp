@@ -46,7 +46,7 @@ int call_method(lua_State* L) {
     if (!self)
         throw Error(ErrorKind::wrong_type,
                     method.name + ": call it with a colon, as in ball:" + method.name + "(...)");
-    machine.tree.require(self->handle);
+    refresh_class(machine, *self);
     const auto& own = self->members->of.method(method.symbol);
     if (own != &method)
         throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " +

@@ -55,6 +55,7 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
         machine_.unplaced = unplaced;
         machine_.unplaced_limit = std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64);
         put_classes();
+        refresh_classes(machine_);
     };
 }
 

@@ -107,6 +107,31 @@ void push_instance(lua_State* L, Handle handle) {
     lua_remove(L, -2);
 }
 
+bool refresh_class(Machine& machine, const InstanceBox& box) {
+    const property::Class& of = machine.tree.class_of(box.handle);
+    if (&of == &box.members->of) return false;
+    box.members = &machine.dispatch_of(of);
+    return true;
+}
+
+void refresh_classes(Machine& machine) {
+    lua_State* L = machine.main;
+    DispatchTable& unknown = machine.dispatch_of(machine.tree.object_class());
+    push_registry(L, machine.proxies);
+    lua_pushnil(L);
+    while (lua_next(L, -2) != 0) {
+        const auto* box = static_cast<const InstanceBox*>(lua_touserdata(L, -1));
+        lua_pop(L, 1);
+        if (!machine.tree.alive(box->handle)) continue;
+        try {
+            refresh_class(machine, *box);
+        } catch (const std::bad_alloc&) {
+            box->members = &unknown;  // found out when it is used
+        }
+    }
+    lua_pop(L, 1);
+}
+
 // --- To Lua
 
 namespace {
@@ -352,11 +377,13 @@ double check_number(lua_State* L, int index, const char* what) {
 // --- Origins
 
 const Property& origin_property(Machine& machine, const Origin& origin) {
-    machine.tree.require(origin.instance);
-    if (origin.property) return *origin.property;
-    if (const Property* found = machine.tree.find(origin.instance, origin.symbol)) return *found;
+    const property::Class& of = machine.tree.class_of(origin.instance);
+    // In a saved game the instance may be of another class.
+    if (origin.property && of.is_a(*origin.property->owner)) return *origin.property;
+    const property::Symbol name = origin.property ? origin.property->symbol : origin.symbol;
+    if (const Property* found = machine.tree.find(origin.instance, name)) return *found;
     throw Error(ErrorKind::unknown_name, machine.tree.path(origin.instance) +
-                                             property::path_suffix(origin.symbol.text()) +
+                                             property::path_suffix(name.text()) +
                                              ": no such name any more");
 }
 

@@ -45,7 +45,7 @@ struct Origin {
 struct InstanceBox {
     Tag tag;
     property::Handle handle;
-    DispatchTable* members;  // of its class
+    mutable DispatchTable* members;  // of its class, as far as is known: see `refresh_class`
 };
 
 struct VecBox {
@@ -66,6 +66,13 @@ struct ListBox {
     Tag tag;
     Origin origin;
 };
+
+/// The class of a living instance may be another than when its proxy was made: its slot may be
+/// somebody else's in a saved game, and of an instance that was dead then nothing was known.
+/// Whether it was.
+bool refresh_class(Machine& machine, const InstanceBox& box);
+/// Of all there are, after a restore. Throws nothing.
+void refresh_classes(Machine& machine);
 
 /// The box at `index` when it is one of that kind, else nullptr.
 template <class Box>
@@ -122,7 +129,7 @@ void origin_write(Machine& machine, const Origin& origin, const char* component,
 /// "world.ball.vertices[2]"
 std::string origin_path(Machine& machine, const Origin& origin);
 
-/// The metatable of vectors, which reading a property needs; then what makes one.
+/// The metatable of vectors, then what makes one.
 void define_vec(lua_State* L, Machine& machine);
 void open_vec(lua_State* L);
 void open_color(lua_State* L, Machine& machine);

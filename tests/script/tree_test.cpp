@@ -2,6 +2,8 @@
 
 #include "stage.h"
 
+#include <fettle/property/snapshot.h>
+
 using stage::Stage;
 
 TEST_CASE("a ball bounces in a few lines of Lua") {
@@ -221,6 +223,58 @@ TEST_CASE("using what was deleted says who deleted it and when") {
     s.run("world.c = Body {}; world.c:delete(); assert(not world:has('c'))");
     CHECK_THAT(s.fails("game:delete()"), contains("cannot be deleted"));
     CHECK_THAT(s.fails("world.nothing_here.x = 1"), contains("no such name"));
+}
+
+TEST_CASE("what a script holds is whatever a game saved elsewhere has in its place") {
+    const std::string crate = "Crate = class('Crate') { level = 1.5, home = vec(0, 0) }\n";
+    std::vector<std::byte> saved;
+    {
+        Stage other;
+        other.run(crate + "world.x = Body {} world.y = Crate {}");
+        saved = other.tree->snapshot().to_bytes();
+    }
+    Stage s;
+    s.run(crate + R"(
+        world.x = Crate {}
+        world.y = Body {}
+        x, y, home, velocity = world.x, world.y, world.x.home, world.y.velocity
+        x.level, y.friction = 2, 0.25
+    )");
+    s.tree->restore(fettle::property::Snapshot::from_bytes(saved));
+    CHECK_THAT(s.fails("print(x.level)"), contains("world.x.level: no such name"));
+    s.run(R"(
+        y.friction = 0.75  -- a crate may have one of its own
+        assert(x.friction ~= 0.75 and y.friction == 0.75)
+        assert(x == world.x and y == world.y)
+        assert(x.type == "dynamic" and y.level == 1.5)
+        x.friction, y.level, y.home = 0.5, 3, vec(1, 2)
+        assert(world.x.friction == 0.5 and world.y.level == 3 and y.home.y == 2)
+        x:nudge(vec(1, 0))
+    )");
+    CHECK_THAT(s.fails("home.x = 3"), contains("world.x.home: no such name any more"));
+    CHECK_THAT(s.fails("velocity.x = 3"), contains("world.y.velocity: no such name any more"));
+    CHECK_THAT(s.fails("y:nudge(vec(1, 0))"), contains("nudge"));
+}
+
+TEST_CASE("what comes back is of its class for whoever got to know it while it was gone") {
+    Stage s;
+    s.run(R"(
+        Crate = class("Crate") { level = 1.5 }
+        function Crate:deleted() saved = self end
+        function Crate:raise() self.level = self.level + 1 end
+        world.crate = Crate {}
+    )");
+    s.step();
+    s.console("world.crate:delete()");
+    s.run("_ = nil collectgarbage() collectgarbage()");
+    s.step();
+    s.console("undo()");
+    s.run(R"(
+        assert(saved == world.crate)
+        saved:raise()
+        saved.level = saved.level * 2
+        assert(world.crate.level == 5)
+    )");
 }
 
 TEST_CASE("a component of a vec that was read is written back") {

@@ -123,8 +123,8 @@ class Tree {
     /// anything else, and before the writer or the step changes, but not at once.
     bool read(Handle instance, const Property& property, double& number) const;
     bool read(Handle instance, const Property& property, Vec2& vector) const;
-    /// For those who mind each nanosecond: the row at which a property of the instance whose
-    /// `shortcut.read` is `number` or `vec2` may be read by its binding's own `get`; nullptr when
+    /// For those who mind each nanosecond: the row of the instance, where properties with a
+    /// `shortcut.read` of `number` or `vec2` may be read by their bindings' own `get`; nullptr when
     /// `read` has to be asked. Holds until anything is done to the tree.
     const Row* readable(Handle instance) const;
     bool write(Handle instance, const Property& property, double number) {
