@@ -124,6 +124,20 @@ std::string named_by_class(const std::string& message, const std::string& path, 
     return message.starts_with(of.name()) ? message : of.name() + ": " + message;
 }
 
+/// What happens meanwhile is not noted for the console.
+class Unrecorded {
+  public:
+    explicit Unrecorded(Machine& machine) : machine_(machine), before_(machine.recording.active) {
+        machine_.record(false);
+    }
+    ~Unrecorded() { machine_.record(before_); }
+    Unrecorded(const Unrecorded&) = delete;
+
+  private:
+    Machine& machine_;
+    bool before_;
+};
+
 int construct(lua_State* L) {
     const Class* of = class_object_at(L, 1);
     if (!of) throw Error(ErrorKind::wrong_type, "needs a class");
@@ -135,26 +149,20 @@ int construct(lua_State* L) {
         throw Error(ErrorKind::wrong_type, of->name() + ": needs a table, as in " + of->name() +
                                                " { }, not " + describe_type(L, 2));
     lua_settop(L, 3);
-    // Without this the children would be echoed one by one in the console.
-    const bool recording = machine.recording.active;
-    machine.record(false);
+    // Else the children would be echoed one by one.
+    const Unrecorded quiet(machine);
     Handle made;
     try {
         made = machine.classes->create(*of);
         if (lua_istable(L, 2)) fill(L, machine, *of, made);
     } catch (const std::exception& error) {
-        machine.record(recording);
         std::string message = error.what();
         if (made && machine.tree.alive(made)) {
             message = named_by_class(message, machine.tree.path(made), *of);
             machine.tree.destroy(made);
         }
         throw Error(ErrorKind::rejected, message);
-    } catch (...) {
-        machine.record(recording);
-        throw;  // an error of Lua itself
     }
-    machine.record(recording);
     push_instance(L, made);
     return 1;
 }

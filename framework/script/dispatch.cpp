@@ -21,9 +21,8 @@ DispatchTable::DispatchTable(property::Tree& in, const property::Class& its_clas
 }
 
 void DispatchTable::open(bool whether) {
-    is_open_ = whether;
-    open_ = is_open_ ? entries_.get() : &nothing;
-    open_mask_ = is_open_ ? mask() : 0;
+    open_ = whether ? entries_.get() : &nothing;
+    open_mask_ = whether ? mask() : 0;
 }
 
 Dispatch& DispatchTable::free_or_of(const void* key) const {
@@ -43,7 +42,7 @@ const Dispatch& DispatchTable::add(const Dispatch& entry) {
         const std::size_t size = std::exchange(size_, 2 * size_);
         for (std::size_t i = 0; i < size; ++i)
             if (before[i].member != Member::none) free_or_of(before[i].key) = before[i];
-        open(is_open_);
+        open(open_mask_ != 0);
     }
     return free_or_of(entry.key) = entry;
 }

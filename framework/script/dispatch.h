@@ -68,9 +68,8 @@ class DispatchTable {
     Dispatch& free_or_of(const void* key) const;
 
     const Dispatch* open_ = nullptr;
-    std::size_t open_mask_ = 0;
-    bool is_open_;
-    std::size_t size_ = 64;  // a power of two
+    std::size_t open_mask_ = 0;  // 0: closed
+    std::size_t size_ = 64;      // a power of two
     std::size_t count_ = 0;
     std::unique_ptr<Dispatch[]> entries_ = std::make_unique<Dispatch[]>(size_);
 };

@@ -46,11 +46,10 @@ int call_method(lua_State* L) {
     if (!self)
         throw Error(ErrorKind::wrong_type,
                     method.name + ": call it with a colon, as in ball:" + method.name + "(...)");
-    refresh_class(machine, *self);
-    const auto& own = self->members->of.method(method.symbol);
-    if (own != &method)
-        throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " +
-                                               self->members->of.name() + " has no " + method.name);
+    const property::Class& of = machine.tree.class_of(self->handle);
+    if (of.method(method.symbol) != &method)
+        throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " + of.name() +
+                                               " has no " + method.name);
     std::array<Value, most_parameters> values;
     const int given = lua_gettop(L) - 1;
     if (given > static_cast<int>(std::min(most_parameters, method.parameters.size())))

@@ -15,7 +15,6 @@
 namespace fettle::script {
 
 class DispatchTable;
-
 struct Machine;
 
 enum class Tag : std::uint32_t {

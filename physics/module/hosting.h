@@ -110,15 +110,16 @@ class Hosting {
     physics::Field field(Row row);
     /// Of the center of mass.
     physics::Vec2 velocity(Row row) {
+        const auto [in, slot] = at(row);
         if (world_number(row) == limbo)
-            if (const auto written = hosted(row).velocities.get(slot_of(row)))
-                world(row).set_velocity(slot_of(row), *written);
-        return world(row).velocity(slot_of(row));
+            if (const auto written = in.velocities.get(slot)) in.world.set_velocity(slot, *written);
+        return in.world.velocity(slot);
     }
     /// False when the body does not move by itself.
     bool set_velocity(Row row, const physics::Vec2& velocity) {
-        const bool moves = world(row).set_velocity(slot_of(row), velocity);
-        if (world_number(row) == limbo) hosted(row).velocities.set(slot_of(row), velocity);
+        const auto [in, slot] = at(row);
+        const bool moves = in.world.set_velocity(slot, velocity);
+        if (world_number(row) == limbo) in.velocities.set(slot, velocity);
         return moves;
     }
     HostedWorld* world_at(std::uint32_t number) { return worlds_[number].get(); }
