@@ -11,10 +11,11 @@ namespace {
 
 using property::Class;
 
-/// An object of a world: whose it is, and of which kind.
+/// An object of a world: whose it says it is, and of which kind.
 struct Owned {
     std::uint64_t data = 0;
     std::size_t kind = 0;
+    bool claimed = false;  // the instance that it names says so too
 };
 using ByRow = std::unordered_map<Row, Owned>;
 
@@ -37,14 +38,18 @@ class Rows {
         }
     }
 
-    bool fits(Handle self, const Class& is, Row row) const {
+    bool fits(Handle self, const Class& is, Row row) {
+        Seen& seen = note(self, row);
         if (is.is_a(*hosting_.world_class))
             return slot_of(row) == 0 && world_number(row) != limbo &&
                    objects_.worlds[world_number(row)] != nullptr &&
                    objects_.selves[world_number(row)] == self;
         if (is.is_a(*hosting_.statistics_class))
             return slot_of(row) == 0 && objects_.worlds[world_number(row)] != nullptr;
-        if (is.is_a(*hosting_.body_class)) return is_whose(bodies_, row, self, 0);
+        if (is.is_a(*hosting_.body_class)) {
+            seen.is_body = true;
+            return is_whose(bodies_, row, self, 0);
+        }
         const auto& lifecycle = is.lifecycle();
         if (is.is_a(*hosting_.shape_class)) {
             const auto* kind = static_cast<const ShapeKind*>(lifecycle.context);
@@ -54,17 +59,74 @@ class Rows {
             return is_whose(fields_, row, self, *kind);
         if (const auto kind = kind_of(hosting_.joint_kinds, lifecycle)) {
             const std::vector<JointRecord>& joints = *objects_.joints;
+            seen.is_joint = true;
             return row < joints.size() && joints[row].used && joints[row].self == self &&
                    joints[row].settings.index() == *kind;
         }
         return true;  // of another module
     }
 
+    // Once all instances have been seen.
+
+    /// No object names an instance that has another, or is none of its kind.
+    bool all_claimed() const {
+        for (const ByRow* objects : {&bodies_, &shapes_, &fields_})
+            for (const auto& [row, object] : *objects)
+                if (!object.claimed && find(unpack(object.data)) != nullptr) return false;
+        return true;
+    }
+
+    /// That a joint which is used can be made and ended.
+    void check(const JointRecord& joint, const property::ByteReader& from) const {
+        physics::World* const world = objects_.worlds[joint.world];
+        from.require(world != nullptr, "a joint in a world that is none");
+        const Seen* const self = find(joint.self);
+        from.require(self == nullptr || has(*self, joint), "a joint that is not its own");
+        for (const Handle body : joint.bodies) {
+            const Seen* const tied = find(body);
+            from.require(tied == nullptr || tied->is_body, "a joint that ties no body");
+        }
+        if (!world->is_valid(joint.native)) return;
+        const auto acts_as = static_cast<std::size_t>(world->joint(joint.native).type());
+        from.require(acts_as == joint.settings.index(), "a joint that acts as another type");
+    }
+
+    /// That whoever a joint of a world names has it, or is gone.
+    void check(std::uint32_t number, const physics::Joint& native,
+               const property::ByteReader& from) const {
+        const Seen* const self = find(unpack(native.user_data()));
+        if (self == nullptr) return;
+        from.require(self->is_joint, "a joint that is not its own");
+        const JointRecord& joint = (*objects_.joints)[self->row];
+        from.require(joint.world == number && joint.native == native.id(),
+                     "a joint that is not its own");
+    }
+
   private:
-    static bool is_whose(const ByRow& objects, Row row, Handle self, std::size_t kind) {
+    /// An instance that is about to be there.
+    struct Seen {
+        std::uint32_t generation = 0;
+        Row row = 0;
+        bool is_body = false, is_joint = false;
+    };
+    Seen& note(Handle self, Row row) {
+        if (self.index >= seen_.size()) seen_.resize(self.index + 1);
+        return seen_[self.index] = {.generation = self.generation, .row = row};
+    }
+    const Seen* find(Handle handle) const {
+        const bool there = handle && handle.index < seen_.size() &&
+                           seen_[handle.index].generation == handle.generation;
+        return there ? &seen_[handle.index] : nullptr;
+    }
+    bool has(const Seen& self, const JointRecord& joint) const {
+        return self.is_joint && &(*objects_.joints)[self.row] == &joint;
+    }
+    static bool is_whose(ByRow& objects, Row row, Handle self, std::size_t kind) {
         const auto found = objects.find(row);
-        return found != objects.end() && found->second.data == pack(self) &&
-               found->second.kind == kind;
+        if (found == objects.end() || found->second.data != pack(self) ||
+            found->second.kind != kind)
+            return false;
+        return found->second.claimed = true;
     }
     /// By what makes them: classes of scripts have that of their base.
     static std::optional<std::size_t> kind_of(const Hosting::Kinds& kinds,
@@ -77,17 +139,26 @@ class Rows {
     const Hosting& hosting_;
     const RestoredObjects& objects_;
     ByRow bodies_, shapes_, fields_;
+    std::vector<Seen> seen_;  // by index
 };
 
 }  // namespace
 
 void check_rows(const Hosting& hosting, const RestoredObjects& objects,
                 const property::ByteReader& from) {
-    const Rows rows(hosting, objects);
+    Rows rows(hosting, objects);
     property::each_restored(hosting.tree, [&](Handle self, const Class& is, Row row) {
         if (!rows.fits(self, is, row))
             from.fail("a " + is.name() + " has a row that is not its own");
     });
+    from.require(rows.all_claimed(), "an object of an instance that has another");
+    for (const JointRecord& joint : *objects.joints)
+        if (joint.used) rows.check(joint, from);
+    for (std::uint32_t number = 0; number < most_worlds; ++number) {
+        if (objects.worlds[number] == nullptr) continue;
+        for (const physics::Joint& native : objects.worlds[number]->joints())
+            rows.check(number, native, from);
+    }
 }
 
 }  // namespace fettle::physics_module

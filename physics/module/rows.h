@@ -1,5 +1,5 @@
 #pragma once
-// Whether the rows that a snapshot gives to instances are theirs.
+// Whether the rows that a snapshot gives to instances are theirs, and what it says of joints holds.
 
 #include <array>
 #include <vector>
@@ -16,7 +16,9 @@ struct RestoredObjects {
 };
 
 /// Within `Hosting::restore`. Throws Error(damaged) where an instance is to have a row that is
-/// nobody's, somebody else's or of another kind: bytes from a stranger may hold any number.
+/// nobody's, somebody else's or of another kind, where an object is said to be that of an instance
+/// that has another, and where a joint hangs in no world, ties what is no body or acts as another
+/// type: bytes from a stranger may hold any number.
 void check_rows(const Hosting& hosting, const RestoredObjects& objects,
                 const property::ByteReader& from);
 

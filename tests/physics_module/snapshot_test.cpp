@@ -202,7 +202,8 @@ TEST_CASE("a snapshot whose instances have rows that are not their own is refuse
     game.step(10);
     const property::Snapshot snapshot = game.tree.snapshot();
     const auto expected = hashes(game, 20);
-    const auto with = [&](std::uint32_t was, std::uint32_t now) {
+    const auto with = [&](std::uint32_t was, std::uint32_t now,
+                          const char* because = "a row that is not its own") {
         int refused = 0;
         for (std::size_t at = 0; at + sizeof was <= snapshot.payload().size(); ++at) {
             if (std::memcmp(&snapshot.payload()[at], &was, sizeof was) != 0) continue;
@@ -211,7 +212,7 @@ TEST_CASE("a snapshot whose instances have rows that are not their own is refuse
             try {
                 game.tree.restore(property::Snapshot(std::move(bytes), snapshot.memories()));
             } catch (const property::Error& error) {
-                refused += std::string(error.what()).find("not its own") != std::string::npos;
+                refused += std::string(error.what()).find(because) != std::string::npos;
             }
         }
         return refused;
@@ -224,6 +225,9 @@ TEST_CASE("a snapshot whose instances have rows that are not their own is refuse
     CHECK(with(shape, shape - 1) >= 1);
     CHECK(with(game.tree.row(wind), game.tree.row(wind) + 1) >= 1);
     CHECK(with(game.tree.row(joint), 77) >= 1);
+    CHECK(with(1, 43, "a joint in a world that is none") >= 1);
+    CHECK(with(body.index, wind.index, "a joint that ties no body") >= 1);
+    CHECK(with(joint.index, body.index, "a joint that is not its own") >= 1);
     game.tree.restore(snapshot);
     CHECK(hashes(game, 20) == expected);
 }
