@@ -7,31 +7,47 @@ fettle_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }
 complain() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
 
-# with_progress AWK-ARGUMENT...: an awk program over some tool's output that may call
-# progress(WHAT, DONE, ALL[, TEXT]) and pass_on(LINE). Progress is a bar on a terminal, elsewhere a plain line every tenth part.
+# with_progress HANDLER: calls HANDLER with each line of its input. A handler may call progress and pass_on.
 with_progress() {
-    local terminal=0
-    [[ -t 1 ]] && terminal=1
-    local program=${*: -1} options=("${@:1:$#-1}")
-    awk -v who="${0##*/}" -v terminal="$terminal" "${options[@]}" '
-        function progress(what, done, all, text,    tenth) {
-            tenth = int(10 * done / all)
-            if (text == "") text = done " of " all
-            if (terminal) {
-                printf "\r\033[K%s: %s [%s%s] %s", who, what, substr("##########", 1, tenth),
-                    substr("----------", 1, 10 - tenth), text
-                drawn = 1
-            } else if (what != last_what || tenth != last_tenth) {
-                printf "%s: %s, %s\n", who, what, text
-            }
-            last_what = what
-            last_tenth = tenth
-            fflush()
-        }
-        function wipe() { if (drawn) printf "\r\033[K"; drawn = 0 }
-        function pass_on(line) { wipe(); print line; fflush() }
-        END { wipe() }
-        '"$program"
+    local handler=$1 line terminal=0 drawn=0 current='' last_tenth='' began=$SECONDS
+    if [[ -t 1 ]]; then terminal=1; fi
+    while IFS= read -r line || [[ -n $line ]]; do "$handler" "$line"; done
+    wipe
+}
+
+# progress WHAT DONE ALL [TEXT]: how far the work called WHAT is, and how long the rest will take if it goes on like that.
+# A bar on a terminal, elsewhere a plain line for every tenth part.
+progress() {
+    local what=$1 done=$2 all=$3 text=${4:-"$2 of $3"} tenth elapsed
+    if [[ $what != "$current" ]]; then current=$what last_tenth='' began=$SECONDS; fi
+    tenth=$((10 * done / all))
+    elapsed=$((SECONDS - began))
+    # The first moments say little about the rest.
+    if ((elapsed >= 5 && done > 0 && done < all)); then
+        text+=", about $(duration $((elapsed * (all - done) / done))) left"
+    fi
+    if ((terminal)); then
+        printf '\r\033[K%s: %s [%.*s%.*s] %s' "${0##*/}" "$what" "$tenth" '##########' "$((10 - tenth))" '----------' "$text"
+        drawn=1
+    elif [[ $tenth != "$last_tenth" ]]; then
+        printf '%s: %s, %s\n' "${0##*/}" "$what" "$text"
+    fi
+    last_tenth=$tenth
+}
+
+# duration SECONDS, as a person would say it.
+duration() {
+    if (($1 >= 90)); then echo "$((($1 + 30) / 60)) min"; else echo "$1 s"; fi
+}
+
+wipe() {
+    if ((drawn)); then printf '\r\033[K'; fi
+    drawn=0
+}
+
+pass_on() {
+    wipe
+    printf '%s\n' "$1"
 }
 
 # --- Packages -------------------------------------------------------------------------------------
@@ -74,10 +90,15 @@ installable() {
 }
 
 # Reads apt's status lines (KIND:PACKAGE:PERCENT:TEXT).
-apt_progress() {
-    with_progress -F: '
-        $1 == "dlstatus" { progress("downloading packages", int($3), 100, int($3) " %") }
-        $1 == "pmstatus" { progress("installing packages", int($3), 100, int($3) " %") }'
+apt_progress() { with_progress apt_line; }
+apt_line() {
+    local kind rest percent
+    IFS=: read -r kind _ percent rest <<<"$1"
+    percent=${percent%%.*}
+    case $kind in
+        dlstatus) progress "downloading packages" "$percent" 100 "$percent %" ;;
+        pmstatus) progress "installing packages" "$percent" 100 "$percent %" ;;
+    esac
 }
 
 is_root() { [[ $(id -u) == 0 ]]; }
@@ -160,15 +181,13 @@ configure() {
 }
 
 # Turns ninja's lines into progress, and passes every complaint on.
-build_progress() {
-    with_progress '
-        match($0, /^\[[0-9]+\/[0-9]+\] /) {
-            split(substr($0, 2, RLENGTH - 3), count, "/")
-            if (count[2] > 2) progress("building", count[1], count[2])
-            next
-        }
-        /^(ninja: (no work to do|Entering directory)|-- (Configuring|Generating|Build files))/ { next }
-        { pass_on($0) }'
+build_progress() { with_progress ninja_line; }
+ninja_line() {
+    if [[ $1 =~ ^\[([0-9]+)/([0-9]+)\]\  ]]; then
+        if ((BASH_REMATCH[2] > 2)); then progress "building" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"; fi
+    elif [[ ! $1 =~ ^(ninja: (no work to do|Entering directory)|-- (Configuring|Generating|Build files)) ]]; then
+        pass_on "$1"
+    fi
 }
 
 # What builds and tests are started through.
