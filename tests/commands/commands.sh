@@ -69,6 +69,7 @@ file(WRITE "${CMAKE_BINARY_DIR}/bin/fettle" "#!/bin/sh\nfor a; do echo \"[$a]\";
 file(CHMOD "${CMAKE_BINARY_DIR}/bin/fettle" PERMISSIONS OWNER_READ OWNER_EXECUTE)
 add_custom_target(fettle)
 add_custom_target(fettle-bench)
+add_custom_target(fettle_installed COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/to be installed")
 add_test(NAME "it works" COMMAND true)
 if(EXISTS "${CMAKE_SOURCE_DIR}/broken")
   add_test(NAME "a < b & \"c\"" COMMAND false)
@@ -208,6 +209,13 @@ case_play_hands_its_arguments_to_fettle_run() {
     run "$project/play" "my game" --seed 3
     expect_status 7
     expect_output $'[run]\n[my game]\n[--seed]\n[3]\n'"$work/elsewhere"
+}
+
+case_play_build_builds_what_is_installed() {
+    run "$project/play" --build
+    expect_status 0
+    [[ -e "$project/build/release/to be installed" ]] || wrong "the target fettle_installed should have been built"
+    expect_output "what cmake --install installs"
 }
 
 case_play_alone_opens_the_showcase() {
