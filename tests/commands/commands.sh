@@ -260,6 +260,25 @@ case_the_summary_names_what_failed() {
     [[ $(last_line) =~ ^[12]\ passed,\ 2\ failed,\ [12]\ skipped$ ]] || wrong "the last line is the count"
 }
 
+case_the_summary_names_the_bounds_that_a_benchmark_exceeds() {
+    cat >>"$project/CMakeLists.txt" <<'PROJECT'
+file(WRITE "${CMAKE_BINARY_DIR}/bin/fettle-bench" "#!/bin/sh
+[ \"$2\" = --help ] || echo \"the table $1\"
+[ $1 != tree ] || printf 'exceeded: tree \"get ball.mass\" 2.00 of the barest (bound 1.75)\\n'
+[ $1 != stability ] || [ \"$2\" = --help ] || exit 2
+")
+file(CHMOD "${CMAKE_BINARY_DIR}/bin/fettle-bench" PERMISSIONS OWNER_READ OWNER_EXECUTE)
+PROJECT
+    run "$project/check" --full
+    expect_output "the table tree"
+    expect_output "fettle-bench stability did not finish"
+    expect_output "the table past"
+    local end=${output##*the table past}
+    [[ $end == *'exceeded tree "get ball.mass" 2.00 of the barest (bound 1.75)'* ]] ||
+        wrong "the summary should name the bound"
+    [[ $end != *"FAILED   tree"* ]] || wrong "a bound is no test"
+}
+
 case_a_broken_build_fails_the_check() {
     echo 'message(FATAL_ERROR "no such library")' >>"$project/CMakeLists.txt"
     run "$project/check"
