@@ -101,7 +101,7 @@ Scene row_of(int count) {
 }
 
 void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output, Verdict& verdict) {
-    Table table({"bodies", "us a body and step", "of the first", "at most", "narrow", "solve",
+    Table table({"bodies", "us a body and step", "of the first", "bound", "narrow", "solve",
                  "finish", "other"});
     const double first = median(rows.front().us);
     for (const TimeRow& row : rows) {
@@ -127,7 +127,7 @@ void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output, 
 void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOptions& output,
                   Verdict& verdict) {
     Table table(
-        {"a sleeping body", "on the ground", "with room", "at most", "in a pyramid", "with room"});
+        {"a sleeping body", "on the ground", "with room", "bound", "in a pyramid", "with room"});
     std::array<double, 4> all = {};
     const auto add = [&](const char* purpose, const std::array<double, 4>& bytes,
                          const Bound& bound) {

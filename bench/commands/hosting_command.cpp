@@ -129,6 +129,17 @@ struct Bytes {
     double shape = 0;  // on its body
 };
 
+/// The tree notes the last quarter of a million writes. Their notes are there in every tree that
+/// has run for a while, whatever is in it: here, too.
+std::unique_ptr<HostedEngine> hosted_for_a_while(const Scene& scene) {
+    constexpr int writes = (1 << 18) + 1024;
+    auto engine = std::make_unique<HostedEngine>(scene, false);
+    property::Tree& tree = engine->game().tree;
+    const property::Handle view = tree.child(tree.root(), "view");
+    for (int i = 0; i < writes; ++i) tree.set(view, "height", 10.0 + i % 2);
+    return engine;
+}
+
 /// Bytes of a scene in the tree beyond the bare library, in all. The past that is kept for
 /// rewinding is not counted: it has a bound of its own (`time.rewind_memory`).
 double bytes_over_bare(const Scene& scene) {
@@ -139,7 +150,7 @@ double bytes_over_bare(const Scene& scene) {
         return static_cast<double>(heap_in_use() - before);
     };
     const double bare = size_of([&] { return make_fettle(scene); });
-    return size_of([&] { return std::make_unique<HostedEngine>(scene, false); }) - bare;
+    return size_of([&] { return hosted_for_a_while(scene); }) - bare;
 }
 
 Bytes bytes_of(int bodies) {
@@ -158,7 +169,7 @@ Bytes bytes_of(int bodies) {
 
 void print(const std::vector<Result>& results, const Bytes& bytes, const OutputOptions& output) {
     Verdict verdict("hosting");
-    Table table({"hosted over bare", "ratio", "95 % interval", "at most"});
+    Table table({"hosted over bare", "ratio", "95 % interval", "bound"});
     Chart chart{.title = "Cost of hosting, bare library = 1", .unit = "×", .series = {"hosted"}};
     for (const Result& result : results) {
         const auto& interval = result.interval;
@@ -180,7 +191,7 @@ void print(const std::vector<Result>& results, const Bytes& bytes, const OutputO
     }
     const std::pair<const char*, double> sizes[] = {{"a body", bytes.body},
                                                     {"a shape of a body", bytes.shape}};
-    Table memory({"memory in the tree beyond the bare library", "bytes", "at most"});
+    Table memory({"memory in the tree beyond the bare library", "bytes", "bound"});
     for (const auto& [name, size] : sizes) {
         if (output.json)
             std::cout << json_line({{"name", std::string("bytes, ") + name},

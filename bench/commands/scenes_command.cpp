@@ -193,7 +193,7 @@ class SceneRunner {
         for (const EngineKind* kind : engines_) {
             if (compared(*kind)) headers.push_back(std::string(kind->name) + "/box2d");
         }
-        if (bounded()) headers.emplace_back("at most");
+        if (bounded()) headers.emplace_back("bound");
         Verdict verdict("scenes");
         Table table(headers);
         for (const Row& row : rows_) {

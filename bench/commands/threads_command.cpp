@@ -150,7 +150,7 @@ int run_threads(const ThreadsOptions& options) {
 
     const std::string several = "on " + std::to_string(options.threads);
     Verdict verdict("threads");
-    Table speed({"ms a step", "on one", several, "times as fast", "at least", "median step",
+    Table speed({"ms a step", "on one", several, "times as fast", "bound", "median step",
                  "ns there and back"});
     std::vector<std::string> stage_headers = {"ms a stage"};
     for (const char* name : stage_names) {
@@ -176,8 +176,7 @@ int run_threads(const ThreadsOptions& options) {
                        verdict.look(
                            scene.name, result.speedup, bound, figure(result.speedup),
                            "times as fast, " + figure(result.round_trip_ns) + " ns there and back"),
-                       bound ? figure(bound.value) : "", figure(result.median_speedup),
-                       figure(result.round_trip_ns)});
+                       bound.text(), figure(result.median_speedup), figure(result.round_trip_ns)});
             std::vector<std::string> line = {scene.name};
             for (std::size_t k = 0; k < stage_names.size(); ++k) {
                 line.push_back(figure(result.one[k]));

@@ -19,7 +19,7 @@ int run_tree(const TreeOptions& options) {
     if (!options.only.empty()) costs.keep(options.only);
     const std::vector<Cost> rows = costs.run(options.repetitions);
     Verdict verdict("tree");
-    Table table({"cost", "ns", "ratio", "at most", "against"});
+    Table table({"cost", "ns", "ratio", "bound", "against"});
     Chart chart{.title = "What the property tree costs", .unit = "ns", .series = {"fettle"}};
     for (const Cost& row : rows) {
         std::vector<Comparison> comparisons = row.comparisons;

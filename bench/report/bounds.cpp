@@ -39,9 +39,9 @@ std::string Bound::text() const {
         case Kind::below:
             return "< " + plain(value);
         case Kind::at_most:
-            return plain(value);
+            return "<= " + plain(value);
         case Kind::at_least:
-            return "at least " + plain(value);
+            return ">= " + plain(value);
         case Kind::exactly:
             return plain(value);
         case Kind::other_than:

@@ -18,7 +18,7 @@ struct Bound {
     explicit operator bool() const { return kind != Kind::none; }
     /// No bound holds for a figure that is not a number; none at all holds always.
     bool holds(double figure) const;
-    /// "< 50", "1.75" (at most), "at least 1.7", "not 0"; nothing where there is none.
+    /// "< 50", "<= 1.75", ">= 1.7", "15", "not 0"; nothing where there is none.
     std::string text() const;
 };
 
@@ -53,7 +53,7 @@ class Verdict {
     std::string look(const std::string& row, double figure, const Bound& bound,
                      const std::string& shown, const std::string& against = {});
     /// A line for each figure beyond its bound, which `./check --full` collects, and how many
-    /// bounds were looked at: `exceeded: tree "get ball.mass" 1.82 of the barest (bound 1.75)`.
+    /// bounds were looked at: `exceeded: tree "get ball.mass" 1.82 of the barest (bound <= 1.75)`.
     void print(std::ostream& out) const;
 
   private:

@@ -88,7 +88,7 @@ TEST_CASE("a table marks the figures beyond their bounds and names each at the e
     verdict.print(out);
     CHECK(out.str() ==
           "\n3 bounds, 2 exceeded\n"
-          "exceeded: tree \"get ball.mass\" 2.00 of the barest (bound 1.75)\n"
+          "exceeded: tree \"get ball.mass\" 2.00 of the barest (bound <= 1.75)\n"
           "exceeded: tree \"stack, jitter\" 1.00 mm/s (bound < 1)\n");
 }
 
