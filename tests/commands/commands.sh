@@ -218,6 +218,22 @@ case_play_build_builds_what_is_installed() {
     expect_output "what cmake --install installs"
 }
 
+case_an_installation_of_what_is_not_built_names_it_and_copies_nothing() {
+    cmake -S "$repository" -B "$work/build" -G Ninja -DFETTLE_PARTS=property -DFETTLE_BUILD_TESTS=OFF \
+        -DFETTLE_BUILD_BENCH=OFF >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+    local component
+    for component in "" "--component development" "--component runtime"; do
+        # shellcheck disable=SC2086
+        run cmake --install "$work/build" --prefix "$work/prefix" $component
+        expect_status 1
+        expect_output "Nothing was installed"
+        expect_output "framework/property/libfettle_property.a"
+        expect_output "./play --build"
+        expect_output "cmake --build $work/build --target fettle_installed"
+        [[ ! -e $work/prefix ]] || wrong "nothing should have been copied"
+    done
+}
+
 case_play_alone_opens_the_showcase() {
     run "$project/play"
     expect_output $'[run]\n['"$project/scripts/showcase]"

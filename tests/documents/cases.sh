@@ -5,6 +5,13 @@ here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 
+# A small project with the commands, and what follows documents.
+project=$work/project
+mkdir -p "$project/tests" "$project/cmake"
+cp -r "$here" "$project/tests/documents"
+cp "$here/../../play" "$here/../../check" "$project/"
+cp "$here/../../cmake/packages.txt" "$project/cmake/"
+
 # A finished build whose program prints its arguments.
 mkdir -p "$work/build/bin"
 printf '#!/bin/sh\nfor a; do echo "[$a]"; done\n' >"$work/build/bin/fettle"
@@ -14,7 +21,7 @@ chmod +x "$work/build/bin/fettle"
 follow() {
     cat >"$work/page.md"
     status=0
-    output=$("$here/follow.sh" "$@" "$work/page.md" "$work/build" "$work/followed" 2>&1) || status=$?
+    output=$("$project/tests/documents/follow.sh" "$@" "$work/page.md" "$work/build" "$work/followed" 2>&1) || status=$?
 }
 wrong() {
     printf 'wrong: %s\n--- status %s, output:\n%s\n' "$1" "$status" "$output"
