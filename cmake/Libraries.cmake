@@ -12,6 +12,25 @@ else()
 endif()
 set(fettle_cmake_folder "${CMAKE_INSTALL_LIBDIR}/cmake/Fettle")
 
+# Builds everything that `cmake --install` takes from the build folder: `./play --build` asks for this target.
+add_custom_target(fettle_installed)
+if(FETTLE_INSTALL)
+  # The first thing an installation does: it refuses to copy anything while a part is not built.
+  install(CODE "set(fettle_folder \"${PROJECT_BINARY_DIR}\")
+set(fettle_files \"$<TARGET_GENEX_EVAL:fettle_installed,$<TARGET_PROPERTY:fettle_installed,FETTLE_FILES>>\")" ALL_COMPONENTS)
+  install(SCRIPT "${PROJECT_SOURCE_DIR}/cmake/CheckBuilt.cmake" ALL_COMPONENTS)
+endif()
+
+# fettle_install(TARGET ARGUMENT...): install(TARGETS TARGET ARGUMENT...), and `fettle_installed` builds it.
+# Every target is installed by this function, so that none is forgotten there.
+function(fettle_install target)
+  if(FETTLE_INSTALL)
+    install(TARGETS ${target} ${ARGN})
+    add_dependencies(fettle_installed ${target})
+    set_property(TARGET fettle_installed APPEND PROPERTY FETTLE_FILES "$<TARGET_FILE:${target}>")
+  endif()
+endfunction()
+
 # fettle_library(NAME TEXT
 #   INCLUDE FOLDER      of the public headers, below which lies HEADERS
 #   HEADERS FOLDER      what of it is this library's, as in fettle/physics
@@ -50,7 +69,7 @@ function(fettle_library name text)
     return()
   endif()
 
-  install(TARGETS ${target} EXPORT fettle_${name}
+  fettle_install(${target} EXPORT fettle_${name}
     RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT runtime
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime NAMELINK_COMPONENT development
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
@@ -76,9 +95,7 @@ function(fettle_plugin name)
     PREFIX "" OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/${up}"
     LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib/fettle/modules"
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  if(FETTLE_INSTALL)
-    install(TARGETS ${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/fettle/modules" COMPONENT runtime)
-  endif()
+  fettle_install(${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/fettle/modules" COMPONENT runtime)
 endfunction()
 
 function(fettle_pkgconfig name text needs packages defines libs)

@@ -12,6 +12,7 @@
 #include "engines/fettle_engine.h"
 #include "measure/simulation.h"
 #include "measure/timing.h"
+#include "report/bounds.h"
 #include "report/json_lines.h"
 #include "report/progress.h"
 #include "report/table.h"
@@ -20,10 +21,11 @@
 namespace fettle::bench {
 namespace {
 
-constexpr double most_growth = 1.5;  // of the time a body takes, from the first world to the last
-constexpr double most_bytes = 1024;  // of a sleeping body with a shape
-constexpr int steps_in_all = 40000;  // over the number of pyramids: each world gets as much time
-constexpr int warm_up = 30;          // steps: the pyramids have settled
+// Of the time a body takes, from the first world to the last.
+const Bound growth_bound = at_most(1.5);
+const Bound bytes_bound = below(1024);  // of a sleeping body with a shape
+constexpr int steps_in_all = 40000;     // over the number of pyramids: each world gets as much time
+constexpr int warm_up = 30;             // steps: the pyramids have settled
 constexpr std::array sizes = {18, 182, 1818};  // pyramids of 55 bodies
 
 struct TimeRow {
@@ -98,42 +100,48 @@ Scene row_of(int count) {
     return scene;
 }
 
-void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output) {
-    Table table({"bodies", "us a body and step", "of the first", "at most", "narrow", "solve",
+void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output, Verdict& verdict) {
+    Table table({"bodies", "us a body and step", "of the first", "bound", "narrow", "solve",
                  "finish", "other"});
     const double first = median(rows.front().us);
     for (const TimeRow& row : rows) {
         const double us = median(row.us), growth = us / first;
-        const double bound = &row == &rows.front() ? 1 : most_growth;
+        const Bound bound = &row == &rows.front() ? Bound{} : growth_bound;
         if (output.json)
             std::cout << json_line({{"scene", "many_pyramids"},
                                     {"bodies", static_cast<long long>(row.bodies)},
                                     {"us", us},
                                     {"growth", growth},
-                                    {"at_most", bound}})
+                                    {"at_most", bound ? JsonField(bound.value) : JsonField()}})
                       << "\n";
-        table.add({std::to_string(row.bodies), figure(us), figure(growth), figure(bound),
-                   figure(row.narrow), figure(row.solve), figure(row.finish), figure(row.other)});
+        table.add({std::to_string(row.bodies), figure(us),
+                   verdict.look(std::to_string(row.bodies) + " bodies", growth, bound,
+                                figure(growth), "of the time a body takes in the first world"),
+                   bound.text(), figure(row.narrow), figure(row.solve), figure(row.finish),
+                   figure(row.other)});
     }
     if (!output.json) std::cout << table.text() << "\n";
 }
 
 /// Bytes a body, by purpose: what is there, and the room for more included.
-void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOptions& output) {
+void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOptions& output,
+                  Verdict& verdict) {
     Table table(
-        {"a sleeping body", "on the ground", "with room", "at most", "in a pyramid", "with room"});
+        {"a sleeping body", "on the ground", "with room", "bound", "in a pyramid", "with room"});
     std::array<double, 4> all = {};
-    const auto add = [&](const char* purpose, const std::array<double, 4>& bytes, bool bound) {
+    const auto add = [&](const char* purpose, const std::array<double, 4>& bytes,
+                         const Bound& bound) {
         if (output.json)
             std::cout << json_line({{"memory", purpose},
                                     {"on_ground", bytes[0]},
                                     {"on_ground_with_room", bytes[1]},
-                                    {"at_most", bound ? JsonField(most_bytes) : JsonField()},
+                                    {"at_most", bound ? JsonField(bound.value) : JsonField()},
                                     {"in_pyramid", bytes[2]},
                                     {"in_pyramid_with_room", bytes[3]}})
                       << "\n";
-        table.add({purpose, figure(bytes[0]), figure(bytes[1]), bound ? figure(most_bytes, 4) : "",
-                   figure(bytes[2], 4), figure(bytes[3], 4)});
+        table.add({purpose, figure(bytes[0]),
+                   verdict.look("a sleeping body", bytes[1], bound, figure(bytes[1], 4), "bytes"),
+                   bound.text(), figure(bytes[2], 4), figure(bytes[3], 4)});
     };
     for (std::size_t i = 0; i < row.memory.size(); ++i) {
         const auto of = [](std::size_t bytes, const Sleepers& sleepers) {
@@ -143,9 +151,9 @@ void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOpt
                                   of(pyramids.memory[i].used, pyramids),
                                   of(pyramids.memory[i].reserved, pyramids)};
         for (std::size_t k = 0; k < all.size(); ++k) all[k] += bytes[k];
-        if (bytes[1] > 0.1) add(row.memory[i].purpose, bytes, false);
+        if (bytes[1] > 0.1) add(row.memory[i].purpose, bytes, {});
     }
-    add("in all", all, true);
+    add("in all", all, bytes_bound);
     if (!output.json) std::cout << table.text();
 }
 
@@ -157,8 +165,11 @@ int run_growth(const GrowthOptions& options) {
         Progress progress(options.runs);
         rows = time_rows(options, progress);
     }
-    print_times(rows, options.output);
-    print_memory(sleepers_of(row_of(20000)), sleepers_of(pyramids_of(364)), options.output);
+    Verdict verdict("growth");
+    print_times(rows, options.output, verdict);
+    print_memory(sleepers_of(row_of(20000)), sleepers_of(pyramids_of(364)), options.output,
+                 verdict);
+    verdict.print(options.output.json ? std::cerr : std::cout);
     return 0;
 }
 

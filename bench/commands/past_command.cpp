@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "engines/hosted_engine.h"
 #include "measure/timing.h"
+#include "report/bounds.h"
 #include "report/json_lines.h"
 #include "report/progress.h"
 #include "report/table.h"
@@ -19,13 +20,15 @@ namespace fettle::bench {
 namespace {
 
 constexpr double mebibyte = 1048576;
-constexpr std::int64_t warm_up = 60;  // steps: the first keyframe finds its memory
+constexpr int bounded_bodies = 10000;  // what the bounds are for
+constexpr std::int64_t warm_up = 60;   // steps: the first keyframe finds its memory
 
 struct Run {
     double first_ms = 0;              // step, with the first keyframe
     std::vector<double> plain_ms;     // steps without a keyframe, after the warm-up
     std::vector<double> keyframe_ms;  // steps with one
     double memory = 0;                // bytes
+    double kept_s = 0;                // how far back it goes
     std::vector<double> travel_ms;    // to moments spread over all of it
 };
 
@@ -55,6 +58,7 @@ Run measure(const PastOptions& options, Progress& progress) {
     constexpr int moments = 8;
     // The present comes last.
     const std::int64_t oldest = past.oldest();
+    run.kept_s = static_cast<double>(steps - oldest) / 60;
     for (int i = 0; i <= moments; ++i) {
         const std::int64_t to = oldest + (steps - oldest) * i / moments;
         const WallClock clock;
@@ -80,26 +84,42 @@ int run_past(const PastOptions& options) {
         progress.begin("steps");
         run = measure(options, progress);
     }
-    const std::pair<const char*, std::pair<double, const char*>> figures[] = {
-        {"step, median", {median(run.plain_ms), "ms"}},
-        {"step without a keyframe, worst", {greatest(run.plain_ms), "ms"}},
-        {"step with a keyframe, median", {median(run.keyframe_ms), "ms"}},
-        {"step with a keyframe, worst", {greatest(run.keyframe_ms), "ms"}},
-        {"first step, with the first keyframe", {run.first_ms, "ms"}},
-        {"keyframes", {static_cast<double>(run.keyframe_ms.size() + 1), ""}},
-        {"memory of the past", {run.memory / mebibyte, "MiB"}},
-        {"going to a moment, median", {median(run.travel_ms), "ms"}},
-        {"going to a moment, longest", {greatest(run.travel_ms), "ms"}}};
+    const bool bounded = options.bodies <= bounded_bodies;
+    struct Figure {
+        const char* name;
+        double value;
+        const char* unit;
+        Bound bound{};
+    };
+    const Figure figures[] = {
+        {"step, median", median(run.plain_ms), "ms"},
+        {"step without a keyframe, worst", greatest(run.plain_ms), "ms"},
+        {"step with a keyframe, median", median(run.keyframe_ms), "ms"},
+        {"step with a keyframe, worst", greatest(run.keyframe_ms), "ms"},
+        {"first step, with the first keyframe", run.first_ms, "ms"},
+        {"keyframes", static_cast<double>(run.keyframe_ms.size() + 1), ""},
+        {"past that is kept", run.kept_s, "s", bounded ? at_least(options.seconds) : Bound{}},
+        {"memory of the past", run.memory / mebibyte, "MiB", bounded ? at_most(128) : Bound{}},
+        {"going to a moment, median", median(run.travel_ms), "ms"},
+        {"going to a moment, longest", greatest(run.travel_ms), "ms"}};
+    Verdict verdict("past");
     Table table({"past of " + std::to_string(options.bodies) + " bodies, " +
                      std::to_string(options.seconds) + " s",
-                 "", ""});
-    for (const auto& [name, value] : figures) {
+                 "", "", "bound"});
+    for (const Figure& each : figures) {
         if (options.json)
-            std::cout << json_line({{"name", name}, {"value", value.first}, {"unit", value.second}})
+            std::cout << json_line(
+                             {{"name", each.name},
+                              {"value", each.value},
+                              {"unit", each.unit},
+                              {"bound", each.bound ? JsonField(each.bound.value) : JsonField()}})
                       << "\n";
-        table.add({name, figure(value.first), value.second});
+        table.add({each.name,
+                   verdict.look(each.name, each.value, each.bound, figure(each.value), each.unit),
+                   each.unit, each.bound.text()});
     }
     if (!options.json) std::cout << table.text();
+    verdict.print(options.json ? std::cerr : std::cout);
     return 0;
 }
 

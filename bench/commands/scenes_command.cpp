@@ -11,6 +11,7 @@
 #include "engines/engine.h"
 #include "measure/simulation.h"
 #include "measure/timing.h"
+#include "report/bounds.h"
 #include "report/json_lines.h"
 #include "report/progress.h"
 #include "report/table.h"
@@ -30,6 +31,7 @@ struct Cell {
 struct Row {
     std::string scene;
     int steps = 0;
+    Bound bound{};                             // of the time of a step, over that of Box2D
     std::vector<std::optional<Cell>> cells{};  // one an engine
 };
 
@@ -63,7 +65,7 @@ class SceneRunner {
                 if (options_.output.json) print_json(rows_.back());  // a long run may be cut short
             }
         }
-        if (!options_.output.json) print_table();
+        print_table();
         if (!options_.output.svg.empty()) write_svg(chart(), options_.output.svg);
         warn_when_busy();
         return hashes_agree() ? 0 : 1;
@@ -113,6 +115,9 @@ class SceneRunner {
         if (options_.steps > 0) scene.steps = options_.steps;
         Row row{.scene = scene.name, .steps = scene.steps};
         row.cells.resize(engines_.size());
+        // The bounds are for the whole scene on one thread.
+        if (entry.over_box2d > 0 && options_.steps == 0 && options_.threads == 1)
+            row.bound = at_most(entry.over_box2d);
         for (int run = 0; run < options_.runs; ++run) {
             progress.begin(scene.name + ", run " + std::to_string(run + 1) + " of " +
                            std::to_string(options_.runs));
@@ -188,6 +193,8 @@ class SceneRunner {
         for (const EngineKind* kind : engines_) {
             if (compared(*kind)) headers.push_back(std::string(kind->name) + "/box2d");
         }
+        if (bounded()) headers.emplace_back("bound");
+        Verdict verdict("scenes");
         Table table(headers);
         for (const Row& row : rows_) {
             std::size_t bodies = 0, contacts = 0;  // in the first engine
@@ -201,15 +208,27 @@ class SceneRunner {
             const Cell* peer = cell(row, "box2d");
             for (std::size_t i = 0; i < engines_.size(); ++i) {
                 if (!compared(*engines_[i])) continue;
-                line.push_back(peer && row.cells[i] ? ratio_text(*row.cells[i], *peer) : "");
+                if (!peer || !row.cells[i]) {
+                    line.emplace_back();
+                    continue;
+                }
+                const double ratio = row.cells[i]->step_ms() / peer->step_ms();
+                const Bound bound = engines_[i]->name == "fettle" ? row.bound : Bound{};
+                line.push_back(
+                    verdict.look(row.scene, ratio, bound, figure(ratio), "of Box2D's time"));
             }
+            if (bounded()) line.push_back(row.bound.text());
             table.add(std::move(line));
         }
-        std::cout << table.text();
+        if (!options_.output.json) std::cout << table.text();
+        verdict.print(options_.output.json ? std::cerr : std::cout);
     }
 
-    static std::string ratio_text(const Cell& own, const Cell& peer) {
-        return figure(own.step_ms() / peer.step_ms());
+    /// Whether the table has a column for bounds.
+    bool bounded() const {
+        return std::ranges::any_of(engines_, [this](const EngineKind* kind) {
+            return kind->name == "fettle" && compared(*kind);
+        });
     }
 
     Chart chart() const {

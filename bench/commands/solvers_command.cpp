@@ -55,14 +55,21 @@ std::vector<SolverRow> time_rows(Progress& progress) {
     return rows;
 }
 
-std::string table_of(const std::vector<SolverRow>& rows) {
-    std::vector<std::string> headers = {"scene", "figure", "unit", "good"};
+std::string table_of(const std::vector<SolverRow>& rows, Verdict& verdict) {
+    std::vector<std::string> headers = {"scene", "figure", "unit", "bound"};
     for (const SolverKind& kind : solver_kinds()) headers.emplace_back(kind.name);
     Table table(headers);
     for (const SolverRow& row : rows) {
         std::vector<std::string> line = {row.scene, row.figure.name, row.figure.unit,
-                                         row.figure.goal};
-        for (const double value : row.values) line.push_back(figure(value));
+                                         words_of(row.figure.bound)};
+        for (std::size_t k = 0; k < row.values.size(); ++k) {
+            const double value = row.values[k];
+            // The bounds are those of the usual solver; the others are there to compare with.
+            const bool usual = solver_kinds()[k].solver == physics::Solver::soft_step;
+            line.push_back(usual ? verdict.look(row.scene + ", " + row.figure.name, value,
+                                                row.figure.bound, figure(value), row.figure.unit)
+                                 : figure(value));
+        }
         table.add(std::move(line));
     }
     return table.text();
@@ -129,10 +136,13 @@ int run_solvers(const SolversOptions& options) {
         }
         if (plots) write_plots(options.plots, progress);
     }
+    Verdict verdict("solvers");
+    const std::string table = table_of(rows, verdict);
     if (options.json)
         print_json(rows);
     else
-        std::cout << table_of(rows);
+        std::cout << table;
+    verdict.print(options.json ? std::cerr : std::cout);
     return 0;
 }
 

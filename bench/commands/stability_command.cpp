@@ -14,7 +14,7 @@ namespace {
 
 struct FigureRow {
     std::string scene;
-    Figure figure;                              // name, unit, goal
+    Figure figure;                              // name, unit, bound
     std::vector<std::optional<double>> values;  // one an engine
 };
 
@@ -51,14 +51,21 @@ std::vector<FigureRow> rows_of(const Trial& trial, const std::vector<const Engin
 }
 
 std::string table_of(const std::vector<FigureRow>& rows,
-                     const std::vector<const EngineKind*>& engines) {
-    std::vector<std::string> headers = {"scene", "figure", "unit", "good"};
+                     const std::vector<const EngineKind*>& engines, Verdict& verdict) {
+    std::vector<std::string> headers = {"scene", "figure", "unit", "bound"};
     for (const EngineKind* kind : engines) headers.emplace_back(kind->name);
     Table table(headers);
     for (const FigureRow& row : rows) {
         std::vector<std::string> line = {row.scene, row.figure.name, row.figure.unit,
-                                         row.figure.goal};
-        for (const auto& value : row.values) line.push_back(value ? figure(*value) : "");
+                                         words_of(row.figure.bound)};
+        for (std::size_t e = 0; e < engines.size(); ++e) {
+            const std::string shown = row.values[e] ? figure(*row.values[e]) : "";
+            // The peers are there to compare with: nothing is asked of them.
+            const bool own = row.values[e] && engines[e]->name == "fettle";
+            line.push_back(own ? verdict.look(row.scene + ", " + row.figure.name, *row.values[e],
+                                              row.figure.bound, shown, row.figure.unit)
+                               : shown);
+        }
         table.add(std::move(line));
     }
     return table.text();
@@ -106,10 +113,13 @@ int run_stability(const StabilityOptions& options) {
                 rows.push_back(std::move(row));
         }
     }
+    Verdict verdict("stability");
+    const std::string table = table_of(rows, engines, verdict);
     if (options.output.json)
         print_json(rows, engines);
     else
-        std::cout << table_of(rows, engines);
+        std::cout << table;
+    verdict.print(options.output.json ? std::cerr : std::cout);
     if (!options.output.svg.empty()) write_svg(chart_of(rows, engines), options.output.svg);
     return 0;
 }

@@ -15,6 +15,7 @@
 #include "measure/round_trip.h"
 #include "measure/simulation.h"
 #include "measure/timing.h"
+#include "report/bounds.h"
 #include "report/json_lines.h"
 #include "report/progress.h"
 #include "report/table.h"
@@ -23,7 +24,7 @@
 namespace fettle::bench {
 namespace {
 
-constexpr double least_speedup = 1.7;  // on two threads
+const Bound least_speedup = at_least(1.7);  // on two threads
 constexpr int steps_a_turn = 100;  // in shorter ones it shows that threads that wait fall asleep
 
 constexpr std::array<const char*, 5> stage_names = {"pairs", "narrow", "solve", "finish", "other"};
@@ -148,7 +149,8 @@ int run_threads(const ThreadsOptions& options) {
         if (options.scenes.empty() && entry.make) scenes.push_back(&entry);
 
     const std::string several = "on " + std::to_string(options.threads);
-    Table speed({"ms a step", "on one", several, "times as fast", "at least", "median step",
+    Verdict verdict("threads");
+    Table speed({"ms a step", "on one", several, "times as fast", "bound", "median step",
                  "ns there and back"});
     std::vector<std::string> stage_headers = {"ms a stage"};
     for (const char* name : stage_names) {
@@ -169,9 +171,12 @@ int run_threads(const ThreadsOptions& options) {
             }
             const Result result = median_of(runs);
             if (options.json) print_json(scene.name, options.threads, scene.steps, result);
+            const Bound bound = options.threads == 2 ? least_speedup : Bound{};
             speed.add({scene.name, figure(result.one_ms), figure(result.several_ms),
-                       figure(result.speedup), options.threads == 2 ? figure(least_speedup) : "",
-                       figure(result.median_speedup), figure(result.round_trip_ns)});
+                       verdict.look(
+                           scene.name, result.speedup, bound, figure(result.speedup),
+                           "times as fast, " + figure(result.round_trip_ns) + " ns there and back"),
+                       bound.text(), figure(result.median_speedup), figure(result.round_trip_ns)});
             std::vector<std::string> line = {scene.name};
             for (std::size_t k = 0; k < stage_names.size(); ++k) {
                 line.push_back(figure(result.one[k]));
@@ -181,6 +186,7 @@ int run_threads(const ThreadsOptions& options) {
         }
     }
     if (!options.json) std::cout << speed.text() << "\n" << stages.text();
+    verdict.print(options.json ? std::cerr : std::cout);
     return 0;
 }
 

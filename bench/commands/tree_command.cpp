@@ -18,7 +18,8 @@ int run_tree(const TreeOptions& options) {
     add_lua_costs(costs);
     if (!options.only.empty()) costs.keep(options.only);
     const std::vector<Cost> rows = costs.run(options.repetitions);
-    Table table({"cost", "ns", "ratio", "at most", "against"});
+    Verdict verdict("tree");
+    Table table({"cost", "ns", "ratio", "bound", "against"});
     Chart chart{.title = "What the property tree costs", .unit = "ns", .series = {"fettle"}};
     for (const Cost& row : rows) {
         std::vector<Comparison> comparisons = row.comparisons;
@@ -31,17 +32,22 @@ int run_tree(const TreeOptions& options) {
                                  {{"name", row.name},
                                   {"ns", row.ns},
                                   {"ratio", compared ? JsonField(beside.ratio) : JsonField()},
-                                  {"against", compared ? JsonField(beside.against) : JsonField()}})
+                                  {"against", compared ? JsonField(beside.against) : JsonField()},
+                                  {"at_most",
+                                   beside.bound ? JsonField(beside.bound.value) : JsonField()}})
                           << "\n";
             }
-            table.add({first ? row.name : "", first ? figure(row.ns) : "",
-                       compared ? figure(beside.ratio) : "",
-                       beside.at_most > 0 ? figure(beside.at_most) : "", beside.against});
+            const std::string ratio =
+                verdict.look(row.name, beside.ratio, beside.bound,
+                             compared ? figure(beside.ratio) : "", "of \"" + beside.against + "\"");
+            table.add({first ? row.name : "", first ? figure(row.ns) : "", ratio,
+                       beside.bound.text(), beside.against});
             first = false;
         }
         chart.groups.push_back({row.name, {row.ns}});
     }
     if (!options.output.json) std::cout << table.text();
+    verdict.print(options.output.json ? std::cerr : std::cout);
     if (!options.output.svg.empty()) write_svg(chart, options.output.svg);
     return 0;
 }

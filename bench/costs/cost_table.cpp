@@ -92,7 +92,7 @@ std::vector<Cost> CostTable::run(int repetitions) const {
         Cost cost{row.name, ns.at(row.name)};
         for (const Against& against : row.against)
             if (const auto base = ns.find(against.row); base != ns.end())
-                cost.comparisons.push_back({against.row, cost.ns / base->second, against.at_most});
+                cost.comparisons.push_back({against.row, cost.ns / base->second, against.bound});
         costs.push_back(std::move(cost));
     }
     return costs;

@@ -8,13 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "report/bounds.h"
+
 namespace fettle::bench {
 
 /// A row beside another.
 struct Comparison {
     std::string against;
     double ratio = 0;
-    double at_most = 0;  // the bound of the ratio; 0: none is set
+    Bound bound{};  // of the ratio
 };
 
 struct Cost {
@@ -29,7 +31,7 @@ class CostTable {
   public:
     struct Against {
         std::string row;
-        double at_most = 0;
+        Bound bound{};
     };
     struct Row {
         std::string name;

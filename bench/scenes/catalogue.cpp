@@ -9,12 +9,12 @@ namespace fettle::bench {
 
 std::span<const CatalogueEntry> catalogue() {
     static const std::array<CatalogueEntry, 11> entries = {{
-        {"large_pyramid", large_pyramid, ""},
-        {"many_pyramids", many_pyramids, ""},
-        {"joint_grid", joint_grid, ""},
-        {"smash", smash, ""},
-        {"tumbler", tumbler, ""},
-        {"compounds", compounds, ""},
+        {"large_pyramid", large_pyramid, "", true, 0.16},
+        {"many_pyramids", many_pyramids, "", true, 0.096},
+        {"joint_grid", joint_grid, "", true, 0.56},
+        {"smash", smash, "", true, 0.073},
+        {"tumbler", tumbler, "", true, 0.125},
+        {"compounds", compounds, "", true, 0.05},
         {"washer", washer, "", false},
         {"junkyard", junkyard, "", false},
         {"spinner", spinner, "", false},

@@ -15,6 +15,8 @@ struct CatalogueEntry {
     std::string_view missing;
     /// Run when nobody asks for scenes by name.
     bool by_default = true;
+    /// What a step may take at most, over that of Box2D 2.4; 0: the design sets no bound.
+    double over_box2d = 0;
 };
 
 std::span<const CatalogueEntry> catalogue();

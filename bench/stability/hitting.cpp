@@ -34,7 +34,7 @@ std::vector<Figure> confined_trial(const EngineKind& kind) {
     const auto engine = kind.make(scene);
     run_for(*engine, 20);
     const double speed = rms_speed(*engine, dynamic_bodies(scene), 60);
-    return {{"RMS speed after 20 s", 1000 * speed, "mm/s", "< 50: at rest"}};
+    return {{"RMS speed after 20 s", 1000 * speed, "mm/s", below(50, "at rest")}};
 }
 
 /// A box sunk by a quarter into the ground: how fast it comes out, and where it ends.
@@ -50,8 +50,8 @@ std::vector<Figure> overlap_trial(const EngineKind& kind) {
         fastest = std::max(fastest, static_cast<double>(box.velocity.y));
         highest = std::max(highest, static_cast<double>(box.position.y));
     }
-    return {{"fastest way out", fastest, "m/s", "<= 3"},
-            {"thrown up", 1000 * std::max(0.0, highest - 0.5), "mm", "< 100"}};
+    return {{"fastest way out", fastest, "m/s", at_most(3)},
+            {"thrown up", 1000 * std::max(0.0, highest - 0.5), "mm", below(100)}};
 }
 
 /// Balls of 10 cm at 300 m/s against a line, and against a wall 10 cm thick: five metres a step.
@@ -73,7 +73,7 @@ std::vector<Figure> bullets_trial(const EngineKind& kind) {
     int through = 0;
     for (const std::size_t ball : dynamic_bodies(scene))
         through += engine->motion(ball).position.x > 50 ? 1 : 0;
-    return {{"went through", static_cast<double>(through), "of 80", "0"}};
+    return {{"went through", static_cast<double>(through), "of 80", exactly(0)}};
 }
 
 /// Oblique frictionless collision of a ball with one three times as heavy, restitution 1.
@@ -106,9 +106,9 @@ std::vector<Figure> elastic_trial(const EngineKind& kind) {
     const Motions after = total();
     const double scale = 1 * 8 + 3 * 4;  // kg m/s, what both carry
     const double momentum = std::hypot(after.x - before.x, after.y - before.y) / scale;
-    return {{"momentum lost", momentum, "of all", "< 1e-5"},
-            {"energy changed", 100 * std::abs(after.energy / before.energy - 1), "%", "< 1"},
-            {"deflected", static_cast<double>(engine->motion(0).velocity.y), "m/s", "not 0"}};
+    return {{"momentum lost", momentum, "of all", below(1e-5)},
+            {"energy changed", 100 * std::abs(after.energy / before.energy - 1), "%", below(1)},
+            {"deflected", static_cast<double>(engine->motion(0).velocity.y), "m/s", other_than(0)}};
 }
 
 }  // namespace fettle::bench

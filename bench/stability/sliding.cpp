@@ -71,8 +71,8 @@ double kick(const EngineKind& kind, Geometry geometry) {
 }  // namespace
 
 std::vector<Figure> tiles_trial(const EngineKind& kind) {
-    return {{"kick of a box", 1000 * kick(kind, BoxShape{{0.5f, 0.5f}}), "mm/s", "< 50"},
-            {"kick of a circle", 1000 * kick(kind, CircleShape{0.5f}), "mm/s", "< 50"}};
+    return {{"kick of a box", 1000 * kick(kind, BoxShape{{0.5f, 0.5f}}), "mm/s", below(50)},
+            {"kick of a circle", 1000 * kick(kind, CircleShape{0.5f}), "mm/s", below(50)}};
 }
 
 /// A disc rolls at g sin θ / (1 + I/(m r²)) = ⅔ g sin θ.
@@ -89,7 +89,7 @@ std::vector<Figure> rolling_trial(const EngineKind& kind) {
     const double second = descent(*engine, 1, scene.bodies[1].position) - first;
     const double acceleration = second - first;  // s(2) - 2 s(1), over 1 s²
     const double analytic = gravity * std::sin(slope) * 2 / 3;
-    return {{"acceleration off by", 100 * std::abs(acceleration / analytic - 1), "%", "< 1"}};
+    return {{"acceleration off by", 100 * std::abs(acceleration / analytic - 1), "%", below(1)}};
 }
 
 /// Five percent more friction than tan θ holds a box, five percent less lets it slide at
@@ -100,8 +100,8 @@ std::vector<Figure> sliding_trial(const EngineKind& kind) {
     const double slid = slide(kind, 0.95 * limit);
     const double analytic =
         0.5 * gravity * (std::sin(slope) - 0.95 * limit * std::cos(slope)) * 2 * 2;
-    return {{"creep when held", 1000 * std::abs(held) / 2, "mm/s", "< 5"},
-            {"slide off by", 100 * std::abs(slid / analytic - 1), "%", "< 10"}};
+    return {{"creep when held", 1000 * std::abs(held) / 2, "mm/s", below(5)},
+            {"slide off by", 100 * std::abs(slid / analytic - 1), "%", below(10)}};
 }
 
 }  // namespace fettle::bench

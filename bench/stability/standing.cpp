@@ -116,8 +116,8 @@ std::vector<Figure> stack_trial(const EngineKind& kind) {
     const auto engine = kind.make(scene);
     run_for(*engine, 5);
     const double jitter = rms_speed(*engine, dynamic_bodies(scene), 60);
-    return {{"jitter", 1000 * jitter, "mm/s", "< 1"},
-            {"farthest move", 1000 * farthest_move(*engine, scene), "mm", "< 50"}};
+    return {{"jitter", 1000 * jitter, "mm/s", below(1)},
+            {"farthest move", 1000 * farthest_move(*engine, scene), "mm", below(50)}};
 }
 
 /// Five levels of cards; the tents lean 25° from upright.
@@ -136,7 +136,8 @@ std::vector<Figure> card_house_trial(const EngineKind& kind) {
     }
     const auto engine = kind.make(scene);
     run_for(*engine, 10);
-    return {{"farthest move in 10 s", 1000 * farthest_move(*engine, scene), "mm", "< 50: stands"}};
+    return {
+        {"farthest move in 10 s", 1000 * farthest_move(*engine, scene), "mm", below(50, "stands")}};
 }
 
 /// Seventeen wedges of a half ring between 9 and 11 m.
@@ -159,7 +160,8 @@ std::vector<Figure> arch_trial(const EngineKind& kind) {
     }
     const auto engine = kind.make(scene);
     run_for(*engine, 10);
-    return {{"farthest move in 10 s", 1000 * farthest_move(*engine, scene), "mm", "< 100: stands"}};
+    return {{"farthest move in 10 s", 1000 * farthest_move(*engine, scene), "mm",
+             below(100, "stands")}};
 }
 
 /// Fifteen upright slabs a metre apart, the first of which is knocked over. A slab has fallen when
@@ -188,7 +190,7 @@ std::vector<Figure> domino_trial(const EngineKind& kind) {
                                  fell[static_cast<std::size_t>(in_order) - 1])) {
         ++in_order;
     }
-    return {{"fallen in order", static_cast<double>(in_order), "of 15", "15"}};
+    return {{"fallen in order", static_cast<double>(in_order), "of 15", exactly(15)}};
 }
 
 /// A box of 300 kg on one of 1 kg, each a metre high: how far the light one is squashed.
@@ -202,7 +204,7 @@ std::vector<Figure> overload_trial(const EngineKind& kind) {
     const double light = static_cast<double>(engine->motion(1).position.y);
     const double heavy = static_cast<double>(engine->motion(2).position.y);
     const double deepest = std::max({0.0, 0.5 - light, 1.0 - (heavy - light)});
-    return {{"deepest overlap", 100 * deepest, "%", "< 5"}};
+    return {{"deepest overlap", 100 * deepest, "%", below(5)}};
 }
 
 /// How far thirty links stretch under a hundred times the mass of one.
@@ -212,7 +214,7 @@ std::vector<Figure> chain_trial(const EngineKind& kind) {
     run_for(*engine, 5);
     const double low = static_cast<double>(engine->motion(scene.bodies.size() - 1).position.y);
     const double stretch = -chain_length - static_cast<double>(chain_ball) - low;
-    return {{"stretch", 100 * stretch / chain_length, "%", "< 2"}};
+    return {{"stretch", 100 * stretch / chain_length, "%", below(2)}};
 }
 
 }  // namespace fettle::bench

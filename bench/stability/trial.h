@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engines/engine.h"
+#include "report/bounds.h"
 
 namespace fettle::bench {
 
@@ -14,7 +15,7 @@ struct Figure {
     std::string name;
     double value = 0;
     std::string unit{};
-    std::string goal{};  // what is good, in words: "< 1"
+    Bound bound{};
 };
 
 struct Trial {

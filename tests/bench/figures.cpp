@@ -4,11 +4,13 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "catch.h"
 #include "measure/timing.h"
+#include "report/bounds.h"
 #include "report/json_lines.h"
 #include "report/table.h"
 
@@ -56,6 +58,38 @@ TEST_CASE("a figure has three digits that matter") {
     CHECK(figure(-0.5) == "-0.500");
     CHECK(figure(1.00009, 5) == "1.0001");
     CHECK(figure(0.0000123) == "1.23e-05");
+}
+
+TEST_CASE("a bound holds for the figures it is meant for and for no NaN") {
+    CHECK(below(50).holds(49.9));
+    CHECK_FALSE(below(50).holds(50));
+    CHECK(at_most(1.75).holds(1.75));
+    CHECK_FALSE(at_most(1.75).holds(1.7501));
+    CHECK(at_least(1.7).holds(1.7));
+    CHECK_FALSE(at_least(1.7).holds(1.69));
+    CHECK(exactly(15).holds(15));
+    CHECK_FALSE(exactly(15).holds(14));
+    CHECK(other_than(0).holds(-0.1));
+    CHECK_FALSE(other_than(0).holds(0));
+    CHECK(Bound{}.holds(1e9));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Bound& bound : {below(1), at_most(1), at_least(1), exactly(1), other_than(1)})
+        CHECK_FALSE(bound.holds(nan));
+}
+
+TEST_CASE("a table marks the figures beyond their bounds and names each at the end") {
+    Verdict verdict("tree");
+    CHECK(verdict.look("get ball.mass", 1.5, at_most(1.75), "1.50", "of the barest") == "1.50");
+    CHECK(verdict.look("get ball.mass", 2, at_most(1.75), "2.00", "of the barest") == "2.00 !");
+    CHECK(verdict.look("a row without a bound", 2, {}, "2.00") == "2.00");
+    CHECK(verdict.look("stack, jitter", 1, below(1, "stands"), "1.00", "mm/s") == "1.00 !");
+    CHECK(words_of(below(1, "stands")) == "< 1: stands");
+    std::ostringstream out;
+    verdict.print(out);
+    CHECK(out.str() ==
+          "\n3 bounds, 2 exceeded\n"
+          "exceeded: tree \"get ball.mass\" 2.00 of the barest (bound <= 1.75)\n"
+          "exceeded: tree \"stack, jitter\" 1.00 mm/s (bound < 1)\n");
 }
 
 TEST_CASE("columns of a table are as wide as their widest cell") {

@@ -69,6 +69,7 @@ file(WRITE "${CMAKE_BINARY_DIR}/bin/fettle" "#!/bin/sh\nfor a; do echo \"[$a]\";
 file(CHMOD "${CMAKE_BINARY_DIR}/bin/fettle" PERMISSIONS OWNER_READ OWNER_EXECUTE)
 add_custom_target(fettle)
 add_custom_target(fettle-bench)
+add_custom_target(fettle_installed COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/to be installed")
 add_test(NAME "it works" COMMAND true)
 if(EXISTS "${CMAKE_SOURCE_DIR}/broken")
   add_test(NAME "a < b & \"c\"" COMMAND false)
@@ -210,6 +211,29 @@ case_play_hands_its_arguments_to_fettle_run() {
     expect_output $'[run]\n[my game]\n[--seed]\n[3]\n'"$work/elsewhere"
 }
 
+case_play_build_builds_what_is_installed() {
+    run "$project/play" --build
+    expect_status 0
+    [[ -e "$project/build/release/to be installed" ]] || wrong "the target fettle_installed should have been built"
+    expect_output "what cmake --install installs"
+}
+
+case_an_installation_of_what_is_not_built_names_it_and_copies_nothing() {
+    cmake -S "$repository" -B "$work/build" -G Ninja -DFETTLE_PARTS=property -DFETTLE_BUILD_TESTS=OFF \
+        -DFETTLE_BUILD_BENCH=OFF >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+    local component
+    for component in "" "--component development" "--component runtime"; do
+        # shellcheck disable=SC2086
+        run cmake --install "$work/build" --prefix "$work/prefix" $component
+        expect_status 1
+        expect_output "Nothing was installed"
+        expect_output "framework/property/libfettle_property.a"
+        expect_output "./play --build"
+        expect_output "cmake --build $work/build --target fettle_installed"
+        [[ ! -e $work/prefix ]] || wrong "nothing should have been copied"
+    done
+}
+
 case_play_alone_opens_the_showcase() {
     run "$project/play"
     expect_output $'[run]\n['"$project/scripts/showcase]"
@@ -250,6 +274,25 @@ case_the_summary_names_what_failed() {
     expect_output "FAILED   gone"
     expect_output "skipped  not here"
     [[ $(last_line) =~ ^[12]\ passed,\ 2\ failed,\ [12]\ skipped$ ]] || wrong "the last line is the count"
+}
+
+case_the_summary_names_the_bounds_that_a_benchmark_exceeds() {
+    cat >>"$project/CMakeLists.txt" <<'PROJECT'
+file(WRITE "${CMAKE_BINARY_DIR}/bin/fettle-bench" "#!/bin/sh
+[ \"$2\" = --help ] || echo \"the table $1\"
+[ $1 != tree ] || printf 'exceeded: tree \"get ball.mass\" 2.00 of the barest (bound 1.75)\\n'
+[ $1 != stability ] || [ \"$2\" = --help ] || exit 2
+")
+file(CHMOD "${CMAKE_BINARY_DIR}/bin/fettle-bench" PERMISSIONS OWNER_READ OWNER_EXECUTE)
+PROJECT
+    run "$project/check" --full
+    expect_output "the table tree"
+    expect_output "fettle-bench stability did not finish"
+    expect_output "the table past"
+    local end=${output##*the table past}
+    [[ $end == *'exceeded tree "get ball.mass" 2.00 of the barest (bound 1.75)'* ]] ||
+        wrong "the summary should name the bound"
+    [[ $end != *"FAILED   tree"* ]] || wrong "a bound is no test"
 }
 
 case_a_broken_build_fails_the_check() {

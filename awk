@@ -1,0 +1,1 @@
+/tmp/awk_gawk/awk

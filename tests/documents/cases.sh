@@ -1,0 +1,295 @@
+#!/usr/bin/env bash
+# How documents are tested, tried on small ones. Each case_* function is one test; CTest runs `cases.sh NAME`.
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+
+# A small project with the commands, and what follows documents.
+project=$work/project
+mkdir -p "$project/tests" "$project/cmake"
+cp -r "$here" "$project/tests/documents"
+cp "$here/../../play" "$here/../../check" "$project/"
+cp "$here/../../cmake/packages.txt" "$project/cmake/"
+
+# A finished build whose program prints its arguments.
+mkdir -p "$work/build/bin"
+printf '#!/bin/sh\nfor a; do echo "[$a]"; done\n' >"$work/build/bin/fettle"
+chmod +x "$work/build/bin/fettle"
+
+# follow: the document that comes on the standard input.
+follow() {
+    cat >"$work/page.md"
+    status=0
+    output=$("$project/tests/documents/follow.sh" "$@" "$work/page.md" "$work/build" "$work/followed" 2>&1) || status=$?
+}
+wrong() {
+    printf 'wrong: %s\n--- status %s, output:\n%s\n' "$1" "$status" "$output"
+    exit 1
+}
+expect_success() { [[ $status == 0 ]] || wrong "it should have worked"; }
+expect_failure() {
+    [[ $status == 1 ]] || wrong "it should have failed"
+    [[ $output == *"$1"* ]] || wrong "the output should contain: $1"
+}
+
+case_commands_run_and_their_whole_output_is_compared() {
+    follow <<'PAGE'
+```sh
+printf 'one\ntwo\n'
+```
+
+```text
+one
+two
+```
+PAGE
+    expect_success
+}
+
+case_a_line_of_output_that_is_not_shown_is_a_failure() {
+    follow <<'PAGE'
+```sh
+printf 'one\ntwo\n'
+```
+
+```text
+one
+```
+PAGE
+    expect_failure "+two"
+    [[ $output == *"page.md:5: the output is another one"* ]] || wrong "the line of the block should be named"
+}
+
+case_errors_are_part_of_the_output() {
+    follow <<'PAGE'
+```sh
+echo oh >&2
+```
+
+```text
+oh
+```
+PAGE
+    expect_success
+}
+
+case_times_of_day_may_differ_and_nothing_else() {
+    follow <<'PAGE'
+```sh
+echo 'step 7, 23:59:01'
+```
+
+```text
+step 7, 08:27:50
+```
+PAGE
+    expect_success
+    follow <<'PAGE'
+```sh
+echo 'step 8, 23:59:01'
+```
+
+```text
+step 7, 08:27:50
+```
+PAGE
+    expect_failure "+step 8"
+}
+
+case_commands_that_fail_are_a_failure() {
+    follow <<'PAGE'
+```sh
+echo before
+false
+echo after
+```
+PAGE
+    expect_failure "page.md:1: these commands fail"
+    [[ $output == *before* && $output != *$'\nafter\n'*before* ]] || wrong "what was printed should be told"
+}
+
+case_all_commands_are_typed_into_one_terminal() {
+    follow <<'PAGE'
+```sh
+export NAME=value
+mkdir ~/place && cd ~/place
+```
+
+Then:
+
+```sh
+echo "$NAME, ${PWD##*/}"
+```
+
+```text
+value, place
+```
+PAGE
+    expect_success
+}
+
+case_files_are_written_where_the_terminal_is() {
+    follow <<'PAGE'
+```sh
+cd ~
+```
+
+```lua game/main.lua
+print(1)
+```
+
+```sh
+cat ~/game/main.lua
+```
+
+```text
+print(1)
+```
+PAGE
+    expect_success
+}
+
+case_the_terminal_begins_in_a_fresh_checkout() {
+    follow <<'PAGE'
+```sh
+ls play check
+ls -d build
+```
+PAGE
+    expect_failure "cannot access 'build'"
+    [[ $output == *$'check\nplay'* ]] || wrong "the commands should be there"
+}
+
+case_a_block_without_a_language_is_a_failure() {
+    follow <<'PAGE'
+```
+./play
+```
+PAGE
+    expect_failure "page.md:1: this block has no language"
+}
+
+case_an_indented_block_is_a_failure() {
+    follow <<'PAGE'
+# Title
+
+    ./play
+PAGE
+    expect_failure "page.md:3: an indented block has no language"
+}
+
+case_a_language_that_no_test_can_run_is_a_failure() {
+    follow <<'PAGE'
+- in a list
+
+  ```python
+  print(1)
+  ```
+PAGE
+    expect_failure "page.md:3: no test can run a block of python"
+    follow <<<"<pre>x</pre>"
+    expect_failure "no test can run a block of HTML"
+}
+
+case_a_block_that_does_not_end_is_a_failure() {
+    follow <<'PAGE'
+```sh
+true
+PAGE
+    expect_failure "page.md:1: this block has no end"
+}
+
+case_a_block_of_code_without_a_file_is_a_failure() {
+    follow <<'PAGE'
+```cpp
+int main() {}
+```
+PAGE
+    expect_failure "page.md:1: a block of cpp needs the name of its file"
+}
+
+case_a_mark_runs_commands_that_the_reader_does_not_see() {
+    follow <<'PAGE'
+<!-- test: run cat
+     there.lua -->
+
+```lua there.lua
+x = 1
+```
+
+```text
+x = 1
+```
+PAGE
+    expect_success
+    follow <<'PAGE'
+<!-- test: run false -->
+
+```lua there.lua
+x = 1
+```
+PAGE
+    expect_failure "page.md:3: these commands fail"
+}
+
+case_a_mark_that_means_nothing_is_a_failure() {
+    follow <<'PAGE'
+<!-- test: sometimes -->
+```sh
+true
+```
+PAGE
+    expect_failure "no such mark: test: sometimes"
+}
+
+case_what_is_typed_into_a_console_goes_to_the_game() {
+    follow <<'PAGE'
+<!-- test: console scripts/showcase at 10 20 -->
+```console
+› a = 1
+  its answer
+› b
+› c
+```
+PAGE
+    # The program here prints what it is told: not what the page shows.
+    expect_failure "the output is another one"
+    [[ $output == *'+[10:a = 1]'*'+[20:b]'*'+[21:c]'* ]] || wrong "the commands should have their steps"
+    [[ $output == *'+[scripts/showcase]'*'+[--steps]'*'+[22]'* ]] || wrong "the game should be played to the end"
+}
+
+case_a_console_without_a_game_is_a_failure() {
+    follow <<'PAGE'
+```console
+› a = 1
+```
+PAGE
+    expect_failure "a console needs a mark"
+}
+
+case_output_without_commands_is_a_failure() {
+    follow <<'PAGE'
+```text
+nothing printed this
+```
+PAGE
+    expect_failure "this output belongs to no commands"
+}
+
+case_full_runs_what_is_marked_so_and_nothing_else() {
+    local page='<!-- test: full -->
+```sh
+echo long; false
+```
+
+```sh
+echo short
+```'
+    follow <<<"$page"
+    expect_success
+    follow --full <<<"$page"
+    expect_failure "long"
+}
+
+"$1"

@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# Follows a document as a new user does: makes a fresh checkout and an empty home, writes every file that the document shows,
+# runs every command, and compares the whole output with what the document shows. A block that cannot be tested is a failure.
+#
+#   follow.sh DOCUMENT BUILD FOLDER    DOCUMENT is absolute or relative to the project; BUILD is a build folder in which everything is
+#                                      built; FOLDER is where checkout and home are made
+#   follow.sh --full DOCUMENT BUILD FOLDER    runs only the blocks marked "full", in the checkout that this file is part of
+#
+# How each kind of block is tested, and what the marks in comments mean, is in docs/design/testing.md.
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
+source "$here/blocks.sh"
+sources=$(cd -- "$here/../.." && pwd -P)
+full=0
+if [[ ${1:-} == --full ]]; then full=1; shift; fi
+document=$1 folder=$3
+finished=$(cd -- "$2" && pwd -P)
+[[ -x $finished/bin/fettle ]] || { echo "$finished/bin/fettle is not built"; exit 1; }
+if [[ $document == /* ]]; then read_blocks "$document"; else read_blocks "$sources/$document"; fi
+
+# --- Where it happens -----------------------------------------------------------------------------------------------------
+
+rm -rf -- "$folder"
+mkdir -p -- "$folder/home"
+folder=$(cd -- "$folder" && pwd -P)
+terminal=$folder/terminal
+checkout=$folder/fettle
+
+# What git would hand out, with what has been changed but not committed.
+make_checkout() {
+    mkdir -- "$checkout"
+    if git -C "$sources" rev-parse --git-dir >/dev/null 2>&1; then
+        git -C "$sources" ls-files -z --cached --others --exclude-standard
+    else
+        (cd -- "$sources" && find . -path ./build -prune -o -type f -print0)
+    fi | while IFS= read -r -d '' file; do
+        if [[ -e $sources/$file ]]; then printf '%s\0' "$file"; fi
+    done | tar -C "$sources" --null -T - -cf - | tar -C "$checkout" -xf -
+}
+
+# The terminal: a new user's environment, and the tools that stand for those which would build and test everything.
+environment=(
+    env -i HOME="$folder/home" USER=reader TERM=dumb LANG=C.UTF-8 TMPDIR="${TMPDIR:-/tmp}"
+    PATH="$here/stand-ins:$PATH" FETTLE_CHECKOUT="$checkout" FETTLE_FINISHED="$finished" FETTLE_PATH="$PATH")
+if command -v ccache >/dev/null; then
+    environment+=(CCACHE_DIR="$(ccache -k cache_dir)" CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+if ((full)); then
+    environment=(env)
+    checkout=$sources
+else
+    make_checkout
+fi
+printf 'cd %q\n' "$checkout" >"$terminal"
+
+# in_terminal COMMANDS: runs them where the commands before left off; what they print goes to $said.
+in_terminal() {
+    local status=0
+    # shellcheck disable=SC2016
+    said=$("${environment[@]}" timeout 300 bash -ec '
+        source "$1"
+        trap '\''status=$?; { export -p; printf "cd %q\n" "$PWD"; } >"$1"; exit $status'\'' EXIT
+        eval "$2"' terminal "$terminal" "$1" 2>&1 </dev/null && printf .) || status=$?
+    said=${said%.}
+    return "$status"
+}
+
+# --- What is done with each block -----------------------------------------------------------------------------------------
+
+fail() {
+    printf '%s:%s: %s\n' "$document" "${block_line[i]}" "$*"
+    exit 1
+}
+
+run_commands() {
+    in_terminal "$1" || fail "these commands fail:
+$1--- they print:
+$said"
+    has_output=1
+}
+
+write_file() {
+    # shellcheck disable=SC2016
+    in_terminal 'mkdir -p -- "$(dirname -- "'"${block_file[i]}"'")"; pwd' || fail "$said"
+    printf '%s' "${block_text[i]}" >"${said%$'\n'}/${block_file[i]}"
+}
+
+# The time of day is the only thing that no document can know.
+without_clock() { sed -E 's/\b[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\b/HH:MM:SS/g'; }
+
+compare_output() {
+    ((has_output)) || fail "this output belongs to no commands"
+    diff -u --label "what the document shows" --label "what is printed" \
+        <(without_clock <<<"$1") <(without_clock <<<"${said%$'\n'}") || fail "the output is another one"
+    has_output=0
+}
+
+# Each line that begins with the prompt is typed before the step that the mark names for it, or one step later than the last.
+play_console() {
+    local game steps=() step=0 line typed=() words
+    [[ ${block_mark[i]} =~ ^console\ ([^ ]+)\ at\ ([0-9 ]+)$ ]] ||
+        fail "a console needs a mark: <!-- test: console GAME at STEP STEP ... -->"
+    game=${BASH_REMATCH[1]}
+    read -r -a steps <<<"${BASH_REMATCH[2]}"
+    while IFS= read -r line; do
+        [[ $line == '› '* ]] || continue
+        step=${steps[0]:-$((step + 1))}
+        steps=("${steps[@]:1}")
+        typed+=(--console "$step:${line#'› '}")
+    done <<<"${block_text[i]}"
+    ((${#typed[@]})) || fail "nothing is typed here"
+    printf -v words ' %q' "$finished/bin/fettle" run "$game" --headless --steps "$((step + 1))" "${typed[@]}"
+    run_commands "$words"
+    compare_output "${block_text[i]%$'\n'}"
+}
+
+tested=0 has_output=0 said=
+for i in "${!block_kind[@]}"; do
+    kind=${block_kind[i]} file=${block_file[i]} mark=${block_mark[i]}
+    if [[ $mark == full ]]; then
+        ((full)) || continue
+    elif ((full)); then
+        continue
+    fi
+    case $kind in
+        sh) run_commands "${block_text[i]}" ;;
+        text) compare_output "${block_text[i]%$'\n'}" ;;
+        console) play_console ;;
+        cpp | c | cmake | json | lua)
+            [[ -n $file ]] || fail "a block of $kind needs the name of its file behind the language"
+            write_file
+            ;;
+        '') fail "this block has no language, so that no test can run it" ;;
+        indented) fail "an indented block has no language, so that no test can run it: fence it" ;;
+        html) fail "no test can run a block of HTML: fence it" ;;
+        open) fail "this block has no end" ;;
+        *) fail "no test can run a block of $kind" ;;
+    esac
+    if [[ $mark == run\ * ]]; then run_commands "${mark#run }"; fi
+    case $mark in
+        '' | full | run\ * | console\ *) ;;
+        *) fail "no such mark: test: $mark" ;;
+    esac
+    tested=$((tested + 1))
+done
+printf '%s: %d blocks, all as they stand\n' "$document" "$tested"
