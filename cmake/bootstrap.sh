@@ -18,14 +18,13 @@ with_progress() {
 # progress WHAT DONE ALL [TEXT]: how far the work called WHAT is, and how long the rest will take if it goes on like that.
 # A bar on a terminal, elsewhere a plain line for every tenth part.
 progress() {
-    local what=$1 done=$2 all=$3 text=${4:-"$2 of $3"} tenth elapsed
+    local what=$1 done=$2 all=$3 text=${4:-"$2 of $3"} tenth elapsed left
     if [[ $what != "$current" ]]; then current=$what last_tenth='' began=$SECONDS; fi
     tenth=$((10 * done / all))
     elapsed=$((SECONDS - began))
     # The first moments say little about the rest.
-    if ((elapsed >= 5 && done > 0 && done < all)); then
-        text+=", about $(duration $((elapsed * (all - done) / done))) left"
-    fi
+    left=$((done ? elapsed * (all - done) / done : 0))
+    if ((elapsed >= 5 && left)); then text+=", about $(duration $left) left"; fi
     if ((terminal)); then
         printf '\r\033[K%s: %s [%.*s%.*s] %s' "${0##*/}" "$what" "$tenth" '##########' "$((10 - tenth))" '----------' "$text"
         drawn=1

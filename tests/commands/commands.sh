@@ -71,6 +71,12 @@ add_custom_target(fettle)
 add_custom_target(fettle-bench)
 add_custom_target(fettle_installed COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/to be installed")
 add_test(NAME "it works" COMMAND true)
+if(EXISTS "${CMAKE_SOURCE_DIR}/tests/harbor")
+  add_custom_target(everything_else ALL COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/all was built")
+  add_custom_target(test_harbor COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/the harbor was built")
+  add_test(NAME "ships sail" COMMAND true)
+  set_tests_properties("ships sail" PROPERTIES LABELS harbor)
+endif()
 if(EXISTS "${CMAKE_SOURCE_DIR}/broken")
   add_test(NAME "a < b & \"c\"" COMMAND false)
   add_test(NAME "gone" COMMAND no-such-program)
@@ -105,6 +111,30 @@ case_nothing_missing_means_no_word_to_apt() {
     run "$project/check"
     expect_status 0
     [[ ! -s $asked ]] || wrong "no tool should have been asked"
+}
+
+case_the_name_of_a_folder_of_tests_builds_and_runs_only_these() {
+    mkdir "$project/tests/harbor"
+    touch "$project/tests/harbor/CMakeLists.txt" "$project/tests/harbor/harbor_test.cpp"
+    run "$project/check" harbor
+    expect_status 0
+    [[ $(last_line) == "1 passed, 0 failed" ]] || wrong "only the test of the harbor should have run"
+    [[ -e "$project/build/release/the harbor was built" ]] || wrong "the harbor should have been built"
+    [[ ! -e "$project/build/release/all was built" ]] || wrong "nothing else should have been built"
+}
+
+case_progress_tells_how_long_the_rest_will_take() {
+    source "$repository/cmake/bootstrap.sh"
+    # A clock of its own: three of four parts are done after sixty seconds.
+    slow_line() { began=$((SECONDS - 60)) current=work; progress work "$1" 4; }
+    output=$(with_progress slow_line <<<3)
+    expect_output "work, 3 of 4, about 20 s left"
+    output=$(with_progress slow_line <<<4)
+    expect_output "work, 4 of 4"
+    [[ $output != *left* ]] || wrong "nothing is left"
+    slow_line() { began=$((SECONDS - 600)) current=work; progress work "$1" 4; }
+    output=$(with_progress slow_line <<<1)
+    expect_output "about 30 min left"
 }
 
 case_root_installs_only_what_is_missing() {
