@@ -2335,7 +2335,7 @@ function xpcall(action, handler, ...) end
 ---Called once, when main.lua has run.
 function start() end
 
----Called every frame; dt is the real time since the last one in seconds.
+---Called every frame; dt is the game time since the last one in seconds: real time times time.scale, 0 while the game is paused.
 ---@param dt number
 function update(dt) end
 

@@ -112,7 +112,8 @@ const std::vector<GlobalDoc>& callback_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"start", "start()", "Called once, when main.lua has run."},
         {"update", "update(dt: number)",
-         "Called every frame; dt is the real time since the last one in seconds."},
+         "Called every frame; dt is the game time since the last one in seconds: real time times "
+         "time.scale, 0 while the game is paused."},
         {"step", "step(dt: number)",
          "Called before every fixed step of the simulation, time.dt seconds long."},
         {"draw", "draw(pen: Pen)", "Called for every picture, over what draws itself."},
