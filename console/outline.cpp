@@ -1,8 +1,14 @@
 #include "outline.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
+
+#include <fettle/property/drawing.h>
+#include <fettle/property/painter.h>
 
 #include "theme.h"
 
@@ -31,94 +37,109 @@ std::vector<Vec2> points_of(const Value& list) {
     return points;
 }
 
-class Pen {
+/// Draws the lines round what it is asked to draw.
+class Pen : public property::Painter {
   public:
     Pen(ImDrawList& list, const ToPixels& to_pixels, double seconds)
         : list_(list), to_pixels_(to_pixels) {
         glow_ = 0.22f + 0.08f * static_cast<float>(std::sin(seconds * 4));
     }
 
-    void line(const std::vector<Vec2>& world, bool closed) {
-        std::vector<ImVec2> pixels;
-        pixels.reserve(world.size());
-        for (const Vec2& point : world) pixels.push_back(pixel(point));
-        stroke(pixels, closed);
-    }
+    bool drew_anything() const { return drew_anything_; }
 
-    void circle(Vec2 center, double radius) {
-        ImVec2 middle = pixel(center);
-        ImVec2 edge = pixel(center + Vec2(radius, 0));
-        float r = std::hypot(edge.x - middle.x, edge.y - middle.y);
-        list_.AddCircle(middle, r, with_alpha(palette::accent, glow_), 0, 7);
-        list_.AddCircle(middle, r, palette::accent, 0, 2);
+    void circle(const Vec2& center, double radius, const property::Paint&) override {
+        arc(center, Vec2(radius, 0), Vec2(0, radius), 0, two_pi);
+        stroke(true);
     }
+    void ellipse(const Vec2& center, const Vec2& radii, double angle,
+                 const property::Paint&) override {
+        const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
+        arc(center, radii.x() * along, radii.y() * across, 0, two_pi);
+        stroke(true);
+    }
+    void polygon(std::span<const Vec2> vertices, double rounding, const property::Paint&) override {
+        const std::size_t n = vertices.size();
+        if (rounding <= 0 || n < 2) {
+            for (const Vec2& vertex : vertices) points_.push_back(pixel(vertex));
+            return stroke(n > 2);
+        }
+        // Convex and counter-clockwise: at each corner the rounding turns from the normal of one
+        // edge to that of the next.
+        const auto normal = [&](std::size_t i) {
+            const Vec2 edge = vertices[(i + 1) % n] - vertices[i % n];
+            return std::atan2(-edge.x(), edge.y());
+        };
+        for (std::size_t i = 0; i < n; ++i) {
+            const double before = normal(i + n - 1);
+            double turn = std::remainder(normal(i) - before, two_pi);
+            if (turn < -1) turn += two_pi;  // the end of a line
+            arc(vertices[i], Vec2(rounding, 0), Vec2(0, rounding), before, before + turn);
+        }
+        stroke(true);
+    }
+    void line(const Vec2& from, const Vec2& to, property::Color, float) override {
+        points_ = {pixel(from), pixel(to)};
+        stroke(false);
+    }
+    void point(const Vec2&, property::Color, float) override {}
+    void text(const Vec2&, std::string_view, double, property::Color,
+              property::TextAlign) override {}
+    void part_of(std::uint64_t) override {}
+    bool shows(property::Overlay) const override { return false; }
+    bool sees(const Vec2&, const Vec2&) const override { return true; }
+    void begin_screen() override {}
+    void end_screen() override {}
 
   private:
-    ImVec2 pixel(Vec2 world) const {
-        Vec2 p = to_pixels_(world);
+    static constexpr double two_pi = 2 * std::numbers::pi;
+
+    ImVec2 pixel(const Vec2& world) const {
+        const Vec2 p = to_pixels_(world);
         return ImVec2(static_cast<float>(p.x()), static_cast<float>(p.y()));
     }
-    void stroke(const std::vector<ImVec2>& points, bool closed) {
-        auto count = static_cast<int>(points.size());
-        int flags = closed ? ImDrawFlags_Closed : 0;
-        list_.AddPolyline(points.data(), count, with_alpha(palette::accent, glow_), flags, 7);
-        list_.AddPolyline(points.data(), count, palette::accent, flags, 2);
+    /// Points of center + a cos t + b sin t, as many as its size on the screen needs.
+    void arc(const Vec2& center, const Vec2& a, const Vec2& b, double start, double end) {
+        const Vec2 middle = to_pixels_(center);
+        const double radius = std::max((to_pixels_(center + a) - middle).norm(),
+                                       (to_pixels_(center + b) - middle).norm());
+        const double whole = std::clamp(4 * std::sqrt(radius), 12.0, 1024.0);
+        const int segments = std::max(1, static_cast<int>(whole * (end - start) / two_pi));
+        for (int i = 0; i <= segments; ++i) {
+            const double t = start + (end - start) * i / segments;
+            points_.push_back(pixel(center + std::cos(t) * a + std::sin(t) * b));
+        }
+    }
+    void stroke(bool closed) {
+        const auto count = static_cast<int>(points_.size());
+        const int flags = closed ? ImDrawFlags_Closed : 0;
+        list_.AddPolyline(points_.data(), count, with_alpha(palette::accent, glow_), flags, 7);
+        list_.AddPolyline(points_.data(), count, palette::accent, flags, 2);
+        points_.clear();
+        drew_anything_ = true;
     }
 
     ImDrawList& list_;
     const ToPixels& to_pixels_;
     float glow_;
+    bool drew_anything_ = false;
+    std::vector<ImVec2> points_;
 };
-
-/// Where a circle's center is: beside the radius it is local to the body.
-Vec2 circle_center(const property::Tree& tree, Handle shape, Vec2 local) {
-    Handle body = tree.parent(shape);
-    auto position = body ? read(tree, body, "position", Type::vec2) : std::nullopt;
-    auto angle = body ? read(tree, body, "angle", Type::number) : std::nullopt;
-    if (!position) return local;
-    double a = angle ? angle->number() : 0;
-    Vec2 turned(std::cos(a) * local.x() - std::sin(a) * local.y(),
-                std::sin(a) * local.x() + std::cos(a) * local.y());
-    return position->vec2() + turned;
-}
-
-bool draw_shape(const property::Tree& tree, Handle instance, Pen& pen) {
-    auto radius = read(tree, instance, "radius", Type::number);
-    auto center = read(tree, instance, "center", Type::vec2);
-    if (radius && center) {
-        pen.circle(circle_center(tree, instance, center->vec2()), radius->number());
-        return true;
-    }
-    if (auto vertices = read(tree, instance, "world_vertices", Type::list)) {
-        std::vector<Vec2> points = points_of(*vertices);
-        if (points.size() >= 2) {
-            pen.line(points, points.size() > 2);
-            return true;
-        }
-    }
-    return false;
-}
 
 }  // namespace
 
 void draw_outline(ImDrawList& list, const property::Tree& tree, Handle instance,
                   const ToPixels& to_pixels, double seconds) {
-    Pen pen(list, to_pixels, seconds);
-    bool drawn = draw_shape(tree, instance, pen);
     // A body is the sum of its shapes; of a whole world one sees the world.
-    if (!drawn && tree.find(instance, "position") != nullptr)
-        for (Handle child = tree.first_child(instance); child; child = tree.next_sibling(child))
-            drawn = draw_shape(tree, child, pen) || drawn;
-    if (drawn) return;
-    if (auto box = read(tree, instance, "aabb", Type::list)) {
-        std::vector<Vec2> corners = points_of(*box);
-        if (corners.size() != 2) return;
-        pen.line({corners[0],
-                  {corners[1].x(), corners[0].y()},
-                  corners[1],
-                  {corners[0].x(), corners[1].y()}},
-                 true);
-    }
+    const auto box = read(tree, instance, "aabb", Type::list);
+    if (!box && tree.find(instance, "position") == nullptr) return;
+    Pen pen(list, to_pixels, seconds);
+    tree.draw(instance, pen, property::Drawing::alpha());
+    if (pen.drew_anything() || !box) return;
+    const std::vector<Vec2> corners = points_of(*box);
+    if (corners.size() != 2) return;
+    const std::array<Vec2, 4> round{corners[0], Vec2(corners[1].x(), corners[0].y()), corners[1],
+                                    Vec2(corners[0].x(), corners[1].y())};
+    pen.polygon(round, 0, {});
 }
 
 }  // namespace fettle::console

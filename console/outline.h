@@ -11,8 +11,8 @@ namespace fettle::console {
 
 using ToPixels = std::function<property::Vec2(property::Vec2 world)>;
 
-/// Follows the shapes of the instance and of its children: `world_vertices` where they have them,
-/// `radius` and `center` of circles, `aabb` of anything else. `seconds` lets it pulse.
+/// Goes round what the instance and its children draw, where the picture shows it; round the `aabb`
+/// of what draws nothing. `seconds` lets it pulse.
 void draw_outline(ImDrawList& list, const property::Tree& tree, property::Handle instance,
                   const ToPixels& to_pixels, double seconds);
 

@@ -8,6 +8,7 @@
 
 #include <fettle/app/loop.h>
 #include <fettle/app/screen.h>
+#include <fettle/property/drawing.h>
 
 namespace fettle::app {
 
@@ -90,6 +91,7 @@ void Loop::draw(Screen& screen, double seconds) {
     const auto start = std::chrono::steady_clock::now();
     View& view = services_.view;
     Clock& clock = services_.clock;
+    const property::Drawing drawing(clock.alpha);
     screen.begin(view.background);
     property::Painter& painter = screen.painter(view);
     if (view.show.grid) draw_grid(painter, view);

@@ -1,7 +1,8 @@
 #include <fettle/app/input.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fettle/script/runtime.h>
@@ -32,21 +33,24 @@ std::string utf8(char32_t c) {
     return text;
 }
 
-/// Which property of a gamepad an axis is: a component of a stick, or a trigger (component -1).
+std::string axis_name(std::string_view stick, int component) {
+    return std::string(stick) + (component == 0 ? "_x" : "_y");
+}
+
+/// Which property of a gamepad an axis is: a component of a stick, or a trigger.
 struct Axis {
-    std::string_view name;
     std::string_view property;
-    int component;
+    int component = -1;  // -1: a trigger
 };
 
-constexpr std::array<Axis, 8> axes{{{"left_x", "left", 0},
-                                    {"left_y", "left", 1},
-                                    {"right_x", "right", 0},
-                                    {"right_y", "right", 1},
-                                    {"pad_x", "pad", 0},
-                                    {"pad_y", "pad", 1},
-                                    {"left_trigger", "left_trigger", -1},
-                                    {"right_trigger", "right_trigger", -1}}};
+std::optional<Axis> axis_named(std::string_view name) {
+    for (const std::string_view stick : gamepad_stick_names)
+        for (int component : {0, 1})
+            if (name == axis_name(stick, component)) return Axis{stick, component};
+    for (const std::string_view trigger : gamepad_trigger_names)
+        if (name == trigger) return Axis{trigger, -1};
+    return std::nullopt;
+}
 
 }  // namespace
 
@@ -71,6 +75,30 @@ void Input::State::turn_wheel(double notches) {
     const double delta = notches - wheel;
     wheel = notches;
     queue("wheel", {delta, view.to_world(mouse)});
+}
+
+void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& to) {
+    const Vec2 from = gamepad.sticks[stick];
+    gamepad.sticks[stick] = to;
+    for (const int axis : {0, 1})
+        if (to[axis] != from[axis])
+            queue("gamepad_axis",
+                  {number_of(gamepad), axis_name(gamepad_stick_names[stick], axis), to[axis]});
+}
+
+void Input::State::pull_trigger(Gamepad& gamepad, std::size_t trigger, double to) {
+    gamepad.triggers[trigger] = to;
+    queue("gamepad_axis", {number_of(gamepad), std::string(gamepad_trigger_names[trigger]), to});
+}
+
+void Input::State::connect(Gamepad& gamepad, bool connected) {
+    gamepad.connected = connected;
+    if (connected) return;
+    const Handle self = gamepad.instance;
+    for (const std::string_view stick : gamepad_stick_names) tree.set(self, stick, Vec2(0, 0));
+    for (const std::string_view trigger : gamepad_trigger_names) tree.set(self, trigger, 0.0);
+    for (const GamepadButton& button : gamepad_button_columns)
+        tree.set(self, "button_" + button.name, false);
 }
 
 // --- Input ---------------------------------------------------------------------------------------
@@ -174,9 +202,8 @@ void Input::apply_gamepad(const InputEvent& event) {
     if (event.kind == EventKind::gamepad_pressed || event.kind == EventKind::gamepad_released) {
         set_switch(pad.instance, "button_" + event.name, event.kind == EventKind::gamepad_pressed);
     } else if (event.kind == EventKind::gamepad_axis) {
-        const auto axis = std::find_if(axes.begin(), axes.end(),
-                                       [&](const Axis& a) { return a.name == event.name; });
-        if (axis == axes.end()) return;
+        const std::optional<Axis> axis = axis_named(event.name);
+        if (!axis || !std::isfinite(event.delta)) return;
         const double value = std::clamp(static_cast<double>(event.delta), -1.0, 1.0);
         if (axis->component < 0) {
             s.tree.set(pad.instance, axis->property, 0.5 * (value + 1));
@@ -185,7 +212,6 @@ void Input::apply_gamepad(const InputEvent& event) {
             stick[axis->component] = value;
             s.tree.set(pad.instance, axis->property, stick);
         }
-        s.queue("gamepad_axis", {event.gamepad, event.name, value});
     }
 }
 

@@ -80,23 +80,48 @@ std::vector<Property> mouse_properties(State& state) {
              .simulated = true}};
 }
 
-template <class Base>
-Property stick(State& state, const char* name, const char* doc, Base base) {
-    return {.name = name,
+constexpr std::array<const char*, gamepad_stick_names.size()> stick_docs{
+    "The left stick, right and up positive. Setting it moves it: gamepad_axis is called with "
+    "\"left_x\" and \"left_y\".",
+    "The right stick, right and up positive. Setting it moves it: gamepad_axis is called with "
+    "\"right_x\" and \"right_y\".",
+    "The directional pad, right and up positive: -1, 0 or 1. Setting it moves it: gamepad_axis is "
+    "called with \"pad_x\" and \"pad_y\"."};
+constexpr std::array<const char*, gamepad_trigger_names.size()> trigger_docs{
+    "How far the left trigger is pulled. Setting it pulls it: gamepad_axis is called with "
+    "\"left_trigger\".",
+    "How far the right trigger is pulled. Setting it pulls it: gamepad_axis is called with "
+    "\"right_trigger\"."};
+
+Property stick(State::GamepadAxis& stick) {
+    return {.name = std::string(gamepad_stick_names[stick.index]),
             .type = Type::vec2,
             .range = {-1, 1},
-            .doc = doc,
-            .binding = column(state, Native::vec2d, sizeof(State::Gamepad), base),
+            .doc = stick_docs[stick.index],
+            .binding = accessor(
+                stick,
+                [](State::GamepadAxis& s, Row row) -> Vec2 {
+                    return s.state->gamepads[row].sticks[s.index];
+                },
+                [](State::GamepadAxis& s, Row row, const Value& to) {
+                    s.state->move_stick(s.state->gamepads[row], s.index, to.vec2());
+                }),
             .transient = true};
 }
 
-template <class Base>
-Property trigger(State& state, const char* name, const char* doc, Base base) {
-    return {.name = name,
+Property trigger(State::GamepadAxis& trigger) {
+    return {.name = std::string(gamepad_trigger_names[trigger.index]),
             .type = Type::number,
             .range = {0, 1},
-            .doc = doc,
-            .binding = column(state, Native::f64, sizeof(State::Gamepad), base),
+            .doc = trigger_docs[trigger.index],
+            .binding = accessor(
+                trigger,
+                [](State::GamepadAxis& t, Row row) -> double {
+                    return t.state->gamepads[row].triggers[t.index];
+                },
+                [](State::GamepadAxis& t, Row row, const Value& to) {
+                    t.state->pull_trigger(t.state->gamepads[row], t.index, to.number());
+                }),
             .transient = true};
 }
 
@@ -104,7 +129,10 @@ Property gamepad_button(State::GamepadButton& button) {
     return {.name = "button_" + button.name,
             .type = Type::boolean,
             .default_value = false,
-            .doc = "Whether the button is held down.",
+            .doc =
+                "Whether the button is held down. Setting it presses or releases it: "
+                "gamepad_pressed or gamepad_released is called with \"" +
+                button.name + "\".",
             .binding = accessor(
                 button,
                 [](State::GamepadButton& b, Row row) {
@@ -118,24 +146,16 @@ Property gamepad_button(State::GamepadButton& button) {
             .transient = true};
 }
 
-std::vector<Property> gamepad_properties(State& state) {
-    return {{.name = "connected",
-             .type = Type::boolean,
-             .default_value = false,
-             .doc = "Whether there is such a gamepad.",
-             .binding = column(state, Native::boolean, sizeof(State::Gamepad),
-                               [](State& s) { return &s.gamepads[0].connected; }),
-             .transient = true},
-            stick(state, "left", "The left stick, right and up positive.",
-                  [](State& s) { return s.gamepads[0].left.data(); }),
-            stick(state, "right", "The right stick, right and up positive.",
-                  [](State& s) { return s.gamepads[0].right.data(); }),
-            stick(state, "pad", "The directional pad, right and up positive.",
-                  [](State& s) { return s.gamepads[0].pad.data(); }),
-            trigger(state, "left_trigger", "How far the left trigger is pulled.",
-                    [](State& s) { return &s.gamepads[0].left_trigger; }),
-            trigger(state, "right_trigger", "How far the right trigger is pulled.",
-                    [](State& s) { return &s.gamepads[0].right_trigger; })};
+Property connected(State& state) {
+    return {
+        .name = "connected",
+        .type = Type::boolean,
+        .default_value = false,
+        .doc = "Whether there is such a gamepad. One that goes lets go of everything first.",
+        .binding = accessor(
+            state, [](State& s, Row row) { return bool{s.gamepads[row].connected}; },
+            [](State& s, Row row, const Value& now) { s.connect(s.gamepads[row], now.boolean()); }),
+        .transient = true};
 }
 
 }  // namespace
@@ -196,16 +216,27 @@ void Input::State::define_mouse(Handle input) {
 }
 
 void Input::State::define_gamepads(Handle input) {
-    std::vector<Property> properties = gamepad_properties(*this);
+    std::vector<Property> properties{connected(*this)};
+    for (std::size_t i = 0; i < gamepad_sticks.size(); ++i) {
+        gamepad_sticks[i] = {this, i};
+        properties.push_back(stick(gamepad_sticks[i]));
+    }
+    for (std::size_t i = 0; i < gamepad_triggers.size(); ++i) {
+        gamepad_triggers[i] = {this, i};
+        properties.push_back(trigger(gamepad_triggers[i]));
+    }
     for (std::size_t i = 0; i < gamepad_button_columns.size(); ++i) {
         gamepad_button_columns[i] = {this, i, std::to_string(i + 1)};
         properties.push_back(gamepad_button(gamepad_button_columns[i]));
     }
-    const property::Class& gamepad_class = tree.define({.name = "Gamepad",
-                                                        .doc = "A gamepad.",
-                                                        .creatable = false,
-                                                        .snapshots = property::Snapshots::never,
-                                                        .properties = std::move(properties)});
+    const property::Class& gamepad_class =
+        tree.define({.name = "Gamepad",
+                     .doc = "A gamepad: two sticks, a directional pad, two triggers and up to "
+                            "sixteen buttons, which have numbers. Setting one moves, pulls or "
+                            "presses it.",
+                     .creatable = false,
+                     .snapshots = property::Snapshots::never,
+                     .properties = std::move(properties)});
     for (std::size_t i = 0; i < gamepads.size(); ++i) {
         gamepads[i].instance =
             tree.create(gamepad_class, input, "gamepad_" + std::to_string(i + 1));

@@ -9,6 +9,11 @@
 
 namespace fettle::app {
 
+/// Sticks, which are vectors: their axes are called "left_x", "left_y" and so on.
+inline constexpr std::array<std::string_view, 3> gamepad_stick_names{"left", "right", "pad"};
+/// Triggers, which are numbers and axes of the same name.
+inline constexpr std::array<std::string_view, 2> gamepad_trigger_names{"left_trigger",
+                                                                       "right_trigger"};
 inline constexpr std::array<std::string_view, 5> mouse_button_names{"left", "right", "middle",
                                                                     "extra_1", "extra_2"};
 
@@ -25,9 +30,14 @@ struct Input::State {
     struct Gamepad {
         property::Handle instance{};
         bool connected = false;
-        property::Vec2 left{0, 0}, right{0, 0}, pad{0, 0};
-        double left_trigger = 0, right_trigger = 0;
+        std::array<property::Vec2, gamepad_stick_names.size()> sticks{};
+        std::array<double, gamepad_trigger_names.size()> triggers{};
         std::array<bool, gamepad_buttons> buttons{};
+    };
+    /// One stick or one trigger of all gamepads: what a property of their class is bound to.
+    struct GamepadAxis {
+        State* state = nullptr;
+        std::size_t index = 0;
     };
     /// One button of all gamepads: what a property of their class is bound to.
     struct GamepadButton {
@@ -46,6 +56,8 @@ struct Input::State {
     std::vector<Switch> keys{};
     std::array<Switch, mouse_button_names.size()> buttons{};
     std::array<Gamepad, gamepad_count> gamepads{};
+    std::array<GamepadAxis, gamepad_stick_names.size()> gamepad_sticks{};
+    std::array<GamepadAxis, gamepad_trigger_names.size()> gamepad_triggers{};
     std::array<GamepadButton, gamepad_buttons> gamepad_button_columns{};
     property::Vec2 mouse{0, 0};  // px
     double wheel = 0;            // notches in this frame
@@ -58,8 +70,15 @@ struct Input::State {
     void queue(std::string_view callback, std::vector<property::Value> arguments);
     void move_mouse(const property::Vec2& pixels);
     void turn_wheel(double notches);
+    void move_stick(Gamepad& gamepad, std::size_t stick, const property::Vec2& to);
+    void pull_trigger(Gamepad& gamepad, std::size_t trigger, double to);
+    /// Lets go of everything when it goes.
+    void connect(Gamepad& gamepad, bool connected);
 
   private:
+    int number_of(const Gamepad& gamepad) const {
+        return static_cast<int>(&gamepad - gamepads.data()) + 1;
+    }
     void define_keys(property::Handle input);
     void define_mouse(property::Handle input);
     void define_gamepads(property::Handle input);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <fettle/property/acceptance.h>
+#include <fettle/property/drawing.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
 #include <fettle/property/restoring.h>
@@ -232,6 +233,7 @@ struct HostFunctions {
         if (host.tree == nullptr || host.part == nullptr) return;
         (void)host.guarded([&](property::Tree& tree) { tree.refreshing(*host.part, what); });
     }
+    static double drawing_alpha(void*) { return property::Drawing::alpha(); }
 };
 
 HostTable::HostTable() {
@@ -270,7 +272,8 @@ HostTable::HostTable() {
               .step = F::step,
               .touched = F::touched,
               .refreshing = F::refreshing,
-              .each_restored = F::each_restored};
+              .each_restored = F::each_restored,
+              .drawing_alpha = F::drawing_alpha};
 }
 
 }  // namespace fettle::module

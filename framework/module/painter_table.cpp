@@ -59,6 +59,12 @@ fettle_painter painter_table(Painter& painter) {
     };
     table.begin_screen = [](void* self) { painter_of(self).begin_screen(); };
     table.end_screen = [](void* self) { painter_of(self).end_screen(); };
+    table.ellipse = [](void* self, const double* center, const double* radii, double angle,
+                       const float* fill, const float* border, float width) {
+        painter_of(self).ellipse(point(center), point(radii), angle,
+                                 {color(fill), color(border), width});
+    };
+    table.part_of = [](void* self, std::uint64_t whole) { painter_of(self).part_of(whole); };
     return table;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include <fettle/property/drawing.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -470,6 +471,7 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
 void Tree::draw(Handle top, Painter& painter, double alpha) const {
     const State& s = *state_;
     s.require(top);
+    const Drawing drawing(alpha);
     std::vector<std::uint32_t> over;
     s.visit_below(top.index, [&](std::uint32_t i) {
         const Lifecycle& lifecycle = s.classes[s.nodes[i].class_id].lifecycle();

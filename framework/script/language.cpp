@@ -129,9 +129,14 @@ const std::vector<GlobalDoc>& callback_docs() {
         {"wheel", "wheel(notches: number, position: vec)",
          "The wheel was turned, away from the user positive, over a position in the world."},
         {"gamepad_pressed", "gamepad_pressed(gamepad: integer, button: string)",
-         "A button of a gamepad, counted from 1, went down."},
+         "A button of a gamepad went down; gamepads are counted from 1, and buttons are called "
+         "\"1\" to \"16\"."},
+        {"gamepad_released", "gamepad_released(gamepad: integer, button: string)",
+         "A button of a gamepad came up."},
         {"gamepad_axis", "gamepad_axis(gamepad: integer, axis: string, value: number)",
-         "A stick or trigger of a gamepad, counted from 1, moved to a value from -1 to 1."},
+         "An axis of a gamepad moved: \"left_x\", \"left_y\", \"right_x\", \"right_y\", "
+         "\"pad_x\" or \"pad_y\" to a value from -1 to 1, right and up positive; "
+         "\"left_trigger\" or \"right_trigger\" to a value from 0 to 1."},
         {"resized", "resized(width: number, height: number)",
          "The window got another size, in pixels."},
         {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},

@@ -201,13 +201,17 @@ TypeDoc pen_type() {
          {"polygon",
           "polygon(vertices: vec[], fill?: color|string|false, border?: color|string|false, "
           "border_width?: number)",
-          "A convex polygon of three or more vertices."},
+          "A polygon of three or more vertices, convex or not. Of an outline that crosses itself "
+          "all "
+          "is filled that it goes round, and the border follows every line."},
          {"screen", "screen(action: fun(pen: Pen))",
           "What the function draws is measured in pixels from the upper left corner."},
          {"text",
           "text(position: vec, text: any, height?: number, fill?: color|string, align?: "
           "\"middle\"|\"left\"|\"right\")",
-          "A text, half a meter high unless a height is given."}}};
+          "A text, half a meter high unless a height is given; the position is the middle of its "
+          "height. It may have several lines, each aligned by itself, and tabs: a line goes on at "
+          "the next multiple of twice the height."}}};
     pen.by_dot = true;
     return pen;
 }

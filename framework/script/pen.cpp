@@ -8,6 +8,7 @@
 //   pen.screen(function)
 // Colors are values or names; nil or false draws no fill, no border.
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -54,19 +55,26 @@ double number_or(lua_State* L, int index, const char* what, double otherwise) {
     return lua_isnoneornil(L, index) ? otherwise : check_number(L, index, what);
 }
 
+void check_finite(double value, const char* what) {
+    if (!std::isfinite(value))
+        throw Error(ErrorKind::not_finite,
+                    std::string(what) + ": " + property::number_text(value) + " cannot be drawn");
+}
+
+/// In pixels; nothing is thinner than nothing.
+float width_or(lua_State* L, int index, const char* what, double otherwise) {
+    const double value = number_or(L, index, what, otherwise);
+    check_finite(value, what);
+    return static_cast<float>(std::clamp(value, 0.0, 1e4));
+}
+
 Paint paint_at(lua_State* L, int index, const char* what) {
     Paint paint;
     const bool border = !lua_isnoneornil(L, index + 1);
     paint.fill = color_or(L, index, what, border ? Color{0, 0, 0, 0} : Color{1, 1, 1, 1});
     paint.border = color_or(L, index + 1, what, {0, 0, 0, 0});
-    paint.border_width = static_cast<float>(number_or(L, index + 2, what, 1.5));
+    paint.border_width = width_or(L, index + 2, what, 1.5);
     return paint;
-}
-
-void check_finite(double value, const char* what) {
-    if (!std::isfinite(value))
-        throw Error(ErrorKind::not_finite,
-                    std::string(what) + ": " + property::number_text(value) + " cannot be drawn");
 }
 
 Vec2 point_at(lua_State* L, int index, const char* what) {
@@ -124,15 +132,14 @@ int polygon(lua_State* L) {
 int line(lua_State* L) {
     drop_self(L);
     painter(L).line(point_at(L, 1, "pen.line"), point_at(L, 2, "pen.line"),
-                    color_or(L, 3, "pen.line", {1, 1, 1, 1}),
-                    static_cast<float>(number_or(L, 4, "pen.line", 1.5)));
+                    color_or(L, 3, "pen.line", {1, 1, 1, 1}), width_or(L, 4, "pen.line", 1.5));
     return 0;
 }
 
 int point(lua_State* L) {
     drop_self(L);
     painter(L).point(point_at(L, 1, "pen.point"), color_or(L, 2, "pen.point", {1, 1, 1, 1}),
-                     static_cast<float>(number_or(L, 3, "pen.point", 4)));
+                     width_or(L, 3, "pen.point", 4));
     return 0;
 }
 
@@ -149,6 +156,8 @@ property::TextAlign align_at(lua_State* L, int index) {
 
 int text(lua_State* L) {
     drop_self(L);
+    if (lua_gettop(L) < 2)
+        throw Error(ErrorKind::wrong_type, "pen.text: needs a position and a text");
     if (lua_type(L, 1) == LUA_TSTRING) {  // the other way round is as clear
         lua_pushvalue(L, 1);
         lua_remove(L, 1);

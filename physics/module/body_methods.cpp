@@ -1,7 +1,10 @@
 // Methods of Body: from one coordinate system to the other, pushes.
 
+#include <fettle/property/drawing.h>
+
 #include "bindings.h"
 #include "classes.h"
+#include "forms.h"
 #include "touches.h"
 
 namespace fettle::physics_module {
@@ -12,6 +15,24 @@ using property::Field;
 using property::Method;
 using property::Result;
 using Arguments = std::span<const Value>;
+
+/// Where the body is in the picture that is being drawn; where it is, while none is.
+Frame drawn_frame(Hosting& hosting, Row row) {
+    const auto [in, slot] = hosting.at(row);
+    return Frame(in.world, slot, property::Drawing::alpha());
+}
+
+/// `Run`: captureless lambda (const Frame&, Arguments) -> Value.
+template <class Run>
+Method drawn_method(Hosting& hosting, Method described, Run) {
+    described.context = &hosting;
+    described.effect = Effect::nothing;
+    described.call = [](void* context, property::Tree&, Handle, Row row,
+                        Arguments arguments) -> Result {
+        return Run{}(drawn_frame(*static_cast<Hosting*>(context), row), arguments);
+    };
+    return described;
+}
 
 /// `Run`: captureless lambda (physics::Body, Arguments) -> Result.
 template <class Run>
@@ -61,6 +82,28 @@ std::vector<Method> body_methods(Hosting& hosting) {
                [](const physics::Body& body, Arguments a) -> Result {
                    return to_value(body.local_point(vec2_argument(a[0])));
                }),
+        drawn_method(hosting,
+                     {.name = "drawn_position",
+                      .returns = {vec2("position", "m", "In the world.")},
+                      .doc = "Where the picture that is being drawn shows its origin: pictures are "
+                             "drawn between the last two steps. Outside of `draw`: its position."},
+                     [](const Frame& frame, Arguments) { return Value(frame.position()); }),
+        drawn_method(hosting,
+                     {.name = "drawn_angle",
+                      .returns = {{.name = "angle", .unit = "rad", .doc = "Counter-clockwise."}},
+                      .doc = "How far it is turned in the picture that is being drawn. Outside of "
+                             "`draw`: its angle."},
+                     [](const Frame& frame, Arguments) { return Value(frame.angle()); }),
+        drawn_method(hosting,
+                     {.name = "to_drawn",
+                      .parameters = {vec2("point", "m", "In the body's coordinates.")},
+                      .required = 1,
+                      .returns = {vec2("point", "m", "In the world.")},
+                      .doc = "Where the picture that is being drawn shows a point of the body. "
+                             "Outside of `draw`: as `to_world`."},
+                     [](const Frame& frame, Arguments a) {
+                         return Value(frame.point(vec2_argument(a[0])));
+                     }),
         method(hosting,
                {.name = "velocity_at",
                 .parameters = {vec2("point", "m", "In the world.")},

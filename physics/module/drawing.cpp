@@ -31,12 +31,27 @@ Vec2 way(const physics::World& world, std::uint32_t body) {
     return widen(physics::Vec2((now - before).cwiseAbs()));
 }
 
-void draw_contacts(physics::World& world, Painter& painter) {
+/// Where a point of the last step is drawn that two bodies share. What moves shows it; where both
+/// do, it is between.
+Vec2 shared_point(physics::World& world, const physics::Contact& contact,
+                  const physics::Vec2& point, double alpha) {
+    Vec2 sum(0, 0);
+    int moving = 0;
+    for (const physics::BodyId id : {contact.body_a, contact.body_b}) {
+        if (!world.is_valid(id) || world.body(id).type() == physics::BodyType::static_body)
+            continue;
+        sum += Frame(world, id.index, alpha).point(world.body(id).local_point(point));
+        ++moving;
+    }
+    return moving == 0 ? widen(point) : Vec2(sum / moving);
+}
+
+void draw_contacts(physics::World& world, Painter& painter, double alpha) {
     const Color dot{1.0f, 0.85f, 0.2f, 1.0f}, arrow{0.3f, 0.95f, 0.45f, 1.0f};
     for (const physics::Contact& contact : world.contacts()) {
         for (int k = 0; k < contact.point_count; ++k) {
             const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
-            const Vec2 at = widen(p.point);
+            const Vec2 at = shared_point(world, contact, p.point, alpha);
             if (!painter.sees(at, at)) continue;
             painter.point(at, dot, 6);
             // The weight of a kilogram is 10 N: a tenth of a metre.
@@ -47,13 +62,13 @@ void draw_contacts(physics::World& world, Painter& painter) {
     }
 }
 
-void draw_boxes(physics::World& world, Painter& painter) {
+void draw_boxes(physics::World& world, Painter& painter, double alpha) {
     const Paint paint{{0, 0, 0, 0}, {0.85f, 0.45f, 0.85f, 0.8f}, 1.0f};
     for (const physics::Shape& shape : world.shapes()) {
-        if (!shape.body()) continue;
-        const physics::Aabb box = shape.aabb();
-        if (!sees(painter, box, Vec2(0, 0))) continue;
-        const Vec2 a = widen(box.min), b = widen(box.max);
+        const physics::Body body = shape.body();
+        if (!body) continue;
+        const auto [a, b] = extent_of(shape, Frame(world, body.index(), alpha));
+        if (!painter.sees(a, b)) continue;
         const std::array<Vec2, 4> corners = {a, Vec2(b.x(), a.y()), b, Vec2(a.x(), b.y())};
         painter.polygon(corners, 0, paint);
     }
@@ -112,11 +127,20 @@ void draw_joints(physics::World& world, Painter& painter, double alpha) {
 }
 
 /// What sleeps is marked.
-void draw_islands(physics::World& world, Painter& painter) {
+void draw_islands(physics::World& world, Painter& painter, double alpha) {
     for (const physics::Body& body : world.bodies()) {
         if (body.awake() || body.type() == physics::BodyType::static_body) continue;
-        const Vec2 at = widen(body.world_center());
+        const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
         if (painter.sees(at, at)) painter.text(at, "z", 0.4, {1, 1, 1, 0.8f});
+    }
+}
+
+void draw_names(const property::Tree& tree, physics::World& world, Painter& painter, double alpha) {
+    for (const physics::Body& body : world.bodies()) {
+        const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
+        const Handle self = unpack(body.user_data());
+        if (painter.sees(at, at) && tree.alive(self))
+            painter.text(at, tree.get(self, "name").text(), 0.35, {1, 1, 1, 1});
     }
 }
 
@@ -133,18 +157,25 @@ void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& 
     if (!sees(painter, shape.aabb(), reach)) return;
     Paint paint{.fill = hosting.fill_of(row), .border = hosting.border_of(row)};
     if (shape.sensor()) paint.fill.a *= sensor_opacity;
-    draw_form(shape, owner ? Frame(in.world, owner.index(), alpha) : Frame(), paint, painter);
+    const Frame frame = owner ? Frame(in.world, owner.index(), alpha) : Frame();
+    const bool alone = !owner || owner.shape_count() < 2;
+    if (!alone) painter.part_of(make_row(world_number(row), owner.index()) + std::uint64_t{1});
+    draw_form(shape, frame, paint, painter);
+    if (!alone) painter.part_of(0);
+    // Of several, one sees how they are turned.
+    if (alone) draw_mark(shape, frame, paint, painter);
 }
 
-void draw_world_overlays(void* context, const property::Tree&, Handle, Row row, Painter& painter,
-                         double alpha) {
+void draw_world_overlays(void* context, const property::Tree& tree, Handle, Row row,
+                         Painter& painter, double alpha) {
     physics::World& world = static_cast<Hosting*>(context)->world(row);
-    if (painter.shows(Overlay::aabbs)) draw_boxes(world, painter);
+    if (painter.shows(Overlay::aabbs)) draw_boxes(world, painter, alpha);
     if (painter.shows(Overlay::joints)) draw_joints(world, painter, alpha);
-    if (painter.shows(Overlay::islands)) draw_islands(world, painter);
+    if (painter.shows(Overlay::islands)) draw_islands(world, painter, alpha);
     if (painter.shows(Overlay::velocities) || painter.shows(Overlay::centers))
         draw_motion(world, painter, alpha);
-    if (painter.shows(Overlay::contacts)) draw_contacts(world, painter);
+    if (painter.shows(Overlay::contacts)) draw_contacts(world, painter, alpha);
+    if (painter.shows(Overlay::names)) draw_names(tree, world, painter, alpha);
 }
 
 }  // namespace fettle::physics_module

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace fettle::physics_module {
 namespace {
@@ -31,30 +30,6 @@ class Placed {
     std::span<Vec2> points_;
 };
 
-void draw_circle(const physics::Shape& shape, const Frame& frame, const Paint& paint,
-                 Painter& painter) {
-    const Vec2 center = frame.point(shape.center());
-    const double radius = shape.radius();
-    painter.circle(center, radius, paint);
-    painter.line(center, center + radius * frame.direction(), paint.border, paint.border_width);
-}
-
-/// A screen has no ellipses; this many corners are none that one sees.
-void draw_ellipse(const physics::Shape& shape, const Frame& frame, const Paint& paint,
-                  Painter& painter) {
-    constexpr std::size_t corners = 64;
-    std::array<physics::Vec2, corners> rim;
-    const float c = std::cos(shape.angle()), s = std::sin(shape.angle());
-    for (std::size_t i = 0; i < corners; ++i) {
-        const float t = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / corners;
-        const float x = shape.radius_x() * std::cos(t), y = shape.radius_y() * std::sin(t);
-        rim[i] = shape.center() + physics::Vec2(c * x - s * y, s * x + c * y);
-    }
-    const Placed placed(rim, frame);
-    painter.polygon(placed.points(), 0, paint);
-    painter.line(frame.point(shape.center()), placed.points()[0], paint.border, paint.border_width);
-}
-
 void draw_lines(std::span<const Vec2> points, bool closed, const property::Color& color,
                 float width, Painter& painter) {
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
@@ -62,26 +37,29 @@ void draw_lines(std::span<const Vec2> points, bool closed, const property::Color
     if (closed && points.size() > 2) painter.line(points.back(), points.front(), color, width);
 }
 
-/// The inside piece by piece, the outline as a whole.
-void draw_concave(const physics::Shape& shape, const Frame& frame, const Paint& paint,
-                  Painter& painter) {
-    Paint inside = paint;
-    // No seams between the pieces of what is opaque.
-    inside.border = paint.fill.a < 1 ? property::Color{0, 0, 0, 0} : paint.fill;
-    inside.border_width = paint.fill.a < 1 ? 0.0f : 1.0f;
-    for (const auto& piece : shape.pieces())
-        painter.polygon(Placed(piece, frame).points(), 0, inside);
-    draw_lines(Placed(shape.vertices(), frame).points(), true, paint.border, paint.border_width,
-               painter);
+double rounding_of(const physics::Shape& shape) {
+    if (shape.type() != ShapeType::box) return shape.rounding();
+    return std::min<double>(shape.rounding(), 0.5 * std::min(shape.width(), shape.height()));
+}
+
+Vec2 radii_of(const physics::Shape& shape) {
+    if (shape.type() == ShapeType::ellipse) return widen(shape.radius_x(), shape.radius_y());
+    return Vec2::Constant(shape.radius());
+}
+
+bool is_round(const physics::Shape& shape) {
+    return shape.type() == ShapeType::circle || shape.type() == ShapeType::ellipse;
+}
+
+/// Its own, in its body.
+double angle_of(const physics::Shape& shape) {
+    return shape.type() == ShapeType::ellipse ? static_cast<double>(shape.angle()) : 0.0;
 }
 
 void draw_polygon(const physics::Shape& shape, const Frame& frame, const Paint& paint,
                   Painter& painter) {
     const Placed placed(shape.vertices(), frame);
-    const double rounding =
-        shape.type() == ShapeType::box
-            ? std::min<double>(shape.rounding(), 0.5 * std::min(shape.width(), shape.height()))
-            : shape.rounding();
+    const double rounding = rounding_of(shape);
     if (shape.type() == ShapeType::segment && rounding == 0)
         draw_lines(placed.points(), false, paint.fill, line_width, painter);
     else
@@ -90,21 +68,53 @@ void draw_polygon(const physics::Shape& shape, const Frame& frame, const Paint& 
 
 }  // namespace
 
+Extent extent_of(const physics::Shape& shape, const Frame& frame) {
+    if (is_round(shape)) {
+        const Vec2 radii = radii_of(shape), middle = frame.point(shape.center());
+        const double turned = frame.angle() + angle_of(shape);
+        const double c = std::cos(turned), s = std::sin(turned);
+        const Vec2 reach(std::hypot(radii.x() * c, radii.y() * s),
+                         std::hypot(radii.x() * s, radii.y() * c));
+        return {middle - reach, middle + reach};
+    }
+    Extent extent{frame.position(), frame.position()};
+    bool first = true;
+    for (const physics::Vec2& vertex : shape.vertices()) {
+        const Vec2 point = frame.point(vertex);
+        extent.lower = first ? point : Vec2(extent.lower.cwiseMin(point));
+        extent.upper = first ? point : Vec2(extent.upper.cwiseMax(point));
+        first = false;
+    }
+    const bool lines = shape.type() == ShapeType::chain || shape.type() == ShapeType::concave;
+    const Vec2 reach = Vec2::Constant(lines ? 0.0 : rounding_of(shape));
+    return {extent.lower - reach, extent.upper + reach};
+}
+
 void draw_form(const physics::Shape& shape, const Frame& frame, const Paint& paint,
                Painter& painter) {
     switch (shape.type()) {
         case ShapeType::circle:
-            return draw_circle(shape, frame, paint, painter);
+            return painter.circle(frame.point(shape.center()), shape.radius(), paint);
         case ShapeType::ellipse:
-            return draw_ellipse(shape, frame, paint, painter);
+            return painter.ellipse(frame.point(shape.center()), radii_of(shape),
+                                   frame.angle() + angle_of(shape), paint);
         case ShapeType::concave:
-            return draw_concave(shape, frame, paint, painter);
+            return painter.polygon(Placed(shape.vertices(), frame).points(), 0, paint);
         case ShapeType::chain:
             return draw_lines(Placed(shape.vertices(), frame).points(), shape.closed(), paint.fill,
                               line_width, painter);
         default:
             return draw_polygon(shape, frame, paint, painter);
     }
+}
+
+void draw_mark(const physics::Shape& shape, const Frame& frame, const Paint& paint,
+               Painter& painter) {
+    if (!is_round(shape)) return;
+    const Vec2 middle = frame.point(shape.center());
+    const double turned = frame.angle() + angle_of(shape);
+    const Vec2 rim = middle + radii_of(shape).x() * Vec2(std::cos(turned), std::sin(turned));
+    painter.line(middle, rim, paint.border, paint.border_width);
 }
 
 }  // namespace fettle::physics_module

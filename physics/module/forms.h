@@ -27,7 +27,7 @@ class Frame {
         const double x = local.x(), y = local.y();
         return {position_.x() + cosine_ * x - sine_ * y, position_.y() + sine_ * x + cosine_ * y};
     }
-    property::Vec2 direction() const { return {cosine_, sine_}; }
+    double angle() const { return angle_; }
     const property::Vec2& position() const { return position_; }
 
   private:
@@ -35,8 +35,20 @@ class Frame {
     double angle_ = 0, cosine_ = 1, sine_ = 0;
 };
 
+/// A box in the world, in double precision.
+struct Extent {
+    property::Vec2 lower, upper;
+};
+
+/// The box round a shape, where the frame places it.
+Extent extent_of(const physics::Shape& shape, const Frame& frame);
+
 /// Draws a shape of whatever geometry.
 void draw_form(const physics::Shape& shape, const Frame& frame, const property::Paint& paint,
+               property::Painter& painter);
+
+/// What shows how a round shape is turned.
+void draw_mark(const physics::Shape& shape, const Frame& frame, const property::Paint& paint,
                property::Painter& painter);
 
 }  // namespace fettle::physics_module

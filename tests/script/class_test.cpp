@@ -359,6 +359,10 @@ struct Recorder : fettle::property::Painter {
         log += "circle " + std::to_string(int(c.x())) + " " + std::to_string(int(r)) + " " +
                fettle::property::color_text(p.fill) + ";";
     }
+    void ellipse(const stage::Vec2&, const stage::Vec2&, double,
+                 const fettle::property::Paint&) override {
+        log += "ellipse;";
+    }
     void polygon(std::span<const stage::Vec2> v, double, const fettle::property::Paint&) override {
         log += "polygon " + std::to_string(v.size()) + ";";
     }
@@ -370,6 +374,7 @@ struct Recorder : fettle::property::Painter {
               fettle::property::TextAlign) override {
         log += "text " + std::string(t) + ";";
     }
+    void part_of(std::uint64_t) override {}
     bool shows(fettle::property::Overlay) const override { return false; }
     bool sees(const stage::Vec2&, const stage::Vec2&) const override { return true; }
     void begin_screen() override { log += "screen{"; }

@@ -19,6 +19,12 @@ void GuestPainter::polygon(std::span<const Vec2> vertices, double rounding,
                    &paint.fill.r, &paint.border.r, paint.border_width);
 }
 
+void GuestPainter::ellipse(const Vec2& center, const Vec2& radii, double angle,
+                           const property::Paint& paint) {
+    table_.ellipse(table_.self, center.data(), radii.data(), angle, &paint.fill.r, &paint.border.r,
+                   paint.border_width);
+}
+
 void GuestPainter::line(const Vec2& from, const Vec2& to, Color color, float width) {
     table_.line(table_.self, from.data(), to.data(), &color.r, width);
 }

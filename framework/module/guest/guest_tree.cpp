@@ -3,6 +3,7 @@
 #include "guest_tree.h"
 
 #include <fettle/property/acceptance.h>
+#include <fettle/property/drawing.h>
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
@@ -281,6 +282,11 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
 bool Acceptance::accepts(Handle instance) {
     const fettle_host* host = module::program();
     return host == nullptr || host->accepts(host->self, sent(instance)) != 0;
+}
+
+double Drawing::alpha() {
+    const fettle_host* host = module::program();
+    return host == nullptr ? 1 : host->drawing_alpha(host->self);
 }
 
 // --- Snapshots

@@ -103,6 +103,8 @@ class GuestPainter : public property::Painter {
   public:
     explicit GuestPainter(const fettle_painter& table) : table_(table) {}
     void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
+    void ellipse(const property::Vec2& center, const property::Vec2& radii, double angle,
+                 const property::Paint& paint) override;
     void polygon(std::span<const property::Vec2> vertices, double rounding,
                  const property::Paint& paint) override;
     void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
@@ -110,6 +112,7 @@ class GuestPainter : public property::Painter {
     void point(const property::Vec2& position, property::Color color, float size) override;
     void text(const property::Vec2& position, std::string_view text, double height,
               property::Color color, property::TextAlign align) override;
+    void part_of(std::uint64_t whole) override { table_.part_of(table_.self, whole); }
     bool shows(property::Overlay overlay) const override;
     bool sees(const property::Vec2& lower, const property::Vec2& upper) const override;
     void begin_screen() override { table_.begin_screen(table_.self); }

@@ -27,7 +27,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 2
+#define FETTLE_ABI_MINOR 3
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {
@@ -225,6 +225,7 @@ typedef struct fettle_painter {
     void* self;
     void (*circle)(void* self, const double* center, double radius, const float* fill,
                    const float* border, float border_width);
+    /* Of any outline; `rounding` is for convex ones. */
     void (*polygon)(void* self, const double* vertices, uint32_t count, double rounding,
                     const float* fill, const float* border, float border_width);
     void (*line)(void* self, const double* from, const double* to, const float* color, float width);
@@ -235,6 +236,12 @@ typedef struct fettle_painter {
     uint32_t (*sees)(void* self, const double* lower, const double* upper);
     void (*begin_screen)(void* self);
     void (*end_screen)(void* self);
+    /* Since 1.3. Half axes, then turned by an angle in radians, counter-clockwise. */
+    void (*ellipse)(void* self, const double* center, const double* radii, double angle,
+                    const float* fill, const float* border, float border_width);
+    /* Since 1.3. The figures that follow are parts of one thing, with a border round the whole,
+       until another number is told; 0: each is a thing by itself. */
+    void (*part_of)(void* self, uint64_t whole);
 } fettle_painter;
 
 enum {                           /* fettle_class.flags */
@@ -337,6 +344,9 @@ typedef struct fettle_host {
     void (*each_restored)(void* self, void* context,
                           void (*visit)(void* context, fettle_handle instance,
                                         const char* class_name, fettle_row row));
+    /* Since 1.3. How far the picture that is being drawn is between the last two steps, 0 to 1; 1
+       while none is. */
+    double (*drawing_alpha)(void* self);
 } fettle_host;
 
 /* ---- The module ------------------------------------------------------------------------------ */

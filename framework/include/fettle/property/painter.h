@@ -2,6 +2,7 @@
 // What an instance looks like. A class may say how it is drawn by drawing itself with a Painter;
 // whoever has a window implements Painter. Neither knows the other.
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -22,23 +23,36 @@ struct Paint {
     float border_width = 1.5f;
 };
 
-/// Where a text stands from its position.
+/// Where each line of a text stands from its position.
 enum class TextAlign : std::uint8_t { middle, left, right };
 
-/// Draws in world units, y up. Angles in radians, counter-clockwise.
+/// Draws in world units, y up. Angles in radians, counter-clockwise. A border lies inside of its
+/// figure, except where an outline crosses itself: there it lies on both sides of the line.
 class Painter {
   public:
     virtual ~Painter() = default;
     virtual void circle(const Vec2& center, double radius, const Paint& paint) = 0;
-    /// Convex polygon, counter-clockwise; `rounding` is a radius around it in metres.
+    /// Half axes along x and y, then turned by `angle`.
+    virtual void ellipse(const Vec2& center, const Vec2& radii, double angle,
+                         const Paint& paint) = 0;
+    /// Polygon of any outline, either way round, also one that crosses itself: inside is what the
+    /// outline goes round at least once, counted with its direction. `rounding` is a radius around
+    /// it in metres, for convex ones only.
     virtual void polygon(std::span<const Vec2> vertices, double rounding, const Paint& paint) = 0;
     /// A line `width` pixels thick.
     virtual void line(const Vec2& from, const Vec2& to, Color color, float width) = 0;
     /// A dot `size` pixels across.
     virtual void point(const Vec2& position, Color color, float size) = 0;
-    /// UTF-8 text `height` metres tall, upright; `position` is the middle of its height.
+    /// UTF-8 text, upright, its lines `height` metres high; `position` is the middle of its height.
+    /// A newline begins another line; each line is aligned by itself. After a tab a line goes on at
+    /// the next multiple of twice the height from its beginning.
     virtual void text(const Vec2& position, std::string_view text, double height, Color color,
                       TextAlign align = TextAlign::middle) = 0;
+    /// The circles, ellipses and polygons that follow are parts of the thing of that number, until
+    /// another is told; 0: each is a thing by itself. Parts of one paint that are drawn one after
+    /// another have a border round the whole and none inside, and what one sees through is seen
+    /// once.
+    virtual void part_of(std::uint64_t whole) = 0;
     virtual bool shows(Overlay overlay) const = 0;
     /// Whether anything of the box can be seen: lets a class skip what is outside the view.
     virtual bool sees(const Vec2& lower, const Vec2& upper) const = 0;
