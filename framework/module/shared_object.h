@@ -6,30 +6,12 @@
 
 namespace fettle::module {
 
-class SharedObject {
+/// A copy of a file beside it, under a name that was never used, so that the file may be replaced
+/// meanwhile and taken in again. It goes with this: made by the process that tries a module in a
+/// copy of itself, it goes whatever happens there.
+class ModuleCopy {
   public:
-    SharedObject() = default;
-    /// Takes in `file` through a copy under a name that was never used, so that it may be replaced
-    /// meanwhile and taken in again. Throws LoadError.
-    explicit SharedObject(const std::filesystem::path& file);
-    ~SharedObject() { close(); }
-    SharedObject(SharedObject&& other) noexcept : handle_(other.handle_) {
-        other.handle_ = nullptr;
-    }
-    SharedObject& operator=(SharedObject&& other) noexcept;
-
-    /// Null when there is none of that name.
-    void* symbol(const char* name) const;
-
-  private:
-    void close();
-    void* handle_ = nullptr;
-};
-
-/// Throws LoadError unless `file` can be a shared object for this machine.
-void require_shared_object(const std::filesystem::path& file);
-
-/// Which file it is, whatever its path: two paths of one file are alike.
+    /// Which file it is, whatever its path: two paths of one file are alike.
 struct FileIdentity {
     std::uint64_t device = 0, inode = 0;
     friend bool operator==(const FileIdentity&, const FileIdentity&) = default;

@@ -23,8 +23,9 @@ class Arena {
     std::size_t limit() const { return limit_; }
     void set_limit(std::size_t limit) { limit_ = limit; }
 
-    /// Told of every refusal that a full collection could not avert, and of every large block.
-    std::function<void(std::size_t size)> on_refusal;
+    /// Told of every refusal that a full collection could not avert, by the limit or by the system,
+    /// and of every large block.
+    std::function<void(std::size_t size, bool by_system)> on_refusal;
     std::function<void(std::size_t size)> on_large;
 
   private:
@@ -47,6 +48,7 @@ class Arena {
         head = node;
     }
     bool refuse(std::size_t growth, std::size_t size);
+    bool tell_refusal(std::size_t size, bool by_system);
 
     std::array<Free*, small / granule + 1> lists_{};
     std::vector<std::unique_ptr<std::byte[]>> chunks_;

@@ -67,14 +67,35 @@ Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal:
       warn(std::move(its_warn)),
       files(options.files != nullptr ? *options.files : own_files),
       kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
+    own_files.stay_below(folder);
     if (options.earlier) {
-        for (const TweakWords& words : *options.earlier) earlier.push_back(row_of(words));
+        std::vector<JournalRow> rows;
+        for (const TweakWords& words : *options.earlier) rows.push_back(row_of(words));
+        take_earlier(std::move(rows));
     } else {
         journal =
             std::make_unique<Journal>(journal_folders(game), game_name(game) + ".tweaks", warn);
-        earlier = journal->earlier();
+        take_earlier(journal->earlier());
     }
     tree.observe_edits(this);
+}
+
+/// Those that say what a tweak is. The others stay in the journal as they are.
+void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
+    std::size_t odd = 0;
+    std::string first;
+    for (JournalRow& row : rows) {
+        const std::string problem = problem_of(row);
+        if (problem.empty()) {
+            earlier.push_back(std::move(row));
+        } else if (++odd == 1) {
+            first = problem;
+        }
+    }
+    if (odd > 0)
+        warn((odd == 1 ? "1 tweak of an earlier run is none"
+                       : std::to_string(odd) + " tweaks of earlier runs are none") +
+             " and left aside: " + first);
 }
 
 Tweaks::State::~State() {
@@ -270,6 +291,7 @@ Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
     state_->rest = 0;
+    if (state_->journal) state_->journal->be_patient();
     barrier();
 }
 
