@@ -42,9 +42,7 @@ std::vector<std::string> manifest(const fs::path& game) {
         for (const auto& [key, value] : whole.items())
             if (key != "modules")
                 throw expected("the key \"" + key + "\"" +
-                               (property::near_miss(key, "modules")
-                                    ? " (did you mean \"modules\"?)"
-                                    : ""));
+                               property::suggestion(key, std::vector<std::string>{"modules"}));
         std::vector<std::string> names;
         if (!whole.contains("modules")) throw expected("an object without \"modules\"");
         if (!whole["modules"].is_array()) throw expected("no list under \"modules\"");
@@ -91,7 +89,8 @@ GameModules::GameModules(const fs::path& game, std::span<const std::string> name
     for (const std::string& name : manifest(game)) {
         const fs::path file(name);
         const bool is_path = file.has_parent_path() || file.extension() == ".so";
-        plugins_.open(is_path ? folder_of(game) / file : module_file(name, game));
+        plugins_.open(is_path ? (folder_of(game) / file).lexically_normal()
+                              : module_file(name, game));
     }
     for (const std::string& name : named) {
         const fs::path file = module_file(name, game);

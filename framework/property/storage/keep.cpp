@@ -71,8 +71,10 @@ class Keeping {
         return false;
     }
     void tell(const JournalRow& row, const std::string& reason) {
-        const std::string path = path_of(row);
-        report_.problems.push_back(reason.starts_with(path) ? reason : path + ": " + reason);
+        // What a file says of an instance begins at the top of its scene: "ball.mass: expected ..."
+        const std::string path = path_of(row), about = reason.substr(0, reason.find(": "));
+        const bool same = about.size() < reason.size() && path.ends_with(about);
+        report_.problems.push_back(path + (same ? reason.substr(about.size()) : ": " + reason));
     }
 
     /// Empty when it is none of the game's own: what was loaded from elsewhere is not ours to

@@ -213,7 +213,7 @@ void ScenePlan::check_nesting(std::size_t index, const Node* section) const {
             (key == "children" && node->kind == Kind::array && is_instance(document_.first(*node))) ||
             ((key == "properties" || key == "ad_hoc") && node->kind == Kind::object &&
              (declared || document_.count(*node) != 1)) ||
-            (key == "class" && declared) || key == version_key;
+            key == version_key;
         if (is_section) fail("beside it, into the object of the instance");
     }
 }
