@@ -1,6 +1,7 @@
 #include "budget.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "guard.h"
@@ -121,7 +122,15 @@ void Budget::memory_refused(std::size_t size, bool by_system) {
     if (stopping_) return;
     if (!active_) {
         // Lua's own error says neither where nor why, and calls no handler that could find out.
-        refusal_ = position(machine_.running) + out_of_memory(size, by_system);
+        refusal_ = {.size = size, .by_system = by_system};
+        lua_Debug frame;
+        for (int level = 0; lua_getstack(machine_.running, level, &frame); ++level) {
+            lua_getinfo(machine_.running, "Sl", &frame);
+            if (frame.currentline <= 0) continue;
+            std::copy(std::begin(frame.short_src), std::end(frame.short_src), refusal_.file);
+            refusal_.line = frame.currentline;
+            break;
+        }
         return;
     }
     stop(machine_.running, "stopped: it needs more memory than a command may use (" +
@@ -130,8 +139,13 @@ void Budget::memory_refused(std::size_t size, bool by_system) {
     arm();
 }
 
-std::string Budget::take_refusal() {
-    return std::exchange(refusal_, {});
+std::string Budget::take_refusal(lua_State* L) {
+    const Refusal refusal = std::exchange(refusal_, {});
+    const auto [size, by_system] = machine_.arena.take_refused();
+    if (refusal.size == 0) return size == 0 ? "" : position(L) + out_of_memory(size, by_system);
+    const std::string place =
+        refusal.line > 0 ? std::string(refusal.file) + ":" + std::to_string(refusal.line) + ": " : "";
+    return place + out_of_memory(refusal.size, refusal.by_system);
 }
 
 void Budget::enter(lua_State* thread) {

@@ -45,8 +45,8 @@ class Budget {
     /// "not enough memory: ..." with the limit that was met.
     std::string out_of_memory(std::size_t size, bool by_system) const;
     /// What is to be said of the latest refusal outside of commands: where, and which limit. "" when
-    /// there was none.
-    std::string take_refusal();
+    /// there was none. `L`: where a script runs that was refused memory, if it still does.
+    std::string take_refusal(lua_State* L);
     /// A coroutine is about to run: it counts too.
     void enter(lua_State* thread);
     /// Raises when the command is being stopped.
@@ -74,7 +74,13 @@ class Budget {
     std::string reason_;
     std::string file_;
     int line_ = 0;
-    std::string refusal_;
+    /// Noted where there is no memory for a text.
+    struct Refusal {
+        std::size_t size = 0;  // 0: there was none
+        bool by_system = false;
+        char file[LUA_IDSIZE] = {};
+        int line = 0;
+    } refusal_;
 };
 
 }  // namespace fettle::script

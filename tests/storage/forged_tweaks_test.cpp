@@ -79,7 +79,7 @@ TEST_CASE("a value that the class refuses is not kept in a scene file and stays 
         {value("density", "1e9"), "expected a number from 0"},
         {value("density", "[1, 2]"), "expected a number from 0"},
         {value("kind", "\"statc\""), "expected one of"},
-        {value("weight", "5"), "world.level.a.weight is read-only"},
+        {value("weight", "5"), "world.level.a.weight: it is read-only"},
         {value("name", "\"other\""), "is told by the keys of the instance"},
         {value("tint", "\"no such color\""), "no color is called"},
         {value("lives", "{\"vec2\": [1]}"), "expected a vec2"},

@@ -20,8 +20,10 @@ std::string words(sqlite3* database, int code) {
     const bool told = database != nullptr && sqlite3_errcode(database) == primary;
     std::string text = told ? sqlite3_errmsg(database) : sqlite3_errstr(code);
     if (primary != SQLITE_IOERR && primary != SQLITE_CANTOPEN) return text;
+    // SQLite does not keep the reason of a failed commit.
+    const int last = errno;
     const int system = database != nullptr ? sqlite3_system_errno(database) : 0;
-    if (system != 0) return system_reason(system);
+    if (system != 0 || last != 0) return system_reason(system != 0 ? system : last);
     if (primary == SQLITE_IOERR) text += " (" + std::to_string(code) + ")";
     return text;
 }
@@ -108,6 +110,7 @@ Statement& Statement::bind_bytes(int parameter, std::string_view bytes) {
 }
 
 bool Statement::step() {
+    errno = 0;
     const int code = sqlite3_step(statement_);
     if (code == SQLITE_ROW) return true;
     if (code == SQLITE_DONE) return false;
@@ -145,6 +148,7 @@ std::size_t Statement::size(int column) const {
 
 Database::Database(const std::filesystem::path& named, Access access) : Database() {
     require_regular_files(named);
+    errno = 0;
     // Links may lead to the folder, where the user has put it; not from there to somewhere else.
     std::error_code ignored;
     const std::filesystem::path whole = std::filesystem::absolute(named);

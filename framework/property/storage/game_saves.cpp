@@ -5,13 +5,17 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/snapshot.h>
 
+#include "temporary_file.h"
+
 namespace fettle::property {
 
 GameSaves::GameSaves(Tree& tree, Saves saves, Options options)
     : tree_(tree),
       saves_(std::move(saves)),
       options_(std::move(options)),
-      alive_(std::make_shared<GameSaves*>(this)) {}
+      alive_(std::make_shared<GameSaves*>(this)) {
+    if (options_.writes) remove_leftovers(saves_.folder());
+}
 
 GameSaves::~GameSaves() {
     *alive_ = nullptr;

@@ -218,6 +218,37 @@ std::vector<JournalRow> Journal::earlier() {
     return rows;
 }
 
+void Journal::refresh(std::vector<JournalRow>& rows) {
+    if (!database_) return;
+    try {
+        Statement query = database_->statement(
+            "SELECT state, was, now, was_text, now_text, step, time, file, inside, kept_in FROM tweaks "
+            "WHERE run = ? AND number = ?");
+        for (JournalRow& row : rows) {
+            if (row.run == JournalRow::elsewhere || row.state != JournalRow::State::open) continue;
+            query.bind(1, row.run).bind(2, row.number);
+            JournalRow now = row;
+            if (query.step()) {
+                now.state = query.integer(0) == 0 ? JournalRow::State::open : JournalRow::State::kept;
+                now.was = query.text(1);
+                now.now = query.text(2);
+                now.was_text = query.text(3);
+                now.now_text = query.text(4);
+                now.step = query.integer(5);
+                now.time = query.integer(6);
+                now.file = query.text(7);
+                now.inside = query.text(8);
+                now.kept_in = query.text(9);
+            } else {
+                now.state = JournalRow::State::dropped;  // undone by its own run
+            }
+            query.reset();
+            row = std::move(now);
+        }
+    } catch (const DatabaseError&) {  // as they were, then
+    }
+}
+
 bool Journal::commit(const Changes& changes) {
     try {
         if (!database_) create();
@@ -229,7 +260,7 @@ bool Journal::commit(const Changes& changes) {
             Statement put = database_->statement(
                 "INSERT OR REPLACE INTO tweaks VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
             for (const JournalRow* row : changes.put) {
-                put.bind(1, row->run != 0 ? row->run : run_)
+                put.bind(1, run_)
                     .bind(2, row->number)
                     .bind(3, static_cast<std::int64_t>(row->kind))
                     .bind(4, static_cast<std::int64_t>(row->state))
@@ -250,6 +281,16 @@ bool Journal::commit(const Changes& changes) {
                 database_->statement("DELETE FROM tweaks WHERE run = ? AND number = ?");
             for (const std::int64_t number : changes.withdrawn)
                 withdraw.bind(1, run_).bind(2, number).run();
+            // Not what has become of the row since it was read: its run may still be there.
+            Statement settle = database_->statement(
+                "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = ?");
+            for (const JournalRow* row : changes.settled)
+                settle.bind(1, static_cast<std::int64_t>(row->state))
+                    .bind(2, row->kept_in)
+                    .bind(3, row->run)
+                    .bind(4, row->number)
+                    .bind(5, row->now)
+                    .run();
             transaction.commit();
         } catch (...) {
             run_ = known;

@@ -54,9 +54,14 @@ class Journal {
     /// Rows of earlier runs that are still open, oldest first.
     std::vector<JournalRow> earlier();
 
+    /// Brings rows of earlier runs up to what the journal says now: a run that is still there, or
+    /// another one, may have changed them since.
+    void refresh(std::vector<JournalRow>& rows);
+
     struct Changes {
-        std::vector<const JournalRow*> put;   // new ones, or new contents of old ones
-        std::vector<std::int64_t> withdrawn;  // rows of this run, by number
+        std::vector<const JournalRow*> put;      // rows of this run, new ones or new contents
+        std::vector<std::int64_t> withdrawn;     // rows of this run, by number
+        std::vector<const JournalRow*> settled;  // rows of other runs that are not open any more
     };
     /// All of it or nothing. False when another program is writing just now. Throws DatabaseError.
     bool commit(const Changes& changes);

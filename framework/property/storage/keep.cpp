@@ -240,6 +240,13 @@ std::vector<JournalRow*> Tweaks::State::matching(std::string_view text, bool ear
     return rows;
 }
 
+void Tweaks::State::refresh_earlier() {
+    if (!journal) return;
+    journal->refresh(earlier);
+    for (JournalRow& row : earlier)
+        if (row.state == RowState::open && !problem_of(row).empty()) row.state = RowState::dropped;
+}
+
 void Tweaks::State::set_state(JournalRow& row, RowState state) {
     row.state = state;
     rest = 0;
@@ -255,12 +262,12 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
     TweakReport report;
     rest = 0;
     barrier();  // whatever was edited just now counts as well
-    const std::vector<JournalRow*> rows = matching(pattern, false);
     try {
         // What other runs of the game have kept meanwhile stays: nobody writes between reading and
         // writing.
         const std::shared_ptr<void> locked = files.lock();
-        Keeping(*this, report).keep(rows);
+        refresh_earlier();
+        Keeping(*this, report).keep(matching(pattern, false));
     } catch (const FileError& error) {
         report.problems.emplace_back(error.what());
     }
@@ -271,6 +278,7 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
 TweakReport Tweaks::State::drop(std::string_view pattern) {
     TweakReport report;
     barrier();
+    refresh_earlier();
     for (JournalRow* row : matching(pattern, false)) {
         set_state(*row, RowState::dropped);
         ++report.count;
@@ -296,6 +304,7 @@ class EditScope {
 
 TweakReport Tweaks::State::reapply(std::string_view pattern) {
     TweakReport report;
+    refresh_earlier();
     const std::vector<JournalRow*> rows = matching(pattern, true);
     const EditScope edit(tree, "reapply tweaks of " + std::string(pattern));
     for (JournalRow* row : rows) {

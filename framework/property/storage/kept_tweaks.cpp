@@ -279,7 +279,7 @@ void KeptTweaks::check_value(const std::string& path, const Property* declared,
     const Value value = image_value(tree_, image);
     if (declared != nullptr) {
         require_told_as_property(*declared);
-        if (declared->read_only) throw Error(ErrorKind::read_only, path + " is read-only");
+        if (declared->read_only) throw Error(ErrorKind::read_only, path + ": it is read-only");
         (void)coerced(tree_, *declared, value, path);
     }
     if (image.kind == Image::Kind::formula && image.not_saved.empty())

@@ -64,7 +64,7 @@ class SceneCheck {
             if (property != nullptr) {
                 require_told_as_property(*property);
                 if (property->read_only)
-                    throw Error(ErrorKind::read_only, path + " is read-only");
+                    throw Error(ErrorKind::read_only, path + ": it is read-only");
             }
             const FormulaText formula = formula_text(document_, node);
             const Node* const told = formula ? formula.value : &node;

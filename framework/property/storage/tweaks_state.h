@@ -44,6 +44,7 @@ struct Tweaks::State : EditObserver {
     State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
     ~State() override;
     void take_earlier(std::vector<JournalRow> rows);
+    void refresh_earlier();
 
     // tweaks.cpp: what is edited
     void edited(Handle instance, const Property& property, const CellState& before) override;
