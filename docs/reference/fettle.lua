@@ -1763,7 +1763,7 @@ function restore(taken) end
 ---@param seconds number
 function rewind(seconds) end
 
----Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _.
+---Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot before the barrier are one save, as the last of them wants it; more than 1000 calls are an error.
 ---@param slot string
 function save_game(slot) end
 
@@ -1778,7 +1778,7 @@ function saves() end
 ---@return Object
 function scene.load(file, parent, name) end
 
----Writes an instance and everything below it to a scene file of the game.
+---Writes an instance and everything below it to a scene file of the game. It replaces a scene or nothing: a file of another kind is left as it is, which is an error.
 ---@param file string
 ---@param instance Object
 function scene.save(file, instance) end
@@ -2401,5 +2401,5 @@ function resized(width, height) end
 ---@param focused boolean
 function focus(focused) end
 
----The window is about to close.
+---The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. It is the last that a game is called for, and has five seconds after a signal.
 function closing() end

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include <fettle/property/exception_text.h>
+
 #include "state_hash.h"
 
 namespace fettle::app {
@@ -115,7 +117,7 @@ void Loop::barrier(bool between_steps) {
         // Handlers that never come to rest: the game's fault, and no reason to fall over.
         if (!on_error_) throw;
         script::ScriptError told;
-        told.message = error.what();
+        told.message = property::exception_text(error);
         told.context = "barrier";
         on_error_(told);
     }
@@ -152,7 +154,7 @@ bool Loop::prelude(double dt, Stopwatch& watch) {
     if (stopped()) return false;
     barrier();
     watch.lap(watch.phases.handlers);
-    if (stopped()) return false;
+    if (stopped() || closing_) return false;  // closing() is the last that a game does
     runtime_.call("update", {dt});
     watch.lap(watch.phases.update);
     if (stopped()) return false;

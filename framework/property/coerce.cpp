@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fettle/property/coercion.h>
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
@@ -256,6 +257,12 @@ std::string expectation(const Property& property) {
 
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context) {
     return Coercion(property, context).run(property.any_type ? Type::nil : property.type, value);
+}
+
+Value coerced(const Tree& tree, const Property& property, const Value& value,
+              const std::string& path) {
+    const auto text = [](const void* what) { return *static_cast<const std::string*>(what); };
+    return coerce_value(property, value, {.tree = &tree, .path = text, .what = &path});
 }
 
 }  // namespace fettle::property

@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/tree.h>
 
 #include "state.h"
@@ -306,7 +307,7 @@ void Tree::State::call(const Watcher& watcher, const What& what) {
         if (!error_sink) throw;
         error_sink({.path = describe(what),
                     .where = watcher.label,
-                    .message = error.what(),
+                    .message = exception_text(error),
                     .exception = std::current_exception()});
     }
 }
@@ -407,7 +408,7 @@ void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& gen
     if (!error_sink) throw error;
     error_sink({.path = "barrier",
                 .where = {},
-                .message = error.what(),
+                .message = exception_text(error),
                 .exception = std::make_exception_ptr(error)});
 }
 
@@ -425,7 +426,7 @@ void Tree::State::run_actions(std::exception_ptr& first_error) {
             if (error_sink)
                 error_sink({.path = "barrier",
                             .where = {},
-                            .message = error.what(),
+                            .message = exception_text(error),
                             .exception = std::current_exception()});
             else if (!first_error)
                 first_error = std::current_exception();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
 
 #include "state.h"
 
@@ -325,7 +326,7 @@ void Formulas::run(Entry& e) {
     try {
         result = e.formula.function(tree_);
     } catch (const std::exception& raised) {
-        error = raised.what();
+        error = exception_text(raised);
         if (error.empty()) error = "failed";
     }
     if (!e.cycle.empty()) error = e.cycle;
@@ -361,7 +362,7 @@ void Formulas::finish(Entry& e, const Value& result) {
             s.tell([&](Observer& o) { o.wrote(e.instance, *e.property, next); });
         }
     } catch (const std::exception& refusal) {
-        return fail(e, refusal.what());
+        return fail(e, exception_text(refusal));
     }
     if (!(next == e.value) || !e.error.empty()) {
         ++e.version;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
 
 #include "state.h"
 
@@ -297,7 +298,7 @@ void History::set_cell(Handle instance, Symbol name, const CellState& state, Und
             tree_.set(instance, *property, state.value);
         if (state.formula) tree_.set_formula(instance, *property, *state.formula);
     } catch (const std::exception& error) {
-        result.notes.emplace_back(error.what());
+        result.notes.push_back(exception_text(error));
     }
 }
 

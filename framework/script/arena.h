@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace fettle::script {
@@ -23,8 +24,12 @@ class Arena {
     std::size_t limit() const { return limit_; }
     void set_limit(std::size_t limit) { limit_ = limit; }
 
-    /// Told of every refusal that a full collection could not avert, and of every large block.
-    std::function<void(std::size_t size)> on_refusal;
+    /// The size that was refused last, 0 when none was since this was asked; and whether it was the
+    /// system that refused it. Parts of Lua ask once and give up.
+    std::pair<std::size_t, bool> take_refused() { return std::exchange(last_refused_, {}); }
+    /// Told of every refusal that a full collection could not avert, by the limit or by the system,
+    /// and of every large block.
+    std::function<void(std::size_t size, bool by_system)> on_refusal;
     std::function<void(std::size_t size)> on_large;
 
   private:
@@ -47,6 +52,7 @@ class Arena {
         head = node;
     }
     bool refuse(std::size_t growth, std::size_t size);
+    bool tell_refusal(std::size_t size, bool by_system);
 
     std::array<Free*, small / granule + 1> lists_{};
     std::vector<std::unique_ptr<std::byte[]>> chunks_;
@@ -55,6 +61,7 @@ class Arena {
     std::size_t bytes_ = 0;
     std::size_t limit_;
     std::size_t refused_ = 0;  // size refused last, until something else is granted
+    std::pair<std::size_t, bool> last_refused_{};
 };
 
 }  // namespace fettle::script

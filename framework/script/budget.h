@@ -1,9 +1,11 @@
 #pragma once
 // What one console command may use: Lua instructions and memory. A command that runs over is
 // stopped for good: the error is raised again at every instruction until no script is left running,
-// so neither pcall nor an error handler nor a coroutine keeps it.
+// so neither pcall nor an error handler nor a coroutine keeps it. A run that is to end stops its
+// scripts in the same way, whatever they are.
 
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <string>
 
@@ -20,6 +22,13 @@ class Budget {
     void begin(std::uint64_t instructions, std::size_t memory);
     void end();
 
+    /// Stops the script that runs, and every other until `go_on`. The one function of a runtime
+    /// that a signal handler may call.
+    void interrupt() noexcept;
+    /// For when no script runs any more.
+    void go_on();
+    bool interrupted() const { return interrupted_ != 0; }
+
     bool active() const { return active_; }
     bool stopping() const { return stopping_; }
     /// Why and where: "console:3: stopped ...".
@@ -31,8 +40,13 @@ class Budget {
     void charge(lua_State* L, std::uint64_t instructions);
     /// Work noticed where nothing can be raised; the next instruction is the last.
     void charge_quietly(std::uint64_t instructions);
-    /// Memory ran out.
-    void memory_refused(std::size_t size);
+    /// Memory ran out: of the limit, or of what the system has.
+    void memory_refused(std::size_t size, bool by_system = false);
+    /// "not enough memory: ..." with the limit that was met.
+    std::string out_of_memory(std::size_t size, bool by_system) const;
+    /// What is to be said of the latest refusal outside of commands: where, and which limit. "" when
+    /// there was none. `L`: where a script runs that was refused memory, if it still does.
+    std::string take_refusal(lua_State* L);
     /// A coroutine is about to run: it counts too.
     void enter(lua_State* thread);
     /// Raises when the command is being stopped.
@@ -48,6 +62,8 @@ class Budget {
     [[noreturn]] void raise_stop(lua_State* L);
 
     Machine& machine_;
+    void stop_if_interrupted(lua_State* L);
+    volatile std::sig_atomic_t interrupted_ = 0;
     bool active_ = false;
     bool stopping_ = false;
     std::int64_t left_ = 0;
@@ -58,6 +74,13 @@ class Budget {
     std::string reason_;
     std::string file_;
     int line_ = 0;
+    /// Noted where there is no memory for a text.
+    struct Refusal {
+        std::size_t size = 0;  // 0: there was none
+        bool by_system = false;
+        char file[LUA_IDSIZE] = {};
+        int line = 0;
+    } refusal_;
 };
 
 }  // namespace fettle::script

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -156,7 +157,7 @@ int construct(lua_State* L) {
         made = machine.classes->create(*of);
         if (lua_istable(L, 2)) fill(L, machine, *of, made);
     } catch (const std::exception& error) {
-        std::string message = error.what();
+        std::string message = property::exception_text(error);
         if (made && machine.tree.alive(made)) {
             message = named_by_class(message, machine.tree.path(made), *of);
             machine.tree.destroy(made);

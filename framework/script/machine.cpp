@@ -80,7 +80,9 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
     running = main;
     *static_cast<Machine**>(lua_getextraspace(main)) = this;
     tree.add_part(part);
-    arena.on_refusal = [this](std::size_t size) { budget.memory_refused(size); };
+    arena.on_refusal = [this](std::size_t size, bool by_system) {
+        budget.memory_refused(size, by_system);
+    };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
     lua_pushcfunction(main, guarded<open_all>);
     if (lua_pcall(main, 0, 0, 0) != LUA_OK) {

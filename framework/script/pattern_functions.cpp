@@ -200,8 +200,9 @@ void add_replacement(lua_State* L, std::string& out, const PatternMatcher& match
 void check_size(lua_State* L, const std::string& out) {
     const Arena& arena = machine_of(L).arena;
     if (out.size() > arena.limit() - std::min(arena.limit(), arena.bytes())) {
-        machine_of(L).budget.memory_refused(out.size());
-        throw Error(ErrorKind::rejected, "not enough memory");
+        Budget& budget = machine_of(L).budget;
+        budget.memory_refused(out.size());
+        throw Error(ErrorKind::rejected, budget.out_of_memory(out.size(), false));
     }
 }
 

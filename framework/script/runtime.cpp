@@ -82,10 +82,13 @@ bool call_global(Machine& machine, std::string_view name, std::span<const Value>
 
 bool Runtime::load(const std::filesystem::path& game) {
     namespace fs = std::filesystem;
-    const fs::path file = fs::is_directory(game) ? game / "main.lua" : game;
+    std::error_code error;
+    const fs::path file = fs::is_directory(game, error) ? game / "main.lua" : game;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    state_->files.stay_below(folder, state_->options.assets);
     const std::string text = read_source(*state_, file);
     forget_game(*state_);
-    state_->folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    state_->folder = folder;
     bool ok = run_chunk(*state_, text, file.filename().string(), "load");
     if (ok) ok = state_->classes->deliver_ready() && call("start", {});
     return ok;
@@ -165,6 +168,18 @@ void Runtime::on_rewind(std::function<void(double)> rewind) {
 
 void Runtime::on_command(std::function<void(std::string_view)> sink) {
     state_->command_sink = std::move(sink);
+}
+
+void Runtime::interrupt() noexcept {
+    state_->budget.interrupt();
+}
+
+void Runtime::go_on() {
+    state_->budget.go_on();
+}
+
+bool Runtime::interrupted() const {
+    return state_->budget.interrupted();
 }
 
 std::optional<int> Runtime::quit_status() const {

@@ -54,6 +54,71 @@ TEST_CASE("a saved tree comes back in another run and in the same one") {
     CHECK(other.everything() == then);
 }
 
+TEST_CASE("a slot that is saved again before the barrier is saved once and as the last call wants") {
+    const GameFolder folder;
+    Game game(folder);
+    const Handle a = game.add("Thing", "a");
+    game.tree.set(a, "number", 1.0);
+    game.saves->save("old");
+    game.tree.barrier();
+    game.tree.set(a, "number", 2.0);
+    // Between its two saves another game is loaded: the second one is of that.
+    game.saves->save("one");
+    game.saves->save("two");
+    game.saves->load("old");
+    game.saves->save("one");
+    game.tree.barrier();
+    CHECK(game.told.empty());
+    const auto number = [&](const std::string& slot) {
+        Game other(folder);
+        other.saves->load(slot);
+        other.tree.barrier();
+        return other.tree.get(a, "number").number();
+    };
+    CHECK(number("one") == 1.0);
+    CHECK(number("two") == 2.0);
+    CHECK(game.saves->slots().list().size() == 3);
+}
+
+TEST_CASE("a loop of saves ends in an error and not in a queue without end") {
+    const GameFolder folder;
+    Game game(folder);
+    game.add("Thing", "a");
+    std::size_t asked = 0;
+    std::string refused;
+    try {
+        for (;; ++asked) game.saves->save("x");
+    } catch (const Error& error) {
+        refused = error.what();
+    }
+    CHECK(asked == GameSaves::most_requests);
+    CHECK(refused.find("more than 1000 times at one barrier") != std::string::npos);
+    game.tree.barrier();
+    CHECK(game.told.empty());
+    CHECK(game.saves->slots().list().size() == 1);
+    for (int i = 0; i < 5; ++i) game.saves->save("slot " + std::to_string(i % 3));
+    game.tree.barrier();
+    CHECK(game.saves->slots().list().size() == 4);
+}
+
+TEST_CASE("saves that wait for a picture are one a slot") {
+    const GameFolder folder;
+    Game game(folder, true);
+    const Handle a = game.add("Thing", "a");
+    for (const double value : {1.0, 2.0, 3.0}) {
+        game.tree.set(a, "number", value);
+        game.saves->save("one");
+        game.tree.barrier();
+    }
+    CHECK(game.saves->waits());
+    game.saves->finish({});
+    CHECK_FALSE(game.saves->waits());
+    Game other(folder);
+    other.saves->load("one");
+    other.tree.barrier();
+    CHECK(other.tree.get(a, "number") == Value(3.0));
+}
+
 TEST_CASE("a load that is refused leaves the running game as it was") {
     const GameFolder folder;
     Game game(folder);

@@ -15,7 +15,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr FileFormat format{.application = 0x46534156, .version = 1};  // "FSAV"
+const FileFormat format{
+    .application = 0x46534156,  // "FSAV"
+    .version = 1,
+    .tables = {"CREATE TABLE save (game TEXT, program TEXT, step INTEGER, time INTEGER, checksum "
+               "INTEGER, width INTEGER, height INTEGER, thumbnail BLOB, state BLOB)"}};
 constexpr std::string_view ending = ".sqlite";
 constexpr std::size_t largest_thumbnail = std::size_t{16} << 20;  // bytes
 
@@ -125,9 +129,6 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
         // Made in memory and put into place whole, so that there is never half a save.
         Database database = Database::in_memory();
         set_format(database, format);
-        database.run(
-            "CREATE TABLE save (game TEXT, program TEXT, step INTEGER, time INTEGER, checksum "
-            "INTEGER, width INTEGER, height INTEGER, thumbnail BLOB, state BLOB)");
         database.statement("INSERT INTO save VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")
             .bind(1, game_)
             .bind(2, program_)

@@ -1,6 +1,7 @@
 // Tweaks: from edits to entries. An entry is about a property, or about an instance that a person
 // created, deleted or moved; what happens to the same thing again changes its entry.
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/storage/tweaks.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <tuple>
 
 #include "places.h"
+#include "temporary_file.h"
 #include "tweaks_state.h"
 
 namespace fettle::property {
@@ -26,6 +28,12 @@ std::vector<std::string> names_in(const std::string& path) {
 bool is_at_or_below(const std::string& path, const std::string& top) {
     return path.starts_with(top) &&
            (path.size() == top.size() || path[top.size()] == '.' || path[top.size()] == '[');
+}
+
+/// Before the first file is read.
+GameFiles& kept_below(GameFiles& files, const std::filesystem::path& folder) {
+    files.stay_below(folder);
+    return files;
 }
 
 std::int64_t seconds_now() {
@@ -65,16 +73,37 @@ Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal:
     : tree(its_tree),
       folder(game_folder(game)),
       warn(std::move(its_warn)),
-      files(options.files != nullptr ? *options.files : own_files),
+      files(options.files != nullptr ? *options.files : kept_below(own_files, folder)),
       kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
     if (options.earlier) {
-        for (const TweakWords& words : *options.earlier) earlier.push_back(row_of(words));
+        std::vector<JournalRow> rows;
+        for (const TweakWords& words : *options.earlier) rows.push_back(row_of(words));
+        take_earlier(std::move(rows));
     } else {
         journal =
             std::make_unique<Journal>(journal_folders(game), game_name(game) + ".tweaks", warn);
-        earlier = journal->earlier();
+        take_earlier(journal->earlier());
+        remove_leftovers(folder);
     }
     tree.observe_edits(this);
+}
+
+/// Those that say what a tweak is. The others stay in the journal as they are.
+void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
+    std::size_t odd = 0;
+    std::string first;
+    for (JournalRow& row : rows) {
+        const std::string problem = problem_of(row);
+        if (problem.empty()) {
+            earlier.push_back(std::move(row));
+        } else if (++odd == 1) {
+            first = problem;
+        }
+    }
+    if (odd > 0)
+        warn((odd == 1 ? "1 tweak of an earlier run is none"
+                       : std::to_string(odd) + " tweaks of earlier runs are none") +
+             " and left aside: " + first);
 }
 
 Tweaks::State::~State() {
@@ -270,6 +299,7 @@ Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
     state_->rest = 0;
+    if (state_->journal) state_->journal->be_patient();
     barrier();
 }
 
@@ -277,7 +307,7 @@ void Tweaks::barrier() {
     try {
         state_->barrier();
     } catch (const std::exception& error) {
-        state_->warn(std::string("tweaks cannot be journaled: ") + error.what());
+        state_->warn("tweaks cannot be journaled: " + exception_text(error));
     }
 }
 TweakReport Tweaks::keep(std::string_view pattern) {

@@ -43,6 +43,8 @@ struct Tweaks::State : EditObserver {
 
     State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
     ~State() override;
+    void take_earlier(std::vector<JournalRow> rows);
+    void refresh_earlier();
 
     // tweaks.cpp: what is edited
     void edited(Handle instance, const Property& property, const CellState& before) override;
@@ -112,6 +114,10 @@ class TweakPattern {
 TweakWords words_of(const JournalRow& row);
 /// Throws Error for words that no row has.
 JournalRow row_of(const TweakWords& words);
+
+/// Why a row, of whoever's making, is not what a tweak is: a path that is none, a value that is none
+/// ...; "" when it is one.
+std::string problem_of(const JournalRow& row);
 
 /// "world.ball.mass", or the path of the instance.
 std::string path_of(const JournalRow& row);

@@ -81,8 +81,9 @@ class Runtime {
     Runtime(const Runtime&) = delete;
 
     /// Runs main.lua of a folder, or one .lua file; then its `start()`. False when it raised; the
-    /// error goes to the sink. Throws std::filesystem::filesystem_error when the file cannot be
-    /// read.
+    /// error goes to the sink. The folder is where the game's files are, and none of them lies
+    /// elsewhere: links that lead out of it are not followed. Throws property::FileError when the
+    /// file cannot be read.
     bool load(const std::filesystem::path& game);
     /// Runs a chunk as part of the game (`--eval`). False when it raised.
     bool run(std::string_view chunk, const std::string& name);
@@ -121,6 +122,13 @@ class Runtime {
     void on_rewind(std::function<void(double seconds)> rewind);
     /// Told of every console command before it runs.
     void on_command(std::function<void(std::string_view)> sink);
+    /// Stops the script that runs, wherever it is, and every other one until `go_on`; each tells
+    /// its error as usual. A signal handler of the thread that runs scripts may call this, and
+    /// nothing else of a runtime.
+    void interrupt() noexcept;
+    /// Scripts run again. Between calls into the runtime.
+    void go_on();
+    bool interrupted() const;
     /// Status given to quit(), once it was called.
     std::optional<int> quit_status() const;
     /// Whether the game defines a global function of that name.
