@@ -281,7 +281,7 @@ TEST_CASE("the game is loaded from a folder and its modules from beside it") {
     CHECK(stage::joined(s.printed) == "started\tBob");
     CHECK_THAT(s.fails("print(leftover)"), contains("no such name"));
     std::filesystem::remove_all(folder);
-    CHECK_THROWS_AS(s.runtime->load(folder / "none.lua"), property::FileError);
+    CHECK_THROWS_AS(s.runtime->load(folder / "none.lua"), fettle::property::FileError);
 }
 
 TEST_CASE("a class can be loaded again with new functions but not with other properties") {
