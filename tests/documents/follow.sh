@@ -11,8 +11,8 @@ set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
 source "$here/blocks.sh"
 sources=$(cd -- "$here/../.." && pwd -P)
-full=0
-if [[ ${1:-} == --full ]]; then full=1; shift; fi
+full=0 limit=600  # seconds
+if [[ ${1:-} == --full ]]; then full=1 limit=3600; shift; fi
 document=$1 folder=$3
 finished=$(cd -- "$2" && pwd -P)
 [[ -x $finished/bin/fettle ]] || { echo "$finished/bin/fettle is not built"; exit 1; }
@@ -57,7 +57,7 @@ printf 'cd %q\n' "$checkout" >"$terminal"
 in_terminal() {
     local status=0
     # shellcheck disable=SC2016
-    said=$("${environment[@]}" timeout 300 bash -ec '
+    said=$("${environment[@]}" timeout "$limit" bash -ec '
         source "$1"
         trap '\''status=$?; { export -p; printf "cd %q\n" "$PWD"; } >"$1"; exit $status'\'' EXIT
         eval "$2"' terminal "$terminal" "$1" 2>&1 </dev/null && printf .) || status=$?
