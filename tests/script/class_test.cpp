@@ -1,5 +1,7 @@
 // Classes made in scripts, events, watchers, timers, coroutines.
 
+#include <fettle/property/storage/scene.h>
+
 #include "stage.h"
 
 using stage::Stage;
