@@ -36,6 +36,10 @@ Question* Question::current() {
 }
 
 void Question::answer(std::size_t field, const Value& value) {
+    if (field >= event_.fields.size() || field >= values_.size())
+        throw Error(ErrorKind::unknown_name, tree_.path(instance_) + " " + event_.name +
+                                                 ": no value number " + std::to_string(field) +
+                                                 " is told");
     const Field& of = event_.fields[field];
     if (value == values_[field]) return;
     struct Where {
@@ -61,14 +65,13 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     Question question(tree, instance, event, values, changeable);
     const Asking asking(s, question);
     // A handler may stop watchers, itself included.
-    s.watchers.handlers_begin();
+    const Watchers::HandlersRun running(s.watchers);
     for (const Watcher* watcher : s.watchers.of_event(instance, event, s.watchers.last_id()))
         if (watcher->active)
             s.call(*watcher, Occurrence{.instance = instance,
                                         .event = &event,
                                         .record = {&event.fields, values},
                                         .step = s.step});
-    s.watchers.handlers_end();
 }
 
 }  // namespace fettle::property

@@ -81,6 +81,9 @@ struct Tree::State {
     bool edited = false;
     std::uint64_t upheavals = 1;  // what `epoch` counts beside writes in the log
     bool ending = false;          // the tree itself is being destroyed
+    std::shared_ptr<const Tree*> life = std::make_shared<const Tree*>(&tree);
+    int uses = 0;                   // calls that call handlers or methods
+    std::unique_ptr<State> orphan;  // itself, when one of those destroyed the tree
     Cause last_edit;  // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
     std::vector<std::function<void()>> at_barrier;  // when it is between steps
@@ -103,6 +106,38 @@ struct Tree::State {
     /// Another after whatever may have changed a value that nobody announces. What the shortest way
     /// takes back it had before: nobody can have looked in between.
     std::uint64_t epoch() const { return upheavals + writes.ever(); }
+
+    /// While it lives, what is called may destroy the tree: its state lives on as long.
+    class Use {
+      public:
+        explicit Use(State& state) : state_(state) { ++state_.uses; }
+        ~Use() {
+            if (--state_.uses == 0) const std::unique_ptr<State> dead = std::move(state_.orphan);
+        }
+        Use(const Use&) = delete;
+        /// At the end: throws Error(deleted) if that happened.
+        void finish() const;
+
+      private:
+        State& state_;
+    };
+
+    // membership.cpp: what is handed in belongs to this tree, and to that instance
+    bool has(const Node& node, const Property& property) const {
+        const Class& of = classes[node.class_id];
+        return property.owner == &of || inherits(of, property);
+    }
+    static bool inherits(const Class& of, const Property& property);
+    const Node& require(Handle handle, const Property& property) const {
+        const Node& node = require(handle);
+        if (!has(node, property)) [[unlikely]]
+            refuse_foreign(handle, property);
+        return node;
+    }
+    [[noreturn]] void refuse_foreign(Handle handle, const Property& property) const;
+    void require_own(const Class& of) const;
+    void require_event(const Class& of, const Event& event) const;
+    void require_method(Handle handle, const Method& method) const;
 
     Node& require(Handle handle) {
         Node* node = nodes.find(handle);

@@ -36,9 +36,15 @@ Tree::Tree() : state_(std::make_unique<State>(*this)) {
 Tree::~Tree() {
     // Modules may still be alive and own rows: they are told, children first.
     State& s = *state_;
+    s.life.reset();
     s.ending = true;
     for (std::uint32_t i = 1; i < s.nodes.end(); ++i)
         if (s.nodes[i].alive() && s.nodes[i].parent == 0) destroy(s.nodes.handle(i));
+    if (s.uses > 0) s.orphan = std::move(state_);
+}
+
+std::weak_ptr<const Tree*> Tree::lifetime() const {
+    return state_->life;
 }
 
 void Tree::State::define_object() {
@@ -164,23 +170,27 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
         nodes[index].stored_row = row;
     }
     const Lifecycle& lifecycle = of.lifecycle();
-    if (lifecycle.create) {
-        try {
+    bool has_row = false;
+    try {
+        if (lifecycle.create) {
             const Row row = lifecycle.create(lifecycle.context, tree, self);
             nodes[index].row = row;
-        } catch (...) {  // its module has no room for it: it never was
-            if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
-            nodes.unlink(index);
-            nodes.release(index);
-            throw;
         }
+        has_row = true;
+        if (lifecycle.place && parent != 0) {
+            const Row row = lifecycle.place(lifecycle.context, tree, self, nodes[index].row);
+            nodes[index].row = row;
+        }
+        for (const Property* property : of.initial_)
+            write(index, nodes[index], *property, property->default_value);
+    } catch (...) {  // its module has no room for it, or refuses a default: it never was
+        if (has_row && lifecycle.destroy)
+            lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
+        if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
+        nodes.unlink(index);
+        nodes.release(index);
+        throw;
     }
-    if (lifecycle.place && parent != 0) {
-        const Row row = lifecycle.place(lifecycle.context, tree, self, nodes[index].row);
-        nodes[index].row = row;
-    }
-    for (const Property* property : of.initial_)
-        write(index, nodes[index], *property, property->default_value);
     structure_changed(parent, name);
     if (watchers.any_broad()) {
         shadows.refresh(tree, watchers, self);
@@ -201,6 +211,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
     s.forbid_in_formula("create an instance");
+    s.require_own(instance_class);
     if (parent) s.require(parent);
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);

@@ -180,7 +180,7 @@ Value Tree::State::read(std::uint32_t index, const Node& node, const Property& p
 Value Tree::get(Handle instance, const Property& property) const {
     State& s = *state_;
     if (s.formulas.tracking()) s.formulas.note_read(instance, property);
-    const Node& node = s.require(instance);
+    const Node& node = s.require(instance, property);
     if (node.has_formula) s.formulas.settle({instance.index, property.symbol});
     // The commonest binding, without another call.
     const Binding& binding = property.binding;
@@ -189,7 +189,7 @@ Value Tree::get(Handle instance, const Property& property) const {
 }
 
 Value Tree::peek(Handle instance, const Property& property) const {
-    return state_->read(instance.index, state_->require(instance), property);
+    return state_->read(instance.index, state_->require(instance, property), property);
 }
 
 Value Tree::get(Handle instance, std::string_view name) const {
@@ -247,7 +247,7 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
 
 void Tree::set(Handle instance, const Property& property, const Value& value) {
     State& s = *state_;
-    const Node& node = s.require(instance);
+    const Node& node = s.require(instance, property);
     s.forbid_in_formula("write");
     if (value.is(property.type)) {
         bool done = false;
@@ -296,7 +296,7 @@ void Tree::set(Handle instance, std::string_view name, const Value& value) {
 
 void Tree::reset(Handle instance, const Property& property) {
     State& s = *state_;
-    const Node& node = s.require(instance);
+    const Node& node = s.require(instance, property);
     s.forbid_in_formula("write");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
@@ -321,7 +321,7 @@ void Tree::reset(Handle instance, const Property& property) {
 }
 
 bool Tree::overridden(Handle instance, const Property& property) const {
-    const Node& node = state_->require(instance);
+    const Node& node = state_->require(instance, property);
     if (property.binding.kind == BindingKind::ad_hoc) return true;
     if (property.read_only) return false;
     if (property.binding.overridden != nullptr)

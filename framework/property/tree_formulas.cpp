@@ -27,8 +27,11 @@ void Tree::State::drop_formula(Handle instance, const Property& property) {
 
 void Tree::set_formula(Handle instance, const Property& property, Formula formula) {
     State& s = *state_;
-    s.require(instance);
+    s.require(instance, property);
     s.forbid_in_formula("define another");
+    if (!formula.function)
+        throw Error(ErrorKind::wrong_type,
+                    path(instance, property) + ": a formula needs a function");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
     std::optional<History::CellState> before;
@@ -56,7 +59,7 @@ const Formula* Tree::formula(Handle instance, const Property& property) const {
 }
 
 void Tree::remove_formula(Handle instance, const Property& property) {
-    state_->require(instance);
+    state_->require(instance, property);
     State& s = *state_;
     s.forbid_in_formula("end another");
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
@@ -68,12 +71,12 @@ void Tree::remove_formula(Handle instance, const Property& property) {
 }
 
 std::string Tree::problem(Handle instance, const Property& property) const {
-    state_->require(instance);
+    state_->require(instance, property);
     return state_->formulas.problem({instance.index, property.symbol});
 }
 
 Explanation Tree::why(Handle instance, const Property& property) const {
-    state_->require(instance);
+    state_->require(instance, property);
     std::vector<Cell> seen;
     return state_->formulas.why(instance, property, seen);
 }
@@ -113,7 +116,7 @@ void Tree::set_history_limit(std::size_t bytes) {
 }
 
 Provenance Tree::who(Handle instance, const Property& property) const {
-    state_->require(instance);
+    state_->require(instance, property);
     if (const auto step = state_->shadows.simulated_at({instance.index, property.symbol}))
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
     state_->tell_plain_writes();

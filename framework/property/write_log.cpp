@@ -32,13 +32,13 @@ std::size_t LoggedWrites::memory() const {
 // --- Noting
 // -----------------------------------------------------------------------------------------------------------
 
-WriteLog::WriteLog(Tree& tree) : tree_(tree) {
+WriteLog::WriteLog(Tree& tree) : tree_(tree), life_(tree.lifetime()) {
     tree_.observe(*this);
     history_version_ = tree_.state().history.version();
 }
 
 WriteLog::~WriteLog() {
-    tree_.unobserve(*this);
+    if (!life_.expired()) tree_.unobserve(*this);
 }
 
 LoggedWrites WriteLog::take() {

@@ -27,9 +27,15 @@ bool WorldData::may_collide(uint32_t a, uint32_t b) const {
            callback_agrees(a, b);
 }
 
+/// A filter that throws says nothing: yes.
 bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
-    return !callbacks.filter || callbacks.filter({callbacks.world, shape_id(std::min(a, b))},
-                                                 {callbacks.world, shape_id(std::max(a, b))});
+    if (!self.filter) return true;
+    bool agrees = true;
+    const bool answered = self.ask(in_filter, [&] {
+        World* const world = self.link->world;
+        agrees = self.filter({world, shape_id(std::min(a, b))}, {world, shape_id(std::max(a, b))});
+    });
+    return agrees || !answered;
 }
 
 namespace {

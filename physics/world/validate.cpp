@@ -87,7 +87,12 @@ std::optional<std::string> detail::WorldData::validate() const {
 }
 
 std::optional<std::string> World::validate() const {
-    return data_->validate();
+    const WorldData& data = *data_;
+    data.self.may_copy("World::validate");
+    WorldLock lock(data.self, WorldLock::During::change, in_edit);  // it asks the filter
+    Fault fault = data.validate();
+    lock.finish();
+    return fault;
 }
 
 }  // namespace fettle::physics

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include <fettle/property/error.h>
 #include <fettle/property/snapshot.h>
 #include <fettle/property/storage/scene.h>
 #include <fettle/script/runtime.h>
+#include <world/seal.h>
 
 #include "game.h"
 
@@ -53,6 +55,18 @@ property::Snapshot true_state() {
     return property::Snapshot({taken.payload().begin(), taken.payload().end()}, {});
 }
 
+/// The physics worlds in it have checksums of their own, which would refuse every change to them.
+void seal_worlds(const std::vector<std::byte>& before, std::vector<std::byte>& bytes) {
+    using physics::detail::SavedHeader;
+    SavedHeader header;
+    for (std::size_t at = 0; at + sizeof header <= std::min(before.size(), bytes.size()); ++at) {
+        std::memcpy(&header, &before[at], sizeof header);
+        if (header.byte_order != 0x01020304 || header.size > bytes.size() - at) continue;
+        physics::detail::seal(std::span(bytes).subspan(at, header.size));
+        at += header.size - 1;
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -64,6 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::size_t{data[i]} << 16 | std::size_t{data[i + 1]} << 8 | data[i + 2];
         bytes[at % bytes.size()] = static_cast<std::byte>(data[i + 3]);
     }
+    if (size % 4 != 2) seal_worlds({saved.payload().begin(), saved.payload().end()}, bytes);
     if (size % 4 == 1) bytes.resize(bytes.size() * data[size - 1] / 256);
 
     Played game;

@@ -71,6 +71,7 @@ bool TweakPattern::matches(const JournalRow& row) const {
 Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn,
                      TweakOptions options)
     : tree(its_tree),
+      tree_life(its_tree.lifetime()),
       folder(game_folder(game)),
       warn(std::move(its_warn)),
       files(options.files != nullptr ? *options.files : kept_below(own_files, folder)),
@@ -107,7 +108,7 @@ void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
 }
 
 Tweaks::State::~State() {
-    tree.observe_edits(nullptr);
+    if (!tree_life.expired()) tree.observe_edits(nullptr);
 }
 
 // --- Edits
@@ -298,6 +299,7 @@ Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
                std::function<void(const std::string&)> warn, TweakOptions options)
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
+    if (state_->tree_life.expired()) return;  // the paths of what was edited are gone
     state_->rest = 0;
     if (state_->journal) state_->journal->be_patient();
     barrier();

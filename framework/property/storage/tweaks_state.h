@@ -78,6 +78,7 @@ struct Tweaks::State : EditObserver {
     void set_state(JournalRow& row, RowState state);
 
     Tree& tree;
+    std::weak_ptr<const Tree*> tree_life;
     std::filesystem::path folder;  // of the game
     Journal::Warn warn;
     GameFiles own_files;

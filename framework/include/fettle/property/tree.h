@@ -36,18 +36,32 @@ namespace fettle::property {
 class EditObserver;
 class Observer;
 
+/// **Lifetimes.** Handles are numbers: after the tree they mean nothing and do no harm.
+/// Connections, values, records and snapshots may outlive it. Classes, properties, methods and
+/// events live as long as the tree that they were registered with, and are refused by any other.
+/// Modules, parts of snapshots and observers are not owned: they live until the tree is gone, or
+/// until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may outlive the
+/// tree, and are of no use then. A handler, a function given to `at_barrier` or a method may
+/// destroy the tree that calls it: `barrier` or `call` throws Error(deleted) when it has returned.
+/// Formulas, lifecycle functions, bindings and observers must not.
 class Tree {
   public:
     Tree();
     ~Tree();
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
+    /// For objects that hold a reference to the tree and may outlive it: expired from the beginning
+    /// of its destruction on.
+    std::weak_ptr<const Tree*> lifetime() const;
 
     // --- Classes
     // ----------------------------------------------------------------------------------------------------
 
-    /// Throws Error(bad_name) for a name taken, Error(unknown_name) for an unknown base,
-    /// Error(wrong_type) for a default that its own property would refuse.
+    /// Throws Error, which names class and member, for what a class cannot be: a name that is taken
+    /// or is none, within the class too; an unknown base; an accessor without `get`, a column
+    /// without `base` or of another type, a method without `call`; a range that ends before it
+    /// begins; a default that its own property would refuse. What a base class declares may be
+    /// declared again with another default or doc alone.
     const Class& define(ClassDescriptor descriptor);
     const Class* find_class(std::string_view name) const;
     /// Throws Error(unknown_name) with the nearest spelling.
@@ -117,7 +131,8 @@ class Tree {
     Value peek(Handle instance, const Property& property) const;
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
-    /// The typed ways, for numbers and vec2s in ordinary circumstances; false when `get` or `set`
+    /// The typed ways, for numbers and vec2s in ordinary circumstances, of a property that the
+    /// instance has: here that is not checked. False when `get` or `set`
     /// has to do it (another type, a formula, a dead instance, somebody to be told, a value that is
     /// not finite or out of range). Observers hear of what was written this way before they hear of
     /// anything else, and before the writer or the step changes, but not at once.

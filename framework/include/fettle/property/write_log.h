@@ -27,7 +27,8 @@ struct LoggedWrites {
     std::size_t memory() const;  // bytes it takes, about
 };
 
-/// Notes what is done while it lives. Costs a write about as much as copying what was written.
+/// Notes what is done while it lives. Costs a write about as much as copying what was written. It may
+/// be destroyed after the tree; nothing else may be done with it then.
 class WriteLog : public Observer {
   public:
     explicit WriteLog(Tree& tree);
@@ -78,6 +79,7 @@ class WriteLog : public Observer {
     static void put_plain(std::vector<std::byte>& bytes, std::span<const PlainWrite> writes);
 
     Tree& tree_;
+    std::weak_ptr<const Tree*> life_;  // of the tree
     bool too_much_ = false;
     std::vector<std::byte> bytes_;
     std::vector<Kept> kept_;
