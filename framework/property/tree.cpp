@@ -199,7 +199,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
-    s.forbid_in_formula("create an instance");
+    s.require_changeable("create an instance");
     if (parent) s.require(parent);
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
@@ -248,8 +248,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
     const Class& of = classes[nodes[index].class_id];
     const std::string path = tree.path(self);
     queue_deletion(self, of, path);
-    tombstones.push_back({self, path, tree.cause()});
-    if (tombstones.size() > 8192) tombstones.pop_front();
+    bury({self, &of, nodes[index].name.text(), path, tree.cause()});
     shadows.forget(tree, self);
     note_listeners();
     if (nodes[index].has_formula)
@@ -270,7 +269,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
 void Tree::destroy(Handle instance) {
     State& s = *state_;
     s.require(instance);
-    s.forbid_in_formula("delete an instance");
+    s.require_changeable("delete an instance");
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     // Nobody will undo the end of the tree, and its modules may be gone already.
@@ -280,6 +279,25 @@ void Tree::destroy(Handle instance) {
     s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
     for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);
     s.history.deletion_done();
+}
+
+void Tree::State::bury(Tombstone gone) {
+    constexpr std::size_t most = 8192;
+    tombstones.push_back(std::move(gone));
+    if (tombstones.size() > most) tombstones.pop_front();
+}
+
+const Tombstone* Tree::State::tombstone(Handle handle) const {
+    const auto found = std::find_if(tombstones.rbegin(), tombstones.rend(),
+                                    [&](const Tombstone& t) { return t.handle == handle; });
+    return found == tombstones.rend() ? nullptr : &*found;
+}
+
+std::optional<Remains> Tree::remains(Handle instance) const {
+    if (alive(instance)) return {};
+    const Tombstone* const found = state_->tombstone(instance);
+    if (found == nullptr) return {};
+    return Remains{*found->of, found->name};
 }
 
 bool Tree::alive(Handle instance) const {
@@ -293,12 +311,11 @@ void Tree::State::throw_deleted(Handle handle) const {
     // Undo may bring it back: a formula that looks for it is asked again then.
     if (formulas.tracking()) tree.state().formulas.note_structure();
     if (!handle) throw Error(ErrorKind::deleted, "no instance: the reference is empty");
-    for (auto t = tombstones.rbegin(); t != tombstones.rend(); ++t)
-        if (t->handle == handle)
-            throw Error(ErrorKind::deleted,
-                        t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
-                            (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
-                                                    : t->cause.where));
+    if (const Tombstone* t = tombstone(handle))
+        throw Error(ErrorKind::deleted,
+                    t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
+                        (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
+                                                : t->cause.where));
     throw Error(ErrorKind::deleted, "the instance was deleted");
 }
 
@@ -379,7 +396,7 @@ std::string Tree::path(Handle instance) const {
 void Tree::rename(Handle instance, std::string_view name) {
     State& s = *state_;
     Node& node = s.require(instance);
-    s.forbid_in_formula("rename an instance");
+    s.require_changeable("rename an instance");
     if (node.name.text() == name) return;
     if (instance == s.root)
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
@@ -420,7 +437,7 @@ void Tree::State::place_subtree(Handle top) {
 void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
     State& s = *state_;
     const Node& node = s.require(instance);
-    s.forbid_in_formula("move an instance");
+    s.require_changeable("move an instance");
     if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
     if (new_parent) {
         s.require(new_parent);

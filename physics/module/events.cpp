@@ -15,7 +15,10 @@ using property::Field;
 /// Both bodies are told, each from its side.
 std::vector<Field> contact_fields(bool full) {
     std::vector<Field> fields = {
-        {"other", Type::reference, "", "The other body; the world itself for its bounds."},
+        {"other", Type::reference, "",
+         full ? "The other body; the world itself for its bounds."
+              : "The other body; the world itself for its bounds. It may have been deleted: then it "
+                "still tells alive(), name, class and is_a()."},
         {"shape", Type::reference, "", "The shape of this body.", "Shape"},
         {.name = "other_shape",
          .type = Type::reference,
@@ -42,28 +45,16 @@ std::vector<Field> questioned_fields() {
     return fields;
 }
 
-/// What only the contact itself knows; nothing when it is over already.
-struct Mixed {
-    float friction = 0.0f, restitution = 0.0f;
-};
-
-Mixed mixed(physics::World& world, physics::BodyId body, physics::ShapeId a, physics::ShapeId b) {
-    if (!world.is_valid(body)) return {};
-    for (const physics::Contact& contact : world.body(body).contacts())
-        if (contact.shape_a == a && contact.shape_b == b)
-            return {contact.friction, contact.restitution};
-    return {};
-}
-
 Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uint32_t generation) {
     const auto at = departed.find(generation);
     return at == departed.end() ? Handle{} : at->second;
 }
 
-std::vector<Value> meeting(const physics::Vec2& point, const physics::Vec2& normal, float impulse,
-                           float speed, const Mixed& surface) {
-    return {to_value(point), to_value(normal),           to_value(impulse),
-            to_value(speed), to_value(surface.friction), to_value(surface.restitution)};
+/// What is told of a meeting to one of the two; `side`: -1 to the second.
+template <class Meeting>
+std::vector<Value> told_of(const Meeting& e, float side) {
+    return {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
+            to_value(e.speed), to_value(e.friction),                     to_value(e.restitution)};
 }
 
 }  // namespace
@@ -146,11 +137,7 @@ void Hosting::report(HostedWorld& hosted) {
         }
     };
     const auto nothing = [](const auto&, float) { return std::vector<Value>(); };
-    const auto all = [&](const auto& e, float side) {
-        const Mixed surface =
-            mixed(hosted.world, e.body_a.index == 0 ? e.body_b : e.body_a, e.shape_a, e.shape_b);
-        return meeting(e.point, side * e.normal, e.impulse, e.speed, surface);
-    };
+    const auto all = [](const auto& e, float side) { return told_of(e, side); };
     pair(contact_end, events.contact_end, nothing);
     pair(contact_begin, events.contact_begin, all);
     pair(contact_persist, events.contact_persist, all);

@@ -172,7 +172,8 @@ void WorldData::tell_persisting() {
             impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
         events.contact_persist.push_back(
             {shape_id(c.shape_a), shape_id(c.shape_b), body_id(c.body_a), body_id(c.body_b),
-             to_vec2(point), to_vec2(c.manifold.normal), approach_speed(c, point), impulse});
+             to_vec2(point), to_vec2(c.manifold.normal), approach_speed(c, point), impulse,
+             c.friction, c.restitution});
     }
 }
 
