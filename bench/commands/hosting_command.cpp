@@ -11,6 +11,7 @@
 #include "engines/engine.h"
 #include "engines/hosted_engine.h"
 #include "measure/callgrind.h"
+#include "measure/event_cost.h"
 #include "measure/simulation.h"
 #include "measure/timing.h"
 #include "report/bounds.h"
@@ -167,7 +168,21 @@ Bytes bytes_of(int bodies) {
     return {(of_bodies - without) / count, (of_all - of_bodies) / count};
 }
 
-void print(const std::vector<Result>& results, const Bytes& bytes, const OutputOptions& output) {
+Table event_table(const std::vector<EventCost>& costs, bool json) {
+    Table table({"an event, of boxes on one floor", "ns, handler in C++", "in Lua"});
+    for (const EventCost& cost : costs) {
+        if (json)
+            std::cout << json_line({{"name", "an event, " + std::to_string(cost.boxes) + " boxes"},
+                                    {"ns", cost.ns_native},
+                                    {"ns_script", cost.ns_script}})
+                      << "\n";
+        table.add({std::to_string(cost.boxes), figure(cost.ns_native), figure(cost.ns_script)});
+    }
+    return table;
+}
+
+void print(const std::vector<Result>& results, const Bytes& bytes,
+           const std::vector<EventCost>& costs, const OutputOptions& output) {
     Verdict verdict("hosting");
     Table table({"hosted over bare", "ratio", "95 % interval", "bound"});
     Chart chart{.title = "Cost of hosting, bare library = 1", .unit = "×", .series = {"hosted"}};
@@ -201,7 +216,8 @@ void print(const std::vector<Result>& results, const Bytes& bytes, const OutputO
         memory.add({name, verdict.look(name, size, bytes_bound, figure(size), "bytes"),
                     bytes_bound.text()});
     }
-    if (!output.json) std::cout << table.text() << "\n" << memory.text();
+    const Table events = event_table(costs, output.json);
+    if (!output.json) std::cout << table.text() << "\n" << memory.text() << "\n" << events.text();
     verdict.print(output.json ? std::cerr : std::cout);
     if (!output.svg.empty()) write_svg(chart, output.svg);
 }
@@ -211,19 +227,22 @@ void print(const std::vector<Result>& results, const Bytes& bytes, const OutputO
 int run_hosting(const HostingOptions& options) {
     const Bytes bytes = bytes_of(options.bodies);
     std::vector<Result> results;
+    std::vector<EventCost> events;
     {
         const bool count = options.instructions && callgrind_available();
         if (options.instructions && !count)
             std::cerr << "instructions are not counted: valgrind is not installed\n";
-        Progress progress(count ? 2 : 1);
+        Progress progress(count ? 3 : 2);
         if (count) {
             progress.begin("instructions");
             results = instruction_ratios(options, progress);
         }
         progress.begin("time");
         for (Result& result : time_ratios(options, progress)) results.push_back(std::move(result));
+        progress.begin("events");
+        events = event_costs([&](double share) { progress.add(share); });
     }
-    print(results, bytes, options.output);
+    print(results, bytes, events, options.output);
     return 0;
 }
 

@@ -23,7 +23,8 @@ Acceptance::Acceptance(Tree& tree, std::string method, std::function<bool(Handle
       outer_(std::exchange(in_force, this)) {
     // In the search formulas keep the values they have now.
     Tree::State& s = tree.state();
-    if (s.inquiry == nullptr && !s.formulas.tracking()) s.formulas.settle_all(false);
+    if (s.inquiry == nullptr && !s.formulas.tracking() && !s.replaying)
+        s.formulas.settle_all(false);
 }
 
 Acceptance::~Acceptance() {
@@ -33,14 +34,21 @@ Acceptance::~Acceptance() {
 bool Acceptance::accepts(Handle instance) noexcept {
     if (in_force == nullptr) return true;
     Acceptance& asked = *in_force;
-    if (asked.thrown_) return false;
     try {
+        asked.answers_.push_back(0);
+        if (asked.thrown_) return false;
         const Inquiry inquiry(asked.tree_, asked.method_, rule);
-        return asked.accepts_(instance);
+        const bool accepted = asked.accepts_(instance);
+        asked.answers_.back() = accepted;
+        return accepted;
     } catch (...) {
         asked.thrown_ = std::current_exception();
         return false;
     }
+}
+
+std::vector<std::uint8_t> Acceptance::answers() {
+    return in_force != nullptr ? in_force->answers_ : std::vector<std::uint8_t>();
 }
 
 void Acceptance::finish() const {

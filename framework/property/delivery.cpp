@@ -454,7 +454,7 @@ void Tree::barrier(bool between_steps) {
     State& s = *state_;
     if (s.in_barrier)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
-    s.require_changeable("start a barrier");
+    s.forbid_in_formula("start a barrier");
     std::exception_ptr first_error;
     s.deliver_all(first_error);
     if (between_steps && !s.at_barrier.empty()) {

@@ -54,8 +54,7 @@ PackedWrites::Found PackedWrites::last(std::uint32_t index, Symbol property) con
     if (bytes_ == nullptr) return {count_, generation_.first};
     const std::size_t stride = index_.width + generation_.width + property_.width;
     for (std::size_t number = count_; number > 0; --number) {
-        const std::byte* const generation =
-            bytes_.get() + (number - 1) * stride + index_.width;
+        const std::byte* const generation = bytes_.get() + (number - 1) * stride + index_.width;
         if (index_.value(generation - index_.width) == index &&
             property_.value(generation + generation_.width) == property.id())
             return {number, generation_.value(generation)};

@@ -42,8 +42,7 @@ Inquiry::~Inquiry() {
 }
 
 void Inquiry::refuse(const char* what) const {
-    throw Error(ErrorKind::rejected,
-                std::string(subject_) + " " + std::string(rule_) + " " + what);
+    throw Error(ErrorKind::rejected, std::string(subject_) + " " + std::string(rule_) + " " + what);
 }
 
 Question* Question::current() {

@@ -91,7 +91,7 @@ struct Tree::State {
     std::vector<SnapshotPart*> parts;
     mutable std::size_t snapshot_size = 0;  // of the last one
     std::vector<Handle> to_come;            // of whom is made again inside of what is done again
-    const Inquiry* inquiry = nullptr;  // the innermost that is being made
+    const Inquiry* inquiry = nullptr;       // the innermost that is being made
     bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
 
     std::uint64_t step = 0;
@@ -120,7 +120,7 @@ struct Tree::State {
     /// nullptr where the instance lives, or was deleted too long ago.
     const Tombstone* tombstone(Handle handle) const;
     /// Formulas compute and functions that are asked answer; neither changes anything.
-    void require_changeable(const char* what) const;
+    void forbid_in_formula(const char* what) const;
     /// To be called whenever the writer is another, or an edit begins or ends.
     void note_recording() {
         records = history.recording(writer);
@@ -130,9 +130,7 @@ struct Tree::State {
     /// there may be other shadows.
     void note_listeners() { writes.open(shadows.empty() && !only_the_long_way()); }
     /// What is written is an edit to be recorded, or not allowed.
-    bool only_the_long_way() const {
-        return records || formulas.tracking() || inquiry != nullptr;
-    }
+    bool only_the_long_way() const { return records || formulas.tracking() || inquiry != nullptr; }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 
     /// Calls `what(observer)` for each observer.

@@ -88,8 +88,8 @@ void Transition::end_instances() {
             std::any_of(farewells_.begin(), farewells_.end(),
                         [&](const Existence& gone) { return gone.instance == lived.instance; });
         if (!told)
-            state_.bury({lived.instance, lived.of, lived.name.text(), "the " + lived.of->name(),
-                         cause});
+            state_.bury(
+                {lived.instance, lived.of, lived.name.text(), "the " + lived.of->name(), cause});
     }
 }
 

@@ -199,7 +199,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
-    s.require_changeable("create an instance");
+    s.forbid_in_formula("create an instance");
     if (parent) s.require(parent);
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
@@ -269,7 +269,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
 void Tree::destroy(Handle instance) {
     State& s = *state_;
     s.require(instance);
-    s.require_changeable("delete an instance");
+    s.forbid_in_formula("delete an instance");
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     // Nobody will undo the end of the tree, and its modules may be gone already.
@@ -396,7 +396,7 @@ std::string Tree::path(Handle instance) const {
 void Tree::rename(Handle instance, std::string_view name) {
     State& s = *state_;
     Node& node = s.require(instance);
-    s.require_changeable("rename an instance");
+    s.forbid_in_formula("rename an instance");
     if (node.name.text() == name) return;
     if (instance == s.root)
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
@@ -437,7 +437,7 @@ void Tree::State::place_subtree(Handle top) {
 void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
     State& s = *state_;
     const Node& node = s.require(instance);
-    s.require_changeable("move an instance");
+    s.forbid_in_formula("move an instance");
     if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
     if (new_parent) {
         s.require(new_parent);

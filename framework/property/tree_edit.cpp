@@ -248,7 +248,7 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
 void Tree::set(Handle instance, const Property& property, const Value& value) {
     State& s = *state_;
     const Node& node = s.require(instance);
-    s.require_changeable("write");
+    s.forbid_in_formula("write");
     if (value.is(property.type)) {
         bool done = false;
         if (value.is(Type::number)) done = write(instance, property, value.number());
@@ -297,7 +297,7 @@ void Tree::set(Handle instance, std::string_view name, const Value& value) {
 void Tree::reset(Handle instance, const Property& property) {
     State& s = *state_;
     const Node& node = s.require(instance);
-    s.require_changeable("write");
+    s.forbid_in_formula("write");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
     if (property.binding.kind == BindingKind::ad_hoc) return remove_ad_hoc(instance, property.name);
@@ -357,7 +357,7 @@ void Tree::State::put_ad_hoc(Handle instance, const Property& added, const Value
 
 const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
                                         const Value& value) {
-    require_changeable("write");
+    forbid_in_formula("write");
     const Class& of = tree.class_of(instance);
     const auto refuse = [&](ErrorKind kind, const std::string& reason) {
         throw Error(kind, tree.path(instance) + ": " + reason);
@@ -396,7 +396,7 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     auto& own = s.ad_hoc.at(instance.index);
     const auto found = own.find(std::string(name));
     if (found == own.end()) return;
-    s.require_changeable("write");
+    s.forbid_in_formula("write");
     const Property* const property = found->second.first;
     const Value old = found->second.second;
     std::optional<History::CellState> before;

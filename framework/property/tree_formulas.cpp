@@ -10,7 +10,7 @@
 
 namespace fettle::property {
 
-void Tree::State::require_changeable(const char* what) const {
+void Tree::State::forbid_in_formula(const char* what) const {
     if (formulas.tracking())
         throw Error(ErrorKind::formula,
                     std::string("a formula computes a value: it cannot ") + what);
@@ -18,7 +18,7 @@ void Tree::State::require_changeable(const char* what) const {
 }
 
 void Tree::require_changeable(const char* what) const {
-    state_->require_changeable(what);
+    state_->forbid_in_formula(what);
 }
 
 void Tree::State::drop_formula(Handle instance, const Property& property) {
@@ -28,7 +28,7 @@ void Tree::State::drop_formula(Handle instance, const Property& property) {
 void Tree::set_formula(Handle instance, const Property& property, Formula formula) {
     State& s = *state_;
     s.require(instance);
-    s.require_changeable("define a formula");
+    s.forbid_in_formula("define a formula");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
     std::optional<History::CellState> before;
@@ -58,7 +58,7 @@ const Formula* Tree::formula(Handle instance, const Property& property) const {
 void Tree::remove_formula(Handle instance, const Property& property) {
     state_->require(instance);
     State& s = *state_;
-    s.require_changeable("end a formula");
+    s.forbid_in_formula("end a formula");
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
@@ -98,11 +98,11 @@ void Tree::end_edit() {
     state_->history.end();
 }
 UndoResult Tree::undo() {
-    state_->require_changeable("undo");
+    state_->forbid_in_formula("undo");
     return state_->history.undo();
 }
 UndoResult Tree::redo() {
-    state_->require_changeable("redo");
+    state_->forbid_in_formula("redo");
     return state_->history.redo();
 }
 std::vector<HistoryEntry> Tree::history() const {

@@ -63,7 +63,7 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
     if (method.effect != Effect::nothing && state_->inquiry != nullptr)
-        state_->require_changeable(("call " + method.name).c_str());
+        state_->forbid_in_formula(("call " + method.name).c_str());
     const CallScope scope(*state_, instance, method, coerced);
     try {
         return method.call(method.context, *this, instance, row(instance), coerced);

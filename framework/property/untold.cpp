@@ -25,8 +25,8 @@ void UntoldBeginnings::note(const Tree& tree, const Occurrence& beginning) {
         if (list_.size() >= most) list_.erase(list_.begin(), list_.begin() + most / 2);
     }
     const std::vector<Value>& values = beginning.record.values;
-    const auto count = static_cast<std::ptrdiff_t>(
-        std::min(values.size(), beginning.event->end->fields.size()));
+    const auto count =
+        static_cast<std::ptrdiff_t>(std::min(values.size(), beginning.event->end->fields.size()));
     list_.push_back(
         {beginning.instance, beginning.event, {values.begin(), values.begin() + count}});
 }

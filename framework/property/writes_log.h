@@ -81,7 +81,7 @@ class WritesLog {
 
     std::shared_ptr<Chunk> chunk_ = std::make_shared<Chunk>();  // is filled
     std::vector<std::shared_ptr<Chunk>> spare_;  // were full; used again when nobody keeps them
-    std::deque<PackedWrites> packed_;           // what was in full ones
+    std::deque<PackedWrites> packed_;            // what was in full ones
     std::uint64_t first_ = 0;  // how many writes there had been before those in `packed_`
     PlainWrite* untold_ = chunk_->data();
     PlainWrite* next_ = untold_;

@@ -16,9 +16,10 @@ using property::Field;
 std::vector<Field> contact_fields(bool full) {
     std::vector<Field> fields = {
         {"other", Type::reference, "",
-         full ? "The other body; the world itself for its bounds."
-              : "The other body; the world itself for its bounds. It may have been deleted: then it "
-                "still tells alive(), name, class and is_a()."},
+         full
+             ? "The other body; the world itself for its bounds."
+             : "The other body; the world itself for its bounds. It may have been deleted: then it "
+               "still tells alive(), name, class and is_a()."},
         {"shape", Type::reference, "", "The shape of this body.", "Shape"},
         {.name = "other_shape",
          .type = Type::reference,
@@ -52,9 +53,10 @@ Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uin
 
 /// What is told of a meeting to one of the two; `side`: -1 to the second.
 template <class Meeting>
-std::vector<Value> told_of(const Meeting& e, float side) {
-    return {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
-            to_value(e.speed), to_value(e.friction),                     to_value(e.restitution)};
+void add_meeting(std::vector<Value>& to, const Meeting& e, float side) {
+    to.insert(to.end(),
+              {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
+               to_value(e.speed), to_value(e.friction), to_value(e.restitution)});
 }
 
 }  // namespace
@@ -103,12 +105,16 @@ Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
     return party;
 }
 
+/// `add_rest`: adds to the values of a record what the event tells beside who takes part in it.
+template <class AddRest>
 void Hosting::tell(const PairEvent& event, const Party& self, const Party& other,
-                   const std::vector<Value>& rest) {
+                   const AddRest& add_rest) {
     const auto emit = [&](Handle to, const Event& which) {
         if (which.listeners == 0 || !tree.alive(to) || !tree.listens(to, which)) return;
-        std::vector<Value> values = {other.body, self.shape, other.shape};
-        values.insert(values.end(), rest.begin(), rest.end());
+        std::vector<Value> values;
+        values.reserve(which.fields.size());
+        values.insert(values.end(), {other.body, self.shape, other.shape});
+        add_rest(values);
         tree.emit(to, which, std::move(values));
     };
     if (tree.alive(self.body) && tree.class_of(self.body).is_a(*body_class))
@@ -118,13 +124,13 @@ void Hosting::tell(const PairEvent& event, const Party& self, const Party& other
 
 void Hosting::report(HostedWorld& hosted) {
     const physics::Events& events = hosted.world.events();
-    const auto pair = [&](const PairEvent& event, const auto& list, const auto& rest_of) {
+    const auto pair = [&](const PairEvent& event, const auto& list, const auto& add_rest) {
         if (!event.heard()) return;
         for (const auto& e : list) {
             const Party a = party(hosted, e.body_a, e.shape_a);
             const Party b = party(hosted, e.body_b, e.shape_b);
-            tell(event, a, b, rest_of(e, 1.0f));
-            tell(event, b, a, rest_of(e, -1.0f));
+            tell(event, a, b, [&](std::vector<Value>& to) { add_rest(to, e, 1.0f); });
+            tell(event, b, a, [&](std::vector<Value>& to) { add_rest(to, e, -1.0f); });
         }
     };
     const auto sensed = [&](const PairEvent& event, const auto& list) {
@@ -132,12 +138,14 @@ void Hosting::report(HostedWorld& hosted) {
         for (const physics::SensorEvent& e : list) {
             const Party sensor = party(hosted, e.sensor_body, e.sensor);
             const Party visitor = party(hosted, e.visitor_body, e.visitor);
-            tell(event, sensor, visitor, {});
-            tell(event, visitor, sensor, {});
+            tell(event, sensor, visitor, [](std::vector<Value>&) {});
+            tell(event, visitor, sensor, [](std::vector<Value>&) {});
         }
     };
-    const auto nothing = [](const auto&, float) { return std::vector<Value>(); };
-    const auto all = [](const auto& e, float side) { return told_of(e, side); };
+    const auto nothing = [](std::vector<Value>&, const auto&, float) {};
+    const auto all = [](std::vector<Value>& to, const auto& e, float side) {
+        add_meeting(to, e, side);
+    };
     pair(contact_end, events.contact_end, nothing);
     pair(contact_begin, events.contact_begin, all);
     pair(contact_persist, events.contact_persist, all);

@@ -11,14 +11,15 @@ namespace fettle::physics_module {
 namespace {
 
 /// What bodies that are far away let a joint find may be more than it can be set to.
+float bounded(float x, float most) {
+    return std::isnan(x) ? 0.0f : std::clamp(x, -most, most);
+}
 float within_reach(float found) {
-    constexpr float most = std::numeric_limits<float>::max();
-    return std::isnan(found) ? 0.0f : std::clamp(found, -most, most);
+    return bounded(found, std::numeric_limits<float>::max());
 }
 physics::Vec2 within_reach(const physics::Vec2& found) {
     constexpr float most = 1e8f;  // of coordinates
-    const auto bounded = [](float x) { return std::isnan(x) ? 0.0f : std::clamp(x, -most, most); };
-    return {bounded(found.x()), bounded(found.y())};
+    return {bounded(found.x(), most), bounded(found.y(), most)};
 }
 
 /// Tells a native joint what it is set to, in the order in which `each` names it.

@@ -121,8 +121,8 @@ const std::string scene_file = R"({"fettle_scene": 1, "class": "Body"})";
 Outcome run(const Folder& folder, const std::string& script, int steps) {
     folder.write("some.json", scene_file);
     folder.write("main.lua", stage + script);
-    return fettle(folder, {"run", (folder / "").string(), "--headless", "--steps",
-                           std::to_string(steps)});
+    return fettle(folder,
+                  {"run", (folder / "").string(), "--headless", "--steps", std::to_string(steps)});
 }
 
 }  // namespace
@@ -275,4 +275,29 @@ print(world:at(vec(0, 0.6)).name)
     CHECK(contains(done.out, "true\ntrue\t0.25\ttrue\tball_2\ttrue\nnonsense: no such name\n"));
     CHECK(contains(done.out, "\nstack overflow\nhull\n"));
     CHECK(contains(done.out, "true\tfalse\n"));
+}
+
+TEST_CASE("an explosion that spares some spares them again when time is gone back over") {
+    const Folder folder;
+    const Outcome done = run(folder, R"lua(
+world.a = Body { position = vec(1, 5), Circle {} }
+world.b = Body { position = vec(-1, 5), Circle {} }
+local known
+function step()
+    if time.step == 10 then
+        world:explode(vec(0, 5), 9, 5, nil, function(shape) return shape.parent == world.a end)
+    elseif time.step == 21 then
+        known = { world.a.position, world.b.position }
+    elseif time.step == 40 and known then
+        time:go_to(20)
+    end
+end
+game:on("restored", function()
+    print(world.a.position == known[1], world.b.position == known[2], known[2].x == -1, known[1].x > 1.1)
+    known = nil
+end)
+)lua",
+                             60);
+    CHECK(done.err.empty());
+    CHECK(done.out == "true\ttrue\ttrue\ttrue\n");
 }

@@ -95,7 +95,8 @@ TEST_CASE("whoever handles an event after what it names was deleted is not calle
         end
     )lua",
                              200);
-    CHECK(done.status == 1);  // only an end names what was deleted, and a deleted circle has no radius
+    CHECK(done.status ==
+          1);  // only an end names what was deleted, and a deleted circle has no radius
     CHECK(contains(done.out, "contact_begin\ttrue\ttrue\n"));
     CHECK_FALSE(contains(done.out, "second\tcontact_begin"));
     CHECK(contains(done.out, "contact_end\ttrue\tfalse\n"));

@@ -22,8 +22,8 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-const double numbers[] = {0,   1e-320, 1e-45, 1e-30, 1e-5, 1,   -1,   64,   1e6,  -1e6, 1e8,
-                          -1e8, 1e9,   -1e9,  3e38,  -3e38, 1e300, inf, -inf, nan,  0.5};
+const double numbers[] = {0,    1e-320, 1e-45, 1e-30, 1e-5,  1,     -1,  64,   1e6, -1e6, 1e8,
+                          -1e8, 1e9,    -1e9,  3e38,  -3e38, 1e300, inf, -inf, nan, 0.5};
 
 std::vector<Value> values_of(const Property& property) {
     std::vector<Value> all;
@@ -257,7 +257,8 @@ TEST_CASE_METHOD(Hostile, "a value that a message names as a bound is accepted a
     CHECK(tried > 150);
 }
 
-TEST_CASE_METHOD(Hostile, "the message about a number that no float can hold names range and unit") {
+TEST_CASE_METHOD(Hostile,
+                 "the message about a number that no float can hold names range and unit") {
     for (const Class* of : classes()) {
         for (const Property* property : of->properties()) {
             const bool number = property->type == Type::number, vec2 = property->type == Type::vec2;

@@ -67,7 +67,8 @@ TEST_CASE_METHOD(Meeting, "a list that names what was deleted is not told either
     CHECK(log == Log{"second"});
 }
 
-TEST_CASE_METHOD(Meeting, "the end of what was deleted is told to those who know of the beginning") {
+TEST_CASE_METHOD(Meeting,
+                 "the end of what was deleted is told to those who know of the beginning") {
     note("meeting_begin", true);
     note("meeting_end");
     emit(first, "meeting_begin", brick);

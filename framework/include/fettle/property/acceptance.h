@@ -4,10 +4,12 @@
 // end). It is asked in the middle of a search, so it may read everything and change nothing
 // (`Inquiry`).
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fettle/property/export.h>
 #include <fettle/property/value.h>
@@ -35,6 +37,9 @@ class Acceptance {
     static bool accepts(Handle instance) noexcept;
     /// To be called when the method has returned: throws what the function has thrown.
     void finish() const;
+    /// What the function in force has said so far; nothing where there is none. Who calls the
+    /// method again gives the same answers.
+    static std::vector<std::uint8_t> answers();
 
   private:
     Tree& tree_;
@@ -42,6 +47,7 @@ class Acceptance {
     std::function<bool(Handle)> accepts_;
     Acceptance* outer_;
     std::exception_ptr thrown_;
+    std::vector<std::uint8_t> answers_;
 };
 
 }  // namespace fettle::property

@@ -15,8 +15,8 @@ namespace fettle::physics_module {
 
 class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
-/// Registers the classes World, Body, Shape, Joint and Field with all that derive from them, creates
-/// `game.world`, and steps every world that hangs below the root.
+/// Registers the classes World, Body, Shape, Joint and Field with all that derive from them,
+/// creates `game.world`, and steps every world that hangs below the root.
 class PhysicsModule : public module::Module {
   public:
     PhysicsModule();
