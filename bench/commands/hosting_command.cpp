@@ -130,17 +130,6 @@ struct Bytes {
     double shape = 0;  // on its body
 };
 
-/// The tree notes the last quarter of a million writes. Their notes are there in every tree that
-/// has run for a while, whatever is in it: here, too.
-std::unique_ptr<HostedEngine> hosted_for_a_while(const Scene& scene) {
-    constexpr int writes = (1 << 18) + 1024;
-    auto engine = std::make_unique<HostedEngine>(scene, false);
-    property::Tree& tree = engine->game().tree;
-    const property::Handle view = tree.child(tree.root(), "view");
-    for (int i = 0; i < writes; ++i) tree.set(view, "height", 10.0 + i % 2);
-    return engine;
-}
-
 /// Bytes of a scene in the tree beyond the bare library, in all. The past that is kept for
 /// rewinding is not counted: it has a bound of its own (`time.rewind_memory`).
 double bytes_over_bare(const Scene& scene) {
@@ -151,7 +140,7 @@ double bytes_over_bare(const Scene& scene) {
         return static_cast<double>(heap_in_use() - before);
     };
     const double bare = size_of([&] { return make_fettle(scene); });
-    return size_of([&] { return hosted_for_a_while(scene); }) - bare;
+    return size_of([&] { return std::make_unique<HostedEngine>(scene, false); }) - bare;
 }
 
 Bytes bytes_of(int bodies) {
