@@ -26,7 +26,8 @@ constexpr uint32_t layout() {
     for (const size_t size :
          {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(ShapeRecord),
           sizeof(ShapeForm), sizeof(ContactRecord), sizeof(ContactLinks), sizeof(Island),
-          sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics)})
+          sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics), sizeof(ContactBeginEvent),
+          sizeof(ContactPersistEvent), sizeof(ContactHitEvent)})
         add(size);
     [&]<class... Data>(const std::tuple<std::vector<Data>...>*) {
         (add(sizeof(Data)), ...);

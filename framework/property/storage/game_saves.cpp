@@ -23,6 +23,7 @@ GameSaves::~GameSaves() {
 }
 
 void GameSaves::save(const std::string& slot) {
+    tree_.require_changeable("save the game");
     Saves::check_slot(slot);
     if (requests_ == most_requests)
         throw Error(ErrorKind::rejected, "the game is asked to be saved more than " +
@@ -66,6 +67,7 @@ void GameSaves::finish(const Thumbnail& picture) {
 }
 
 void GameSaves::load(const std::string& slot) {
+    tree_.require_changeable("load a game");
     const auto unwritten = unwritten_.find(slot);
     const Snapshot state = Snapshot::from_bytes(
         unwritten != unwritten_.end() ? unwritten->second : saves_.load(slot).state);
