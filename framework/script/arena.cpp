@@ -50,13 +50,9 @@ bool Arena::refuse(std::size_t growth, std::size_t size) {
 // Lua answers a refusal with a full collection and asks once more for the same; only the second
 // refusal is final.
 bool Arena::tell_refusal(std::size_t size, bool by_system) {
-    last_refused_ = {size, by_system};
-    if (refused_ == size) {
-        refused_ = 0;
-        if (on_refusal) on_refusal(size, by_system);
-    } else {
-        refused_ = size;
-    }
+    const bool final = refused_ == size;
+    refused_ = final ? 0 : size;
+    if (on_refusal) on_refusal({.size = size, .by_system = by_system, .final = final});
     return true;
 }
 

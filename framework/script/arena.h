@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace fettle::script {
@@ -24,12 +23,15 @@ class Arena {
     std::size_t limit() const { return limit_; }
     void set_limit(std::size_t limit) { limit_ = limit; }
 
-    /// The size that was refused last, 0 when none was since this was asked; and whether it was the
-    /// system that refused it. Parts of Lua ask once and give up.
-    std::pair<std::size_t, bool> take_refused() { return std::exchange(last_refused_, {}); }
-    /// Told of every refusal that a full collection could not avert, by the limit or by the system,
-    /// and of every large block.
-    std::function<void(std::size_t size, bool by_system)> on_refusal;
+    /// A refusal, by the limit or by the system. A full collection may avert one that is not final;
+    /// parts of Lua ask once and give up, though.
+    struct Refusal {
+        std::size_t size = 0;
+        bool by_system = false;
+        bool final = false;
+    };
+    /// Told of every refusal and of every large block.
+    std::function<void(const Refusal& refusal)> on_refusal;
     std::function<void(std::size_t size)> on_large;
 
   private:
@@ -61,7 +63,6 @@ class Arena {
     std::size_t bytes_ = 0;
     std::size_t limit_;
     std::size_t refused_ = 0;  // size refused last, until something else is granted
-    std::pair<std::size_t, bool> last_refused_{};
 };
 
 }  // namespace fettle::script

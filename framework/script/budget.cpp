@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "guard.h"
 #include "machine.h"
 
 namespace fettle::script {
@@ -111,41 +110,41 @@ void Budget::charge_quietly(std::uint64_t instructions) {
     arm();
 }
 
-std::string Budget::out_of_memory(std::size_t size, bool by_system) const {
-    return "not enough memory: " + std::to_string(size) + " bytes more were asked for, and " +
-           (by_system ? std::string("the system has none to give")
-                      : "the scripts of a game may use " +
-                            std::to_string(machine_.arena.limit() >> 20) + " MB");
+std::string Budget::out_of_memory(const Arena::Refusal& refusal) const {
+    return "not enough memory: " + std::to_string(refusal.size) + " bytes more were asked for, and " +
+           (refusal.by_system ? std::string("the system has none to give")
+                              : "the scripts of a game may use " +
+                                    std::to_string(machine_.arena.limit() >> 20) + " MB");
 }
 
-void Budget::memory_refused(std::size_t size, bool by_system) {
+void Budget::memory_refused(const Arena::Refusal& refusal) {
     if (stopping_) return;
     if (!active_) {
         // Lua's own error says neither where nor why, and calls no handler that could find out.
-        refusal_ = {.size = size, .by_system = by_system};
+        refused_ = {.what = refusal};
         lua_Debug frame;
         for (int level = 0; lua_getstack(machine_.running, level, &frame); ++level) {
             lua_getinfo(machine_.running, "Sl", &frame);
             if (frame.currentline <= 0) continue;
-            std::copy(std::begin(frame.short_src), std::end(frame.short_src), refusal_.file);
-            refusal_.line = frame.currentline;
+            std::copy(std::begin(frame.short_src), std::end(frame.short_src), refused_.file);
+            refused_.line = frame.currentline;
             break;
         }
         return;
     }
+    if (!refusal.final) return;
     stop(machine_.running, "stopped: it needs more memory than a command may use (" +
-                               std::to_string(size) + " bytes more, limit " +
+                               std::to_string(refusal.size) + " bytes more, limit " +
                                std::to_string(memory_limit_ >> 20) + " MB)");
     arm();
 }
 
-std::string Budget::take_refusal(lua_State* L) {
-    const Refusal refusal = std::exchange(refusal_, {});
-    const auto [size, by_system] = machine_.arena.take_refused();
-    if (refusal.size == 0) return size == 0 ? "" : position(L) + out_of_memory(size, by_system);
+std::string Budget::take_refusal() {
+    const Refused refused = std::exchange(refused_, {});
+    if (refused.what.size == 0) return {};
     const std::string place =
-        refusal.line > 0 ? std::string(refusal.file) + ":" + std::to_string(refusal.line) + ": " : "";
-    return place + out_of_memory(refusal.size, refusal.by_system);
+        refused.line > 0 ? std::string(refused.file) + ":" + std::to_string(refused.line) + ": " : "";
+    return place + out_of_memory(refused.what);
 }
 
 void Budget::enter(lua_State* thread) {

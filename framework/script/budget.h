@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 
+#include "arena.h"
 #include "lua_api.h"
 
 namespace fettle::script {
@@ -40,13 +41,13 @@ class Budget {
     void charge(lua_State* L, std::uint64_t instructions);
     /// Work noticed where nothing can be raised; the next instruction is the last.
     void charge_quietly(std::uint64_t instructions);
-    /// Memory ran out: of the limit, or of what the system has.
-    void memory_refused(std::size_t size, bool by_system = false);
+    /// Memory ran out.
+    void memory_refused(const Arena::Refusal& refusal);
     /// "not enough memory: ..." with the limit that was met.
-    std::string out_of_memory(std::size_t size, bool by_system) const;
+    std::string out_of_memory(const Arena::Refusal& refusal) const;
     /// What is to be said of the latest refusal outside of commands: where, and which limit. "" when
-    /// there was none. `L`: where a script runs that was refused memory, if it still does.
-    std::string take_refusal(lua_State* L);
+    /// there was none.
+    std::string take_refusal();
     /// A coroutine is about to run: it counts too.
     void enter(lua_State* thread);
     /// Raises when the command is being stopped.
@@ -75,12 +76,11 @@ class Budget {
     std::string file_;
     int line_ = 0;
     /// Noted where there is no memory for a text.
-    struct Refusal {
-        std::size_t size = 0;  // 0: there was none
-        bool by_system = false;
+    struct Refused {
+        Arena::Refusal what{};  // size 0: there was none
         char file[LUA_IDSIZE] = {};
         int line = 0;
-    } refusal_;
+    } refused_;
 };
 
 }  // namespace fettle::script

@@ -135,8 +135,8 @@ bool script_frame(lua_State* L, int level, lua_Debug& frame) {
 
 constexpr const char* out_of_memory = "not enough memory";  // as Lua says it, and no more
 
-void tell_refusal(Machine& machine, lua_State* L, ScriptError& error) {
-    if (std::string told = machine.budget.take_refusal(L); !told.empty())
+void tell_refusal(Machine& machine, ScriptError& error) {
+    if (std::string told = machine.budget.take_refusal(); !told.empty())
         error.message = std::move(told);
 }
 
@@ -158,7 +158,7 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
     ScriptError error;
     lua_checkstack(from, 8);
     error.message = error_text(from, index);
-    if (error.message == out_of_memory) tell_refusal(machine, L, error);
+    if (error.message == out_of_memory) tell_refusal(machine, error);
     if (machine.thread_error && machine.thread_error->message == error.message) {
         // It rose out of a coroutine, where it was described already.
         error = std::move(*machine.thread_error);
@@ -231,7 +231,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
         // Out of memory, or an error while describing one: there is a message and no more.
         ScriptError error;
         error.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : out_of_memory;
-        if (error.message == out_of_memory) tell_refusal(machine, L, error);
+        if (error.message == out_of_memory) tell_refusal(machine, error);
         place_from_message(error);
         error.source_line = source_line(machine, error.file, error.line);
         machine.caught = std::move(error);

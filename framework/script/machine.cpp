@@ -91,9 +91,7 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
     running = main;
     *static_cast<Machine**>(lua_getextraspace(main)) = this;
     tree.add_part(part);
-    arena.on_refusal = [this](std::size_t size, bool by_system) {
-        budget.memory_refused(size, by_system);
-    };
+    arena.on_refusal = [this](const Arena::Refusal& refusal) { budget.memory_refused(refusal); };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
     lua_pushcfunction(main, guarded<open_all>);
     if (lua_pcall(main, 0, 0, 0) != LUA_OK) {
