@@ -241,7 +241,8 @@ void ClassRegistry::check_default(const Class& made, Property& property) const {
     if (property.default_value.is_nil()) {
         property.default_value = zero_of(property);
         // Not given: it has to be in the range only if a reset can write it.
-        if (property.read_only || !property.range.bounded() || property.default_value.is_nil())
+        if (property.read_only || property.binding.reset != nullptr || !property.range.bounded() ||
+            property.default_value.is_nil())
             return;
     }
     struct Names {

@@ -200,8 +200,6 @@ class DescriptorCheck {
         const Binding& binding = property.binding;
         if (binding.base == nullptr)
             refuse(ErrorKind::bad_structure, member, "its column has no `base`");
-        if (binding.stride == 0)
-            refuse(ErrorKind::bad_structure, member, "its column has a stride of 0 bytes");
         if (property.type != type_of(binding.native) || property.any_type)
             refuse(ErrorKind::wrong_type, member,
                    "its column holds values of type " +

@@ -159,8 +159,9 @@ TEST_CASE("a runtime with too little memory is refused and leaves the tree as it
     int refused = 0;
     for (const std::size_t limit : {0u, 1'000u, 10'000u, 50'000u, 100'000u, 150'000u}) {
         INFO(limit);
-        const std::string message =
-            error_of([&] { Runtime runtime(tree, {.memory_limit = limit}); });
+        Options options;
+        options.memory_limit = limit;
+        const std::string message = error_of([&] { Runtime runtime(tree, options); });
         refused += message != "no error";
         CHECK(tree.parts().empty());
         CHECK(tree.watcher_count() == 0);
