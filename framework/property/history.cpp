@@ -139,9 +139,9 @@ void History::dying(Handle instance) {
     if (observer_ != nullptr) observer_->dying(instance);
     ExistenceEdit existence;
     existence.top = instance;
-    existence.remains = remains_of(instance);
-    for (const Remains& remains : existence.remains) {
-        const Node& node = tree_.state().nodes[remains.handle.index];
+    existence.buried = buried_below(instance);
+    for (const Buried& buried : existence.buried) {
+        const Node& node = tree_.state().nodes[buried.handle.index];
         if (node.watched) ++existence.lost_watchers;
     }
     const bool single = depth_ == 0;
@@ -150,20 +150,20 @@ void History::dying(Handle instance) {
 }
 
 /// What is as in an instance just made is left out: of most, that is nearly all.
-std::vector<Remains> History::remains_of(Handle top) const {
-    std::vector<Remains> all;
+std::vector<Buried> History::buried_below(Handle top) const {
+    std::vector<Buried> all;
     tree_.each_below(top, [&](Handle handle) {
-        Remains remains;
-        remains.handle = handle;
-        remains.of = &tree_.class_of(handle);
-        remains.position = position(handle);
+        Buried buried;
+        buried.handle = handle;
+        buried.of = &tree_.class_of(handle);
+        buried.position = position(handle);
         for (const Property* property : tree_.properties(handle)) {
             if (property->read_only || property->binding.kind == BindingKind::node) continue;
             CellState state = capture(handle, *property);
             if (state.overridden || state.formula)
-                remains.cells.emplace_back(property->symbol, std::move(state));
+                buried.cells.emplace_back(property->symbol, std::move(state));
         }
-        all.push_back(std::move(remains));
+        all.push_back(std::move(buried));
     });
     return all;
 }
@@ -174,8 +174,8 @@ std::vector<Remains> History::remains_of(Handle top) const {
 void History::forget(const Transaction& transaction) {
     for (const EditStep& step : transaction.steps)
         if (const auto* existence = std::get_if<ExistenceEdit>(&step))
-            for (const Remains& remains : existence->remains)
-                if (!tree_.alive(remains.handle)) tree_.state().nodes.free_kept(remains.handle);
+            for (const Buried& buried : existence->buried)
+                if (!tree_.alive(buried.handle)) tree_.state().nodes.free_kept(buried.handle);
 }
 
 std::size_t History::bytes() const {
@@ -211,7 +211,7 @@ Memory History::image() const {
     return std::make_shared<const Lists>(lists_);
 }
 
-// The slots of the dead that may come back are kept in the nodes' own remains.
+// The slots of the dead that may come back are kept in the nodes' own image.
 void History::restore(const Memory& image) {
     lists_ = image == nullptr ? Lists{} : *static_cast<const Lists*>(image.get());
     bytes_.reset();
@@ -229,8 +229,8 @@ void History::free_unclaimed() {
     const auto claim = [&](const Transaction& transaction) {
         for (const EditStep& step : transaction.steps)
             if (const auto* existence = std::get_if<ExistenceEdit>(&step))
-                for (const Remains& remains : existence->remains)
-                    if (nodes.keeps(remains.handle)) claimed[remains.handle.index] = true;
+                for (const Buried& buried : existence->buried)
+                    if (nodes.keeps(buried.handle)) claimed[buried.handle.index] = true;
     };
     lists_.done.each(claim);
     lists_.undone.each(claim);
@@ -360,10 +360,10 @@ void History::bury(ExistenceEdit& existence, UndoResult& result) {
         return;
     }
     if (observer_ != nullptr) observer_->dying(existence.top);
-    existence.remains = remains_of(existence.top);
+    existence.buried = buried_below(existence.top);
     existence.lost_watchers = 0;
-    for (const Remains& remains : existence.remains)
-        if (tree_.state().nodes[remains.handle.index].watched) ++existence.lost_watchers;
+    for (const Buried& buried : existence.buried)
+        if (tree_.state().nodes[buried.handle.index].watched) ++existence.lost_watchers;
     keep_slots_ = true;
     tree_.destroy(existence.top);
     keep_slots_ = false;
@@ -371,42 +371,42 @@ void History::bury(ExistenceEdit& existence, UndoResult& result) {
 
 void History::revive(ExistenceEdit& existence, UndoResult& result) {
     Tree::State& s = tree_.state();
-    if (existence.remains.empty() || tree_.alive(existence.top)) {
+    if (existence.buried.empty() || tree_.alive(existence.top)) {
         result.notes.emplace_back("an instance cannot be brought back: nothing is known of it");
         return;
     }
-    if (!std::all_of(existence.remains.begin(), existence.remains.end(),
-                     [&s](const Remains& remains) { return s.nodes.keeps(remains.handle); })) {
+    if (!std::all_of(existence.buried.begin(), existence.buried.end(),
+                     [&s](const Buried& buried) { return s.nodes.keeps(buried.handle); })) {
         result.notes.emplace_back("an instance cannot be brought back: its place was given away");
         return;
     }
-    if (const Handle parent = existence.remains.front().position.parent;
+    if (const Handle parent = existence.buried.front().position.parent;
         parent && !tree_.alive(parent)) {
-        result.notes.push_back("\"" + existence.remains.front().position.name.text() +
+        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
                                "\" cannot be brought back: what it hung under is gone");
         return;
     }
-    for (const Remains& remains : existence.remains) {
-        NodeName name = remains.position.name;
-        const std::uint32_t parent = remains.position.parent.index;
+    for (const Buried& buried : existence.buried) {
+        NodeName name = buried.position.name;
+        const std::uint32_t parent = buried.position.parent.index;
         if (const std::uint32_t there = parent == 0 ? 0 : s.nodes.child(parent, name); there != 0) {
             // Below, it can only be what the parent made for itself just now; at the top, the
             // game's own.
-            if (&remains != &existence.remains.front())
+            if (&buried != &existence.buried.front())
                 tree_.destroy(s.nodes.handle(there));
             else
                 name = s.nodes.free_name(parent, name.base.text());
         }
-        s.make(*remains.of, parent, name, remains.position.named, remains.handle);
+        s.make(*buried.of, parent, name, buried.position.named, buried.handle);
     }
     // Values when all are there, so that references find whom they mean.
-    for (const Remains& remains : existence.remains)
-        for (const auto& [symbol, state] : remains.cells)
-            set_cell(remains.handle, symbol, state, result);
-    place(existence.top, existence.remains.front().position, result);
+    for (const Buried& buried : existence.buried)
+        for (const auto& [symbol, state] : buried.cells)
+            set_cell(buried.handle, symbol, state, result);
+    place(existence.top, existence.buried.front().position, result);
     if (observer_ != nullptr) observer_->born(existence.top);
     // Whoever buries them next knows better what they are, and the slots to give back.
-    existence.remains.clear();
+    existence.buried.clear();
     if (existence.lost_watchers > 0)
         result.notes.push_back("watchers of " + tree_.path(existence.top) +
                                " ended when it was deleted; they are not brought back");

@@ -93,7 +93,7 @@ class History {
     void forget(const Transaction& transaction);
     void make_void(Transaction& transaction);
     void trim();
-    std::vector<Remains> remains_of(Handle top) const;
+    std::vector<Buried> buried_below(Handle top) const;
     UndoResult run(Transaction& transaction, bool back);
     void apply(CellEdit& edit, bool back, UndoResult& result);
     void apply(ExistenceEdit& existence, bool back, UndoResult& result);

@@ -20,9 +20,9 @@ std::size_t size_of(const CellState& state) {
     return sizeof state + size_of(state.value) + (state.formula ? bytes_of(*state.formula) : 0);
 }
 
-std::size_t size_of(const Remains& remains) {
-    std::size_t bytes = sizeof remains + overhead;
-    for (const auto& [symbol, state] : remains.cells) bytes += sizeof symbol + size_of(state);
+std::size_t size_of(const Buried& buried) {
+    std::size_t bytes = sizeof buried + overhead;
+    for (const auto& [symbol, state] : buried.cells) bytes += sizeof symbol + size_of(state);
     return bytes;
 }
 
@@ -33,7 +33,7 @@ std::size_t bytes_of(const EditStep& step) {
     if (const auto* edit = std::get_if<CellEdit>(&step))
         bytes += size_of(edit->before) + size_of(edit->after);
     if (const auto* existence = std::get_if<ExistenceEdit>(&step))
-        for (const Remains& remains : existence->remains) bytes += size_of(remains);
+        for (const Buried& buried : existence->buried) bytes += size_of(buried);
     return bytes;
 }
 

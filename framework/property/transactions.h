@@ -33,7 +33,7 @@ struct CellEdit {
 };
 
 /// What a dead instance was: all that is not as in one just made.
-struct Remains {
+struct Buried {
     Handle handle;
     const Class* of = nullptr;
     Position position;
@@ -44,7 +44,7 @@ struct Remains {
 struct ExistenceEdit {
     Handle top;
     bool birth = false;  // else a death
-    std::vector<Remains> remains;
+    std::vector<Buried> buried;
     std::size_t lost_watchers = 0;
 };
 
