@@ -58,7 +58,8 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
       timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
     services_.clock.go_to = [this](std::int64_t step) {
-        tree_.at_barrier([this, step] { timeline_.go_to(step); });
+        timeline_.require(step);  // whoever asks can catch; what is kept may be less at the barrier
+        tree_.at_barrier([this, step] { timeline_.go_near(step); });
     };
 }
 

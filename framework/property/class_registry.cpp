@@ -136,6 +136,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     for (Property& property : made->descriptor_.properties)
         add_property(*made, std::move(property));
     made->descriptor_.properties.clear();
+    order_initial(*made);
     for (Method& method : made->descriptor_.methods) {
         method.symbol = Symbol(method.name);
         method.owner = made.get();
@@ -235,6 +236,16 @@ void ClassRegistry::add_property(Class& made, Property property) {
         if (kept.simulated || kept.read_only) made.observed_.push_back(&kept);
     }
     made.property_index_[kept.symbol] = &kept;
+}
+
+/// As all values are set that are set together: in the order of declaration, since what one may be
+/// can depend on those before it.
+void ClassRegistry::order_initial(Class& made) {
+    std::vector<const Property*> ordered;
+    for (const Property* property : made.properties_)
+        if (std::find(made.initial_.begin(), made.initial_.end(), property) != made.initial_.end())
+            ordered.push_back(property);
+    made.initial_ = std::move(ordered);
 }
 
 void ClassRegistry::check_default(const Class& made, Property& property) const {

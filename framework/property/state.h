@@ -185,9 +185,19 @@ struct Tree::State {
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});
     void check_child_name(Handle parent, std::string_view name) const;
+    void finish_making(Handle self, const Class& of);
+    void unmake(Handle self);
     void destroy_one(std::uint32_t index);
-    void place_subtree(Handle top);
+    void destroy_below(std::uint32_t top);
     void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
+
+    // tree_placing.cpp
+    void require_movable(Handle instance) const;
+    void place_subtree(Handle top);
+    void hang(Handle instance, const Position& at);
+    void hang_back(Handle instance, const Position& was);
+    void hang_or_leave(Handle instance, const Position& at);
+    void told_of_move(Handle instance);
 
     // tree_edit.cpp
     Value read(std::uint32_t index, const Node& node, const Property& property) const;

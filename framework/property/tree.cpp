@@ -1,9 +1,10 @@
-// Classes and instances of a tree: who there is, where they hang, how they come and go.
+// Classes and instances of a tree: who there is, where they hang, how they come and go. How they
+// get other places is tree_placing.cpp.
 
 #include <fettle/property/tree.h>
 
 #include <algorithm>
-#include <optional>
+#include <stdexcept>
 
 #include <fettle/property/drawing.h>
 #include <fettle/property/path.h>
@@ -151,6 +152,90 @@ void Tree::State::check_child_name(Handle parent, std::string_view name) const {
                     tree.path(parent) + ": " + quoted + " is a property there; remove it first");
 }
 
+std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName name, bool named,
+                                Handle again) {
+    if (!again && !to_come.empty()) {
+        again = to_come.front();
+        to_come.erase(to_come.begin());
+    }
+    if (again) nodes.revive(again);
+    const std::uint32_t index = again ? again.index : nodes.allocate();
+    nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
+    nodes[index].named = named;
+    nodes[index].fresh = true;
+    fresh.push_back(index);
+    nodes.link(index, parent, name);
+    const Handle self = nodes.handle(index);
+    if (stored[of.id_]) {
+        const std::uint32_t row = stored[of.id_]->add();
+        nodes[index].stored_row = row;
+    }
+    const Lifecycle& lifecycle = of.lifecycle();
+    if (lifecycle.create) {
+        try {
+            const Row row = lifecycle.create(lifecycle.context, tree, self);
+            nodes[index].row = row;
+        } catch (...) {  // its module has no room for it: it never was
+            if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
+            nodes.unlink(index);
+            nodes.release(index);
+            throw;
+        }
+    }
+    finish_making(self, of);
+    structure_changed(parent, name);
+    if (watchers.any_broad()) {
+        shadows.refresh(tree, watchers, self);
+        note_listeners();
+    }
+    if (watchers.any_created())
+        queue_item({.kind = QueueItem::Kind::created,
+                    .what = Existence{.instance = self,
+                                      .instance_class = &of,
+                                      .path = {},
+                                      .cause = tree.cause(),
+                                      .last_values = {}},
+                    .recipients = {}});
+    tell([&](Observer& o) { o.created(self); });
+    return index;
+}
+
+/// What its module may refuse after its row is made. Then the instance came and went, and is told
+/// of as such: a log of that does the same again.
+void Tree::State::finish_making(Handle self, const Class& of) {
+    const Lifecycle& lifecycle = of.lifecycle();
+    const Property* at = nullptr;
+    try {
+        if (lifecycle.place && nodes[self.index].parent != 0) {
+            const Row row = lifecycle.place(lifecycle.context, tree, self, nodes[self.index].row);
+            nodes[self.index].row = row;
+        }
+        for (const Property* property : of.initial_) {
+            at = property;
+            write(self.index, nodes[self.index], *property, property->default_value);
+        }
+    } catch (const std::invalid_argument& refusal) {
+        unmake(self);
+        throw Error(ErrorKind::rejected,
+                    of.name() + (at == nullptr ? "" : "." + at->name) + ": " + refusal.what());
+    } catch (...) {
+        unmake(self);
+        throw;
+    }
+}
+
+void Tree::State::unmake(Handle self) {
+    tell([&](Observer& o) { o.created(self); });
+    tell([&](Observer& o) { o.destroying(self); });
+    destroy_below(self.index);
+}
+
+void Tree::State::destroy_below(std::uint32_t top) {
+    std::vector<std::uint32_t> order;
+    visit_below(top, [&](std::uint32_t i) { order.push_back(i); });
+    for (auto i = order.rbegin(); i != order.rend(); ++i) destroy_one(*i);
+}
+
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
     s.forbid_in_formula("create an instance");
@@ -230,9 +315,7 @@ void Tree::destroy(Handle instance) {
     // Nobody will undo the end of the tree, and its modules may be gone already.
     if (!s.ending && s.history.recording()) s.history.dying(instance);
     if (!s.ending) s.tell([&](Observer& o) { o.destroying(instance); });
-    std::vector<std::uint32_t> order;
-    s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
-    for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);
+    s.destroy_below(instance.index);
     s.history.deletion_done();
 }
 
@@ -346,97 +429,6 @@ std::string Tree::path(Handle instance) const {
         path += path_suffix(s.nodes[*i].name.text());
     if (path.front() == '.') return path.substr(1);
     return path.front() == '[' ? "game" + path : path;
-}
-
-void Tree::rename(Handle instance, std::string_view name) {
-    State& s = *state_;
-    Node& node = s.require(instance);
-    s.forbid_in_formula("rename an instance");
-    if (node.name.text() == name) return;
-    if (instance == s.root)
-        throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
-    const std::uint32_t parent = node.parent;
-    s.check_child_name(s.nodes.handle(parent), name);
-    std::optional<History::Position> before;
-    if (s.history.recording()) before = s.history.position(instance);
-    const NodeName was = node.name;
-    const NodeName made = NodeName::make(name);
-    if (parent == 0) {
-        node.name = made;
-    } else {
-        // Renaming keeps the place among the siblings.
-        const bool first = s.nodes[parent].first_child == instance.index;
-        const std::uint32_t in_front = first ? 0 : node.previous;
-        s.nodes.unlink(instance.index);
-        s.nodes.link(instance.index, parent, made);
-        s.nodes.reorder(instance.index, in_front);
-    }
-    s.nodes[instance.index].named = true;
-    s.structure_changed(parent, was);
-    s.structure_changed(parent, made);
-    if (before) s.history.moved(instance, *before);
-    s.tell([&](Observer& o) { o.moved(instance); });
-    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
-}
-
-void Tree::State::place_subtree(Handle top) {
-    tree.each_below(top, [this](Handle handle) {
-        const Class& of = tree.class_of(handle);
-        if (!of.lifecycle().place) return;
-        const Row row =
-            of.lifecycle().place(of.lifecycle().context, tree, handle, nodes[handle.index].row);
-        if (Node* node = nodes.find(handle)) node->row = row;
-    });
-}
-
-void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
-    State& s = *state_;
-    const Node& node = s.require(instance);
-    s.forbid_in_formula("move an instance");
-    if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
-    if (new_parent) {
-        s.require(new_parent);
-        if (new_parent == instance || is_below(new_parent, instance))
-            throw Error(
-                ErrorKind::bad_structure,
-                path(instance) + " cannot be moved below itself (" + path(new_parent) + ")");
-    }
-    NodeName chosen = node.name;
-    if (!name.empty()) {
-        if (s.nodes.child(new_parent.index, NodeName::look_up(name)) != instance.index ||
-            !new_parent)
-            s.check_child_name(new_parent, name);
-        chosen = NodeName::make(name);
-    } else if (new_parent && node.parent != new_parent.index) {
-        const bool taken = !node.named || s.nodes.child(new_parent.index, node.name) != 0 ||
-                           find(new_parent, node.name.text()) != nullptr ||
-                           class_of(new_parent).method(node.name.text()) != nullptr;
-        if (taken) {
-            const std::string_view stem =
-                node.named ? node.name.base.text() : class_of(instance).stem();
-            const bool plain =
-                find(new_parent, stem) == nullptr && class_of(new_parent).method(stem) == nullptr;
-            chosen = first_plain ? s.nodes.plain_name(new_parent.index, stem, plain)
-                                 : s.nodes.free_name(new_parent.index, stem);
-        }
-    } else if (node.parent == new_parent.index) {
-        return;
-    }
-    const bool named = node.named || !name.empty();
-    std::optional<History::Position> before;
-    if (s.history.recording()) before = s.history.position(instance);
-    const std::uint32_t left = node.parent;
-    const NodeName was = node.name;
-    s.nodes.unlink(instance.index);
-    s.nodes.link(instance.index, new_parent.index, chosen);
-    s.nodes[instance.index].named = named;
-    s.edited = true;
-    s.structure_changed(left, was);
-    s.structure_changed(new_parent.index, chosen);
-    s.place_subtree(instance);
-    if (before) s.history.moved(instance, *before);
-    s.tell([&](Observer& o) { o.moved(instance); });
-    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 
 void Tree::draw(Handle top, Painter& painter, double alpha) const {

@@ -1,10 +1,11 @@
 // Properties of a tree: reading, and the edit pipeline.
 //
-//   1 coerce  2 validate  3 equal? stop  4 record in the history  5 the owner's setter  6 its
-//   invalidate hook 7 queue the change
+//   1 coerce  2 validate  3 equal? stop  4 note for the history  5 the owner's setter  6 its
+//   invalidate hook  7 queue the change
 //
-// Steps 1 and 2 are coerce.cpp. Step 4 is the place of the history: it will be told (cell, old,
-// new, cause) between `coerce` and `write` below, when the writer is a person.
+// Steps 1 and 2 are coerce.cpp. Step 4 is for edits that are recorded, and notes what the cell was;
+// the history is told of the edit at the end, when the cell is what it has become, so that a write
+// that the owner refuses leaves nothing in it.
 
 #include <algorithm>
 #include <cstring>
@@ -310,9 +311,13 @@ void Tree::reset(Handle instance, const Property& property) {
         return set(instance, property, property.default_value);
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
-    if (node.has_formula) s.drop_formula(instance, property);
     const Value old = s.read(instance.index, node, property);
-    property.binding.reset(property.binding.context, node.row);
+    try {
+        property.binding.reset(property.binding.context, node.row);
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+    }
+    if (node.has_formula) s.drop_formula(instance, property);
     if (property.binding.invalidate != nullptr)
         property.binding.invalidate(property.binding.context, node.row);
     s.written(instance, node, property, old);

@@ -111,6 +111,12 @@ UndoResult Tree::redo() {
 std::vector<HistoryEntry> Tree::history() const {
     return state_->history.entries();
 }
+std::size_t Tree::history_bytes() const {
+    return state_->history.bytes();
+}
+std::size_t Tree::history_bytes_ever() const {
+    return state_->history.bytes_ever();
+}
 void Tree::set_history_limit(std::size_t bytes) {
     state_->history.set_limit(bytes);
 }

@@ -5,6 +5,7 @@
 #include <fettle/property/error.h>
 
 #include "guard.h"
+#include "held_memory.h"
 #include "machine.h"
 #include "protected.h"
 #include "sandbox.h"
@@ -125,8 +126,10 @@ void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
                     std::string_view name) {
     const std::string source = text_at(L, index, 2), not_saved = text_at(L, index, 3);
     lua_getiuservalue(L, index, 1);
+    const std::size_t holds = held_memory(L, machine, -1);
     const auto function = std::make_shared<FunctionRef>(L, machine);
-    write_formula(machine, instance, name, {ScriptFormula(machine, function), source, not_saved});
+    write_formula(machine, instance, name,
+                  {ScriptFormula(machine, function), source, not_saved, holds});
 }
 
 property::Formula compile_formula(Machine& machine, const std::string& source) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
@@ -239,14 +240,17 @@ void copy_below(Machine& machine, Handle top, Handle copy, Copies& copies) {
     }
 }
 
-// References inside what is copied lead to the copies.
-Value redirected(const Value& value, const Copies& copies) {
+// References inside what is copied lead to the copies; those to nobody any more to nobody.
+Value redirected(const Machine& machine, const Value& value, const Copies& copies) {
     if (value.is(property::Type::reference)) {
+        if (!machine.tree.alive(value.reference())) return Handle{};
         const auto copy = copies.of.find(Copies::key(value.reference()));
-        if (copy != copies.of.end()) return copy->second;
-    } else if (value.is(property::Type::list)) {
+        return copy == copies.of.end() ? value : Value(copy->second);
+    }
+    if (value.is(property::Type::list)) {
         property::List list;
-        for (const Value& each_value : value.list()) list.push_back(redirected(each_value, copies));
+        for (const Value& element : value.list())
+            list.push_back(redirected(machine, element, copies));
         return list;
     }
     return value;
@@ -256,7 +260,9 @@ void copy_values(Machine& machine, const Copies& copies) {
     for (const auto& [from, to] : copies.in_order) {
         for (const Property* property : machine.tree.properties(from)) {
             if (property->read_only || !machine.tree.overridden(from, *property)) continue;
-            const Value value = redirected(machine.tree.get(from, *property), copies);
+            // Of a formula its value; of one in error the last good one.
+            (void)machine.tree.problem(from, *property);
+            const Value value = redirected(machine, machine.tree.peek(from, *property), copies);
             if (property->binding.kind == property::BindingKind::ad_hoc)
                 machine.tree.set_or_add(to, property->name, value);
             else

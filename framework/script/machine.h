@@ -92,6 +92,8 @@ struct Machine {
     int last_result = 0;  // `_` is element 1: a reference itself must never be nil
     int killed = 0;       // weak: coroutines stopped for good
     int pen = 0;
+    int counted = 0;                     // weak: what functions of the past hold; 0: not made yet
+    const void* counted_text = nullptr;  // the text counted last
 
     std::filesystem::path folder;                          // of the game
     std::unordered_map<std::string, std::string> sources;  // text by chunk name

@@ -19,6 +19,7 @@ class RuntimePart : public property::SnapshotPart {
                                   const property::Memory& memory) override;
     property::Memory changes() override;
     void redo(const property::Memory& changes) override;
+    std::size_t size_of(const property::Memory& memory) const override;
 
   private:
     Machine& machine_;

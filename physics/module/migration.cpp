@@ -63,15 +63,28 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     def.velocity = velocity(from);
     const bool awake = old.awake();
 
+    // First what may be refused, so that nothing has happened if it is.
+    const std::vector<physics::Shape> shapes = old.shapes();
+    std::vector<physics::Shape> copies;
     physics::Body fresh = target.world.create_body(def);
-    for (const physics::Shape& shape : old.shapes()) {
-        const Handle instance = unpack(shape.user_data());
-        const Row shape_row = make_row(world_number(from), shape.index());
-        tree.set_row(instance, migrate_shape(shape_row, to, fresh));
+    const Row row = row_of(to, fresh);
+    try {
+        for (const physics::Shape& shape : shapes) {
+            copies.push_back(copy_shape(shape, to));
+            copies.back().attach(fresh);
+        }
+    } catch (...) {
+        for (physics::Shape& copy : copies) copy.destroy();
+        fresh.destroy();
+        throw;
+    }
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Handle instance = unpack(shapes[i].user_data());
+        const Row left = make_row(world_number(from), shapes[i].index());
+        tree.set_row(instance, leave_shape(left, to, copies[i]));
     }
     if (const auto center = old.center_override()) fresh.set_center(center);
     // The velocity is that of the center of mass, which has just moved.
-    const Row row = make_row(to, fresh.index());
     fresh.mass();
     fresh.set_angular_velocity(def.angular_velocity);
     set_velocity(row, def.velocity);
@@ -88,16 +101,26 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
 }
 
 Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owner) {
-    note_departure(from);
-    HostedWorld& target = *worlds_[to];
-    physics::Shape old = shape(from);
-    physics::Shape fresh = target.world.create_shape(old.geometry(), description(old));
+    physics::Shape fresh = copy_shape(shape(from), to);
     if (owner) fresh.attach(owner);
+    return leave_shape(from, to, fresh);
+}
+
+/// The same shape in another world, on no body.
+physics::Shape Hosting::copy_shape(const physics::Shape& shape, std::uint32_t to) {
+    physics::Shape made = worlds_[to]->world.create_shape(shape.geometry(), description(shape));
+    (void)row_of(to, made);
+    return made;
+}
+
+/// `fresh` takes the place of the shape at `from`, which ends.
+Row Hosting::leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh) {
+    note_departure(from);
     if (!hosted(from).looks.empty()) {
         const Look look = hosted(from).looks.take(slot_of(from));
-        if (look.fill || look.border || !look.visible) target.looks.set(fresh.index(), look);
+        if (look.fill || look.border || !look.visible) worlds_[to]->looks.set(fresh.index(), look);
     }
-    old.destroy();
+    shape(from).destroy();
     return make_row(to, fresh.index());
 }
 

@@ -43,6 +43,14 @@ struct Beside {
     Departed bodies, shapes;
 };
 
+bool is_color(const std::optional<property::Color>& color) {
+    if (!is_optional(color)) return false;
+    if (!color) return true;
+    const auto is_channel = [](float value) { return value >= 0.0f && value <= 1.0f; };
+    return is_channel(color->r) && is_channel(color->g) && is_channel(color->b) &&
+           is_channel(color->a);
+}
+
 void save_beside(property::ByteWriter& to, const HostedWorld& hosted) {
     to.put(hosted.self);
     to.put(std::uint8_t{hosted.placed});
@@ -63,11 +71,11 @@ Beside read_beside(property::ByteReader& from) {
     beside.body_colors = from.list<std::optional<property::Color>>();
     beside.velocities = from.list<std::optional<physics::Vec2>>();
     for (const Look& look : beside.looks)
-        from.require(is_optional(look.fill) && is_optional(look.border) && is_flag(look.visible),
+        from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible),
                      "a look");
-    for (const auto& color : beside.body_colors) from.require(is_optional(color), "a color");
+    for (const auto& color : beside.body_colors) from.require(is_color(color), "a color");
     for (const auto& velocity : beside.velocities)
-        from.require(is_optional(velocity), "a velocity");
+        from.require(is_optional(velocity) && (!velocity || velocity->allFinite()), "a velocity");
     beside.bodies = get_departed(from);
     beside.shapes = get_departed(from);
     return beside;
@@ -181,6 +189,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
             if (hosted == nullptr) hosted = make_world(saved.number);
             hosted->world.take(std::move(*saved.world));
             put_beside(std::move(saved.beside), *hosted);
+            hosted->placed = tree.alive(hosted->self) && tree.is_below(hosted->self, tree.root());
             listen(*hosted, told);
         }
         put_joints();
@@ -216,8 +225,12 @@ std::function<void()> Joints::restore(property::ByteReader& from,
             from.fail(problem.what());
         }
     }
-    for (const std::uint32_t row : *free)
-        from.require(row < records->size() && !(*records)[row].used, "a free joint that is used");
+    std::vector<bool> seen(records->size());
+    for (const std::uint32_t row : *free) {
+        from.require(row < records->size() && !(*records)[row].used && !seen[row],
+                     "a free joint that is used");
+        seen[row] = true;
+    }
     return [this, records, free, loose] {
         records_ = std::move(*records);
         free_ = std::move(*free);

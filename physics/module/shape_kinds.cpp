@@ -143,12 +143,12 @@ void define_outlines(Hosting& hosting) {
            "A line of segments without seams, solid on its left: points from left to right are "
            "ground, a closed counter-clockwise chain holds what is inside. From behind everything "
            "passes.",
-           {{.name = "closed",
+           {points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
+                   "In the body's coordinates."),
+            {.name = "closed",
              .type = Type::boolean,
-             .doc = "Whether it goes on from the last point to the first.",
-             .binding = bound<&Shape::closed, &Shape::set_closed>(hosting)},
-            points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
-                   "In the body's coordinates.")});
+             .doc = "Whether it goes on from the last point to the first; that takes three points.",
+             .binding = bound<&Shape::closed, &Shape::set_closed>(hosting)}});
 }
 
 }  // namespace

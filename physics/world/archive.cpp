@@ -7,8 +7,9 @@
 #include <utility>
 
 // Saving a world and restoring it in place. What a step makes anew (solver bodies, constraints,
-// colors) is left out; everything else is copied as it is, the order of every list included, so
-// that a restored world goes on bit for bit.
+// colors) is left out, and so is what belongs to the world but not to its state (callbacks,
+// threads); everything else is copied as it is, the order of every list included, so that a
+// restored world goes on bit for bit.
 
 namespace fettle::physics {
 
@@ -37,8 +38,8 @@ constexpr uint32_t layout() {
 
 constexpr uint32_t byte_order = 0x01020304;
 
-/// Every member that outlives a step, once. The capacity kept for the step (`solver_bodies` to
-/// `fast_bodies`) is not state.
+/// Every member that outlives a step, once. What a step fills anew, and keeps for its capacity
+/// only, is listed in memory.cpp instead.
 template <class Io, class World>
 void world_members(Io& io, World& w) {
     io(w.settings);
@@ -56,8 +57,9 @@ void world_members(Io& io, World& w) {
     io(w.strips), io(w.last_substep), io(w.steps), io(w.sleep_candidates);
     event_members(io, w.events), event_members(io, w.pending);
     io(w.statistics);
-    // A reminder for who adds a member: it belongs into the list above, unless it is made anew in
-    // every step: then it is a scratch member in memory.cpp. Either way the number here changes.
+    // A reminder for who adds a member: it belongs into the list above; unless it is made anew in
+    // every step, then it is a scratch member in memory.cpp; or unless it is none of the state,
+    // then `WorldData::take` below keeps it. Each time the number here changes.
     constexpr size_t others = sizeof(WorldSelf) + sizeof(JointLists) + sizeof(JointConstraints);
     static_assert(sizeof(void*) != 8 || sizeof(WorldData) - others == world_data_size);
 }
@@ -115,6 +117,7 @@ void World::restore(std::span<const std::byte> bytes) {
     if (!read.at_end()) throw std::invalid_argument("there is something behind the saved world");
     auto problem = fresh.links_problem();
     if (!problem) problem = fresh.memberships_problem();
+    if (!problem) problem = fresh.numbers_problem();
     if (problem) throw std::invalid_argument("the saved world is damaged: " + *problem);
     data.take(std::move(fresh));
 }

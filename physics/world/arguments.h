@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fettle/physics/definitions.h>
+#include <fettle/physics/field.h>
 #include <fettle/physics/hull.h>
 #include <fettle/physics/shape.h>
 
@@ -52,6 +53,7 @@ const Aabb& check_bounds(const Aabb& value);
 void check(const WorldDef& def);
 void check(const BodyDef& def);
 void check(const ShapeDef& def);
+void check(const FieldDef& def);
 /// Of a concave polygon.
 void check_outline(std::span<const Vec2> points);
 void check_chain(std::span<const Vec2> points, bool closed);

@@ -162,6 +162,13 @@ void Body::set_torque(float torque) {
 
 namespace {
 
+/// However many are added up, N, N m.
+constexpr float greatest_force = std::numeric_limits<float>::max();
+
+V2 sum(V2 force, V2 more) {
+    return bounded(force + more, greatest_force);
+}
+
 /// Awake from now on; false where a force would only wait for the day it can move something.
 bool moved_by_forces(WorldData& data, uint32_t body) {
     data.read_mass(body);
@@ -176,7 +183,7 @@ void Body::apply_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     check_finite("force", force);
     if (!moved_by_forces(data, id_.index)) return;
-    record.step_force = record.step_force + to_v2(force);
+    record.step_force = sum(record.step_force, to_v2(force));
 }
 
 void Body::apply_force(const Vec2& force, const Vec2& world_point) {
@@ -184,15 +191,17 @@ void Body::apply_force(const Vec2& force, const Vec2& world_point) {
     check_finite("force", force);
     check_finite("world_point", world_point);
     if (!moved_by_forces(data, id_.index)) return;
-    record.step_force = record.step_force + to_v2(force);
-    record.step_torque += cross(to_v2(world_point) - record.center, to_v2(force));
+    record.step_force = sum(record.step_force, to_v2(force));
+    record.step_torque =
+        bounded(record.step_torque + cross(to_v2(world_point) - record.center, to_v2(force)),
+                greatest_force);
 }
 
 void Body::apply_torque(float torque) {
     FETTLE_EDIT_BODY
     check_finite("torque", torque);
     if (!moved_by_forces(data, id_.index)) return;
-    record.step_torque += torque;
+    record.step_torque = bounded(record.step_torque + torque, greatest_force);
 }
 
 Vec2 Body::applied_force() const {

@@ -111,7 +111,7 @@ class Consultation {
     /// is taken as the nearest that has: a step does not throw.
     static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
         if (!before || edit.friction != before->friction)
-            c.friction = max(bounded(edit.friction, 1e6f), 0.0f);
+            c.friction = max(bounded(edit.friction, greatest_grip), 0.0f);
         if (!before || edit.restitution != before->restitution)
             c.restitution = clamp(bounded(edit.restitution, 1.0f), 0.0f, 1.0f);
         if (!before || edit.surface_speed != before->surface_speed)

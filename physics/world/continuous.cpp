@@ -112,7 +112,8 @@ void WorldData::stop_body(const FastBody& fast, FinishedPiece& piece) {
     const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
     state.cosine = q.c;
     state.sine = q.s;
-    state.position = to_vec2(record.center - rotate(q, record.local_center));
+    state.position =
+        to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
     finish_shapes(fast.body, q, piece);
 }
 

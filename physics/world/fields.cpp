@@ -237,12 +237,12 @@ struct FieldCheck {
     }
 };
 
-void check(const FieldDef& def) {
+}  // namespace
+
+void detail::check(const FieldDef& def) {
     std::visit(FieldCheck{}, def.force);
     if (def.region) check_bounds(*def.region);
 }
-
-}  // namespace
 
 Field World::create_field(const FieldDef& def) {
     WorldData& data = edit(__func__);

@@ -262,6 +262,7 @@ bool Shape::closed() const {
 void Shape::set_closed(bool closed) {
     FETTLE_EDIT_SHAPE
     if (record.type != ShapeType::chain) wrong_type("closed", record.type);
+    check_chain(as_vectors(data.outline_of(id_.index)), closed);
     record.closed = closed;
     geometry_changed(data, id_.index);
 }

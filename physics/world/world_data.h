@@ -34,6 +34,8 @@ inline constexpr float touch_distance = 0.005f;
 /// near enough that no square of them overflows.
 inline constexpr float greatest_coordinate = 1e8f;
 inline constexpr float greatest_speed = 1e4f;
+/// Friction, and lever of rolling resistance (m), of a contact.
+inline constexpr float greatest_grip = 1e6f;
 /// Turning in one sub-step, rad.
 inline constexpr float greatest_turn = 3.0f;
 
@@ -476,10 +478,11 @@ struct WorldData : Columns {
     // memory.cpp
     void trim();
 
-    // archive.cpp, links.cpp, memberships.cpp: saved worlds
+    // archive.cpp, links.cpp, memberships.cpp, numbers.cpp: saved worlds
     void take(WorldData&& other);
     std::optional<std::string> links_problem() const;
     std::optional<std::string> memberships_problem() const;
+    std::optional<std::string> numbers_problem() const;
 
     // fields.cpp
     void apply_fields(float h, float dt);

@@ -54,7 +54,8 @@ TEST_CASE("a saved tree comes back in another run and in the same one") {
     CHECK(other.everything() == then);
 }
 
-TEST_CASE("a slot that is saved again before the barrier is saved once and as the last call wants") {
+TEST_CASE(
+    "a slot that is saved again before the barrier is saved once and as the last call wants") {
     const GameFolder folder;
     Game game(folder);
     const Handle a = game.add("Thing", "a");
@@ -149,6 +150,90 @@ TEST_CASE("a save waits for its picture where there is one and is made without a
         game.tree.barrier();
     }
     CHECK(Game(folder).saves->slots().load("two").thumbnail.empty());
+}
+
+namespace {
+
+/// A part of snapshots that cannot read what it writes.
+struct Forgetful : SnapshotPart {
+    std::string_view part_name() const override { return "forgetful"; }
+    Memory save(ByteWriter& to) const override {
+        to.put(std::uint64_t{1});
+        return {};
+    }
+    std::function<void()> restore(ByteReader& from, const Memory&) override {
+        from.require(!refuses, "it was forgotten");
+        from.get<std::uint64_t>();
+        return [] {};
+    }
+    bool refuses = true;
+};
+
+}  // namespace
+
+TEST_CASE("a save that could not be loaded is told and does not replace one that can") {
+    const GameFolder folder;
+    Game game(folder);
+    Forgetful part;
+    part.refuses = false;
+    game.tree.add_part(part);
+    game.saves->save("one");
+    game.tree.barrier();
+    REQUIRE(game.saves->list().front().problem.empty());
+    const auto before = game.saves->slots().load("one").state;
+    part.refuses = true;
+    game.add("Thing", "a");
+    game.saves->save("one");
+    game.saves->save("two");
+    game.tree.barrier();
+    REQUIRE(game.told.size() == 2);
+    CHECK(game.told[0].find("the game was not saved: ") == 0);
+    CHECK(game.told[0].find("it was forgotten") != std::string::npos);
+    CHECK(game.saves->slots().load("one").state == before);
+    const auto listed = game.saves->list();
+    REQUIRE(listed.size() == 1);
+    CHECK(listed.front().problem.find("it was forgotten") != std::string::npos);
+    game.tree.remove_part(part);
+}
+
+TEST_CASE("a save that the game cannot restore is listed with its problem") {
+    const GameFolder folder;
+    {
+        Game game(folder);
+        ClassDescriptor lamp;
+        lamp.name = "Lamp";
+        game.tree.define(std::move(lamp));
+        game.saves->save("lit");
+        game.tree.barrier();
+    }
+    Game game(folder);
+    const auto listed = game.saves->list();
+    REQUIRE(listed.size() == 1);
+    CHECK(listed.front().problem.find("Lamp") != std::string::npos);
+}
+
+TEST_CASE("a load finds the save that is still to be made or to be written") {
+    const GameFolder folder;
+    Game game(folder, true);
+    const Handle a = game.add("Thing", "a");
+    game.tree.set(a, "number", 1.0);
+    game.saves->save("one");
+    game.saves->load("one");
+    game.tree.set(a, "number", 2.0);
+    game.tree.barrier();  // saved with 2, loaded with it
+    CHECK(game.tree.get(a, "number") == Value(2.0));
+    game.tree.set(a, "number", 3.0);
+    game.saves->load("one");  // waits for its picture
+    game.tree.barrier();
+    CHECK(game.tree.get(a, "number") == Value(2.0));
+    CHECK(game.told.empty());
+    game.saves->save("two");
+    game.tree.barrier();
+    game.saves->remove("two");
+    CHECK_THROWS_AS(game.saves->load("two"), Error);
+    CHECK_THROWS_AS(game.saves->remove("two"), Error);
+    game.saves->finish({});
+    CHECK(game.saves->slots().list().size() == 1);
 }
 
 TEST_CASE("a save that cannot be written is told and the game goes on") {

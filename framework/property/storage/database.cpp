@@ -160,9 +160,9 @@ Database::Database(const std::filesystem::path& named, Access access) : Database
     // Without a log beside it nothing but the file itself needs to be read, and nothing is written.
     const bool immutable =
         access == Access::reading && !std::filesystem::exists(file.string() + "-wal", ignored);
-    const int code = sqlite3_open_v2(uri(file, immutable).c_str(), &database_,
-                                     rights | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX | no_links,
-                                     nullptr);
+    const int code =
+        sqlite3_open_v2(uri(file, immutable).c_str(), &database_,
+                        rights | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX | no_links, nullptr);
     if (code != SQLITE_OK) throw DatabaseError(code, words(database_, code));
     distrust();
 }
@@ -193,6 +193,18 @@ Database Database::in_memory() {
     const int code = sqlite3_open_v2(":memory:", &made.database_,
                                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
     if (code != SQLITE_OK) throw DatabaseError(code, words(made.database_, code));
+    return made;
+}
+
+Database Database::of_bytes(std::string_view file) {
+    Database made = in_memory();
+    // SQLite takes no bytes that are const; it does not write to those that are for reading.
+    auto* const bytes = reinterpret_cast<unsigned char*>(const_cast<char*>(file.data()));
+    const auto size = static_cast<sqlite3_int64>(file.size());
+    const int code =
+        sqlite3_deserialize(made.database_, "main", bytes, size, size, SQLITE_DESERIALIZE_READONLY);
+    if (code != SQLITE_OK) throw DatabaseError(code, words(made.database_, code));
+    made.distrust();
     return made;
 }
 
@@ -259,23 +271,49 @@ void set_format(Database& database, const FileFormat& format) {
     database.run(("PRAGMA user_version = " + std::to_string(format.version)).c_str());
 }
 
-bool check_format(Database& database, const FileFormat& format) {
-    const std::int64_t application = database.integer("PRAGMA application_id");
-    const std::int64_t version = database.integer("PRAGMA user_version");
-    const std::int64_t things = database.integer("SELECT count(*) FROM sqlite_schema");
-    if (application == 0 && version == 0 && things == 0) return false;
+namespace {
+
+void check_identity(std::int64_t application, std::int64_t version, const FileFormat& format) {
     if (application != format.application)
         throw std::runtime_error("it is a file of another program");
     if (version > format.version)
         throw std::runtime_error("it was written by a newer Fettle (version " +
                                  std::to_string(version) + " of the format, this one reads up to " +
                                  std::to_string(format.version) + ")");
+}
+
+}  // namespace
+
+void check_header(std::string_view file, const FileFormat& format) {
+    // https://sqlite.org/fileformat.html: numbers have their highest byte first.
+    constexpr std::string_view magic{"SQLite format 3", 16};  // with its zero byte
+    constexpr std::size_t size = 100, version_at = 60, application_at = 68;
+    if (file.size() < size || !file.starts_with(magic))
+        throw std::runtime_error("it is no database");
+    const auto number = [file](std::size_t at) {
+        std::uint32_t value = 0;
+        for (const char c : file.substr(at, sizeof value))
+            value = value << 8 | static_cast<unsigned char>(c);
+        return static_cast<std::int32_t>(value);
+    };
+    check_identity(number(application_at), number(version_at), format);
+    if (number(version_at) < format.version)
+        throw std::runtime_error(
+            "it was written by an older Fettle (version " + std::to_string(number(version_at)) +
+            " of the format, this one reads version " + std::to_string(format.version) + ")");
+}
+
+bool check_format(Database& database, const FileFormat& format) {
+    const std::int64_t application = database.integer("PRAGMA application_id");
+    const std::int64_t version = database.integer("PRAGMA user_version");
+    const std::int64_t things = database.integer("SELECT count(*) FROM sqlite_schema");
+    if (application == 0 && version == 0 && things == 0) return false;
+    check_identity(application, version, format);
     std::size_t tables = 0;
     for (Statement each = database.statement("SELECT type, name, sql FROM sqlite_schema");
          each.step(); ++tables)
-        if (each.text(0) != "table" ||
-            std::find(format.tables.begin(), format.tables.end(), each.text(2)) ==
-                format.tables.end())
+        if (each.text(0) != "table" || std::find(format.tables.begin(), format.tables.end(),
+                                                 each.text(2)) == format.tables.end())
             throw std::runtime_error("it holds the " + each.text(0) + " \"" + each.text(1) +
                                      "\", which such a file does not have");
     if (tables != format.tables.size())

@@ -74,6 +74,8 @@ class Database {
     Database(const std::filesystem::path& file, Access access);
     static Database in_memory();
     static constexpr std::uintmax_t size_limit = std::uintmax_t{1} << 30;  // bytes
+    /// What `serialized` gave, to be read. The bytes must outlive it.
+    static Database of_bytes(std::string_view file);
     Database(Database&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
     ~Database();
     Database(const Database&) = delete;
@@ -122,6 +124,10 @@ struct FileFormat {
 
 /// Makes an empty file one of that format.
 void set_format(Database& database, const FileFormat& format);
+
+/// Checks whose a file is and its version, by its first bytes: that it is neither newer nor older.
+/// Throws std::runtime_error with the reason in words.
+void check_header(std::string_view file, const FileFormat& format);
 
 /// Checks that an open file is of that format, whole, and not newer, and that there is nothing in
 /// it but those tables. True: it is; false: it is new and empty. Throws std::runtime_error with the

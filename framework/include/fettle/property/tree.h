@@ -119,8 +119,15 @@ class Tree {
     void rename(Handle instance, std::string_view name);
     /// Gives the instance another parent (null: detaches it). `name` empty: keeps its own, numbered
     /// when taken. Throws Error(bad_structure) for a parent below the instance itself.
+    /// All of it, or nothing: a module may refuse (Error(rejected)).
     void move(Handle instance, Handle new_parent, std::string_view name = {},
               bool first_plain = false);
+    /// Deletes `old` and gives its name and its parent to `by`, which is detached. All of it, or
+    /// nothing; throws as `move` does.
+    void replace(Handle old, Handle by);
+    /// For who may have to take a move back: puts the instance where it hangs now, under the name
+    /// it has. Does nothing when it, or what it hung under, is gone; throws nothing.
+    std::function<void()> way_back(Handle instance);
 
     // --- Properties
     // -------------------------------------------------------------------------------------------------
@@ -230,9 +237,15 @@ class Tree {
     /// of an edit.
     UndoResult undo();
     UndoResult redo();
+    /// The latest first.
     std::vector<HistoryEntry> history() const;
-    /// What the history may hold, 64 MiB unless told; the oldest entries go first.
+    /// What the history may hold, 64 MiB unless told; the oldest entries go first. One that takes
+    /// more than three quarters of it by itself stays in the list by its name only.
     void set_history_limit(std::size_t bytes);
+    /// What the history takes, about, and what it ever took: snapshots hold what it has forgotten
+    /// since they were taken.
+    std::size_t history_bytes() const;
+    std::size_t history_bytes_ever() const;
     Provenance who(Handle instance, const Property& property) const;
 
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
@@ -317,8 +330,11 @@ class Tree {
     /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler or a
     /// formula: see `at_barrier`.
     void restore(const Snapshot& snapshot);
-    /// The same; `go_on` then redoes what happened since, with a `Replay`, before anybody is told.
+    /// The same; `go_on` then redoes what happened since, before anybody is told.
     void restore(const Snapshot& snapshot, const std::function<void()>& go_on);
+    /// Reads all of it as `restore` does, and changes nothing: throws Error(damaged, unknown_name)
+    /// where `restore` would.
+    void check(const Snapshot& snapshot) const;
 
     // --- Time and cause
     // ---------------------------------------------------------------------------------------------
