@@ -1,4 +1,4 @@
-// Who writes, where and when.
+// The cause of a write: which writer, at which place, in which step.
 
 #include <fettle/property/tree.h>
 

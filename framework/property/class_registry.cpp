@@ -225,8 +225,7 @@ void ClassRegistry::add_property(Class& made, Property property) {
 void ClassRegistry::check_default(const Class& made, Property& property) const {
     if (property.default_value.is_nil()) {
         property.default_value = zero_of(property);
-        // Nobody wrote it: it counts for those alone that can be written, and whose range it can
-        // leave.
+        // Not given: it has to be in the range only if a reset can write it.
         if (property.read_only || !property.range.bounded() || property.default_value.is_nil())
             return;
     }

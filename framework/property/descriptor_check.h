@@ -1,6 +1,6 @@
 #pragma once
-// What a class descriptor may not say, found when the class is registered: whatever gets past here
-// would be a call through a null pointer, or a member that nobody reaches, much later.
+// Errors in a class descriptor, found when the class is registered: without this check they would
+// show much later, as a call through a null pointer or a member that no name reaches.
 
 #include <fettle/property/class.h>
 

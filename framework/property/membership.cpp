@@ -1,5 +1,5 @@
-// Who calls in C++ hands in classes, properties, events and methods by reference. One of another
-// class, or of another tree, would be read from memory that is not its own.
+// Callers in C++ give classes, properties, events and methods by reference. A property of another
+// class, or of another tree, would be read from memory that does not belong to it.
 
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>

@@ -18,7 +18,7 @@ struct Value::Shared {
 
 namespace {
 
-// Whoever walks through a list does so by recursion; snapshots read no deeper.
+// Lists are printed, compared and saved by recursion; snapshots read no deeper.
 constexpr int deepest_list = 64;
 
 }  // namespace

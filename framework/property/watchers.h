@@ -64,7 +64,7 @@ class Watchers {
     using List = std::vector<Watcher*>;  // in order of registration
 
     explicit Watchers(Tree& tree) : tree_(tree), self_(std::make_shared<Watchers*>(this)) {}
-    /// Handlers may hold connections, which find nobody any more from here on.
+    /// Handlers may hold connections: these find no watchers any more from here on.
     ~Watchers() { self_.reset(); }
     Watchers(const Watchers&) = delete;
 

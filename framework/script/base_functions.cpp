@@ -67,7 +67,7 @@ bool tell_of_replay(Machine& machine, const std::string& what) {
 void print_line(Machine& machine, std::string text) {
     constexpr std::size_t most_lines = 2000;
     if (!machine.recording.active) {
-        if (machine.print_sink) machine.print_sink(text);
+        if (const auto sink = machine.print_sink) sink(text);  // it may be replaced meanwhile
         return;
     }
     // Console: a line a line, however many the text has.

@@ -194,7 +194,7 @@ int describing_handler(lua_State* L) {
 }
 
 void report(Machine& machine, ScriptError error) {
-    if (machine.error_sink) machine.error_sink(error);
+    if (const auto sink = machine.error_sink) sink(error);  // it may be replaced meanwhile
 }
 
 std::string Context::text(Machine& machine) const {
@@ -208,6 +208,7 @@ std::string Context::text(Machine& machine) const {
 
 bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
                    void* body, bool report_error) {
+    const Machine::Use use(machine);
     lua_State* L = machine.main;
     lua_State* outer = machine.running;
     machine.running = L;

@@ -37,6 +37,7 @@ class ScriptFormula {
     Value operator()(const Tree&) const {
         if (*alive_ == nullptr) throw std::runtime_error("its script has ended");
         Machine& machine = *machine_;
+        const Machine::Use use(machine);
         const bool counted = !machine.budget.active();
         if (counted)
             machine.budget.begin(machine.options.console_budget, machine.options.console_memory);
@@ -130,6 +131,7 @@ void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
 
 property::Formula compile_formula(Machine& machine, const std::string& source) {
     if (one_line(source).empty()) throw Error(ErrorKind::formula, "the formula has no text");
+    const Machine::Use use(machine);
     const std::string chunk = "return " + source;
     std::shared_ptr<FunctionRef> function;
     std::string wrong;

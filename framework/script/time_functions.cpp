@@ -105,7 +105,8 @@ int rewind(lua_State* L) {
     if (!machine.rewind)
         throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
     machine.tree.at_barrier([&machine, alive = machine.alive, seconds] {
-        if (*alive != nullptr && machine.rewind) machine.rewind(seconds);
+        if (*alive == nullptr) return;
+        if (const auto go = machine.rewind) go(seconds);  // it may end the runtime
     });
     return 0;
 }

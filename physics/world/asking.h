@@ -7,7 +7,7 @@
 
 namespace fettle::physics::detail {
 
-/// A query that may ask the user: he edits nothing meanwhile.
+/// The world is locked while a query may call `QueryFilter::accept`.
 class Asking {
   public:
     Asking(const WorldData& data, const QueryFilter& filter) {

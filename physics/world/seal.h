@@ -19,11 +19,11 @@ struct SavedHeader {
 static_assert(sizeof(SavedHeader) == 32);
 
 /// Of bytes and their number. Another value in any one word of eight bytes always gives another
-/// checksum; other changes are missed once in 2⁶⁴. No protection against who means to deceive.
+/// checksum; other changes are missed once in 2⁶⁴. No protection against intent.
 uint64_t checksum(std::span<const std::byte> bytes);
 
-/// Writes size and checksum into a saved world whose bytes are all there. Whoever damages one on
-/// purpose, to see what lies behind the checksum, calls it again.
+/// Writes size and checksum into a saved world whose bytes are all there. Tests that damage one to
+/// see what lies behind the checksum call it again.
 void seal(std::span<std::byte> saved);
 
 }  // namespace fettle::physics::detail

@@ -18,7 +18,7 @@ void surface_changed(WorldData& data, uint32_t shape) {
     data.wake_for_edit(data.forms[shape].body);
 }
 
-/// Where the user filters too, he is asked while nothing is out of date, for he may ask back.
+/// A filter of the user may read the world: nothing may be out of date when it is called.
 void filter_changed(WorldData& data, uint32_t shape) {
     data.share_surface(shape);
     if (data.self.filter) data.read_all();

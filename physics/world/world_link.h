@@ -11,7 +11,7 @@ namespace fettle::physics::detail {
 
 struct WorldData;
 
-/// What handles hold of their world: who it is and where its data are, or that it was destroyed.
+/// What handles hold of their world: the world and its data, or that it was destroyed.
 /// Links are used again by later worlds and never freed, so a handle may outlive its world. They
 /// give the generations too: one link never gives a number twice, and two links begin far apart.
 /// Therefore an id names nothing in any other world, and nothing in a later world of the same link.

@@ -20,8 +20,8 @@ inline constexpr const char in_refresh[] = "the refresh callback (World::on_refr
 inline constexpr const char in_step[] = "a step";
 inline constexpr const char in_edit[] = "an edit";
 
-/// What a world is besides its state: who it is, the functions of its user, its threads, and who is
-/// at work in it. Copying or restoring a state leaves all of it as it is.
+/// What a world is besides its state: its identity, the functions of its user, its threads, and its
+/// lock. Copying or restoring a state does not change it.
 struct WorldSelf {
     WorldLink* link = nullptr;  ///< null: a state that is in no world
     PairFilter filter;
@@ -95,8 +95,8 @@ struct WorldSelf {
     const char* destroyed_inside_ = nullptr;
 };
 
-/// For as long as it lives, functions of the user may be called: nobody edits the world, and its
-/// data live on when one of those functions destroys it.
+/// While it lives, functions of the user may be called: the world cannot be edited, and its data
+/// live on when one of those functions destroys it.
 class WorldLock {
   public:
     enum class During { query, change };

@@ -1,6 +1,6 @@
 // The saved state of a physics world: bytes from anywhere, and a true state with some bytes
 // changed. Refused, or restored to a world that can be stepped and taken apart. What was changed is
-// sealed again, for else the checksum would refuse it before anybody looks at it.
+// sealed again: else the checksum alone would refuse it.
 
 #include <cstring>
 #include <stdexcept>

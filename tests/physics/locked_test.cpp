@@ -320,7 +320,7 @@ TEST_CASE("a function that throws leaves a whole world and its exception arrives
             world.set_mixing({});
             world.set_before_solve({});
             REQUIRE_FALSE(world.validate());
-            // As if nobody had been asked.
+            // As if no callback had been set.
             if (way.in_the_middle) {
                 way.call(plain, same, [&] { ++asked_there; });
                 REQUIRE(asked == asked_there);  // the others are asked all the same

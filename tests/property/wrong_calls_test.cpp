@@ -176,7 +176,7 @@ TEST_CASE("a class descriptor with values that do not fit together is refused by
     CHECK_THAT(refused_property({.name = "x", .default_value = 12.0, .range = {0, 9}}),
                contains("class Crate: default of x"));
     CHECK_THAT(refused_property({.name = "x", .range = {1, 9}}),
-               contains("class Crate: default of x"));  // nobody gave one, and 0 is none
+               contains("class Crate: default of x"));  // not given, and 0 is out of range
     CHECK_THAT(refused_property({.name = "x", .default_value = "wide"}), contains("default of x"));
     CHECK_THAT(refused_property({.name = "x", .default_value = nan}), contains("default of x"));
     CHECK_THAT(

@@ -299,7 +299,7 @@ Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
                std::function<void(const std::string&)> warn, TweakOptions options)
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
-    if (state_->tree_life.expired()) return;  // nobody can say any more what was edited
+    if (state_->tree_life.expired()) return;  // the paths of what was edited are gone
     state_->rest = 0;
     if (state_->journal) state_->journal->be_patient();
     barrier();

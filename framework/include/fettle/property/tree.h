@@ -36,7 +36,7 @@ namespace fettle::property {
 class EditObserver;
 class Observer;
 
-/// **Lifetimes.** Handles are numbers: after the tree they mean nothing, and harm nobody.
+/// **Lifetimes.** Handles are numbers: after the tree they mean nothing and do no harm.
 /// Connections, values, records and snapshots may outlive it. Classes, properties, methods and
 /// events live as long as the tree that they were registered with, and are refused by any other.
 /// Modules, parts of snapshots and observers are not owned: they live until the tree is gone, or
@@ -50,8 +50,8 @@ class Tree {
     ~Tree();
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
-    /// For who holds a reference to the tree and may outlive it: expired from the beginning of its
-    /// destruction on.
+    /// For objects that hold a reference to the tree and may outlive it: expired from the beginning
+    /// of its destruction on.
     std::weak_ptr<const Tree*> lifetime() const;
 
     // --- Classes
@@ -132,7 +132,7 @@ class Tree {
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
     /// The typed ways, for numbers and vec2s in ordinary circumstances, of a property that the
-    /// instance has: here nobody looks whether it does. False when `get` or `set`
+    /// instance has: here that is not checked. False when `get` or `set`
     /// has to do it (another type, a formula, a dead instance, somebody to be told, a value that is
     /// not finite or out of range). Observers hear of what was written this way before they hear of
     /// anything else, and before the writer or the step changes, but not at once.

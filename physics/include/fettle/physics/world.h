@@ -51,7 +51,7 @@ struct Columns {
 /// What became of a number or a velocity written by slot: it was there already; it is there now; or
 /// it is for the setter of `Body`, and nothing was done: the body sleeps, does not move by itself,
 /// its mass or shapes were edited since the last step, or the world is locked (callbacks.h).
-/// Writing calls nobody and allocates nothing.
+/// Writing calls no callback and allocates nothing.
 enum class Written : uint8_t { same, done, refused };
 
 /// Numbers of a body that hosts write by slot, as the setters of `Body` of the same names do; those
