@@ -54,7 +54,8 @@ TEST_CASE("a saved tree comes back in another run and in the same one") {
     CHECK(other.everything() == then);
 }
 
-TEST_CASE("a slot that is saved again before the barrier is saved once and as the last call wants") {
+TEST_CASE(
+    "a slot that is saved again before the barrier is saved once and as the last call wants") {
     const GameFolder folder;
     Game game(folder);
     const Handle a = game.add("Thing", "a");

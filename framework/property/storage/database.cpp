@@ -160,9 +160,9 @@ Database::Database(const std::filesystem::path& named, Access access) : Database
     // Without a log beside it nothing but the file itself needs to be read, and nothing is written.
     const bool immutable =
         access == Access::reading && !std::filesystem::exists(file.string() + "-wal", ignored);
-    const int code = sqlite3_open_v2(uri(file, immutable).c_str(), &database_,
-                                     rights | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX | no_links,
-                                     nullptr);
+    const int code =
+        sqlite3_open_v2(uri(file, immutable).c_str(), &database_,
+                        rights | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX | no_links, nullptr);
     if (code != SQLITE_OK) throw DatabaseError(code, words(database_, code));
     distrust();
 }
@@ -273,9 +273,8 @@ bool check_format(Database& database, const FileFormat& format) {
     std::size_t tables = 0;
     for (Statement each = database.statement("SELECT type, name, sql FROM sqlite_schema");
          each.step(); ++tables)
-        if (each.text(0) != "table" ||
-            std::find(format.tables.begin(), format.tables.end(), each.text(2)) ==
-                format.tables.end())
+        if (each.text(0) != "table" || std::find(format.tables.begin(), format.tables.end(),
+                                                 each.text(2)) == format.tables.end())
             throw std::runtime_error("it holds the " + each.text(0) + " \"" + each.text(1) +
                                      "\", which such a file does not have");
     if (tables != format.tables.size())

@@ -25,11 +25,11 @@ GameSaves::~GameSaves() {
 void GameSaves::save(const std::string& slot) {
     Saves::check_slot(slot);
     if (requests_ == most_requests)
-        throw Error(ErrorKind::rejected, "the game is asked to be saved more than " +
-                                             std::to_string(most_requests) +
-                                             " times at one barrier, the last time as \"" + slot +
-                                             "\"");
-    // In its place among what else the barrier does: a game that is loaded in between is another one.
+        throw Error(ErrorKind::rejected,
+                    "the game is asked to be saved more than " + std::to_string(most_requests) +
+                        " times at one barrier, the last time as \"" + slot + "\"");
+    // In its place among what else the barrier does: a game that is loaded in between is another
+    // one.
     const std::size_t request = requested_[slot] = ++requests_;
     tree_.at_barrier([alive = alive_, slot, request] {
         if (*alive != nullptr) (*alive)->take(slot, request);

@@ -58,9 +58,9 @@ class GameSaves {
     Tree& tree_;
     Saves saves_;
     Options options_;
-    std::size_t requests_ = 0;                    // since the last barrier that made one come true
-    std::map<std::string, std::size_t> requested_;  // the last one of each slot
-    std::vector<Waiting> waiting_;                // for a picture
+    std::size_t requests_ = 0;  // since the last barrier that made one come true
+    std::map<std::string, std::size_t> requested_;             // the last one of each slot
+    std::vector<Waiting> waiting_;                             // for a picture
     std::map<std::string, std::vector<std::byte>> unwritten_;  // by slot
     /// What was asked for at a barrier may come when this is gone.
     std::shared_ptr<GameSaves*> alive_;
