@@ -36,8 +36,7 @@ std::uint64_t whole_number(const std::string& option, std::string_view text, std
 
 std::string given(const std::string& option, const std::string& text, const char* expected) {
     if (!text.empty()) return text;
-    throw CLI::ValidationError(option,
-                               std::string("expected ") + expected + ", got an empty text");
+    throw CLI::ValidationError(option, std::string("expected ") + expected + ", got an empty text");
 }
 
 std::string why_no_command(const CLI::App& app, std::string_view first) {
@@ -50,8 +49,7 @@ std::string why_no_command(const CLI::App& app, std::string_view first) {
     }
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return shown(first) + " is no command; there are " + all +
-           property::suggestion(first, names);
+    return shown(first) + " is no command; there are " + all + property::suggestion(first, names);
 }
 
 std::string why_left_over(const CLI::App& command) {

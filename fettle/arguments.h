@@ -17,7 +17,8 @@ namespace fettle::program {
 std::uint64_t whole_number(const std::string& option, std::string_view text, std::uint64_t least,
                            std::uint64_t most);
 
-/// The text itself. Throws CLI::ValidationError for an empty one; `expected` says what it should be.
+/// The text itself. Throws CLI::ValidationError for an empty one; `expected` says what it should
+/// be.
 std::string given(const std::string& option, const std::string& text, const char* expected);
 
 /// Whether the first argument is a command of the program, or an option. What is said when it is

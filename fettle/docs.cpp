@@ -28,8 +28,8 @@ void write(const fs::path& file, const std::string& text) {
     out << text;
     out.close();
     if (error || !out)
-        throw FileError(file.string() + ": cannot be written: " +
-                        (error ? error.message() : std::strerror(errno)));
+        throw FileError(file.string() +
+                        ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
 }
 
 }  // namespace

@@ -54,8 +54,7 @@ EndRequest::EndRequest() {
 EndRequest::~EndRequest() {
     ::alarm(0);
     stopped = nullptr;
-    for (std::size_t i = 0; i < signals.size(); ++i)
-        ::sigaction(signals[i], &before[i], nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before[i], nullptr);
     ::sigaction(SIGALRM, &before.back(), nullptr);
 }
 
@@ -63,12 +62,16 @@ int EndRequest::asked() {
     return asked_by;
 }
 
-void EndRequest::stops(script::Runtime* runtime) {
-    stopped = runtime;
-}
-
 void EndRequest::allow(unsigned seconds) {
     ::alarm(seconds);
+}
+
+EndRequest::Scripts::Scripts(script::Runtime& runtime) {
+    stopped = &runtime;
+}
+
+EndRequest::Scripts::~Scripts() {
+    stopped = nullptr;
 }
 
 }  // namespace fettle::program

@@ -1,6 +1,6 @@
 #pragma once
-// A run that is asked to end by a signal: Ctrl+C, `kill`, a terminal that goes. It ends in order, as
-// if its window were closed; a second signal ends it at once.
+// A run that is asked to end by a signal: Ctrl+C, `kill`, a terminal that goes. It ends in order,
+// as if its window were closed; a second signal ends it at once.
 
 namespace fettle::script {
 class Runtime;
@@ -19,11 +19,17 @@ class EndRequest {
 
     /// The number of the signal; 0 while nobody has asked.
     static int asked();
-    /// Whose scripts are stopped when they let nothing end: a second after the signal, and every
-    /// second from then on. Null: nobody's.
-    static void stops(script::Runtime* runtime);
-    /// The script has so many seconds from now on.
+    /// The script has so many seconds from now on; 0: as many as it likes.
     static void allow(unsigned seconds);
+
+    /// While it lives, the scripts of that runtime are stopped when they let nothing end: a second
+    /// after the signal, and every second from then on.
+    class Scripts {
+      public:
+        explicit Scripts(script::Runtime& runtime);
+        ~Scripts();
+        Scripts(const Scripts&) = delete;
+    };
 };
 
 }  // namespace fettle::program

@@ -74,8 +74,8 @@ fs::path found_game(const fs::path& named) {
     std::error_code error;
     if (!fs::exists(named, error)) {
         const bool link = fs::is_symlink(named, error);
-        throw FileError(named.string() + (link ? ": this link leads nowhere"
-                                               : ": there is no such file or folder"));
+        throw FileError(named.string() +
+                        (link ? ": this link leads nowhere" : ": there is no such file or folder"));
     }
     if (!fs::is_directory(named, error)) {
         require_file(named, script);

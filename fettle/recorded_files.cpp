@@ -69,7 +69,8 @@ void require_recording_or_nothing(const fs::path& file) {
     std::string found(beginning.size(), '\0');
     in.read(found.data(), static_cast<std::streamsize>(found.size()));
     if (in.gcount() > 0 && found != beginning)
-        throw FileError(file.string() + ": this file is no recording, and is not overwritten by one");
+        throw FileError(file.string() +
+                        ": this file is no recording, and is not overwritten by one");
 }
 
 void go_back_to(const app::Recording& recording, const fs::path& game, property::GameFiles& files) {

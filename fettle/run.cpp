@@ -47,7 +47,7 @@ void close(Session& session) {
 
 /// What is asked for at the end: the hash on stdout, the picture of the last frame.
 int finish(Session& session, const RunOptions& options, app::Screen* screen) {
-    EndRequest::stops(nullptr);
+    EndRequest::allow(0);
     int status = session.exit_status();
     if (EndRequest::asked() != 0) status = status_of_signal(EndRequest::asked());
     if (const std::string problem = session.recording_problem(); !problem.empty())
@@ -75,7 +75,7 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
 
 int run_headless(const RunOptions& options) {
     Session session(options, nullptr, {});
-    EndRequest::stops(&session.runtime());
+    const EndRequest::Scripts scripts(session.runtime());
     session.start();
     app::Loop& loop = session.loop();
     for (std::int64_t turn = 0; !session.failed() && !loop.stopped() && !loop.closing() &&
@@ -133,7 +133,7 @@ class WindowRun {
     void start() {
         reload_ = false;
         error_screen_.hide();
-        EndRequest::stops(nullptr);
+        scripts_.reset();
         session_.reset();
         window_->release_textures();
         session_ = std::make_unique<Session>(
@@ -141,7 +141,7 @@ class WindowRun {
             [this](const script::ScriptError& error) { error_screen_.show(error); });
         session_->add_layer(error_screen_);
         session_->services().view.screen = window_->size();
-        EndRequest::stops(&session_->runtime());
+        scripts_.emplace(session_->runtime());
         session_->start();
         idle_steps_ = 0;
         last_frame_ = Clock::now();
@@ -178,6 +178,7 @@ class WindowRun {
     std::unique_ptr<app::Window> window_;
     app::ErrorScreen error_screen_;
     std::unique_ptr<Session> session_;
+    std::optional<EndRequest::Scripts> scripts_;
     Clock::time_point last_frame_{};
     double idle_steps_ = 0;
     bool reload_ = false;
@@ -217,7 +218,7 @@ int run_replay(RunOptions options) {
     if (!options.headless) window = app::open_window({});
     Session session(options, nullptr, {}, &recording);
     session.services().view.screen = {start.width, start.height};
-    EndRequest::stops(&session.runtime());
+    const EndRequest::Scripts scripts(session.runtime());
     session.start();
     app::Replay replay(recording, session.tree(), session.runtime(), session.loop());
     bool closed = false;
@@ -251,9 +252,10 @@ std::filesystem::path parse_picture(const std::string& text) {
     const std::filesystem::path file = given("--screenshot", text, "a file");
     for (const char* const known : {".png", ".jpg", ".jpeg", ".bmp", ".tga"})
         if (file.extension() == known) return file;
-    throw CLI::ValidationError("--screenshot", "expected a file that ends in .png, .jpg, .bmp or "
-                                               ".tga, got \"" +
-                                                   on_one_line(text.substr(0, 60)) + "\"");
+    throw CLI::ValidationError("--screenshot",
+                               "expected a file that ends in .png, .jpg, .bmp or "
+                               ".tga, got \"" +
+                                   on_one_line(text.substr(0, 60)) + "\"");
 }
 
 }  // namespace
@@ -324,9 +326,7 @@ Command add_run(CLI::App& app) {
     option("--at",
            "Run it before step N (repeatable): N:LUA. Steps are counted as the run goes on: going "
            "back in time does not turn the count back",
-           [](RunOptions& to, const std::string& text) {
-               to.at.push_back(parse_at("--at", text));
-           })
+           [](RunOptions& to, const std::string& text) { to.at.push_back(parse_at("--at", text)); })
         ->trigger_on_parse();
     option("--console",
            "Type it into the console before step N, and print it and what it says (repeatable): "

@@ -62,7 +62,10 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     make_console(clipboard);
 }
 
-Session::~Session() = default;
+/// What is still told then goes to stderr alone: the console goes before those who tell it.
+Session::~Session() {
+    ending_ = true;
+}
 
 /// Who records what the run comes upon, and who makes it again gives it that.
 void Session::make_files() {
@@ -94,6 +97,7 @@ void Session::make_storage() {
 /// Something a person should know and that is no error of the game.
 void Session::note(const std::string& text) {
     tell(text);
+    if (ending_) return;
     if (console_)
         console_->print(text);
     else

@@ -77,6 +77,7 @@ class Session {
     std::vector<std::string> early_notes_;  // of before there was a console
     std::uint64_t typed_ = 0;               // the step whose commands were given
     bool failed_ = false;
+    bool ending_ = false;
     std::string interruption_;  // what was told of scripts that were stopped
 };
 

@@ -54,9 +54,10 @@ void require_shared_object(const fs::path& file) {
     const ssize_t count = in < 0 ? -1 : ::read(in, magic, sizeof magic);
     const int error = errno;
     if (in >= 0) ::close(in);
-    if (count < 0)
-        throw LoadError(file, std::string("it cannot be read: ") + std::strerror(error));
-    if (std::string_view(magic, 4) != "\x7f" "ELF")
+    if (count < 0) throw LoadError(file, std::string("it cannot be read: ") + std::strerror(error));
+    if (std::string_view(magic, 4) !=
+        "\x7f"
+        "ELF")
         throw LoadError(file, "expected a shared object, found a file of another kind");
 }
 
@@ -66,9 +67,9 @@ constexpr std::string_view mark = ".fettle-";
 /// itself.
 fs::path fresh_name(const fs::path& file, const fs::path& folder) {
     static std::atomic<unsigned> count{0};
-    return folder / ("." + file.stem().string().substr(0, 200) + std::string(mark) +
-                     std::to_string(getpid()) + "-" + std::to_string(++count) +
-                     file.extension().string());
+    return folder /
+           ("." + file.stem().string().substr(0, 200) + std::string(mark) +
+            std::to_string(getpid()) + "-" + std::to_string(++count) + file.extension().string());
 }
 
 /// Copies that killed processes have left in a folder.

@@ -111,7 +111,8 @@ void Budget::charge_quietly(std::uint64_t instructions) {
 }
 
 std::string Budget::out_of_memory(const Arena::Refusal& refusal) const {
-    return "not enough memory: " + std::to_string(refusal.size) + " bytes more were asked for, and " +
+    return "not enough memory: " + std::to_string(refusal.size) +
+           " bytes more were asked for, and " +
            (refusal.by_system ? std::string("the system has none to give")
                               : "the scripts of a game may use " +
                                     std::to_string(machine_.arena.limit() >> 20) + " MB");
@@ -143,7 +144,8 @@ std::string Budget::take_refusal() {
     const Refused refused = std::exchange(refused_, {});
     if (refused.what.size == 0) return {};
     const std::string place =
-        refused.line > 0 ? std::string(refused.file) + ":" + std::to_string(refused.line) + ": " : "";
+        refused.line > 0 ? std::string(refused.file) + ":" + std::to_string(refused.line) + ": "
+                         : "";
     return place + out_of_memory(refused.what);
 }
 

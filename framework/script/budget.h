@@ -45,8 +45,8 @@ class Budget {
     void memory_refused(const Arena::Refusal& refusal);
     /// "not enough memory: ..." with the limit that was met.
     std::string out_of_memory(const Arena::Refusal& refusal) const;
-    /// What is to be said of the latest refusal outside of commands: where, and which limit. "" when
-    /// there was none.
+    /// What is to be said of the latest refusal outside of commands: where, and which limit. ""
+    /// when there was none.
     std::string take_refusal();
     /// A coroutine is about to run: it counts too.
     void enter(lua_State* thread);

@@ -52,15 +52,16 @@ TEST_CASE("a signal ends a run in order") {
 }
 
 TEST_CASE("a script that lets nothing end is stopped and closing is still called") {
-    const std::string loop = GENERATE(
-        as<std::string>{}, "while true do end", "while true do pcall(error) end",
-        "while true do pcall(function() while true do end end) end",
-        "xpcall(function() while true do end end, function() while true do end end)",
-        "coroutine.wrap(function() while true do end end)()",
-        "while true do coroutine.wrap(function() for i = 1, 900 do end end)() end",
-        "local x <close> = setmetatable({}, { __close = function() while true do end end }) while true "
-        "do end",
-        "print((('a'):rep(30000)):match('.-.-.-.-b'))", "repeat until false");
+    const std::string loop =
+        GENERATE(as<std::string>{}, "while true do end", "while true do pcall(error) end",
+                 "while true do pcall(function() while true do end end) end",
+                 "xpcall(function() while true do end end, function() while true do end end)",
+                 "coroutine.wrap(function() while true do end end)()",
+                 "while true do coroutine.wrap(function() for i = 1, 900 do end end)() end",
+                 "local x <close> = setmetatable({}, { __close = function() while true do end end "
+                 "}) while true "
+                 "do end",
+                 "print((('a'):rep(30000)):match('.-.-.-.-b'))", "repeat until false");
     const std::string where = GENERATE("load", "step", "update");
     if (where != "step" && loop != "while true do end") return;
     const std::string body = "scene.save('playing.json', Object {}) " + loop;

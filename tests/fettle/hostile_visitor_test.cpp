@@ -48,7 +48,8 @@ TEST_CASE("a bad argument is told in one line with what was expected") {
         {{"\x1b[31m"}, "\"\\x1b[31m\" is no command"},
         {{}, "expected a command"},
         {{"--steps", "3"}, "\"--steps\" is no option of fettle"},
-        {{"run", game, "--stesp", "3"}, "\"--stesp\" is no option of run (did you mean \"--steps\"?)"},
+        {{"run", game, "--stesp", "3"},
+         "\"--stesp\" is no option of run (did you mean \"--steps\"?)"},
         {{"run", game, "more"}, "\"more\" is one argument too many"},
         {{"run", ""}, "path: expected a folder with main.lua, or a .lua file, got an empty text"},
         {{"run", game, "--steps"}, "--steps: it takes one value, once"},
@@ -65,9 +66,22 @@ TEST_CASE("a bad argument is told in one line with what was expected") {
         CHECK(lines(run.err) == 1);
         CHECK(run.err.size() < 200);
     }
-    const std::vector<std::string> no_numbers = {"",     "-1",  "1e20", "1e3",  "many", "nan", "inf",
-                                                 "0x10", "3.5", " 3",   "3 ",   "+3",   "-",   "٣",
-                                                 std::string(400, '9'), "18446744073709551616"};
+    const std::vector<std::string> no_numbers = {"",
+                                                 "-1",
+                                                 "1e20",
+                                                 "1e3",
+                                                 "many",
+                                                 "nan",
+                                                 "inf",
+                                                 "0x10",
+                                                 "3.5",
+                                                 " 3",
+                                                 "3 ",
+                                                 "+3",
+                                                 "-",
+                                                 "٣",
+                                                 std::string(400, '9'),
+                                                 "18446744073709551616"};
     for (const char* const option : {"--steps", "--seed"})
         for (const std::string& text : no_numbers) {
             const Outcome run = fettle(folder, {"run", game, "--headless", option, text});
@@ -86,15 +100,16 @@ TEST_CASE("a bad argument is told in one line with what was expected") {
             CHECK(run.err.starts_with(std::string("fettle: ") + option + ": expected "));
             CHECK(lines(run.err) == 1);
         }
-    for (const char* const option : {"--eval", "--module", "--screenshot", "--record", "--replay"}) {
+    for (const char* const option :
+         {"--eval", "--module", "--screenshot", "--record", "--replay"}) {
         const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "1", option, ""});
         INFO(option << "\n" << run.err);
         CHECK(run.status == 2);
         CHECK(run.err.starts_with(std::string("fettle: ") + option + ": expected "));
         CHECK(lines(run.err) == 1);
     }
-    CHECK(fettle(folder, {"run", game, "--headless", "--steps", "1", "--screenshot", "a.txt"}).status ==
-          2);
+    CHECK(fettle(folder, {"run", game, "--headless", "--steps", "1", "--screenshot", "a.txt"})
+              .status == 2);
 }
 
 // --- Control characters
@@ -120,12 +135,11 @@ TEST_CASE("what a game prints to a terminal does not command it") {
     const Folder folder;
     folder.write("print.lua", "print('a\\27[31mb', 'tab\\tend') print('two\\nlines')");
     // `script` gives the program a terminal; it turns each line end into two characters.
-    const std::string command = "script -qec " +
-                                quoted(quoted(FETTLE_PROGRAM) + " run " +
-                                       quoted((folder / "print.lua").string()) +
-                                       " --headless --steps 1") +
-                                " /dev/null >" + quoted((folder / "out").string()) +
-                                " 2>/dev/null </dev/null";
+    const std::string command =
+        "script -qec " +
+        quoted(quoted(FETTLE_PROGRAM) + " run " + quoted((folder / "print.lua").string()) +
+               " --headless --steps 1") +
+        " /dev/null >" + quoted((folder / "out").string()) + " 2>/dev/null </dev/null";
     if (std::system("command -v script >/dev/null") != 0) {
         WARN("script is not here: nothing is tested");
         return;
@@ -150,8 +164,10 @@ TEST_CASE("pipes and folders in the place of a game's files are refused at once"
     };
     CHECK(refused("main.lua", "main.lua: expected a file with a script, found a pipe", "") == 3);
     CHECK(refused("modules.json", "modules.json: could not be read: it is a pipe", "") == 3);
-    CHECK(refused("main.tweaks.json", "main.tweaks.json: could not be read: it is a pipe", "") == 0);
-    CHECK(refused(".fettle", ".fettle: expected a folder for the journal of tweaks, but it is a pipe",
+    CHECK(refused("main.tweaks.json", "main.tweaks.json: could not be read: it is a pipe", "") ==
+          0);
+    CHECK(refused(".fettle",
+                  ".fettle: expected a folder for the journal of tweaks, but it is a pipe",
                   "") == 0);
     CHECK(refused(".fettle/main.tweaks.sqlite", "cannot be used: it is a pipe", "") == 0);
     CHECK(refused("level.json", "level.json: could not be read: it is a pipe",
@@ -229,7 +245,8 @@ TEST_CASE("a game's links do not lead out of its folder") {
     CHECK(folder.text("outside/secret.json") == "{\"fettle_scene\": 1, \"class\": \"Object\"}");
 }
 
-TEST_CASE("a game whose main lua is a link out of it is refused and a link that is named is followed") {
+TEST_CASE(
+    "a game whose main lua is a link out of it is refused and a link that is named is followed") {
     const Folder folder;
     folder.write("real/main.lua", "print(require('beside'))");
     folder.write("real/beside.lua", "return 'beside the file'");
@@ -237,7 +254,8 @@ TEST_CASE("a game whose main lua is a link out of it is refused and a link that 
     fs::create_symlink(folder / "real/main.lua", folder / "game/main.lua");
     const Outcome refused = play(folder, "game");
     CHECK(refused.status == 3);
-    CHECK(contains(refused.err, "game/main.lua: is a link that leads out of the game's folder, to "));
+    CHECK(
+        contains(refused.err, "game/main.lua: is a link that leads out of the game's folder, to "));
     const Outcome named = play(folder, "game/main.lua");
     INFO(named.err);
     CHECK(named.status == 0);
@@ -248,9 +266,10 @@ TEST_CASE("a game whose main lua is a link out of it is refused and a link that 
 
 TEST_CASE("saving a scene does not replace what is none") {
     const Folder folder;
-    const std::string script = "for _, f in ipairs{'main.lua', 'modules.json', 'notes.json', "
-                               "'main.tweaks.json', '.x.json', 'game.json'} do "
-                               "print(pcall(scene.save, f, Object {})) end";
+    const std::string script =
+        "for _, f in ipairs{'main.lua', 'modules.json', 'notes.json', "
+        "'main.tweaks.json', '.x.json', 'game.json'} do "
+        "print(pcall(scene.save, f, Object {})) end";
     folder.write("game/main.lua", script);
     folder.write("game/modules.json", "{\"modules\": []}");
     folder.write("game/notes.json", "[1, 2]");
@@ -263,7 +282,8 @@ TEST_CASE("saving a scene does not replace what is none") {
     CHECK(folder.text("game/notes.json") == "[1, 2]");
     const Outcome record = play(folder, "game", {"--record", (folder / "game/main.lua").string()});
     CHECK(record.status == 3);
-    CHECK(contains(record.err, "main.lua: this file is no recording, and is not overwritten by one"));
+    CHECK(
+        contains(record.err, "main.lua: this file is no recording, and is not overwritten by one"));
     CHECK(folder.text("game/main.lua") == script);
 }
 
@@ -283,8 +303,9 @@ TEST_CASE("on a full disk every message says which file lacks what") {
     CHECK(contains(run.out, "main.tweaks.json: could not be written: " + why));
     CHECK(contains(run.err, "the game was not saved: "));
     CHECK(contains(run.err, "slot.sqlite: could not be written: " + why));
-    CHECK(contains(run.err, "tweaks cannot be journaled: " + (folder / "game/.fettle").string() +
-                                ": " + why));
+    CHECK(contains(
+        run.err, "tweaks cannot be journaled: " + (folder / "game/.fettle").string() + ": " + why));
+    CHECK(contains(run.err, "1 tweak is lost, since it could not be journaled: "));
     CHECK_FALSE(contains(run.err, "I/O error"));
     for (const auto& each : fs::recursive_directory_iterator(folder / ""))
         CHECK_FALSE(contains(each.path().filename().string(), ".tmp"));
@@ -305,7 +326,8 @@ TEST_CASE("what cannot be printed is told") {
                                 " --headless --steps 1 >/dev/full 2>" +
                                 quoted((folder / "err").string());
     CHECK(WEXITSTATUS(std::system(command.c_str())) == 3);
-    CHECK(contains(folder.text("err"), "not all of what was printed could be written: No space left"));
+    CHECK(contains(folder.text("err"),
+                   "not all of what was printed could be written: No space left"));
 }
 
 // --- No memory

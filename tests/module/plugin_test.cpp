@@ -209,7 +209,8 @@ TEST_CASE("what is no file is no module and nothing waits for it") {
     says(folder / "device.so", "a device");
     fs::create_directory(folder / "folder.so");
     says(folder / "folder.so", "a folder");
-    std::ofstream(folder / "huge.so") << "\x7f" "ELF";
+    std::ofstream(folder / "huge.so") << "\x7f"
+                                         "ELF";
     fs::resize_file(folder / "huge.so", std::uintmax_t{10} << 30);
     says(folder / "huge.so", "a file larger than 1024 MB");
     std::ofstream(folder / "text.so") << "no shared object";
@@ -232,7 +233,8 @@ TEST_CASE("no copy of a module stays behind") {
         const fs::path folder = module.path().parent_path();
         std::ofstream(folder / ".weather.fettle-1-1.so") << "left";
         std::ofstream(folder / ".weather.so") << "mine";
-        const int held = ::open((folder / ".weather.fettle-2-1.so").c_str(), O_RDWR | O_CREAT, 0600);
+        const int held =
+            ::open((folder / ".weather.fettle-2-1.so").c_str(), O_RDWR | O_CREAT, 0600);
         REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);
         (void)refusal(module.path());
         INFO(name);

@@ -153,37 +153,47 @@ TEST_CASE("what stands in the wrong place is told with the place it belongs to")
     const std::string inside = "belongs inside \"properties\"";
     const std::vector<Refused> all = {
         {scene("\"position\": [1, 2]"),
-         "level.json:4:3: world.ball: an instance has no key \"position\"; it is a property of Thing "
+         "level.json:4:3: world.ball: an instance has no key \"position\"; it is a property of "
+         "Thing "
          "and " +
              inside},
-        {scene("\"flag\": true"), "level.json:4:3: world.ball: an instance has no key \"flag\"; it"},
+        {scene("\"flag\": true"),
+         "level.json:4:3: world.ball: an instance has no key \"flag\"; it"},
         {scene("\"postion\": [1, 2]"),
-         "level.json:4:3: world.ball: an instance has no key \"postion\" (did you mean \"position\"? "
+         "level.json:4:3: world.ball: an instance has no key \"postion\" (did you mean "
+         "\"position\"? "
          "It is a property of Thing and " +
              inside},
         {scene("\"Density\": 3"), "level.json:4:3: world.ball: an instance has no key \"Density\""},
         {scene("\"weight\": 3"),
-         "level.json:4:3: world.ball: an instance has no key \"weight\"; it is a property of Thing, "
+         "level.json:4:3: world.ball: an instance has no key \"weight\"; it is a property of "
+         "Thing, "
          "which no scene tells"},
         {scene("\"children\": [{\"class\": \"Thing\", \"fettle_scene\": 1}]"),
-         "level.json:4:35: world.ball.thing: an instance has no key \"fettle_scene\": it stands once"},
+         "level.json:4:35: world.ball.thing: an instance has no key \"fettle_scene\": it stands "
+         "once"},
         {scene("\"children\": [{\"class\": \"Thing\", \"name\": \"b\", \"mass\": 1}]"),
          "level.json:4:48: world.ball.b: an instance has no key \"mass\"; it is a property"},
         {scene("\"properties\": {\"children\": [{\"class\": \"Note\"}]}"),
-         "level.json:4:18: world.ball: \"children\" stands inside \"properties\" and belongs beside it"},
+         "level.json:4:18: world.ball: \"children\" stands inside \"properties\" and belongs "
+         "beside it"},
         {scene("\"properties\": {\"ad_hoc\": {\"x\": 1}}"),
-         "level.json:4:18: world.ball: \"ad_hoc\" stands inside \"properties\" and belongs beside it"},
+         "level.json:4:18: world.ball: \"ad_hoc\" stands inside \"properties\" and belongs beside "
+         "it"},
         {scene("\"properties\": {\"properties\": {\"mass\": 1}}"),
          "level.json:4:18: world.ball: \"properties\" stands inside \"properties\""},
         {scene("\"properties\": {\"class\": \"Note\"}"),
          "level.json:4:27: world.ball.class: is told by the keys of the instance"},
         {scene("\"properties\": {\"circle\": {\"class\": \"Note\"}}"),
-         "level.json:4:18: world.ball: \"circle\" stands inside \"properties\" and belongs into the "
+         "level.json:4:18: world.ball: \"circle\" stands inside \"properties\" and belongs into "
+         "the "
          "list \"children\""},
         {scene("\"ad_hoc\": {\"circle\": {\"class\": \"Note\", \"name\": \"c\"}}"),
-         "level.json:4:14: world.ball: \"circle\" stands inside \"ad_hoc\" and belongs into the list"},
+         "level.json:4:14: world.ball: \"circle\" stands inside \"ad_hoc\" and belongs into the "
+         "list"},
         {scene("\"ad_hoc\": {\"children\": [{\"class\": \"Note\"}]}"),
-         "level.json:4:14: world.ball: \"children\" stands inside \"ad_hoc\" and belongs beside it"},
+         "level.json:4:14: world.ball: \"children\" stands inside \"ad_hoc\" and belongs beside "
+         "it"},
         {"{\"fettle_scen\": 1, \"class\": \"Thing\"}",
          "level.json:1:1: not a scene: the key \"fettle_scene\" with the version of the format is "
          "missing, there is only \"fettle_scen\""},

@@ -86,18 +86,22 @@ TEST_CASE("a value that the class refuses is not kept in a scene file and stays 
         {value("lives", "{\"reference\": \"world.nobody\"}"), "does not exist"},
         {"UPDATE tweaks SET kind = 3, property = '', now = 'world.level.n'",
          "has two children called \"n\""},
-        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now = "
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now "
+         "= "
          "'{\"fettle_scene\": 1, \"class\": \"Nobody\"}'",
          "no class is called \"Nobody\""},
-        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now = "
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now "
+         "= "
          "'{\"fettle_scene\": 1, \"class\": \"Thing\", \"name\": \"b\", \"properties\": "
          "{\"density\": \"abc\"}}'",
          "expected a number from 0"},
-        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now = "
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now "
+         "= "
          "'{\"fettle_scene\": 1, \"class\": \"Note\", \"name\": \"b\", \"properties\": "
          "{\"target\": \"world.nobody\"}}'",
          "refers to \"world.nobody\""},
-        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.n', inside = '', now = "
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.n', inside = '', now "
+         "= "
          "'{\"fettle_scene\": 1, \"class\": \"Thing\", \"name\": \"n\"}'",
          "has two children called \"n\""},
         {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.a.mass', inside = "
@@ -159,17 +163,17 @@ TEST_CASE("a value that the class refuses is not kept in the file of tweaks") {
 }
 
 TEST_CASE("a row that is no tweak is told and left aside and the others are as they were") {
-    const std::string sql =
-        GENERATE(as<std::string>{}, "UPDATE tweaks SET kind = 77", "UPDATE tweaks SET kind = -1",
-                 "UPDATE tweaks SET instance = 'world..a'", "UPDATE tweaks SET instance = 'world[3]'",
-                 "UPDATE tweaks SET instance = x'00ff'", "UPDATE tweaks SET property = ''",
-                 "UPDATE tweaks SET now = 'rubbish'", "UPDATE tweaks SET now = '{\"value\": '",
-                 "UPDATE tweaks SET now = '{}'", "UPDATE tweaks SET inside = '[[3, \"a\"]]'",
-                 "UPDATE tweaks SET inside = '{'",
-                 "UPDATE tweaks SET kind = 1, now = '{\"fettle_scene\": 1'",
-                 "UPDATE tweaks SET kind = 2, instance = 'game'",
-                 "UPDATE tweaks SET kind = 3, now = 'game'", "UPDATE tweaks SET kind = 3, now = '..'",
-                 "UPDATE tweaks SET was_text = replace(hex(zeroblob(100000)), '0', 'x')");
+    const std::string sql = GENERATE(
+        as<std::string>{}, "UPDATE tweaks SET kind = 77", "UPDATE tweaks SET kind = -1",
+        "UPDATE tweaks SET instance = 'world..a'", "UPDATE tweaks SET instance = 'world[3]'",
+        "UPDATE tweaks SET instance = x'00ff'", "UPDATE tweaks SET property = ''",
+        "UPDATE tweaks SET now = 'rubbish'", "UPDATE tweaks SET now = '{\"value\": '",
+        "UPDATE tweaks SET now = '{}'", "UPDATE tweaks SET inside = '[[3, \"a\"]]'",
+        "UPDATE tweaks SET inside = '{'",
+        "UPDATE tweaks SET kind = 1, now = '{\"fettle_scene\": 1'",
+        "UPDATE tweaks SET kind = 2, instance = 'game'", "UPDATE tweaks SET kind = 3, now = 'game'",
+        "UPDATE tweaks SET kind = 3, now = '..'",
+        "UPDATE tweaks SET was_text = replace(hex(zeroblob(100000)), '0', 'x')");
     const GameFolder folder;
     leave(folder, sql);
     Run run(folder);

@@ -93,7 +93,8 @@ TEST_CASE("what is no journal is told at once and another one is written") {
             }
             const fs::path odd = folder / (std::string(".fettle/main.tweaks.sqlite") + suffix);
             fs::remove(odd);
-            const std::string called = kind == "device" ? put(kind, odd), std::string("link") : put(kind, odd);
+            const std::string called = kind == "device" ? put(kind, odd),
+                              std::string("link")       : put(kind, odd);
             CAPTURE(kind, suffix);
             Run run(folder);
             const Handle b = run.add("Thing", "b");
@@ -154,8 +155,10 @@ TEST_CASE("links that lead out of the game's folder are neither read nor written
     for (const char* const name :
          {"link.json", "sub/level.json", "relative.json", "../outside/level.json"}) {
         CAPTURE(name);
-        CHECK(has(refusal([&] { (void)files.read(folder / name); }), "outside of the game's folder") !=
-              has(refusal([&] { (void)files.read(folder / name); }), "leads out of the game's folder"));
+        CHECK(has(refusal([&] { (void)files.read(folder / name); }),
+                  "outside of the game's folder") !=
+              has(refusal([&] { (void)files.read(folder / name); }),
+                  "leads out of the game's folder"));
         CHECK(refusal([&] { files.write(folder / name, "x"); }) != "");
         CHECK(refusal([&] { files.write_scene(folder / name, "x"); }) != "");
     }
@@ -188,7 +191,8 @@ TEST_CASE("a link in the place of the folder for journals is not followed") {
     const Handle a = run.add("Thing", "a");
     run.person([&] { run.tree.set(a, "number", 2.0); });
     REQUIRE(run.told.size() == 1);
-    CHECK(has(run.told[0], ".fettle: expected a folder for the journal of tweaks, but it is a link"));
+    CHECK(
+        has(run.told[0], ".fettle: expected a folder for the journal of tweaks, but it is a link"));
     CHECK(fs::is_empty(outside));
     CHECK(run.lines() == std::vector<std::string>{"world.a.number: 0 → 2"});
     CHECK(run.tweaks->journal().string().starts_with(folder.user().string()));
@@ -206,7 +210,9 @@ TEST_CASE("a scene replaces a scene or nothing") {
     CHECK(folder.text("level.json") == scene + "\n");
     for (const char* const text :
          {"print(1)", "{\"modules\": []}", "", "[]", "{\"fettle_scene\": 1",
-          "{\"fettle_scene\": 2, \"class\": \"Object\"}", "\x7f" "ELF"}) {
+          "{\"fettle_scene\": 2, \"class\": \"Object\"}",
+          "\x7f"
+          "ELF"}) {
         folder.write("other.json", text);
         CAPTURE(text);
         CHECK(has(refusal([&] { files.write_scene(folder / "other.json", scene); }),
@@ -223,7 +229,8 @@ TEST_CASE("a scene replaces a scene or nothing") {
     }
     fs::create_symlink(folder / "main.lua", folder / "link.json");
     folder.write("main.lua", scene);
-    CHECK(has(refusal([&] { files.write_scene(folder / "link.json", scene); }), "was not written: "));
+    CHECK(
+        has(refusal([&] { files.write_scene(folder / "link.json", scene); }), "was not written: "));
 }
 
 // --- What a journal may hold
@@ -231,15 +238,19 @@ TEST_CASE("a scene replaces a scene or nothing") {
 TEST_CASE("a journal with anything else than its own tables is told and left alone") {
     const std::string sql = GENERATE(
         as<std::string>{},
-        "DROP TABLE tweaks; CREATE VIEW tweaks AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT "
+        "DROP TABLE tweaks; CREATE VIEW tweaks AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL "
+        "SELECT "
         "x+1 FROM c) SELECT x AS run, 1 AS number, 0 AS kind, 0 AS state, 'a' AS instance, 'b' AS "
-        "property, '' AS was, '' AS now, '' AS was_text, '' AS now_text, 0 AS step, 0 AS time, '' AS "
+        "property, '' AS was, '' AS now, '' AS was_text, '' AS now_text, 0 AS step, 0 AS time, '' "
+        "AS "
         "file, '' AS inside, '' AS kept_in FROM c",
-        "CREATE VIEW more AS SELECT 1", "CREATE TABLE more (x)", "CREATE INDEX more ON tweaks(step)",
-        "CREATE TRIGGER more AFTER INSERT ON tweaks BEGIN DELETE FROM runs; END",
-        "DROP TABLE runs", "ALTER TABLE tweaks ADD COLUMN more",
+        "CREATE VIEW more AS SELECT 1", "CREATE TABLE more (x)",
+        "CREATE INDEX more ON tweaks(step)",
+        "CREATE TRIGGER more AFTER INSERT ON tweaks BEGIN DELETE FROM runs; END", "DROP TABLE runs",
+        "ALTER TABLE tweaks ADD COLUMN more",
         "DROP TABLE tweaks; CREATE TABLE tweaks (run, number, kind, state, instance, property AS "
-        "(hex(zeroblob(100000000))), was, now, was_text, now_text, step, time, file, inside, kept_in)");
+        "(hex(zeroblob(100000000))), was, now, was_text, now_text, step, time, file, inside, "
+        "kept_in)");
     const GameFolder folder;
     {
         Run run(folder);

@@ -5,8 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <fcntl.h>
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -68,7 +68,8 @@ std::size_t temporary_files(const fs::path& folder) {
 TEST_CASE("runs that keep at the same time lose nothing of each other") {
     constexpr int runs = 6, rounds = 5;
     const GameFolder folder;
-    std::string level = "{\n  \"fettle_scene\": 1,\n  \"class\": \"Object\",\n  \"name\": \"level\"\n}\n";
+    std::string level =
+        "{\n  \"fettle_scene\": 1,\n  \"class\": \"Object\",\n  \"name\": \"level\"\n}\n";
     folder.write("level.json", level);
     together(runs, [&](int i) {
         Run run(folder);
@@ -114,7 +115,8 @@ TEST_CASE("a run keeps beside what another one has kept since it began") {
     CHECK(two.tweaks->keep("**").count == 1);
     one.person([&] { one.tree.set(a, "flag", true); });
     CHECK(one.tweaks->keep("**").count == 1);
-    for (const char* const part : {"world.a.number\": 1", "world.b.number\": 2", "world.a.flag\": true"})
+    for (const char* const part :
+         {"world.a.number\": 1", "world.b.number\": 2", "world.a.flag\": true"})
         CHECK(has(folder.text("main.tweaks.json"), part));
 }
 
@@ -245,7 +247,8 @@ TEST_CASE("on a full disk it is told which file lacks what") {
     run.person([&] { run.tree.set(b, "number", 3.0); });
     REQUIRE(run.told.size() == 1);
     INFO(run.told[0]);
-    CHECK(has(run.told[0], "tweaks cannot be journaled: " + (folder / ".fettle/main.tweaks.sqlite").string() + ": "));
+    CHECK(has(run.told[0], "tweaks cannot be journaled: " +
+                               (folder / ".fettle/main.tweaks.sqlite").string() + ": "));
     CHECK(has(run.told[0], "a file may not become that large here"));
     CHECK(has(run.told[0], "1 wait for it and are lost if the game ends before"));
 }

@@ -111,8 +111,8 @@ class Replacement {
         const Descriptor descriptor(open_file(folder, O_RDONLY | O_DIRECTORY));
         const bool done = descriptor && ::fsync(descriptor.number()) == 0;
         if (done || errno == EINVAL || errno == ENOSYS || errno == EACCES) return;
-        throw FileError(asked_,
-                        "was written, but may not survive a loss of power: " + system_reason(errno));
+        throw FileError(
+            asked_, "was written, but may not survive a loss of power: " + system_reason(errno));
     }
 
     const fs::path& asked_;
@@ -137,7 +137,9 @@ std::string read_file(const fs::path& file, std::size_t limit) {
         fail(system_reason(errno));
     if (const std::string why = why_no_file(status.st_mode); !why.empty()) fail(why);
     if (!descriptor) fail(system_reason(error));
-    const auto too_large = [&] { fail("it is larger than " + std::to_string(limit >> 20) + " MB"); };
+    const auto too_large = [&] {
+        fail("it is larger than " + std::to_string(limit >> 20) + " MB");
+    };
     if (status.st_size > 0 && static_cast<std::uintmax_t>(status.st_size) > limit) too_large();
     std::string content;
     if (!read_all(descriptor.number(), content, limit)) fail(system_reason(errno));

@@ -21,11 +21,11 @@ std::string system_reason(int error) {
 std::string why_no_file(mode_t mode) {
     if (S_ISREG(mode)) return {};
     if (S_ISDIR(mode)) return "it is a folder";
-    const char* const what = S_ISFIFO(mode)                    ? "pipe"
-                             : S_ISSOCK(mode)                  ? "socket"
-                             : S_ISLNK(mode)                   ? "link"
+    const char* const what = S_ISFIFO(mode)                   ? "pipe"
+                             : S_ISSOCK(mode)                 ? "socket"
+                             : S_ISLNK(mode)                  ? "link"
                              : S_ISCHR(mode) || S_ISBLK(mode) ? "device"
-                                                               : "thing of another kind";
+                                                              : "thing of another kind";
     return std::string("it is a ") + what + ", not a regular file";
 }
 

@@ -119,12 +119,10 @@ namespace {
 /// Why no scene may have that name, "" when one may. `name`: from the game's folder.
 std::string why_no_name_of_a_scene(const fs::path& name) {
     for (const fs::path& part : name)
-        if (part.string().starts_with('.'))
-            return "hidden files are not a game's to write";
+        if (part.string().starts_with('.')) return "hidden files are not a game's to write";
     const std::string last = name.filename().string();
     for (const char* const ending : {".lua", ".so", ".sqlite", ".tweaks.json"})
-        if (last.ends_with(ending))
-            return std::string("what ends in ") + ending + " is no scene";
+        if (last.ends_with(ending)) return std::string("what ends in ") + ending + " is no scene";
     const bool taken = last == "modules.json" || last == "game.json";
     return taken ? "the name means something to Fettle itself" : "";
 }
@@ -164,14 +162,15 @@ void GameFiles::write_scene(const Path& file, std::string_view text) {
 
 std::shared_ptr<void> GameFiles::lock() {
     if (in_memory_ || game_.empty()) return nullptr;
-    // The folder itself is locked: no file has to be made for it, and the lock ends with the process.
+    // The folder itself is locked: no file has to be made for it, and the lock ends with the
+    // process.
     auto folder = std::make_shared<Descriptor>(open_file(game_, O_RDONLY | O_DIRECTORY));
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     while (*folder && !try_lock(*folder)) {
         if (errno != EWOULDBLOCK) break;  // a file system without locks
         if (std::chrono::steady_clock::now() > deadline)
-            throw FileError(game_,
-                            "another program holds the lock on this folder, so nothing was written");
+            throw FileError(
+                game_, "another program holds the lock on this folder, so nothing was written");
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return folder;

@@ -25,7 +25,7 @@ const FileFormat format{
                "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, PRIMARY KEY "
                "(run, number)) WITHOUT ROWID"}};
 constexpr int most_files = 9;
-constexpr int io_error = 10;  // a code of SQLite: not the fault of the file
+constexpr int io_error = 10;         // a code of SQLite: not the fault of the file
 constexpr int long_patience = 2000;  // ms: opening a file may wait, and so may the last commit
 
 std::uint64_t identity_of(const fs::path& file) {
@@ -112,7 +112,8 @@ void Journal::leave_out_odd_folders() {
     std::erase_if(folders_, [this](const fs::path& folder) {
         struct stat status {};
         if (::lstat(folder.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return false;
-        const std::string why = S_ISREG(status.st_mode) ? "it is a file" : why_no_file(status.st_mode);
+        const std::string why =
+            S_ISREG(status.st_mode) ? "it is a file" : why_no_file(status.st_mode);
         warn_(folder.string() + ": expected a folder for the journal of tweaks, but " +
               why.substr(0, why.find(',')) + "; it is left as it is");
         return true;
@@ -222,14 +223,16 @@ void Journal::refresh(std::vector<JournalRow>& rows) {
     if (!database_) return;
     try {
         Statement query = database_->statement(
-            "SELECT state, was, now, was_text, now_text, step, time, file, inside, kept_in FROM tweaks "
+            "SELECT state, was, now, was_text, now_text, step, time, file, inside, kept_in FROM "
+            "tweaks "
             "WHERE run = ? AND number = ?");
         for (JournalRow& row : rows) {
             if (row.run == JournalRow::elsewhere || row.state != JournalRow::State::open) continue;
             query.bind(1, row.run).bind(2, row.number);
             JournalRow now = row;
             if (query.step()) {
-                now.state = query.integer(0) == 0 ? JournalRow::State::open : JournalRow::State::kept;
+                now.state =
+                    query.integer(0) == 0 ? JournalRow::State::open : JournalRow::State::kept;
                 now.was = query.text(1);
                 now.now = query.text(2);
                 now.was_text = query.text(3);
@@ -283,7 +286,8 @@ bool Journal::commit(const Changes& changes) {
                 withdraw.bind(1, run_).bind(2, number).run();
             // Not what has become of the row since it was read: its run may still be there.
             Statement settle = database_->statement(
-                "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = ?");
+                "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = "
+                "?");
             for (const JournalRow* row : changes.settled)
                 settle.bind(1, static_cast<std::int64_t>(row->state))
                     .bind(2, row->kept_in)

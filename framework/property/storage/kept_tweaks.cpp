@@ -174,8 +174,7 @@ void KeptTweaks::apply_values(Handle top) {
     if (top != tree_.root() && !tree_.is_below(top, tree_.root())) return;
     std::vector<std::pair<Handle, const std::vector<Kept>*>> found;
     tree_.each_below(top, [&](Handle handle) {
-        if (const auto it = contents_.values.find(tree_.path(handle));
-            it != contents_.values.end())
+        if (const auto it = contents_.values.find(tree_.path(handle)); it != contents_.values.end())
             found.emplace_back(handle, &it->second);
     });
     for (const auto& [handle, kept] : found)

@@ -71,9 +71,9 @@ class KeptTweaks {
     GameFiles& files_;
     std::filesystem::path file_;
     Warn warn_;
-    std::string problem_;                   // why the file is not used
-    std::unique_ptr<Document> document_;    // as it was read
-    std::unique_ptr<JsonEdit> edit_;        // as it will be written
+    std::string problem_;                 // why the file is not used
+    std::unique_ptr<Document> document_;  // as it was read
+    std::unique_ptr<JsonEdit> edit_;      // as it will be written
     Contents contents_;
     std::unordered_set<std::string> told_;  // warnings
 };

@@ -123,12 +123,15 @@ class SceneCheck {
             for (std::size_t child = at + 1; child < plan_.instances.size(); ++child) {
                 const ScenePlan::Instance& planned = plan_.instances[child];
                 if (planned.parent != at) continue;
-                if (planned.name == nullptr) nameless = true;
-                else if (document_.text(*planned.name) == name) found = child;
+                if (planned.name == nullptr)
+                    nameless = true;
+                else if (document_.text(*planned.name) == name)
+                    found = child;
             }
             // Its class may make children of its own.
             if (found == ScenePlan::none)
-                return nameless || plan_.instances[at].instance_class->lifecycle().create != nullptr;
+                return nameless ||
+                       plan_.instances[at].instance_class->lifecycle().create != nullptr;
             at = found;
         }
         return true;
@@ -143,8 +146,7 @@ class SceneCheck {
 
 }  // namespace
 
-void check_scene(const Tree& tree, const Document& document, Handle parent,
-                 std::string_view name) {
+void check_scene(const Tree& tree, const Document& document, Handle parent, std::string_view name) {
     SceneCheck(tree, document, parent, name).run();
 }
 

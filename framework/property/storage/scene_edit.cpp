@@ -47,8 +47,7 @@ void SceneEdit::set(const SceneSteps& steps, const std::string& property, const 
     const Node* class_name = document().member(instance, "class");
     if (class_name == nullptr || class_name->kind != Document::Kind::text)
         document().fail(ErrorKind::bad_structure, instance.begin, "not an instance with a class");
-    const Property* declared =
-        tree_.class_named(document().text(*class_name)).property(property);
+    const Property* declared = tree_.class_named(document().text(*class_name)).property(property);
     if (image.kind == Image::Kind::absent || image.kind == Image::Kind::by_default) {
         remove_member(steps, "properties", property);
         remove_member(steps, "ad_hoc", property);

@@ -236,9 +236,9 @@ class SceneLoader {
         } catch (const SceneError& e) {
             throw e.about(where);
         } catch (const Error& e) {
-            const bool no_longer = e.kind() == ErrorKind::near_miss ||
-                                   (e.kind() == ErrorKind::bad_name &&
-                                    planned.instance_class->method(key) != nullptr);
+            const bool no_longer =
+                e.kind() == ErrorKind::near_miss ||
+                (e.kind() == ErrorKind::bad_name && planned.instance_class->method(key) != nullptr);
             if (!no_longer) fail(e, node.begin, where, made_.front().handle);
             plan_.warn(node.key_begin, where + ": " + planned.instance_class->name() +
                                            " now has something of nearly this name; kept as it is");
@@ -258,10 +258,11 @@ class SceneLoader {
                 const std::string& key = document_.key(*node);
                 if (its_class.property(key) != nullptr) continue;
                 const std::string meant = suggestion(key, its_class.member_names());
-                plan_.warn(node->key_begin,
-                           plan_.path(index) + ": " + its_class.name() + " has no property " +
-                               value_text(Value(key)) + meant + "; kept as it is" +
-                               (meant.empty() ? " (what is your own belongs under \"ad_hoc\")" : ""));
+                plan_.warn(
+                    node->key_begin,
+                    plan_.path(index) + ": " + its_class.name() + " has no property " +
+                        value_text(Value(key)) + meant + "; kept as it is" +
+                        (meant.empty() ? " (what is your own belongs under \"ad_hoc\")" : ""));
                 planned.unknown.add(UnknownKeys::Place::properties, document_, *node);
             }
         }

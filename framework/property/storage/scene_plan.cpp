@@ -210,7 +210,8 @@ void ScenePlan::check_nesting(std::size_t index, const Node* section) const {
         };
         if (is_instance(node)) fail("into the list \"children\" of the instance");
         const bool is_section =
-            (key == "children" && node->kind == Kind::array && is_instance(document_.first(*node))) ||
+            (key == "children" && node->kind == Kind::array &&
+             is_instance(document_.first(*node))) ||
             ((key == "properties" || key == "ad_hoc") && node->kind == Kind::object &&
              (declared || document_.count(*node) != 1)) ||
             key == version_key;

@@ -30,7 +30,8 @@ bool is_name_of_ours(std::string_view name) {
 
 /// Whether the name still leads to the open file.
 bool is_called(const Descriptor& file, const fs::path& path) {
-    struct stat open {}, named {};
+    struct stat open {
+    }, named{};
     return ::fstat(file.number(), &open) == 0 && ::lstat(path.c_str(), &named) == 0 &&
            open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }

@@ -303,6 +303,7 @@ Tweaks::~Tweaks() {
     state_->rest = 0;
     if (state_->journal) state_->journal->be_patient();
     barrier();
+    state_->tell_lost();
 }
 
 void Tweaks::barrier() {

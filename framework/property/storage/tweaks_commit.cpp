@@ -159,4 +159,16 @@ void Tweaks::State::commit() {
     if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
 }
 
+/// The run ends: there is no next barrier.
+void Tweaks::State::tell_lost() const {
+    if (!journal) return;
+    const auto lost = std::count_if(dirty.begin(), dirty.end(),
+                                    [this](const Entry* entry) { return visible(*entry); });
+    if (lost > 0)
+        warn(std::to_string(lost) +
+             (lost == 1 ? " tweak is lost, since it" : " tweaks are lost, since they") +
+             " could not be journaled: " +
+             (last_failure.empty() ? "another run of the game is writing" : last_failure));
+}
+
 }  // namespace fettle::property

@@ -69,6 +69,7 @@ struct Tweaks::State : EditObserver {
     void refresh_created(Entry& entry);
     bool visible(const Entry& entry) const;
     void commit();
+    void tell_lost() const;
 
     // tweaks.cpp, keep.cpp: what is done to them
     std::vector<JournalRow*> matching(std::string_view pattern, bool earlier_only);
@@ -116,7 +117,8 @@ TweakWords words_of(const JournalRow& row);
 /// Throws Error for words that no row has.
 JournalRow row_of(const TweakWords& words);
 
-/// Why a row, of whoever's making, is not what a tweak is: a path that is none, a value that is none
+/// Why a row, of whoever's making, is not what a tweak is: a path that is none, a value that is
+/// none
 /// ...; "" when it is one.
 std::string problem_of(const JournalRow& row);
 

@@ -1,5 +1,5 @@
-/* A module in plain C: clouds that gather water and rain. Built several times, each time with one of
- * the macros below, it is also everything that can be wrong with a module. */
+/* A module in plain C: clouds that gather water and rain. Built several times, each time with one
+ * of the macros below, it is also everything that can be wrong with a module. */
 
 #include <math.h>
 #include <signal.h>
@@ -209,7 +209,10 @@ static const fettle_field left[] = {{.name = "left", .type = FETTLE_NUMBER, .uni
 static const fettle_field figures[] = {{.name = "what", .type = FETTLE_TEXT},
                                        {.name = "value", .type = FETTLE_NUMBER}};
 static const fettle_method methods[] = {
-    {.name = "rain", .parameters = FETTLE_ARRAY(amount), .returns = FETTLE_ARRAY(left), .call = rain},
+    {.name = "rain",
+     .parameters = FETTLE_ARRAY(amount),
+     .returns = FETTLE_ARRAY(left),
+     .call = rain},
     {.name = "survey", .returns = FETTLE_ARRAY(figures), .call = survey}};
 static const fettle_event events[] = {
     {.name = "rained", .fields = FETTLE_ARRAY(amount), .tag = &rained}};
