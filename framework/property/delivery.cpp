@@ -19,93 +19,12 @@ constexpr std::size_t most_generations = 16;
 constexpr std::size_t most_fresh_kept = 1024;  // room for instances made between barriers
 }  // namespace
 
-std::string_view writer_name(Writer writer) {
-    switch (writer) {
-        case Writer::module:
-            return "module";
-        case Writer::simulation:
-            return "simulation";
-        case Writer::script:
-            return "script";
-        case Writer::console:
-            return "console";
-        case Writer::inspector:
-            return "inspector";
-        case Writer::formula:
-            return "formula";
-        case Writer::undo:
-            return "undo";
-        case Writer::load:
-            return "load";
-        case Writer::remote:
-            return "remote";
-        case Writer::restore:
-            return "restore";
-    }
-    return "?";
-}
-
-std::string Cause::text() const {
-    return (where.empty() ? std::string(writer_name(writer)) : where) + ", step " +
-           std::to_string(step);
-}
-
-std::uint64_t Tree::step() const {
-    return state_->step;
-}
-
-void Tree::set_step(std::uint64_t step) {
-    state_->tell_plain_writes();
-    state_->step = step;
-    ++state_->upheavals;  // the clock, too, is written without telling
-}
-
-void Tree::stepped() {
-    state_->stepped = true;
-    ++state_->upheavals;
-}
-
-Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate)
-    : tree_(tree), writer_(tree.state_->writer), locate_(tree.state_->locate) {
-    tree.state_->tell_plain_writes();
-    tree.state_->writer = writer;
-    tree.state_->locate = locate;
-    tree.state_->note_recording();
-}
-
-Tree::CauseScope::~CauseScope() {
-    tree_.state_->tell_plain_writes();
-    tree_.state_->writer = writer_;
-    tree_.state_->locate = locate_;
-    tree_.state_->note_recording();
-}
-
-Cause Tree::cause() const {
-    const State& s = *state_;
-    return {.writer = s.writer,
-            .where = s.locate != nullptr ? (*s.locate)() : std::string(),
-            .step = s.step};
-}
-
-/// Whose edit it is, should the barrier find that it changed something else. Its place costs more
-/// than a callback of a game may pay, so it is looked up only while something is watched that an
-/// edit elsewhere changes.
-void Tree::State::note_edit() {
-    edited = true;
-    ++upheavals;
-    if (shadows.empty()) return;
-    last_edit.writer = writer;
-    last_edit.step = step;
-    last_edit.where.clear();
-    if (locate != nullptr && (shadows.any_derived() || history.recording(writer)))
-        last_edit.where = (*locate)();
-}
-
 // --- Queueing
 // --------------------------------------------------------------------------------------------------------
 
 void Tree::State::queue_item(QueueItem item) {
     if (replaying) return;
+    add_weight(weight_of_message);
     item.until = watchers.last_id();
     item.trigger = delivering;
     item.trigger_part = delivering_part;
@@ -142,15 +61,17 @@ bool Tree::State::wants_farewell(Handle handle, const Class& of, bool only_own) 
     return !watchers.of_deletion(handle.index, of, only_own).empty();
 }
 
-void Tree::State::queue_deletion(Handle handle, const Class& of, const std::string& path) {
-    Existence gone{.instance = handle,
-                   .instance_class = &of,
-                   .path = path,
-                   .cause = tree.cause(),
-                   .last_values = {}};
+void Tree::State::queue_deletion(Handle handle, const Class& of, const Cause& cause) {
     // Who was never told of the instance is not told of its end; its own watchers knew it.
     const bool only_own = nodes[handle.index].fresh;
-    if (wants_farewell(handle, of, only_own))
+    const bool wanted = wants_farewell(handle, of, only_own);
+    if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;
+    Existence gone{.instance = handle,
+                   .instance_class = &of,
+                   .path = tree.path(handle),
+                   .cause = cause,
+                   .last_values = {}};
+    if (wanted)
         for (const Property* property : tree.properties(handle))
             gone.last_values.emplace_back(property, tree.peek(handle, *property));
     queue_farewell(std::move(gone), only_own);
@@ -413,6 +334,7 @@ void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& gen
 }
 
 void Tree::at_barrier(std::function<void()> action) {
+    forbid_in_formula("order anything for the next barrier");
     state_->at_barrier.push_back(std::move(action));
 }
 

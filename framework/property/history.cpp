@@ -10,14 +10,6 @@
 namespace fettle::property {
 namespace {
 
-std::size_t size_of(const Value& value) {
-    std::size_t bytes = sizeof(Value);
-    if (value.is(Type::text)) bytes += value.text().size();
-    if (value.is(Type::list))
-        for (const Value& element : value.list()) bytes += size_of(element);
-    return bytes;
-}
-
 std::size_t size_of(const History::CellState& state) {
     return sizeof state + size_of(state.value) +
            (state.formula ? state.formula->source.size() + 64 : 0);
@@ -43,6 +35,7 @@ void History::begin(std::string name, bool scripts) {
     tree_.state().note_recording();
     if (depth_++ > 0) return;
     open_ = {};
+    written_.clear();
     open_.name = std::move(name);
     open_.cause = tree_.cause();
 }
@@ -79,6 +72,11 @@ void History::add(Step step, const std::string& name) {
             for (const auto& [symbol, state] : image.cells) bytes += size_of(state);
         }
     open_.bytes += bytes;
+    tree_.add_weight(static_cast<std::int64_t>(bytes));
+    if (const auto* edit = std::get_if<CellEdit>(&step))
+        written_[{edit->instance.index, edit->property}] = open_.steps.size();
+    else
+        written_.clear();
     open_.steps.push_back(std::move(step));
     if (single) end();
 }
@@ -109,12 +107,14 @@ void History::edited(Handle instance, const Property& property, CellState before
     CellState after;
     if (tree_.find(instance, property.symbol) != nullptr) after = capture(instance, property);
     // A drag is many edits of one cell: only its ends are kept.
-    if (depth_ > 0 && !open_.steps.empty())
-        if (auto* last = std::get_if<CellEdit>(&open_.steps.back());
-            last != nullptr && last->instance == instance && last->property == property.symbol) {
-            last->after = std::move(after);
+    const Cell cell{instance.index, property.symbol};
+    if (const auto step = written_.find(cell); depth_ > 0 && step != written_.end()) {
+        auto& edit = std::get<CellEdit>(open_.steps[step->second]);
+        if (edit.instance == instance) {
+            edit.after = std::move(after);
             return;
         }
+    }
     const std::string name = tree_.path(instance, property) + ": " +
                              short_text(tree_.text(before.value, property.precision())) + " → " +
                              short_text(tree_.text(after.value, property.precision()));
@@ -218,6 +218,7 @@ void History::restore(const Memory& image) {
     undone_ = lists.undone;
     bytes_ = lists.bytes;
     open_.steps.clear();  // an edit that is under way goes on from here
+    written_.clear();
     open_.bytes = 0;
     ++version_;
 }
@@ -349,6 +350,19 @@ void History::bury(Existence& existence, UndoResult& result) {
     keep_slots_ = false;
 }
 
+bool History::hangs_too_deep(const Existence& existence) const {
+    const Nodes& nodes = tree_.state().nodes;
+    std::unordered_map<std::uint32_t, std::size_t> depths;  // parents come before their children
+    for (const Image& image : existence.images) {
+        const std::uint32_t parent = image.position.parent.index;
+        const auto above = depths.find(parent);
+        const std::size_t depth = above != depths.end() ? above->second : nodes.depth(parent);
+        if (depth + 1 > Nodes::deepest) return true;
+        depths[image.handle.index] = depth + 1;
+    }
+    return false;
+}
+
 void History::revive(Existence& existence, UndoResult& result) {
     Tree::State& s = tree_.state();
     if (existence.images.empty() || tree_.alive(existence.top)) {
@@ -364,6 +378,11 @@ void History::revive(Existence& existence, UndoResult& result) {
         parent && !tree_.alive(parent)) {
         result.notes.push_back("\"" + existence.images.front().position.name.text() +
                                "\" cannot be brought back: what it hung under is gone");
+        return;
+    }
+    if (hangs_too_deep(existence)) {
+        result.notes.push_back("\"" + existence.images.front().position.name.text() +
+                               "\" cannot be brought back: what it hung under hangs deeper now");
         return;
     }
     for (const Image& image : existence.images) {

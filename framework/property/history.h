@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include <fettle/property/tree.h>
 
 #include "nodes.h"
+#include "watchers.h"
 
 namespace fettle::property {
 
@@ -119,6 +121,7 @@ class History {
     void apply(Existence& existence, bool back, UndoResult& result);
     void apply(Move& move, bool back, UndoResult& result);
     void set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
+    bool hangs_too_deep(const Existence& existence) const;
     void revive(Existence& existence, UndoResult& result);
     void bury(Existence& existence, UndoResult& result);
     void place(Handle instance, const Position& at, UndoResult& result);
@@ -131,6 +134,8 @@ class History {
     std::vector<Shared> undone_;
     std::uint64_t version_ = 0;  // counts changes of the two
     Transaction open_;
+    // Which step of the open edit a cell was written by, since something came or went last.
+    std::unordered_map<Cell, std::size_t, CellHash> written_;
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
     std::size_t script_edits_ = 0;  // how many of them that is true of

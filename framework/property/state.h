@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include <fettle/property/acceptance.h>
 #include <fettle/property/observer.h>
 #include <fettle/property/question.h>
 #include <fettle/property/tree.h>
@@ -22,6 +23,7 @@
 #include "shadows.h"
 #include "stored_columns.h"
 #include "watchers.h"
+#include "weight.h"
 #include "writes_log.h"
 
 namespace fettle::property {
@@ -61,7 +63,8 @@ struct Tree::State {
     std::unordered_map<std::uint32_t, std::map<std::string, std::pair<const Property*, Value>>>
         ad_hoc;
     std::unordered_map<Symbol, std::unique_ptr<Property>>
-        ad_hoc_properties;             // one descriptor a name
+        ad_hoc_properties;  // one descriptor a name
+    static constexpr std::size_t most_tombstones = 8192;
     std::deque<Tombstone> tombstones;  // the latest deletions
 
     Watchers watchers;
@@ -80,6 +83,7 @@ struct Tree::State {
     bool stepped = false;  // since the shadows were last compared
     bool edited = false;
     std::uint64_t upheavals = 1;  // what `epoch` counts beside writes in the log
+    std::uint64_t structure = 0;  // comings, goings and moves
     bool ending = false;          // the tree itself is being destroyed
     Cause last_edit;  // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
@@ -88,6 +92,10 @@ struct Tree::State {
     mutable std::size_t snapshot_size = 0;  // of the last one
     std::vector<Handle> to_come;            // of whom is made again inside of what is done again
     bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
+
+    std::int64_t weight = 0;
+    std::int64_t weight_mark = INT64_MAX;
+    std::function<void()> mark_passed;  // told once
 
     std::uint64_t step = 0;
     Writer writer = Writer::module;
@@ -104,6 +112,13 @@ struct Tree::State {
     /// takes back it had before: nobody can have looked in between.
     std::uint64_t epoch() const { return upheavals + writes.ever(); }
 
+    void add_weight(std::int64_t bytes) {
+        weight += bytes;
+        if (weight > weight_mark) [[unlikely]]
+            pass_mark();
+    }
+    void pass_mark();
+
     Node& require(Handle handle) {
         Node* node = nodes.find(handle);
         if (node == nullptr) throw_deleted(handle);
@@ -111,19 +126,21 @@ struct Tree::State {
     }
     const Node& require(Handle handle) const { return const_cast<State*>(this)->require(handle); }
     [[noreturn]] void throw_deleted(Handle handle) const;
-    /// Formulas compute; they do not write.
-    void forbid_in_formula(const char* what) const;
+    /// Throws where nothing may be written: formulas compute, and what is asked in the middle of a
+    /// step or of a query answers. `what`: "delete an instance".
+    void forbid_in_formula(std::string_view what) const;
     /// To be called whenever the writer is another, or an edit begins or ends.
     void note_recording() {
         records = history.recording(writer);
         note_listeners();
     }
-    /// To be called whenever a formula begins or ends to compute or a question to be asked, and
-    /// when there may be other shadows.
+    /// To be called whenever a formula begins or ends to compute, or a question or an acceptance to
+    /// be asked, and when there may be other shadows.
     void note_listeners() { writes.open(shadows.empty() && !only_the_long_way()); }
     /// What is written is an edit to be recorded, or not allowed.
     bool only_the_long_way() const {
-        return records || formulas.tracking() || Question::current() != nullptr;
+        return records || formulas.tracking() || Question::current() != nullptr ||
+               Acceptance::current() != nullptr;
     }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 
@@ -144,7 +161,9 @@ struct Tree::State {
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});
     void check_child_name(Handle parent, std::string_view name) const;
-    void destroy_one(std::uint32_t index);
+    /// `remember`: who asks for it later is told who deleted it.
+    void destroy_one(std::uint32_t index, const Cause& cause, bool remember);
+    void require_room_below(Handle parent, std::size_t levels) const;
     void place_subtree(Handle top);
     void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
 
@@ -180,7 +199,7 @@ struct Tree::State {
     void queue_change(Handle handle, const Property& property, const Value& old_value,
                       const Value& new_value, const Cause& cause);
     void queue_item(QueueItem item);
-    void queue_deletion(Handle handle, const Class& of, const std::string& path);
+    void queue_deletion(Handle handle, const Class& of, const Cause& cause);
     /// The same for one that is gone already. `own`: only its own watchers knew it.
     void queue_farewell(Existence gone, bool only_own);
     bool wants_farewell(Handle handle, const Class& of, bool only_own) const;

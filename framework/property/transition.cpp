@@ -88,7 +88,7 @@ void Transition::end_instances() {
                         [&](const Existence& gone) { return gone.instance == lived.instance; });
         if (!told) state_.tombstones.push_back({lived.instance, "the " + lived.of->name(), cause});
     }
-    while (state_.tombstones.size() > 8192) state_.tombstones.pop_front();
+    while (state_.tombstones.size() > Tree::State::most_tombstones) state_.tombstones.pop_front();
 }
 
 void Transition::watch_again() {

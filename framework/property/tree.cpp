@@ -90,7 +90,9 @@ void Tree::State::define_object() {
 // ---------------------------------------------------------------------------------------------------------
 
 const Class& Tree::define(ClassDescriptor descriptor) {
+    forbid_in_formula("define a class");
     Class& made = state_->classes.define(std::move(descriptor));
+    add_weight(weight_of_class);
     state_->stored.push_back(made.stored_.empty() ? nullptr
                                                   : std::make_unique<StoredColumns>(made));
     for (const Property& property : made.own_properties_)
@@ -128,6 +130,8 @@ Handle Tree::root() const {
 void Tree::State::check_child_name(Handle parent, std::string_view name) const {
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) throw Error(ErrorKind::bad_name, "the name of an instance cannot be empty");
+    if (name.find('\0') != std::string_view::npos)
+        throw Error(ErrorKind::bad_name, "the name " + quoted + " holds a zero byte");
     if (!parent) return;
     if (parent == root && name == "game")
         throw Error(ErrorKind::bad_name, "\"game\" is the root itself, not a child of it");
@@ -153,6 +157,8 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     }
     if (again) nodes.revive(again);
     const std::uint32_t index = again ? again.index : nodes.allocate();
+    add_weight(named && name.number == 0 ? weight_of_instance + weight_of_name
+                                         : weight_of_instance);
     nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
     nodes[index].named = named;
     nodes[index].fresh = true;
@@ -172,6 +178,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
             if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
             nodes.unlink(index);
             nodes.release(index);
+            add_weight(-weight_of_instance);
             throw;
         }
     }
@@ -201,7 +208,10 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
     s.forbid_in_formula("create an instance");
-    if (parent) s.require(parent);
+    if (parent) {
+        s.require(parent);
+        s.require_room_below(parent, 1);
+    }
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
     if (name.empty() && parent) chosen = s.nodes.free_name(parent.index, instance_class.stem());
@@ -212,8 +222,10 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
 
 void Tree::State::structure_changed(std::uint32_t parent, const NodeName& name) {
     ++upheavals;
+    ++structure;
     if (formulas.size() == 0) return;
-    formulas.changed({parent, Symbol(name.text())});
+    // A name that nobody has asked for is no symbol, and does not become one.
+    if (const Symbol asked = Symbol::find(name.text())) formulas.changed({parent, asked});
     formulas.structure_changed();
 }
 
@@ -244,13 +256,14 @@ void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) cons
         if (alive(handle)) visit(handle);
 }
 
-void Tree::State::destroy_one(std::uint32_t index) {
+void Tree::State::destroy_one(std::uint32_t index, const Cause& cause, bool remember) {
     const Handle self = nodes.handle(index);
     const Class& of = classes[nodes[index].class_id];
-    const std::string path = tree.path(self);
-    queue_deletion(self, of, path);
-    tombstones.push_back({self, path, tree.cause()});
-    if (tombstones.size() > 8192) tombstones.pop_front();
+    queue_deletion(self, of, cause);
+    if (remember) {
+        tombstones.push_back({self, tree.path(self), cause});
+        if (tombstones.size() > most_tombstones) tombstones.pop_front();
+    }
     shadows.forget(tree, self);
     note_listeners();
     if (nodes[index].has_formula)
@@ -261,7 +274,13 @@ void Tree::State::destroy_one(std::uint32_t index) {
     const Lifecycle& lifecycle = of.lifecycle();
     if (lifecycle.destroy) lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
     if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
-    if (nodes[index].has_ad_hoc) ad_hoc.erase(index);
+    add_weight(-weight_of_instance);
+    if (nodes[index].has_ad_hoc) {
+        const auto own = ad_hoc.find(index);
+        for (const auto& [name_of_own, cell] : own->second)
+            add_weight(-weight_of_own_property - weight_beside(cell.second));
+        ad_hoc.erase(own);
+    }
     nodes.unlink(index);
     nodes.release(index, history.keeps_slots());
     structure_changed(parent, name);
@@ -279,7 +298,9 @@ void Tree::destroy(Handle instance) {
     if (!s.ending) s.tell([&](Observer& o) { o.destroying(instance); });
     std::vector<std::uint32_t> order;
     s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
-    for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);
+    const Cause by = cause();
+    for (std::size_t left = order.size(); left > 0; --left)
+        s.destroy_one(order[left - 1], by, left <= State::most_tombstones);
     s.history.deletion_done();
 }
 
@@ -335,10 +356,14 @@ std::vector<Handle> Tree::children(Handle instance) const {
 
 std::size_t Tree::child_count(Handle instance) const {
     if (in_formula()) state_->formulas.note_structure();
-    std::size_t count = 0;
-    for (std::uint32_t i = state_->require(instance).first_child; i != 0; i = state_->nodes[i].next)
-        ++count;
-    return count;
+    state_->require(instance);
+    return state_->nodes.child_count(instance.index);
+}
+
+Handle Tree::nth_child(Handle instance, std::uint64_t n) const {
+    if (in_formula()) state_->formulas.note_structure();
+    state_->require(instance);
+    return state_->nodes.handle(state_->nodes.nth_child(instance.index, n));
 }
 
 Handle Tree::child(Handle instance, std::string_view name) const {
@@ -351,6 +376,10 @@ bool Tree::is_below(Handle instance, Handle ancestor) const {
     for (std::uint32_t i = state_->require(instance).parent; i != 0; i = state_->nodes[i].parent)
         if (i == ancestor.index) return alive(ancestor);
     return false;
+}
+
+std::uint64_t Tree::structure() const {
+    return state_->structure;
 }
 
 std::size_t Tree::size() const {
@@ -375,97 +404,6 @@ std::string Tree::path(Handle instance) const {
         path += path_suffix(s.nodes[*i].name.text());
     if (path.front() == '.') return path.substr(1);
     return path.front() == '[' ? "game" + path : path;
-}
-
-void Tree::rename(Handle instance, std::string_view name) {
-    State& s = *state_;
-    Node& node = s.require(instance);
-    s.forbid_in_formula("rename an instance");
-    if (node.name.text() == name) return;
-    if (instance == s.root)
-        throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
-    const std::uint32_t parent = node.parent;
-    s.check_child_name(s.nodes.handle(parent), name);
-    std::optional<History::Position> before;
-    if (s.history.recording()) before = s.history.position(instance);
-    const NodeName was = node.name;
-    const NodeName made = NodeName::make(name);
-    if (parent == 0) {
-        node.name = made;
-    } else {
-        // Renaming keeps the place among the siblings.
-        const bool first = s.nodes[parent].first_child == instance.index;
-        const std::uint32_t in_front = first ? 0 : node.previous;
-        s.nodes.unlink(instance.index);
-        s.nodes.link(instance.index, parent, made);
-        s.nodes.reorder(instance.index, in_front);
-    }
-    s.nodes[instance.index].named = true;
-    s.structure_changed(parent, was);
-    s.structure_changed(parent, made);
-    if (before) s.history.moved(instance, *before);
-    s.tell([&](Observer& o) { o.moved(instance); });
-    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
-}
-
-void Tree::State::place_subtree(Handle top) {
-    tree.each_below(top, [this](Handle handle) {
-        const Class& of = tree.class_of(handle);
-        if (!of.lifecycle().place) return;
-        const Row row =
-            of.lifecycle().place(of.lifecycle().context, tree, handle, nodes[handle.index].row);
-        if (Node* node = nodes.find(handle)) node->row = row;
-    });
-}
-
-void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
-    State& s = *state_;
-    const Node& node = s.require(instance);
-    s.forbid_in_formula("move an instance");
-    if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
-    if (new_parent) {
-        s.require(new_parent);
-        if (new_parent == instance || is_below(new_parent, instance))
-            throw Error(
-                ErrorKind::bad_structure,
-                path(instance) + " cannot be moved below itself (" + path(new_parent) + ")");
-    }
-    NodeName chosen = node.name;
-    if (!name.empty()) {
-        if (s.nodes.child(new_parent.index, NodeName::look_up(name)) != instance.index ||
-            !new_parent)
-            s.check_child_name(new_parent, name);
-        chosen = NodeName::make(name);
-    } else if (new_parent && node.parent != new_parent.index) {
-        const bool taken = !node.named || s.nodes.child(new_parent.index, node.name) != 0 ||
-                           find(new_parent, node.name.text()) != nullptr ||
-                           class_of(new_parent).method(node.name.text()) != nullptr;
-        if (taken) {
-            const std::string_view stem =
-                node.named ? node.name.base.text() : class_of(instance).stem();
-            const bool plain =
-                find(new_parent, stem) == nullptr && class_of(new_parent).method(stem) == nullptr;
-            chosen = first_plain ? s.nodes.plain_name(new_parent.index, stem, plain)
-                                 : s.nodes.free_name(new_parent.index, stem);
-        }
-    } else if (node.parent == new_parent.index) {
-        return;
-    }
-    const bool named = node.named || !name.empty();
-    std::optional<History::Position> before;
-    if (s.history.recording()) before = s.history.position(instance);
-    const std::uint32_t left = node.parent;
-    const NodeName was = node.name;
-    s.nodes.unlink(instance.index);
-    s.nodes.link(instance.index, new_parent.index, chosen);
-    s.nodes[instance.index].named = named;
-    s.edited = true;
-    s.structure_changed(left, was);
-    s.structure_changed(new_parent.index, chosen);
-    s.place_subtree(instance);
-    if (before) s.history.moved(instance, *before);
-    s.tell([&](Observer& o) { o.moved(instance); });
-    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 
 void Tree::draw(Handle top, Painter& painter, double alpha) const {

@@ -21,6 +21,9 @@
 namespace fettle::property {
 namespace {
 
+// Names of ad-hoc properties in a tree: their descriptors stay for ever.
+constexpr std::size_t most_own_names = 100'000;
+
 template <class T>
 T load(const std::byte* at) {
     T value;
@@ -280,6 +283,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     } catch (const std::invalid_argument& refusal) {
         throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
     }
+    s.add_weight(weight_beside(next) - weight_beside(old));
     // A value that was taken replaces the formula; one that was refused leaves it.
     if (had_formula) s.drop_formula(instance, property);
     // The setter may have moved nodes (a rename, another parent), so the node is looked up again.
@@ -336,6 +340,15 @@ bool Tree::overridden(Handle instance, const Property& property) const {
 const Property& Tree::State::ad_hoc_property(Symbol name) {
     std::unique_ptr<Property>& slot = ad_hoc_properties[name];
     if (slot == nullptr) {
+        if (ad_hoc_properties.size() > most_own_names) {
+            ad_hoc_properties.erase(name);
+            throw Error(ErrorKind::bad_name,
+                        "\"" + name.text().substr(0, 80) + "\": properties of " +
+                            std::to_string(most_own_names) +
+                            " different names were added already; keep what is counted in a list, "
+                            "or in children");
+        }
+        add_weight(weight_of_own_descriptor);
         slot = std::make_unique<Property>();
         slot->name = name.text();
         slot->symbol = name;
@@ -350,6 +363,7 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
 
 void Tree::State::put_ad_hoc(Handle instance, const Property& added, const Value& value) {
     Node& node = require(instance);
+    add_weight(weight_of_own_property + weight_beside(value));
     ad_hoc[instance.index].emplace(added.name, std::pair(&added, value));
     node.has_ad_hoc = true;
     written(instance, node, added, Value());
@@ -364,6 +378,8 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     };
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) refuse(ErrorKind::bad_name, "the name of a property cannot be empty");
+    if (name.find('\0') != std::string_view::npos)
+        refuse(ErrorKind::bad_name, "the name " + quoted + " holds a zero byte");
     if (of.method(name) != nullptr)
         refuse(ErrorKind::bad_name, quoted + " is a method of " + of.name());
     if (tree.child(instance, name)) refuse(ErrorKind::bad_name, quoted + " is a child here");
@@ -403,6 +419,7 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     if (s.history.recording()) before = s.history.capture(instance, *property);
     if (node.has_formula) s.drop_formula(instance, *property);
     own.erase(found);
+    s.add_weight(-weight_of_own_property - weight_beside(old));
     if (own.empty()) {
         s.ad_hoc.erase(instance.index);
         node.has_ad_hoc = false;

@@ -10,15 +10,23 @@
 
 namespace fettle::property {
 
-void Tree::State::forbid_in_formula(const char* what) const {
-    if (formulas.tracking())
-        throw Error(ErrorKind::formula,
-                    std::string("a formula computes a value: it cannot ") + what);
+void Tree::forbid_in_formula(std::string_view what) const {
+    if (in_formula())
+        throw Error(ErrorKind::formula, "the formula of " + state_->formulas.running() +
+                                            " computes a value: it cannot " + std::string(what));
+}
+
+void Tree::State::forbid_in_formula(std::string_view what) const {
+    tree.forbid_in_formula(what);
     if (const Question* question = Question::current())
         throw Error(ErrorKind::rejected,
                     question->event().name +
                         " is asked inside a step: a handler changes what it is told, it cannot " +
-                        what);
+                        std::string(what));
+    if (const Acceptance* acceptance = Acceptance::current())
+        throw Error(ErrorKind::rejected, "accept is asked inside " + acceptance->asker() +
+                                             ": it tells which instances count, it cannot " +
+                                             std::string(what));
 }
 
 void Tree::State::drop_formula(Handle instance, const Property& property) {

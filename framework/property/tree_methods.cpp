@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
@@ -35,6 +34,7 @@ class CallScope {
 }  // namespace
 
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
+    if (method.effect != Effect::nothing) state_->forbid_in_formula("call " + method.name);
     const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
     if (arguments.size() < method.required || arguments.size() > method.parameters.size())
         throw Error(ErrorKind::wrong_type,
@@ -62,8 +62,6 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         coerced[i] =
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
-    if (method.effect != Effect::nothing && Question::current() != nullptr)
-        state_->forbid_in_formula(("call " + method.name).c_str());
     const CallScope scope(*state_, instance, method, coerced);
     try {
         return method.call(method.context, *this, instance, row(instance), coerced);

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "weight.h"
+
 namespace fettle::property {
 
 // Texts and lists: immutable, counted. The count is atomic because another thread may hold a copy
@@ -33,6 +35,14 @@ const std::string& Value::text() const {
 }
 const List& Value::list() const {
     return data_.shared->list;
+}
+
+std::size_t size_of(const Value& value) {
+    std::size_t bytes = sizeof(Value);
+    if (value.is(Type::text)) bytes += value.text().size() + 64;
+    if (value.is(Type::list))
+        for (const Value& element : value.list()) bytes += size_of(element);
+    return bytes;
 }
 
 bool operator==(const Value& a, const Value& b) {

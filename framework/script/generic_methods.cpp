@@ -32,7 +32,7 @@ namespace {
 const Class* class_at(lua_State* L, Machine& machine, int index, const char* what) {
     if (lua_isnoneornil(L, index)) return nullptr;
     if (const Class* found = class_object_at(L, index)) return found;
-    if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(lua_tostring(L, index));
+    if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(string_at(L, index));
     throw Error(ErrorKind::wrong_type,
                 std::string(what) + ": needs a class or its name, not " + describe_type(L, index));
 }
@@ -190,10 +190,18 @@ int each(lua_State* L) {
 
 // --- Copies
 
-using Copies = std::vector<std::pair<Handle, Handle>>;
+struct Copies {
+    std::vector<std::pair<Handle, Handle>> list;  // original, copy: parents first
+    std::unordered_map<std::uint64_t, Handle> of;
+
+    static std::uint64_t key(Handle handle) {
+        return std::uint64_t{handle.generation} << 32 | handle.index;
+    }
+};
 
 void copy_below(Machine& machine, Handle from, Handle to, Copies& copies) {
-    copies.emplace_back(from, to);
+    copies.list.emplace_back(from, to);
+    copies.of.emplace(Copies::key(from), to);
     for (const Handle child : machine.tree.children(from)) {
         const Handle made =
             machine.tree.create(machine.tree.class_of(child), to, machine.tree.name(child));
@@ -204,8 +212,8 @@ void copy_below(Machine& machine, Handle from, Handle to, Copies& copies) {
 // References inside what is copied lead to the copies.
 Value redirected(const Value& value, const Copies& copies) {
     if (value.is(property::Type::reference)) {
-        for (const auto& [from, to] : copies)
-            if (value.reference() == from) return to;
+        const auto found = copies.of.find(Copies::key(value.reference()));
+        if (found != copies.of.end()) return found->second;
     } else if (value.is(property::Type::list)) {
         property::List list;
         for (const Value& each_value : value.list()) list.push_back(redirected(each_value, copies));
@@ -218,13 +226,14 @@ int clone(lua_State* L) {
     const Handle self = check_instance(L, 1, "clone");
     Machine& machine = machine_of(L);
     if (!machine.tree.class_of(self).creatable())
-        throw Error(ErrorKind::bad_structure, machine.tree.path(self) + ": there can be only one " +
-                                                  machine.tree.class_of(self).name());
+        throw Error(ErrorKind::bad_structure,
+                    machine.tree.path(self) + ": cannot be copied; " +
+                        why_not_creatable(machine.tree, machine.tree.class_of(self)));
     const Handle made = machine.tree.create(machine.tree.class_of(self));
     machine.unplaced.push_back(made);
     Copies copies;
     copy_below(machine, self, made, copies);
-    for (const auto& [from, to] : copies) {
+    for (const auto& [from, to] : copies.list) {
         for (const Property* property : machine.tree.properties(from)) {
             if (property->read_only || !machine.tree.overridden(from, *property)) continue;
             const Value value = redirected(machine.tree.get(from, *property), copies);
@@ -243,7 +252,7 @@ int clone(lua_State* L) {
 const std::vector<GenericMethod>& generic_methods() {
     static const std::vector<GenericMethod> methods = {
         {"add", "add(self: Object, child: Object, name?: string): Object",
-         "Gives a new instance its place here and returns it.", guarded<add>},
+         "Gives a new instance its place here and returns it.", guarded<effect<add>>},
         {"alive", "alive(self: Object): boolean", "Whether it has not been deleted.",
          guarded<alive>},
         {"all", "all(self: Object, class?: Class|string): Set",
@@ -251,9 +260,9 @@ const std::vector<GenericMethod>& generic_methods() {
         {"children", "children(self: Object, class?: Class|string): Set",
          "What hangs directly here, as a set.", guarded<children>},
         {"clone", "clone(self: Object): Object", "A detached copy of it and everything below.",
-         guarded<clone>},
+         guarded<effect<clone>>},
         {"delete", "delete(self: Object)", "Deletes it and everything below.",
-         guarded<delete_instance>},
+         guarded<effect<delete_instance>>},
         {"describe",
          "describe(self: Object): PropertyDescription[]\n"
          "describe(self: Object, name: string): "
@@ -274,9 +283,9 @@ const std::vector<GenericMethod>& generic_methods() {
         {"is_a", "is_a(self: Object, class: Class|string): boolean",
          "Whether it is of that class or of one derived from it.", guarded<is_a>},
         {"move", "move(self: Object, parent?: Object, name?: string): Object",
-         "Gives it another parent; nil detaches it.", guarded<move>},
+         "Gives it another parent; nil detaches it.", guarded<effect<move>>},
         {"on", "on(self: Object, event: string, handler: fun(told: any)): Connection",
-         "Calls the function when the event happens to it.", guarded<subscribe_event>},
+         "Calls the function when the event happens to it.", guarded<effect<subscribe_event>>},
         {"problem", "problem(self: Object, property: string): string?",
          "What is wrong with the property's formula, or nil.", guarded<problem>},
         {"watch",
@@ -284,7 +293,7 @@ const std::vector<GenericMethod>& generic_methods() {
          "Connection\n"
          "watch(self: Object, handler: fun(new: any, old: any, change: Change)): Connection",
          "Calls the function after that property, or any, has changed.",
-         guarded<subscribe_property>},
+         guarded<effect<subscribe_property>>},
     };
     return methods;
 }

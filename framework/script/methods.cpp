@@ -64,7 +64,7 @@ int call_method(lua_State* L) {
             method.parameters[static_cast<std::size_t>(i)].name ==
                 property::Acceptance::parameter) {
             values[static_cast<std::size_t>(i)] = true;
-            acceptance.emplace([L, index](property::Handle instance) {
+            acceptance.emplace(machine.tree, method.name, [L, index](property::Handle instance) {
                 lua_pushvalue(L, index);
                 push_instance(L, instance);
                 lua_call(L, 1, 1);
@@ -92,8 +92,8 @@ int read_record(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         std::vector<std::string> names;
         for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
-            if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
-        const std::string name = lua_tostring(L, 2);
+            if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
+        const std::string name = string_at(L, 2);
         push_registry(L, machine_of(L).record_meta);
         lua_getfield(L, -1, "nil_fields");
         lua_pushvalue(L, 2);
@@ -188,7 +188,7 @@ void push_result(lua_State* L, const Result& result) {
 
 void open_records(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<read_record>(L, "__index");
+    add_pure<read_record>(L, "__index");
     lua_newtable(L);
     lua_setfield(L, -2, "nil_fields");
     name_metatable(L, "record");

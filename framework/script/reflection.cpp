@@ -242,7 +242,7 @@ int describe_instance(lua_State* L) {
         throw Error(
             ErrorKind::wrong_type,
             "describe: needs the name of a property, method or event, not " + describe_type(L, 2));
-    const std::string name = lua_tostring(L, 2);
+    const std::string name = string_at(L, 2);
     const Class& of = machine.tree.class_of(self);
     if (const Property* property = machine.tree.find(self, name)) {
         push_property(L, machine, *property);

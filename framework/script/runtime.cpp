@@ -29,6 +29,9 @@ Runtime::Runtime(property::Tree& tree, Options options)
         std::fwrite(text.data(), 1, text.size(), stdout);
         std::fputc('\n', stdout);
     };
+    state_->note_sink = [](std::string_view text) {
+        std::fprintf(stderr, "note: %.*s\n", static_cast<int>(text.size()), text.data());
+    };
 }
 
 Runtime::~Runtime() = default;
@@ -42,6 +45,7 @@ void forget_game(Machine& machine) {
     machine.timers.clear();
     machine.subscriptions->clear();
     machine.classes->forget_functions();
+    machine.hints.forget();
     machine.caught.reset();
     lua_State* L = machine.main;
     for (const int reference : {machine.loaded, machine.declared}) {
@@ -91,10 +95,12 @@ bool Runtime::load(const std::filesystem::path& game) {
     state_->folder = folder;
     bool ok = run_chunk(*state_, text, file.filename().string(), "load");
     if (ok) ok = state_->classes->deliver_ready() && call("start", {});
+    if (ok) state_->hints.game_loaded();
     return ok;
 }
 
 bool Runtime::run(std::string_view chunk, const std::string& name) {
+    const Budget::Scope budget(state_->budget, {.memory = state_->command_limits().memory});
     const bool ok = run_chunk(*state_, std::string(chunk), name, "chunk");
     return state_->classes->deliver_ready() && ok;
 }
@@ -154,12 +160,25 @@ property::Handle Runtime::it() const {
 
 // --- Towards the host
 
+void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
+    state_->watchdog.limit(seconds, std::move(go_on));
+}
+
+void Runtime::on_command_memory(std::function<std::size_t()> bytes, std::string property) {
+    state_->command_memory = std::move(bytes);
+    state_->memory_property = std::move(property);
+}
+
 void Runtime::on_error(std::function<void(const ScriptError&)> sink) {
     state_->error_sink = std::move(sink);
 }
 
 void Runtime::on_print(std::function<void(std::string_view)> sink) {
     state_->print_sink = std::move(sink);
+}
+
+void Runtime::on_note(std::function<void(std::string_view)> sink) {
+    state_->note_sink = std::move(sink);
 }
 
 void Runtime::on_rewind(std::function<void(double)> rewind) {

@@ -97,6 +97,7 @@ std::function<void()> ScriptClasses::restore(property::ByteReader& from) {
     return [this, members, waiting] {
         members_ = members;
         waiting_ = waiting;
+        looked_at_ = {};
         known_.clear();
         for (const Handle member : members_)
             known_.insert(std::uint64_t{member.generation} << 32 | member.index);
@@ -119,6 +120,7 @@ void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
             !machine_.tree.is_below(instance, machine_.tree.root()))
             waiting_.push_back({instance, true});
     }
+    looked_at_ = {};
 }
 
 }  // namespace fettle::script

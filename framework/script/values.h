@@ -92,6 +92,13 @@ inline ListBox* list_at(lua_State* L, int index) {
     return box_at<ListBox>(L, index, Tag::list);
 }
 
+/// The text at `index`, which is one; it may hold zero bytes.
+inline std::string string_at(lua_State* L, int index) {
+    std::size_t size = 0;
+    const char* chars = lua_tolstring(L, index, &size);
+    return {chars, size};
+}
+
 /// The instance at `index`, alive; else an error that names `what`.
 property::Handle check_instance(lua_State* L, int index, const char* what);
 property::Vec2 check_vec(lua_State* L, int index, const char* what);
