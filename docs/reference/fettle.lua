@@ -165,7 +165,7 @@ function fettle_Pen.line(from, to, stroke, width) end
 ---@param size? number
 function fettle_Pen.point(position, fill, size) end
 
----A convex polygon of three or more vertices.
+---A polygon of three or more vertices, convex or not. Of an outline that crosses itself all is filled that it goes round, and the border follows every line.
 ---@param vertices vec[]
 ---@param fill? color|string|false
 ---@param border? color|string|false
@@ -176,7 +176,7 @@ function fettle_Pen.polygon(vertices, fill, border, border_width) end
 ---@param action fun(pen: Pen)
 function fettle_Pen.screen(action) end
 
----A text, half a meter high unless a height is given.
+---A text, half a meter high unless a height is given; the position is the middle of its height. It may have several lines, each aligned by itself, and tabs: a line goes on at the next multiple of twice the height.
 ---@param position vec
 ---@param text any
 ---@param height? number
@@ -764,6 +764,19 @@ function fettle_Body:apply_impulse(impulse, point) end
 ---Turns it during the next step only; the property `torque` stays.
 ---@param torque number Counter-clockwise. · N m
 function fettle_Body:apply_torque(torque) end
+
+---How far it is turned in the picture that is being drawn. Outside of `draw`: its angle.
+---@return number angle Counter-clockwise. · rad
+function fettle_Body:drawn_angle() end
+
+---Where the picture that is being drawn shows its origin: pictures are drawn between the last two steps. Outside of `draw`: its position.
+---@return vec position In the world. · m
+function fettle_Body:drawn_position() end
+
+---Where the picture that is being drawn shows a point of the body. Outside of `draw`: as `to_world`.
+---@param point vec In the body's coordinates. · m
+---@return vec point In the world. · m
+function fettle_Body:to_drawn(point) end
 
 ---Where a point of the world is as seen from the body.
 ---@param point vec In the world. · m
@@ -1413,10 +1426,10 @@ Audio = {}
 ---What the player does: keys, mouse, gamepads.
 ---@class Input : Object
 ---@field gamepads Gamepad[] All gamepads, connected or not: input.gamepads[1].left. · any length · read-only
----@field gamepad_1 Gamepad A gamepad.
----@field gamepad_2 Gamepad A gamepad.
----@field gamepad_3 Gamepad A gamepad.
----@field gamepad_4 Gamepad A gamepad.
+---@field gamepad_1 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---@field gamepad_2 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---@field gamepad_3 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---@field gamepad_4 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
 ---@field keys Keys Which keys are held down. Setting one presses or releases it.
 ---@field mouse Mouse The mouse. Setting a button presses or releases it.
 local fettle_Input = {}
@@ -1550,33 +1563,33 @@ local fettle_Mouse = {}
 ---@class Class.Mouse : Class
 Mouse = {}
 
----A gamepad.
+---A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
 ---@class Gamepad : Object
----@field button_1 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_10 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_11 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_12 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_13 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_14 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_15 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_16 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_2 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_3 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_4 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_5 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_6 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_7 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_8 boolean Whether the button is held down. · true or false · default false · not saved
----@field button_9 boolean Whether the button is held down. · true or false · default false · not saved
----@field connected boolean Whether there is such a gamepad. · true or false · default false · not saved
----@field left vec The left stick, right and up positive. · -1 to 1 · default vec(0, 0) · not saved
----@field left_trigger number How far the left trigger is pulled. · 0 to 1 · default 0 · not saved
----@field pad vec The directional pad, right and up positive. · -1 to 1 · default vec(0, 0) · not saved
----@field right vec The right stick, right and up positive. · -1 to 1 · default vec(0, 0) · not saved
----@field right_trigger number How far the right trigger is pulled. · 0 to 1 · default 0 · not saved
+---@field button_1 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "1". · true or false · default false · not saved
+---@field button_10 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "10". · true or false · default false · not saved
+---@field button_11 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "11". · true or false · default false · not saved
+---@field button_12 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "12". · true or false · default false · not saved
+---@field button_13 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "13". · true or false · default false · not saved
+---@field button_14 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "14". · true or false · default false · not saved
+---@field button_15 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "15". · true or false · default false · not saved
+---@field button_16 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "16". · true or false · default false · not saved
+---@field button_2 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "2". · true or false · default false · not saved
+---@field button_3 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "3". · true or false · default false · not saved
+---@field button_4 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "4". · true or false · default false · not saved
+---@field button_5 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "5". · true or false · default false · not saved
+---@field button_6 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "6". · true or false · default false · not saved
+---@field button_7 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "7". · true or false · default false · not saved
+---@field button_8 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "8". · true or false · default false · not saved
+---@field button_9 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "9". · true or false · default false · not saved
+---@field connected boolean Whether there is such a gamepad. One that goes lets go of everything first. · true or false · default false · not saved
+---@field left vec The left stick, right and up positive. Setting it moves it: gamepad_axis is called with "left_x" and "left_y". · -1 to 1 · default vec(0, 0) · not saved
+---@field left_trigger number How far the left trigger is pulled. Setting it pulls it: gamepad_axis is called with "left_trigger". · 0 to 1 · default 0 · not saved
+---@field pad vec The directional pad, right and up positive: -1, 0 or 1. Setting it moves it: gamepad_axis is called with "pad_x" and "pad_y". · -1 to 1 · default vec(0, 0) · not saved
+---@field right vec The right stick, right and up positive. Setting it moves it: gamepad_axis is called with "right_x" and "right_y". · -1 to 1 · default vec(0, 0) · not saved
+---@field right_trigger number How far the right trigger is pulled. Setting it pulls it: gamepad_axis is called with "right_trigger". · 0 to 1 · default 0 · not saved
 local fettle_Gamepad = {}
 
----A gamepad.
+---A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
 ---@class Class.Gamepad : Class
 Gamepad = {}
 
@@ -2381,12 +2394,17 @@ function mouse_moved(position, screen) end
 ---@param position vec
 function wheel(notches, position) end
 
----A button of a gamepad, counted from 1, went down.
+---A button of a gamepad went down; gamepads are counted from 1, and buttons are called "1" to "16".
 ---@param gamepad integer
 ---@param button string
 function gamepad_pressed(gamepad, button) end
 
----A stick or trigger of a gamepad, counted from 1, moved to a value from -1 to 1.
+---A button of a gamepad came up.
+---@param gamepad integer
+---@param button string
+function gamepad_released(gamepad, button) end
+
+---An axis of a gamepad moved: "left_x", "left_y", "right_x", "right_y", "pad_x" or "pad_y" to a value from -1 to 1, right and up positive; "left_trigger" or "right_trigger" to a value from 0 to 1.
 ---@param gamepad integer
 ---@param axis string
 ---@param value number
