@@ -20,7 +20,7 @@ constexpr const char* game = R"(
     world.note = Object {}
     world.note.twice = formula(function() return world.coin.worth * 2 end)
     every(0.05, function() world.body_2:apply_impulse(vec(random(-1, 1), 1)) end)
-    made = 0
+    made, held = 0, false
     actions = {
         snapshot = function() held = snapshot() end,
         restore = function() restore(early) end,
