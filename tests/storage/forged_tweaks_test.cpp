@@ -180,7 +180,7 @@ TEST_CASE("a row that is no tweak is told and left aside and the others are as t
     INFO(sql);
     REQUIRE(run.told.size() == 1);
     INFO(run.told[0]);
-    CHECK(has(run.told[0], "1 tweak of an earlier run is none and left aside: "));
+    CHECK(has(run.told[0], "1 row that an earlier run has left is no tweak, and is left aside: "));
     CHECK(run.tweaks->open_earlier() == 0);
     const Handle b = run.add("Thing", "b");
     run.person([&] { run.tree.set(b, "number", 4.0); });

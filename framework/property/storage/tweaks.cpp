@@ -102,9 +102,9 @@ void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
         }
     }
     if (odd > 0)
-        warn((odd == 1 ? "1 tweak of an earlier run is none"
-                       : std::to_string(odd) + " tweaks of earlier runs are none") +
-             " and left aside: " + first);
+        warn((odd == 1 ? "1 row that an earlier run has left is no tweak"
+                       : std::to_string(odd) + " rows that earlier runs have left are no tweaks") +
+             ", and is left aside: " + first);
 }
 
 Tweaks::State::~State() {
