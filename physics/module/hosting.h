@@ -201,8 +201,9 @@ class Hosting {
         Handle body, shape;
     };
     Party party(HostedWorld& hosted, physics::BodyId body, physics::ShapeId shape) const;
+    template <class AddRest>
     void tell(const PairEvent& event, const Party& self, const Party& other,
-              const std::vector<property::Value>& rest);
+              const AddRest& add_rest);
 
     property::SnapshotPart& part_;
     std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;

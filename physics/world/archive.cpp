@@ -15,7 +15,7 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 10;
+constexpr uint32_t archive_version = 11;
 constexpr size_t world_data_size = 5864;  // without the lists of joints
 
 /// Another layout of what is copied byte by byte is another format.
@@ -25,7 +25,8 @@ constexpr uint32_t layout() {
     for (const size_t size :
          {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(ShapeRecord),
           sizeof(ShapeForm), sizeof(ContactRecord), sizeof(ContactLinks), sizeof(Island),
-          sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics)})
+          sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics), sizeof(ContactBeginEvent),
+          sizeof(ContactPersistEvent), sizeof(ContactHitEvent)})
         add(size);
     [&]<class... Data>(const std::tuple<std::vector<Data>...>*) {
         (add(sizeof(Data)), ...);

@@ -170,9 +170,10 @@ void WorldData::tell_persisting() {
         float impulse = 0.0f;
         for (int k = 0; k < c.manifold.count; ++k)
             impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
-        events.contact_persist.push_back(
-            {shape_id(c.shape_a), shape_id(c.shape_b), body_id(c.body_a), body_id(c.body_b),
-             to_vec2(point), to_vec2(c.manifold.normal), approach_speed(c, point), impulse});
+        events.contact_persist.push_back({shape_id(c.shape_a), shape_id(c.shape_b),
+                                          body_id(c.body_a), body_id(c.body_b), to_vec2(point),
+                                          to_vec2(c.manifold.normal), approach_speed(c, point),
+                                          impulse, c.friction, c.restitution});
     }
 }
 
