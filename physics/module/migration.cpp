@@ -2,16 +2,24 @@
 // objects, so moving is making the same anew there and ending it here; the rows change, the handles
 // do not.
 
+#include <algorithm>
+
 #include "hosting.h"
 
 namespace fettle::physics_module {
 namespace {
 
+/// A simulation may carry a body, and turn it, a little farther than it can be put.
+float within_reach(float x) {
+    constexpr float most = 1e8f;  // m or rad
+    return std::clamp(x, -most, most);
+}
+
 physics::BodyDef description(const physics::Body& body) {
     physics::BodyDef def;
     def.type = body.type();
-    def.position = body.position();
-    def.angle = body.angle();
+    def.position = body.position().unaryExpr(&within_reach);
+    def.angle = within_reach(body.angle());
     def.velocity = body.velocity();
     def.angular_velocity = body.angular_velocity();
     def.force = body.force();
@@ -21,7 +29,6 @@ physics::BodyDef description(const physics::Body& body) {
     def.angular_damping = body.angular_damping();
     def.mass = body.mass_override();
     def.inertia = body.inertia_override();
-    def.center = body.center_override();
     def.can_sleep = body.can_sleep();
     def.bullet = body.bullet();
     def.locked_x = body.locked_x();
@@ -62,7 +69,8 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
         const Row shape_row = make_row(world_number(from), shape.index());
         tree.set_row(instance, migrate_shape(shape_row, to, fresh));
     }
-    // The velocity is that of the center of mass, which the shapes have just moved.
+    if (const auto center = old.center_override()) fresh.set_center(center);
+    // The velocity is that of the center of mass, which has just moved.
     const Row row = make_row(to, fresh.index());
     fresh.mass();
     fresh.set_angular_velocity(def.angular_velocity);

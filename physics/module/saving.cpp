@@ -84,6 +84,20 @@ void put_beside(Beside beside, HostedWorld& hosted) {
     hosted.departed_shapes = std::move(beside.shapes);
 }
 
+/// Whether the flags among what a joint is set to are flags.
+template <class Settings>
+bool flags_hold(const Settings& settings) {
+    bool hold = true;
+    Settings::each([&](auto field, auto, auto... ask) {
+        const auto& value = settings.*field;
+        if constexpr (sizeof...(ask) != 0)
+            hold &= is_optional(value.value) && is_flag(value.given);
+        else if constexpr (std::is_same_v<decltype(value), const bool&>)
+            hold &= is_flag(value);
+    });
+    return hold;
+}
+
 /// World, kind and slot in one number, for the log of a timeline.
 constexpr std::uint64_t refresh_code(std::uint32_t world, const physics::Refresh& wanted) {
     return std::uint64_t{world} << 40 | static_cast<std::uint64_t>(wanted.of) << 32 | wanted.slot;
@@ -191,6 +205,17 @@ std::function<void()> Joints::restore(property::ByteReader& from,
                          is_flag(record.collide) && is_flag(record.enabled) &&
                          is_flag(record.broken),
                      "a joint of no type");
+    for (const JointRecord& record : *records) {
+        if (!record.used) continue;
+        from.require(
+            std::visit([](const auto& settings) { return flags_hold(settings); }, record.settings),
+            "a flag of a joint");
+        try {
+            check(record);
+        } catch (const std::invalid_argument& problem) {
+            from.fail(problem.what());
+        }
+    }
     for (const std::uint32_t row : *free)
         from.require(row < records->size() && !(*records)[row].used, "a free joint that is used");
     return [this, records, free, loose] {

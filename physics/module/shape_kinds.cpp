@@ -28,6 +28,7 @@ Property point(std::string name, const physics::Vec2& default_value, std::string
             .type = Type::vec2,
             .default_value = widen(default_value),
             .unit = "m",
+            .range = shape_coordinates,
             .doc = std::move(doc),
             .binding = binding,
             .single_precision = true};
@@ -58,6 +59,7 @@ Property points(Hosting& hosting, std::string name, const std::vector<physics::V
             .type = Type::list,
             .default_value = list_of(given),
             .unit = "m",
+            .range = shape_coordinates,
             .doc = std::move(doc),
             .binding = accessor(hosting, get, set),
             .element = Type::vec2,
@@ -89,6 +91,7 @@ property::Method add_vertex(Hosting& hosting) {
 Property turned(Hosting& hosting) {
     return {.name = "angle",
             .unit = "rad",
+            .range = turns,
             .doc = "How far it is turned on its body, counter-clockwise.",
             .binding = bound<&Shape::angle, &Shape::set_angle>(hosting),
             .single_precision = true};
