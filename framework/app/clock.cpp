@@ -98,9 +98,10 @@ std::vector<property::Method> travelling(Clock& clock) {
              .doc = "Goes to that step of the past, or back to the present, at the next barrier. "
                     "What came later is forgotten when a step is made from there.",
              .context = &clock,
-             .call = [](void* context, property::Tree&, property::Handle, property::Row,
+             .call = [](void* context, property::Tree& tree, property::Handle, property::Row,
                         std::span<const property::Value> arguments) -> property::Result {
                  const Clock& of = *static_cast<Clock*>(context);
+                 tree.require_changeable("go to another step");
                  if (!of.go_to) throw std::invalid_argument("nobody keeps the past of this game");
                  of.go_to(arguments[0].integer());
                  return property::Value();

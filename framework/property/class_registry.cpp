@@ -148,8 +148,23 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
         made->events_.push_back(&event);
         made->event_index_[event.symbol] = &event;
     }
+    pair_events(*made);
     by_name_[made->name()] = made.get();
     return *classes_.emplace_back(std::move(made));
+}
+
+/// Ends with what they are the ends of.
+void ClassRegistry::pair_events(Class& made) {
+    constexpr std::string_view begins = "_begin", ends = "_end";
+    for (Event& begin : made.descriptor_.events) {
+        if (!begin.name.ends_with(begins)) continue;
+        const std::string stem = begin.name.substr(0, begin.name.size() - begins.size());
+        for (Event& end : made.descriptor_.events) {
+            if (end.name != stem + std::string(ends)) continue;
+            begin.end = &end;
+            end.begin = &begin;
+        }
+    }
 }
 
 void ClassRegistry::inherit(Class& made) {

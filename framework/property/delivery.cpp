@@ -341,6 +341,24 @@ void Tree::State::deliver_motion(Motion& motion, WatcherId until, std::exception
 
 template void Tree::State::call(const Watcher&, const Occurrence&);  // of question.cpp
 
+/// A handler may delete what the event names before the next one is called.
+void Tree::State::deliver_event(const Occurrence& occurrence, WatcherId until) {
+    const Event& event = *occurrence.event;
+    if (event.begin != nullptr && untold.take(occurrence)) return;
+    bool told = false;
+    for (const Watcher* watcher : watchers.of_event(occurrence.instance, event, until)) {
+        if (!watcher->active) continue;
+        if (nodes.find(occurrence.instance) == nullptr) return;
+        const auto deleted = [this](const Value& value) { return names_deleted(tree, value); };
+        if (event.begin == nullptr && std::ranges::any_of(occurrence.record.values, deleted)) {
+            if (event.end != nullptr && !told) untold.note(tree, occurrence);
+            return;
+        }
+        told = true;
+        call(*watcher, occurrence);
+    }
+}
+
 /// To the recipients it was queued for.
 template <class What>
 void Tree::State::deliver_to(const QueueItem& item, const What& what) {
@@ -381,8 +399,7 @@ void Tree::State::deliver(QueueItem& item) {
             const auto& occurrence = std::get<Occurrence>(item.what);
             if (item.retire) return deliver_to(item, occurrence);
             if (nodes.find(occurrence.instance) == nullptr) return;
-            return to_all(watchers.of_event(occurrence.instance, *occurrence.event, item.until),
-                          occurrence);
+            return deliver_event(occurrence, item.until);
         }
     }
 }
@@ -437,6 +454,7 @@ void Tree::barrier(bool between_steps) {
     State& s = *state_;
     if (s.in_barrier)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
+    s.forbid_in_formula("start a barrier");
     std::exception_ptr first_error;
     s.deliver_all(first_error);
     if (between_steps && !s.at_barrier.empty()) {

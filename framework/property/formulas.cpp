@@ -286,7 +286,8 @@ void Formulas::settle(Cell cell) {
     if (found == entries_.end() || tree_.state().replaying) return;
     const std::shared_ptr<Entry> e = found->second;
     if (e->running) throw Error(ErrorKind::formula, note_cycle(*e));
-    if (!settled(*e)) settle(*e);
+    // Its owner's memory must not be written in an inquiry: it keeps the value it has.
+    if (!settled(*e) && tree_.state().inquiry == nullptr) settle(*e);
     if (!e->error.empty() && !e->removed)
         throw Error(ErrorKind::formula,
                     tree_.path(e->instance, *e->property) + " is in error: " + e->error);

@@ -21,6 +21,7 @@
 #include "nodes.h"
 #include "shadows.h"
 #include "stored_columns.h"
+#include "untold.h"
 #include "watchers.h"
 #include "writes_log.h"
 
@@ -46,6 +47,8 @@ struct QueueItem {
 
 struct Tombstone {
     Handle handle;
+    const Class* of = nullptr;
+    std::string name;
     std::string path;
     Cause cause;
 };
@@ -76,6 +79,7 @@ struct Tree::State {
     std::ptrdiff_t delivering = -1;
     std::size_t delivering_part = 0;
     Watchers::List called;  // by the delivery at hand
+    UntoldBeginnings untold;
     bool in_barrier = false;
     bool stepped = false;  // since the shadows were last compared
     bool edited = false;
@@ -87,6 +91,7 @@ struct Tree::State {
     std::vector<SnapshotPart*> parts;
     mutable std::size_t snapshot_size = 0;  // of the last one
     std::vector<Handle> to_come;            // of whom is made again inside of what is done again
+    const Inquiry* inquiry = nullptr;       // the innermost that is being made
     bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
 
     std::uint64_t step = 0;
@@ -111,20 +116,21 @@ struct Tree::State {
     }
     const Node& require(Handle handle) const { return const_cast<State*>(this)->require(handle); }
     [[noreturn]] void throw_deleted(Handle handle) const;
-    /// Formulas compute; they do not write.
+    void bury(Tombstone tombstone);
+    /// nullptr where the instance lives, or was deleted too long ago.
+    const Tombstone* tombstone(Handle handle) const;
+    /// Formulas compute and functions that are asked answer; neither changes anything.
     void forbid_in_formula(const char* what) const;
     /// To be called whenever the writer is another, or an edit begins or ends.
     void note_recording() {
         records = history.recording(writer);
         note_listeners();
     }
-    /// To be called whenever a formula begins or ends to compute or a question to be asked, and
-    /// when there may be other shadows.
+    /// To be called whenever a formula begins or ends to compute or an inquiry to be made, and when
+    /// there may be other shadows.
     void note_listeners() { writes.open(shadows.empty() && !only_the_long_way()); }
     /// What is written is an edit to be recorded, or not allowed.
-    bool only_the_long_way() const {
-        return records || formulas.tracking() || Question::current() != nullptr;
-    }
+    bool only_the_long_way() const { return records || formulas.tracking() || inquiry != nullptr; }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 
     /// Calls `what(observer)` for each observer.
@@ -191,6 +197,7 @@ struct Tree::State {
     void deliver(QueueItem& item);
     void deliver_change(const Change& change, WatcherId until);
     void deliver_motion(Motion& motion, WatcherId until, std::exception_ptr& error);
+    void deliver_event(const Occurrence& occurrence, WatcherId until);
     template <class What>
     void deliver_to(const QueueItem& item, const What& what);
     template <class What>

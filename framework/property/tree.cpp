@@ -249,8 +249,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
     const Class& of = classes[nodes[index].class_id];
     const std::string path = tree.path(self);
     queue_deletion(self, of, path);
-    tombstones.push_back({self, path, tree.cause()});
-    if (tombstones.size() > 8192) tombstones.pop_front();
+    bury({self, &of, nodes[index].name.text(), path, tree.cause()});
     shadows.forget(tree, self);
     note_listeners();
     if (nodes[index].has_formula)
@@ -283,6 +282,25 @@ void Tree::destroy(Handle instance) {
     s.history.deletion_done();
 }
 
+void Tree::State::bury(Tombstone gone) {
+    constexpr std::size_t most = 8192;
+    tombstones.push_back(std::move(gone));
+    if (tombstones.size() > most) tombstones.pop_front();
+}
+
+const Tombstone* Tree::State::tombstone(Handle handle) const {
+    const auto found = std::find_if(tombstones.rbegin(), tombstones.rend(),
+                                    [&](const Tombstone& t) { return t.handle == handle; });
+    return found == tombstones.rend() ? nullptr : &*found;
+}
+
+std::optional<Remains> Tree::remains(Handle instance) const {
+    if (alive(instance)) return {};
+    const Tombstone* const found = state_->tombstone(instance);
+    if (found == nullptr) return {};
+    return Remains{*found->of, found->name};
+}
+
 bool Tree::alive(Handle instance) const {
     return state_->nodes.find(instance) != nullptr;
 }
@@ -294,12 +312,11 @@ void Tree::State::throw_deleted(Handle handle) const {
     // Undo may bring it back: a formula that looks for it is asked again then.
     if (formulas.tracking()) tree.state().formulas.note_structure();
     if (!handle) throw Error(ErrorKind::deleted, "no instance: the reference is empty");
-    for (auto t = tombstones.rbegin(); t != tombstones.rend(); ++t)
-        if (t->handle == handle)
-            throw Error(ErrorKind::deleted,
-                        t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
-                            (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
-                                                    : t->cause.where));
+    if (const Tombstone* t = tombstone(handle))
+        throw Error(ErrorKind::deleted,
+                    t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
+                        (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
+                                                : t->cause.where));
     throw Error(ErrorKind::deleted, "the instance was deleted");
 }
 

@@ -14,11 +14,11 @@ void Tree::State::forbid_in_formula(const char* what) const {
     if (formulas.tracking())
         throw Error(ErrorKind::formula,
                     std::string("a formula computes a value: it cannot ") + what);
-    if (const Question* question = Question::current())
-        throw Error(ErrorKind::rejected,
-                    question->event().name +
-                        " is asked inside a step: a handler changes what it is told, it cannot " +
-                        what);
+    if (inquiry != nullptr) inquiry->refuse(what);
+}
+
+void Tree::require_changeable(const char* what) const {
+    state_->forbid_in_formula(what);
 }
 
 void Tree::State::drop_formula(Handle instance, const Property& property) {
@@ -28,7 +28,7 @@ void Tree::State::drop_formula(Handle instance, const Property& property) {
 void Tree::set_formula(Handle instance, const Property& property, Formula formula) {
     State& s = *state_;
     s.require(instance);
-    s.forbid_in_formula("define another");
+    s.forbid_in_formula("define a formula");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
     std::optional<History::CellState> before;
@@ -58,7 +58,7 @@ const Formula* Tree::formula(Handle instance, const Property& property) const {
 void Tree::remove_formula(Handle instance, const Property& property) {
     state_->require(instance);
     State& s = *state_;
-    s.forbid_in_formula("end another");
+    s.forbid_in_formula("end a formula");
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);

@@ -62,7 +62,7 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         coerced[i] =
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
-    if (method.effect != Effect::nothing && Question::current() != nullptr)
+    if (method.effect != Effect::nothing && state_->inquiry != nullptr)
         state_->forbid_in_formula(("call " + method.name).c_str());
     const CallScope scope(*state_, instance, method, coerced);
     try {

@@ -4,7 +4,10 @@
 #include <bit>
 #include <cstring>
 #include <exception>
+#include <optional>
 #include <utility>
+
+#include <fettle/property/acceptance.h>
 
 #include "state.h"
 
@@ -21,7 +24,7 @@ enum class WriteLog::Did : std::uint8_t {
     created,        // handle, class, parent, name, named
     destroyed,      // handle, whether its slot was kept for it
     moved,          // handle, parent, sibling in front, name, named
-    called,         // handle, method, arguments, handles made meanwhile
+    called,         // handle, method, arguments, handles made meanwhile, answers of `accept`
     refreshed       // number of the part, what: because it was read
 };
 
@@ -191,7 +194,10 @@ void WriteLog::call_begins(Handle instance, const Method& method,
 }
 
 void WriteLog::call_ends(Handle, const Method&) {
-    if (--calls_ == 0 && call_noted_) ByteWriter(bytes_).put(made_);
+    if (--calls_ != 0 || !call_noted_) return;
+    ByteWriter to(bytes_);
+    to.put(made_);
+    to.put(Acceptance::answers());
 }
 
 // Within a call the module is made to read again by the call itself.
@@ -342,6 +348,12 @@ void WriteLog::Player::call(Handle instance) {
     std::vector<Value> arguments(from_.count());
     for (Value& argument : arguments) argument = from_.value();
     for (const Handle made : from_.list<Handle>()) s_.to_come.push_back(made);
+    const auto answers = from_.list<std::uint8_t>();
+    std::optional<Acceptance> acceptance;
+    if (!answers.empty())
+        acceptance.emplace(tree_, name.text(), [&, asked = std::size_t{0}](Handle) mutable {
+            return asked < answers.size() && answers[asked++] != 0;
+        });
     try {
         if (const Method* method = tree_.class_of(instance).method(name))
             tree_.call(instance, *method, arguments);

@@ -204,7 +204,9 @@ int class_newindex(lua_State* L) {
                     of->name() + "." + name + ": a class takes functions, not " +
                         describe_type(L, 3) + "; properties are declared in class(...) { }");
     lua_settop(L, 3);
-    machine_of(L).classes->set_function(L, *of, name);
+    Machine& machine = machine_of(L);
+    machine.tree.require_changeable("give a class a function");
+    machine.classes->set_function(L, *of, name);
     return 0;
 }
 
@@ -273,6 +275,7 @@ void refuse_slips(const Class& base, const std::string& class_name, const std::s
 // Upvalues: name, base.
 int define_class(lua_State* L) {
     Machine& machine = machine_of(L);
+    machine.tree.require_changeable("define a class");
     ScriptClasses::Definition definition;
     definition.name = lua_tostring(L, lua_upvalueindex(1));
     definition.base = class_object_at(L, lua_upvalueindex(2));

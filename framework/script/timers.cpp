@@ -208,6 +208,7 @@ int timer(lua_State* L, const char* what, bool repeated) {
                     std::string(what) + ": needs a function, not " + describe_type(L, 2));
     lua_settop(L, 2);
     Machine& machine = machine_of(L);
+    machine.tree.require_changeable("start a timer");
     push_timer_connection(L, machine.timers.add(L, machine.now + seconds, repeated ? seconds : -1));
     return 1;
 }
@@ -226,6 +227,7 @@ int wait(lua_State* L) {
                     "wait: works inside a coroutine or a function given to after; here, use "
                     "after(seconds, function)");
     Machine& machine = machine_of(L);
+    machine.tree.require_changeable("wait");
     machine.timers.wait(L, machine.now + seconds);
     return lua_yield(L, 0);
 }

@@ -18,6 +18,7 @@ GameSaves::~GameSaves() {
 }
 
 void GameSaves::save(const std::string& slot) {
+    tree_.require_changeable("save the game");
     Saves::check_slot(slot);
     tree_.at_barrier([alive = alive_, slot] {
         if (*alive != nullptr) (*alive)->take(slot);
@@ -46,6 +47,7 @@ void GameSaves::finish(const Thumbnail& picture) {
 }
 
 void GameSaves::load(const std::string& slot) {
+    tree_.require_changeable("load a game");
     const auto unwritten = unwritten_.find(slot);
     const Snapshot state = Snapshot::from_bytes(
         unwritten != unwritten_.end() ? unwritten->second : saves_.load(slot).state);

@@ -15,6 +15,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,12 @@ namespace fettle::property {
 
 class EditObserver;
 class Observer;
+
+/// Of an instance that was deleted.
+struct Remains {
+    const Class& of;
+    std::string name;
+};
 
 class Tree {
   public:
@@ -71,6 +78,9 @@ class Tree {
     /// Throws Error(deleted) "world.ball was deleted at step 412 by console" unless alive.
     void require(Handle instance) const;
     const Class& class_of(Handle instance) const;
+    /// What is still known of an instance that was deleted, so that who kept its handle can tell
+    /// what it was; nothing while it lives, and of those that were deleted long ago.
+    std::optional<Remains> remains(Handle instance) const;
     Row row(Handle instance) const;
     /// For modules whose object moved to another row outside `Lifecycle::place`.
     void set_row(Handle instance, Row row);
@@ -181,8 +191,12 @@ class Tree {
     Explanation why(Handle instance, const Property& property) const;
     /// Of how many properties a formula is the value.
     std::size_t formula_count() const;
-    /// True while a formula runs: nothing may be written then.
+    /// True while a formula runs: nothing may be changed then.
     bool in_formula() const;
+    /// Throws Error "..., it cannot `what`" while a formula runs or a function is asked something
+    /// (`Inquiry`). What changes the tree does so by itself; this is for what changes a game
+    /// otherwise.
+    void require_changeable(const char* what) const;
     /// Whoever knows the language formulas are written in says how they are made of their text, so
     /// that files can hold them. Empty: nobody does.
     void compile_formulas_with(FormulaCompiler compiler);
