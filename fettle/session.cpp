@@ -132,6 +132,14 @@ void Session::make_console(app::Clipboard* clipboard) {
 #endif
 }
 
+bool Session::console_is_open() const {
+#ifdef FETTLE_WITH_CONSOLE
+    return console_ && console_->is_open();
+#else
+    return false;
+#endif
+}
+
 void Session::add_layer(app::Layer& layer) {
     loop_->add(layer);
 }

@@ -53,7 +53,10 @@ Budget::Scope::~Scope() {
         budget_.mark_next();
     else
         machine.tree.mark_weight(INT64_MAX, {});
-    if (budget_.interrupted()) return arm(machine.main);
+    if (budget_.interrupted()) {
+        arm(machine.main);
+        return;
+    }
     lua_sethook(machine.main, budget_.now_.counting ? hook : nullptr,
                 budget_.now_.counting ? LUA_MASKCOUNT : 0, budget_.now_.counting ? interval : 0);
 }

@@ -1,8 +1,8 @@
 #pragma once
 // What one console command may use: Lua instructions, and memory of Lua and of the tree. A command
 // that runs over is stopped for good: the error is raised again at every instruction until no
-// script is left running, so neither pcall nor an error handler nor a coroutine keeps it. A run that
-// is to end stops its scripts in the same way, whatever they are.
+// script is left running, so neither pcall nor an error handler nor a coroutine keeps it. A run
+// that is to end stops its scripts in the same way, whatever they are.
 
 #include <chrono>
 #include <csignal>
@@ -74,8 +74,8 @@ class Budget {
     void memory_refused(std::size_t size, bool by_system = false);
     /// "not enough memory: ..." with the limit that was met.
     std::string out_of_memory(std::size_t size, bool by_system) const;
-    /// What is to be said of the latest refusal outside of commands: where, and which limit. "" when
-    /// there was none. `L`: where a script runs that was refused memory, if it still does.
+    /// What is to be said of the latest refusal outside of commands: where, and which limit. ""
+    /// when there was none. `L`: where a script runs that was refused memory, if it still does.
     std::string take_refusal(lua_State* L);
     /// A coroutine is about to run: it counts too.
     void enter(lua_State* thread);

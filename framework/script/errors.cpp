@@ -142,8 +142,8 @@ void tell_refusal(Machine& machine, lua_State* L, ScriptError& error) {
         error.message = std::move(told);
 }
 
-// What the error says of itself, if it is an object that can. Its `__tostring` may raise as well, and
-// it may take only so long.
+// What the error says of itself, if it is an object that can. Its `__tostring` may raise as well,
+// and it may take only so long.
 std::optional<std::string> own_text(lua_State* L, int index) {
     if (machine_of(L).budget.stopping() || luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
         return std::nullopt;

@@ -156,6 +156,7 @@ int find(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 3);
     const bool filtered = !lua_isnil(L, 3);
+    if (filtered) check_function(L, 3, "find");
     const std::vector<Handle> all_found = below(machine, self, class_at(L, machine, 2, "find"));
     std::vector<Handle> found;
     for (const Handle handle : all_found) {
@@ -178,6 +179,7 @@ int each(lua_State* L) {
     const Handle self = check_instance(L, 1, "each");
     Machine& machine = machine_of(L);
     const int function = lua_gettop(L);
+    check_function(L, function, "each");
     const Class* of = function > 2 ? class_at(L, machine, 2, "each") : nullptr;
     for (const Handle handle : below(machine, self, of)) {
         if (!machine.tree.alive(handle)) continue;

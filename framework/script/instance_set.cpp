@@ -111,6 +111,7 @@ int add_all(lua_State* L) {
 int each_of(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 2);
+    check_function(L, 2, "each");
     for (const Handle handle : members(L, "each")) {
         if (!machine.tree.alive(handle)) continue;
         lua_pushvalue(L, 2);

@@ -71,7 +71,8 @@ const std::vector<GlobalDoc>& global_docs() {
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
          "The instances of a scene file, placed below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",
-         "Writes an instance and everything below it to a scene file of the game. It replaces a scene "
+         "Writes an instance and everything below it to a scene file of the game. It replaces a "
+         "scene "
          "or nothing: a file of another kind is left as it is, which is an error."},
         {"snapshot", "snapshot(): Snapshot",
          "The whole tree as it is at the next barrier between steps, for restore."},
@@ -144,7 +145,8 @@ const std::vector<GlobalDoc>& callback_docs() {
          "The window got another size, in pixels."},
         {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},
         {"closing", "closing()",
-         "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. "
+         "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for "
+         "it. "
          "It is the last that a game is called for, and has five seconds after a signal."},
     };
     return docs;

@@ -34,7 +34,7 @@ const DescriptionKind field_kind{
     {"name", "type", "unit", "doc", "element", "class", "nullable", "optional"}};
 const DescriptionKind method_kind{
     "a description of a method",
-    {"name", "doc", "signature", "parameters", "returns", "many", "owner"}};
+    {"name", "doc", "signature", "parameters", "returns", "many", "pure", "owner"}};
 const DescriptionKind event_kind{"a description of an event", {"name", "doc", "fields", "owner"}};
 
 // --- Into the table on top
@@ -144,6 +144,7 @@ const std::string& push_method(lua_State* L, Machine& machine, const property::M
     put(L, "signature", signature(method));
     put(L, "many", method.many);
     put_class(L, machine, "owner", method.owner);
+    put(L, "pure", method.effect == property::Effect::nothing);
     put_fields(L, machine, "parameters", method.parameters, method.required);
     put_fields(L, machine, "returns", method.returns, method.returns.size());
     seal_description(L, machine, method_kind);

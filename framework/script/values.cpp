@@ -367,6 +367,12 @@ property::Color check_color(lua_State* L, int index, const char* what) {
                 std::string(what) + ": needs a color, not " + describe_type(L, index));
 }
 
+void check_function(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a function, not " + describe_type(L, index));
+}
+
 double check_number(lua_State* L, int index, const char* what) {
     if (lua_type(L, index) != LUA_TNUMBER)
         throw Error(ErrorKind::wrong_type,

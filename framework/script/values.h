@@ -104,6 +104,7 @@ property::Handle check_instance(lua_State* L, int index, const char* what);
 property::Vec2 check_vec(lua_State* L, int index, const char* what);
 property::Color check_color(lua_State* L, int index, const char* what);
 double check_number(lua_State* L, int index, const char* what);
+void check_function(lua_State* L, int index, const char* what);
 
 void push_vec(lua_State* L, const property::Vec2& v);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);
