@@ -134,7 +134,13 @@ function(fettle_install_package)
   set(made "${PROJECT_BINARY_DIR}/cmake")
   configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/FettleConfig.cmake.in" "${made}/FettleConfig.cmake"
     INSTALL_DESTINATION "${fettle_cmake_folder}")
-  write_basic_package_version_file("${made}/FettleConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
+  # As the soversion: before 1.0 a minor version may change what others are built against.
+  if(PROJECT_VERSION_MAJOR EQUAL 0)
+    set(compatibility SameMinorVersion)
+  else()
+    set(compatibility SameMajorVersion)
+  endif()
+  write_basic_package_version_file("${made}/FettleConfigVersion.cmake" COMPATIBILITY ${compatibility})
   install(FILES "${made}/FettleConfig.cmake" "${made}/FettleConfigVersion.cmake"
     DESTINATION "${fettle_cmake_folder}" COMPONENT development)
   foreach(package IN LISTS packages)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fettle/property/exception_text.h>
+
 #include "pick.h"
 #include "state.h"
 
@@ -160,7 +162,7 @@ void Console::State::click_game(float x, float y) {
     try {
         if (property::Handle found = pick(tree, options.to_world(x, y))) choose(found);
     } catch (const std::exception& error) {
-        log.error(error.what());
+        log.error(property::exception_text(error));
     }
 }
 

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include <fettle/property/exception_text.h>
+
 #include "utf8.h"
 
 namespace fettle::console {
@@ -342,7 +344,7 @@ void Prompt::submit(bool force) {
         evaluation = interpreter_.evaluate(command);
     } catch (const std::exception& error) {
         evaluation.error.emplace();
-        evaluation.error->message = error.what();
+        evaluation.error->message = property::exception_text(error);
     }
     if (evaluation.incomplete && !force) {
         if (!edit_.selecting()) edit_.place(edit_.text().size(), false);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <exception>
 
+#include <fettle/property/exception_text.h>
+
 #include "imgui_compat.h"
 #include "theme.h"
 
@@ -90,7 +92,7 @@ void PropertyEditor::attempt(const Target& target, const std::function<void()>& 
         edit();
         problems_.erase(target.property);
     } catch (const std::exception& error) {
-        problems_[target.property] = error.what();
+        problems_[target.property] = property::exception_text(error);
     }
 }
 
@@ -159,7 +161,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
             gone = reset_button(target);
         }
     } catch (const std::exception& error) {
-        problems_[&property] = error.what();
+        problems_[&property] = property::exception_text(error);
     }
     if (std::string typed = fields_.take_problem(); !typed.empty()) {
         problems_[&property] = typed;

@@ -1,15 +1,18 @@
 #include "docs.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <memory>
 
 #include <fettle/script/reference.h>
 
+#include "arguments.h"
 #include "exit_status.h"
 #include "game_path.h"
 #include "session.h"
+#include "terminal.h"
 
 namespace fettle::program {
 
@@ -20,22 +23,24 @@ namespace {
 void write(const fs::path& file, const std::string& text) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
+    require_file(file, "a file to write");
     std::ofstream out(file, std::ios::binary);
     out << text;
     out.close();
-    if (error || !out) throw FileError(file.string() + ": cannot be written");
+    if (error || !out)
+        throw FileError(file.string() +
+                        ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
 }
 
 }  // namespace
 
 int docs(const DocsOptions& options) {
     RunOptions run;
-    run.game = options.game;
+    if (!options.game.empty()) run.game = found_game(options.game);
     run.modules = options.modules;
     run.headless = true;
     Session session(run, nullptr, {});
     if (!options.game.empty()) {
-        require_game(options.game);
         session.start();
         if (session.failed()) return script_error;
     }
@@ -43,35 +48,53 @@ int docs(const DocsOptions& options) {
     write(options.folder / "fettle.lua", script::annotations(tree));
     const auto pages = script::reference_pages(tree);
     for (const script::ReferencePage& page : pages) write(options.folder / page.file, page.text);
-    std::printf("%s: fettle.lua and %zu pages\n", options.folder.string().c_str(), pages.size());
+    print_line(options.folder.string() + ": fettle.lua and " + std::to_string(pages.size()) +
+               " pages");
     return success;
 }
 
-void add_docs(CLI::App& app, int& status) {
+Command add_docs(CLI::App& app) {
     CLI::App& command = *app.add_subcommand(
         "docs", "Write annotations for editors (LuaCATS) and reference pages (Markdown).");
     const auto options = std::make_shared<DocsOptions>();
-    command.add_option("folder", options->folder, "Where to; made when it is missing")->required();
-    command.add_option("game", options->game,
-                       "A game whose own classes are to be described as well");
+    command.allow_extras();
     command
         .add_option_function<std::string>(
-            "--module", [options](const std::string& name) { options->modules.push_back(name); },
+            "folder",
+            [options](const std::string& folder) {
+                options->folder = given("folder", folder, "a folder");
+            },
+            "Where to; made when it is missing")
+        ->required();
+    command.add_option_function<std::string>(
+        "game",
+        [options](const std::string& game) {
+            options->game = given("game", game, "a folder with main.lua, or a .lua file");
+        },
+        "A game whose own classes are to be described as well");
+    command
+        .add_option_function<std::string>(
+            "--module",
+            [options](const std::string& name) {
+                options->modules.push_back(given("--module", name, "a file or a name"));
+            },
             "A module whose classes are, too: a shared object, or the name of an installed one "
             "(repeatable)")
         ->trigger_on_parse();
-    command.callback([options, &status] {
-        try {
-            status = docs(*options);
-        } catch (const FileError& error) {
-            std::fprintf(stderr, "fettle: %s\n", error.what());
-            status = file_error;
-        } catch (const fs::filesystem_error& error) {
-            std::fprintf(stderr, "fettle: %s: %s\n", error.path1().string().c_str(),
-                         error.code().message().c_str());
-            status = file_error;
-        }
-    });
+    return {&command, [options] {
+                try {
+                    return docs(*options);
+                } catch (const FileError& error) {
+                    tell(error.what());
+                } catch (const property::FileError& error) {
+                    tell(error.what());
+                } catch (const module::LoadError& error) {
+                    tell(error.what());
+                } catch (const fs::filesystem_error& error) {
+                    tell(error.path1().string() + ": " + error.code().message());
+                }
+                return static_cast<int>(file_error);
+            }};
 }
 
 }  // namespace fettle::program

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
+#include "command.h"
 
 namespace fettle::program {
 
@@ -17,8 +15,7 @@ struct DocsOptions {
     std::vector<std::string> modules{};  // to be plugged in: files, or names of installed ones
 };
 
-/// Adds the subcommand; when it is given, it runs and leaves its exit status in `status`.
-void add_docs(CLI::App& app, int& status);
+Command add_docs(CLI::App& app);
 
 /// Throws FileError for what cannot be written.
 int docs(const DocsOptions& options);

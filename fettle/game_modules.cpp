@@ -1,7 +1,9 @@
 #include "game_modules.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include <fettle/property/spelling.h>
+#include <fettle/property/storage/game_files.h>
 
 #ifdef FETTLE_WITH_PHYSICS
 #include <fettle/physics_module/physics_module.h>
@@ -26,18 +28,21 @@ std::vector<std::string> manifest(const fs::path& game) {
     const fs::path file = folder_of(game) / manifest_name;
     std::error_code error;
     if (!fs::exists(file, error)) return {};
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw FileError(file.string() + ": it cannot be read");
+    property::GameFiles files;
+    files.stay_below(folder_of(game));
+    const std::string text = files.read(file);
     const auto expected = [&](const std::string& found) {
         return FileError(file.string() +
                          ": expected { \"modules\": [ \"a file or a name\", ... ] }, found " +
                          found);
     };
     try {
-        const auto whole = nlohmann::json::parse(in, nullptr, true, true);
+        const auto whole = nlohmann::json::parse(text, nullptr, true, true);
         if (!whole.is_object()) throw expected(std::string("a JSON ") + whole.type_name());
         for (const auto& [key, value] : whole.items())
-            if (key != "modules") throw expected("the key \"" + key + "\"");
+            if (key != "modules")
+                throw expected("the key \"" + key + "\"" +
+                               property::suggestion(key, std::vector<std::string>{"modules"}));
         std::vector<std::string> names;
         if (!whole.contains("modules")) throw expected("an object without \"modules\"");
         if (!whole["modules"].is_array()) throw expected("no list under \"modules\"");
@@ -46,7 +51,7 @@ std::vector<std::string> manifest(const fs::path& game) {
             names.push_back(name.get<std::string>());
         }
         return names;
-    } catch (const nlohmann::json::parse_error& problem) {
+    } catch (const nlohmann::json::exception& problem) {
         // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
         const std::string what = problem.what();
         throw FileError(file.string() + ": " + what.substr(what.find("] ") + 2));
@@ -84,7 +89,8 @@ GameModules::GameModules(const fs::path& game, std::span<const std::string> name
     for (const std::string& name : manifest(game)) {
         const fs::path file(name);
         const bool is_path = file.has_parent_path() || file.extension() == ".so";
-        plugins_.open(is_path ? folder_of(game) / file : module_file(name, game));
+        plugins_.open(is_path ? (folder_of(game) / file).lexically_normal()
+                              : module_file(name, game));
     }
     for (const std::string& name : named) {
         const fs::path file = module_file(name, game);

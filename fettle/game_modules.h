@@ -17,7 +17,8 @@ namespace fettle::program {
 class GameModules {
   public:
     /// Opens what `modules.json` in the game's folder names, then `named`. One that is called as a
-    /// built-in module is takes its place. Throws FileError and module::LoadError.
+    /// built-in module is takes its place. Throws FileError, property::FileError and
+    /// module::LoadError.
     GameModules(const std::filesystem::path& game, std::span<const std::string> named);
     ~GameModules();
 
@@ -52,7 +53,7 @@ class GameModules {
 };
 
 /// The files a game's manifest names, as they stand there; none without a manifest. Throws
-/// FileError.
+/// FileError and property::FileError.
 std::vector<std::string> manifest(const std::filesystem::path& game);
 
 /// The file of a module: `name` itself where it is a path; else NAME.so in the game's folder or

@@ -1,9 +1,9 @@
 #include "game_path.h"
 
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <string_view>
+
+#include <fettle/property/storage/game_files.h>
 
 namespace fettle::program {
 
@@ -42,12 +42,53 @@ fs::path installed_modules() {
     return fs::weakly_canonical(fs::exists(installed, error) ? installed : beside, error);
 }
 
-void require_game(const fs::path& game) {
+namespace {
+
+/// "a pipe", for what is neither a regular file nor missing; null else.
+const char* odd_kind(const fs::path& path) {
     std::error_code error;
-    if (!fs::exists(game, error))
-        throw FileError(game.string() + ": there is no such file or folder");
-    if (fs::is_directory(game, error) && !fs::exists(game / "main.lua", error))
-        throw FileError(game.string() + ": this folder is no game, it has no main.lua");
+    switch (fs::status(path, error).type()) {
+        case fs::file_type::directory:
+            return "a folder";
+        case fs::file_type::fifo:
+            return "a pipe";
+        case fs::file_type::socket:
+            return "a socket";
+        case fs::file_type::block:
+        case fs::file_type::character:
+            return "a device";
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace
+
+void require_file(const fs::path& file, const char* expected) {
+    if (const char* const kind = odd_kind(file))
+        throw FileError(file.string() + ": expected " + expected + ", found " + kind);
+}
+
+fs::path found_game(const fs::path& named) {
+    constexpr const char* script = "a file with a script";
+    std::error_code error;
+    if (!fs::exists(named, error)) {
+        const bool link = fs::is_symlink(named, error);
+        throw FileError(named.string() +
+                        (link ? ": this link leads nowhere" : ": there is no such file or folder"));
+    }
+    if (!fs::is_directory(named, error)) {
+        require_file(named, script);
+        return fs::is_symlink(named, error) ? fs::canonical(named) : named;
+    }
+    const fs::path main = named / "main.lua";
+    if (!fs::exists(main, error)) {
+        const bool link = fs::is_symlink(main, error);
+        throw FileError(link ? main.string() + ": this link leads nowhere"
+                             : named.string() + ": this folder is no game, it has no main.lua");
+    }
+    require_file(main, script);
+    return named;
 }
 
 fs::path folder_of(const fs::path& game) {
@@ -69,10 +110,12 @@ bool has_word(std::string_view text, std::string_view word) {
     return false;
 }
 
-bool file_has_word(const fs::path& file, std::string_view word) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    return has_word(text, word);
+bool file_has_word(property::GameFiles& files, const fs::path& file, std::string_view word) {
+    try {
+        return has_word(files.read(file), word);
+    } catch (const property::FileError&) {
+        return false;  // a pipe, or larger than any script: loading it tells so
+    }
 }
 
 }  // namespace
@@ -82,10 +125,12 @@ bool mentions_quit(const fs::path& game, std::span<const std::string> chunks) {
     for (const std::string& chunk : chunks)
         if (has_word(chunk, word)) return true;
     std::error_code error;
-    if (!fs::is_directory(game, error)) return file_has_word(game, word);
+    property::GameFiles files;
+    files.stay_below(folder_of(game));
+    if (!fs::is_directory(game, error)) return file_has_word(files, game, word);
     for (fs::recursive_directory_iterator it(game, error), end; it != end; it.increment(error)) {
         if (error) break;
-        if (it->path().extension() == ".lua" && file_has_word(it->path(), word)) return true;
+        if (it->path().extension() == ".lua" && file_has_word(files, it->path(), word)) return true;
     }
     return false;
 }

@@ -23,9 +23,13 @@ std::filesystem::path assets();
 /// The folder of the modules that are installed with the program.
 std::filesystem::path installed_modules();
 
-/// Throws FileError unless `game` is a .lua file, or a folder with
-/// main.lua.
-void require_game(const std::filesystem::path& game);
+/// The game that is named: a .lua file, or a folder with main.lua. A link to a file leads to the
+/// game that lies there. Throws FileError for what is neither.
+std::filesystem::path found_game(const std::filesystem::path& named);
+
+/// Throws FileError when something is there that is no regular file: opening a pipe would wait for
+/// whoever is at its other end. `expected`: "a recording".
+void require_file(const std::filesystem::path& file, const char* expected);
 
 /// The folder of a game, itself or where its file is; never empty.
 std::filesystem::path folder_of(const std::filesystem::path& game);

@@ -1,29 +1,70 @@
 // The `fettle` program: one file a subcommand.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <csignal>
 #include <exception>
+#include <string>
 
+#include <fettle/property/exception_text.h>
+
+#include "arguments.h"
 #include "docs.h"
 #include "exit_status.h"
 #include "run.h"
+#include "terminal.h"
 #include "version.h"
 
-int main(int argc, char** argv) {
-    using namespace fettle::program;
+namespace fettle::program {
+namespace {
+
+/// What is wrong, as one sentence; the library's own name of a kind of error is none.
+std::string words(const CLI::ParseError& error) {
+    const std::string text = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+        return text.substr(0, text.find(':')) + ": it takes one value, once";
+    return text.substr(0, text.find('\n'));
+}
+
+int refuse(const std::string& reason) {
+    tell(reason + " (fettle --help tells more)");
+    return bad_usage;
+}
+
+int program(int argc, char** argv) {
+    // What a file may grow to is an error of that file, and no reason to die.
+    std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
     app.set_version_flag("--version", version_text());
-    app.require_subcommand(1);
-    int status = success;
-    add_run(app, status);
-    add_docs(app, status);
+    app.allow_extras();
+    const Command commands[] = {add_run(app), add_docs(app)};
+    if (argc < 2) return refuse("expected a command, as in fettle run");
+    if (const std::string wrong = why_no_command(app, argv[1]); !wrong.empty())
+        return refuse(wrong);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? success : bad_usage;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "fettle: %s\n", error.what());
-        return script_error;
+        if (error.get_exit_code() == 0) return app.exit(error);  // help, or the version
+        return refuse(words(error));
     }
-    return status;
+    if (const std::string wrong = why_left_over(app); !wrong.empty()) return refuse(wrong);
+    for (const Command& command : commands) {
+        if (!command.app->parsed()) continue;
+        if (const std::string wrong = why_left_over(*command.app); !wrong.empty())
+            return refuse(wrong);
+        const int status = command.run();
+        return all_printed() || status != success ? status : file_error;
+    }
+    return refuse("expected a command, as in fettle run");
+}
+
+}  // namespace
+}  // namespace fettle::program
+
+int main(int argc, char** argv) {
+    try {
+        return fettle::program::program(argc, argv);
+    } catch (const std::exception& error) {
+        fettle::program::tell(fettle::property::exception_text(error));
+        return fettle::program::script_error;
+    }
 }

@@ -1,6 +1,7 @@
 #include "recorded_files.h"
 
 #include <algorithm>
+#include <fstream>
 #include <set>
 #include <string_view>
 
@@ -60,6 +61,16 @@ std::vector<std::string> changed_since(const app::Recording& recording, const fs
         changed.push_back(file.name + how);
     }
     return changed;
+}
+
+void require_recording_or_nothing(const fs::path& file) {
+    constexpr std::string_view beginning = "fettle-recording ";
+    std::ifstream in(file, std::ios::binary);
+    std::string found(beginning.size(), '\0');
+    in.read(found.data(), static_cast<std::streamsize>(found.size()));
+    if (in.gcount() > 0 && found != beginning)
+        throw FileError(file.string() +
+                        ": this file is no recording, and is not overwritten by one");
 }
 
 void go_back_to(const app::Recording& recording, const fs::path& game, property::GameFiles& files) {

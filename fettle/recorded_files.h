@@ -19,6 +19,9 @@ app::RunFile recorded(const property::GameFiles::Finding& finding,
 std::vector<std::string> changed_since(const app::Recording& recording,
                                        const std::filesystem::path& game);
 
+/// Throws FileError when another file than a recording is there: it would be lost.
+void require_recording_or_nothing(const std::filesystem::path& file);
+
 /// The files of the run as they were when it was recorded; nothing is written.
 void go_back_to(const app::Recording& recording, const std::filesystem::path& game,
                 property::GameFiles& files);

@@ -9,41 +9,64 @@
 #include <fettle/app/error_screen.h>
 #include <fettle/app/recording.h>
 #include <fettle/app/screen.h>
+#include <fettle/property/exception_text.h>
 
+#include "arguments.h"
+#include "end_request.h"
 #include "exit_status.h"
 #include "game_path.h"
 #include "recorded_files.h"
 #include "session.h"
+#include "terminal.h"
 
 namespace fettle::program {
 
 namespace {
 
 int complain(ExitStatus status, const std::string& message) {
-    std::fflush(stdout);
-    std::fprintf(stderr, "fettle: %s\n", message.c_str());
+    tell(message);
     return status;
+}
+
+/// What a shell says of a program that a signal has ended.
+int status_of_signal(int number) {
+    return 128 + number;
+}
+
+/// How long `closing()` may take of a run that a signal has asked to end, s.
+constexpr unsigned closing_time = 5;
+
+/// The game is told that the run ends, as when its window is closed.
+void close(Session& session) {
+    EndRequest::allow(closing_time);
+    session.runtime().go_on();
+    app::InputEvent event;
+    event.kind = app::EventKind::closing;
+    session.loop().handle(event);
 }
 
 /// What is asked for at the end: the hash on stdout, the picture of the last frame.
 int finish(Session& session, const RunOptions& options, app::Screen* screen) {
+    EndRequest::allow(0);
     int status = session.exit_status();
+    if (EndRequest::asked() != 0) status = status_of_signal(EndRequest::asked());
+    if (const std::string problem = session.recording_problem(); !problem.empty())
+        status = complain(file_error, problem);
     if (options.hash) std::printf("%016" PRIx64 "\n", session.loop().hash());
     if (!options.screenshot.empty() && screen != nullptr) {
         try {
             screen->save(options.screenshot);
-        } catch (const std::runtime_error& error) {
-            status = complain(file_error, error.what());
+        } catch (const std::exception& error) {
+            status = complain(file_error, property::exception_text(error));
         }
     }
     if (status != success || session.runtime().quit_status()) return status;
     const auto tell_unreached = [&](const char* option, const auto& all) {
         for (const auto& [step, chunk] : all)
             if (step > session.loop().lived())
-                std::fprintf(stderr,
-                             "fettle: %s %" PRIu64
-                             " was never reached: the run ended with its step %" PRIu64 "\n",
-                             option, step, session.loop().lived());
+                tell(option + (" " + std::to_string(step)) +
+                     " was never reached: the run ended with its step " +
+                     std::to_string(session.loop().lived()));
     };
     tell_unreached("--at", options.at);
     tell_unreached("--console", options.console);
@@ -52,11 +75,20 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
 
 int run_headless(const RunOptions& options) {
     Session session(options, nullptr, {});
+    const EndRequest::Scripts scripts(session.runtime());
     session.start();
-    for (std::int64_t turn = 0; !session.failed() && !session.loop().stopped() &&
+    app::Loop& loop = session.loop();
+    for (std::int64_t turn = 0; !session.failed() && !loop.stopped() && !loop.closing() &&
                                 (!options.steps || turn < *options.steps);
-         ++turn)
-        session.loop().turn();
+         ++turn) {
+        if (EndRequest::asked() != 0) close(session);
+        loop.turn();
+    }
+    // Asked while the last turn was made, or while the game was loaded.
+    if (EndRequest::asked() != 0 && !loop.closing() && !loop.stopped()) {
+        close(session);
+        loop.turn();
+    }
     std::unique_ptr<app::Screen> picture;
     if (!options.screenshot.empty()) {
         const property::Vec2 size = session.services().view.screen;
@@ -101,6 +133,7 @@ class WindowRun {
     void start() {
         reload_ = false;
         error_screen_.hide();
+        scripts_.reset();
         session_.reset();
         window_->release_textures();
         session_ = std::make_unique<Session>(
@@ -108,6 +141,7 @@ class WindowRun {
             [this](const script::ScriptError& error) { error_screen_.show(error); });
         session_->add_layer(error_screen_);
         session_->services().view.screen = window_->size();
+        scripts_.emplace(session_->runtime());
         session_->start();
         idle_steps_ = 0;
         last_frame_ = Clock::now();
@@ -121,6 +155,7 @@ class WindowRun {
         const double seconds = std::chrono::duration<double>(now - last_frame_).count();
         last_frame_ = now;
         for (app::InputEvent event; window_->poll(event);) loop.handle(event);
+        if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
         if (clock.paused) idle_steps_ += seconds / clock.dt;
@@ -143,6 +178,7 @@ class WindowRun {
     std::unique_ptr<app::Window> window_;
     app::ErrorScreen error_screen_;
     std::unique_ptr<Session> session_;
+    std::optional<EndRequest::Scripts> scripts_;
     Clock::time_point last_frame_{};
     double idle_steps_ = 0;
     bool reload_ = false;
@@ -160,10 +196,10 @@ std::string listed(const std::vector<std::string>& all) {
 
 /// Makes the run of a recording again, in a window or not, and sees whether it is the same.
 int run_replay(RunOptions options) {
+    require_file(options.replay, "a recording");
     const app::Recording recording(options.replay);
     const app::RunStart& start = recording.start();
-    if (options.game.empty()) options.game = start.game;
-    require_game(options.game);
+    options.game = found_game(options.game.empty() ? start.game : options.game);
     if (const auto changed = changed_since(recording, options.game); !changed.empty())
         return complain(file_error, options.replay.string() +
                                         ": was recorded of another game, or of another version "
@@ -182,30 +218,44 @@ int run_replay(RunOptions options) {
     if (!options.headless) window = app::open_window({});
     Session session(options, nullptr, {}, &recording);
     session.services().view.screen = {start.width, start.height};
+    const EndRequest::Scripts scripts(session.runtime());
     session.start();
     app::Replay replay(recording, session.tree(), session.runtime(), session.loop());
     bool closed = false;
-    while (!closed && replay.frame()) {
+    while (!closed && EndRequest::asked() == 0 && replay.frame()) {
         if (window == nullptr) continue;
         for (app::InputEvent event; window->poll(event);)
             closed = closed || event.kind == app::EventKind::closing;
         session.loop().draw(*window, 0);
         window->present();
     }
+    if (EndRequest::asked() != 0) return status_of_signal(EndRequest::asked());
     if (!replay.difference().empty()) return complain(script_error, replay.difference());
     std::printf("%" PRIu64 " steps, each as it was recorded\n", replay.steps());
     return finish(session, options, window.get());
 }
 
+constexpr std::uint64_t most_steps = 1'000'000'000'000'000;
+
 /// "N:LUA"
 std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
     const std::size_t colon = text.find(':');
-    const std::string number = text.substr(0, colon);
-    if (colon == std::string::npos || number.empty() || number.size() > 18 ||
-        number.find_first_not_of("0123456789") != std::string::npos || std::stoull(number) == 0)
-        throw CLI::ValidationError(
-            option, "\"" + text + "\" is not a step from 1 and a chunk, as in 60:print(time.now)");
-    return {std::stoull(number), text.substr(colon + 1)};
+    if (colon == std::string::npos || colon + 1 == text.size())
+        throw CLI::ValidationError(option,
+                                   "expected a step and a chunk, as in 60:print(time.now), got \"" +
+                                       on_one_line(text.substr(0, 60)) + "\"");
+    return {whole_number(option, text.substr(0, colon), 1, most_steps), text.substr(colon + 1)};
+}
+
+/// The file of a picture, in one of the formats that can be written.
+std::filesystem::path parse_picture(const std::string& text) {
+    const std::filesystem::path file = given("--screenshot", text, "a file");
+    for (const char* const known : {".png", ".jpg", ".jpeg", ".bmp", ".tga"})
+        if (file.extension() == known) return file;
+    throw CLI::ValidationError("--screenshot",
+                               "expected a file that ends in .png, .jpg, .bmp or "
+                               ".tga, got \"" +
+                                   on_one_line(text.substr(0, 60)) + "\"");
 }
 
 }  // namespace
@@ -213,9 +263,12 @@ std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::st
 int run(const RunOptions& given) {
     RunOptions options = given;
     try {
+        const EndRequest end_request;
+        for (const std::filesystem::path& file : {options.screenshot, options.record})
+            if (!file.empty()) require_file(file, "a file to write");
+        if (!options.record.empty()) require_recording_or_nothing(options.record);
         if (!options.replay.empty()) return run_replay(options);
-        if (options.game.empty()) options.game = showcase();
-        require_game(options.game);
+        options.game = options.game.empty() ? showcase() : found_game(options.game);
         std::vector<std::string> chunks = options.evals;
         for (const auto& [step, chunk] : options.at) chunks.push_back(chunk);
         for (const auto& [step, command] : options.console) chunks.push_back(command);
@@ -233,6 +286,8 @@ int run(const RunOptions& given) {
         return options.headless ? run_headless(options) : WindowRun(options).play();
     } catch (const FileError& error) {
         return complain(file_error, error.what());
+    } catch (const property::FileError& error) {
+        return complain(file_error, error.what());
     } catch (const app::RecordingError& error) {
         return complain(file_error, error.what());
     } catch (const module::LoadError& error) {
@@ -242,58 +297,67 @@ int run(const RunOptions& given) {
     }
 }
 
-void add_run(CLI::App& app, int& status) {
+Command add_run(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("run", "Play a game.");
     const auto options = std::make_shared<RunOptions>();
-    command.add_option("path", options->game,
-                       "A folder with main.lua, or one .lua file; without it, the showcase");
+    command.allow_extras();  // they are told of with the nearest spelling
+    // Each by itself and at once: a chunk of Lua may hold commas and brackets.
+    const auto option = [&](const char* name, const char* help, auto take) {
+        return command.add_option_function<std::string>(
+            name, [options, take](const std::string& text) { take(*options, text); }, help);
+    };
+    option("path", "A folder with main.lua, or one .lua file; without it, the showcase",
+           [](RunOptions& to, const std::string& text) {
+               to.game = given("path", text, "a folder with main.lua, or a .lua file");
+           });
     command.add_flag("--headless", options->headless,
                      "No window; fixed steps as fast as they go; print() goes to stdout");
-    command
-        .add_option("--steps", options->steps,
-                    "Stop after so many fixed steps, those made again after going back in time "
-                    "included (needed with --headless unless the game calls "
-                    "quit())")
-        ->check(CLI::NonNegativeNumber);
-    // Each occurrence by itself: a chunk of Lua may hold commas and brackets.
-    command
-        .add_option_function<std::string>(
-            "--eval", [options](const std::string& chunk) { options->evals.push_back(chunk); },
-            "Run this after main.lua is loaded (repeatable)")
+    option("--steps",
+           "Stop after so many fixed steps, those made again after going back in time included "
+           "(needed with --headless unless the game calls quit())",
+           [](RunOptions& to, const std::string& text) {
+               to.steps = static_cast<std::int64_t>(whole_number("--steps", text, 0, most_steps));
+           });
+    option("--eval", "Run this after main.lua is loaded (repeatable)",
+           [](RunOptions& to, const std::string& text) {
+               to.evals.push_back(given("--eval", text, "a chunk of Lua"));
+           })
         ->trigger_on_parse();
-    command
-        .add_option_function<std::string>(
-            "--at",
-            [options](const std::string& text) { options->at.push_back(parse_at("--at", text)); },
-            "Run it before step N (repeatable): N:LUA. Steps are counted as the run goes on: going "
-            "back in time does not turn the count back")
+    option("--at",
+           "Run it before step N (repeatable): N:LUA. Steps are counted as the run goes on: going "
+           "back in time does not turn the count back",
+           [](RunOptions& to, const std::string& text) { to.at.push_back(parse_at("--at", text)); })
         ->trigger_on_parse();
-    command
-        .add_option_function<std::string>(
-            "--console",
-            [options](const std::string& text) {
-                options->console.push_back(parse_at("--console", text));
-            },
-            "Type it into the console before step N, and print it and what it says (repeatable): "
-            "N:COMMAND")
+    option("--console",
+           "Type it into the console before step N, and print it and what it says (repeatable): "
+           "N:COMMAND",
+           [](RunOptions& to, const std::string& text) {
+               to.console.push_back(parse_at("--console", text));
+           })
         ->trigger_on_parse();
-    command
-        .add_option_function<std::string>(
-            "--module", [options](const std::string& name) { options->modules.push_back(name); },
-            "Plug in a module: a shared object, or the name of an installed one (repeatable)")
+    option("--module",
+           "Plug in a module: a shared object, or the name of an installed one (repeatable)",
+           [](RunOptions& to, const std::string& text) {
+               to.modules.push_back(given("--module", text, "a file or a name"));
+           })
         ->trigger_on_parse();
-    command.add_option("--seed", options->seed, "Of random(); 0 unless given");
-    command.add_option("--screenshot", options->screenshot,
-                       "Write the last frame there (png, jpg, bmp or tga)");
-    command.add_option("--record", options->record,
-                       "Write everything that comes into the run there, to be replayed");
-    command
-        .add_option("--replay", options->replay,
-                    "Make a recorded run again; exit status 1 when it is not the same")
+    option("--seed", "Of random(); 0 unless given", [](RunOptions& to, const std::string& text) {
+        to.seed = whole_number("--seed", text, 0, UINT64_MAX);
+    });
+    option("--screenshot", "Write the last frame there (png, jpg, bmp or tga)",
+           [](RunOptions& to, const std::string& text) { to.screenshot = parse_picture(text); });
+    option("--record", "Write everything that comes into the run there, to be replayed",
+           [](RunOptions& to, const std::string& text) {
+               to.record = given("--record", text, "a file");
+           });
+    option("--replay", "Make a recorded run again; exit status 1 when it is not the same",
+           [](RunOptions& to, const std::string& text) {
+               to.replay = given("--replay", text, "a file");
+           })
         ->excludes("--record")
         ->excludes("--console");
     command.add_flag("--hash", options->hash, "Print the state hash at the end");
-    command.callback([options, &status] { status = run(*options); });
+    return {&command, [options] { return run(*options); }};
 }
 
 }  // namespace fettle::program

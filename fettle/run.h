@@ -8,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace CLI {
-class App;
-}
+#include "command.h"
 
 namespace fettle::program {
 
@@ -29,8 +27,7 @@ struct RunOptions {
     std::filesystem::path replay{};  // the run of this recording instead of a new one
 };
 
-/// Adds the subcommand; when it is given, it runs and leaves its exit status in `status`.
-void add_run(CLI::App& app, int& status);
+Command add_run(CLI::App& app);
 
 int run(const RunOptions& options);
 

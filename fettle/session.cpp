@@ -12,6 +12,7 @@
 #include "exit_status.h"
 #include "game_path.h"
 #include "recorded_files.h"
+#include "terminal.h"
 
 namespace fettle::program {
 
@@ -61,10 +62,14 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     make_console(clipboard);
 }
 
-Session::~Session() = default;
+/// What is still told then goes to stderr alone: the console goes before those who tell it.
+Session::~Session() {
+    ending_ = true;
+}
 
 /// Who records what the run comes upon, and who makes it again gives it that.
 void Session::make_files() {
+    files_.stay_below(folder_of(options_.game), assets());
     if (replayed_ != nullptr) go_back_to(*replayed_, options_.game, files_);
     if (options_.record.empty()) return;
     files_.take_note();
@@ -91,8 +96,8 @@ void Session::make_storage() {
 
 /// Something a person should know and that is no error of the game.
 void Session::note(const std::string& text) {
-    std::fflush(stdout);
-    std::fprintf(stderr, "fettle: %s\n", text.c_str());
+    tell(text);
+    if (ending_) return;
     if (console_)
         console_->print(text);
     else
@@ -159,7 +164,7 @@ void Session::start() {
     // What was typed into it then is told by the recording itself.
     if (options_.replay.empty()) loop_->add(*console_);
 #endif
-    if (!runtime_->load(options_.game)) failed_ = true;
+    if (!runtime_->load(options_.game) && !runtime_->interrupted()) failed_ = true;
     tweaks_->game_loaded();
     if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)
         note(std::to_string(open) +
@@ -167,14 +172,13 @@ void Session::start() {
              " not kept: tweaks() lists " + (open == 1 ? "it" : "them"));
     for (const std::string& chunk : options_.evals) {
         if (loop_->stopped() || failed_) return;
-        if (!runtime_->run(chunk, "eval")) failed_ = true;
+        if (!runtime_->run(chunk, "eval") && !runtime_->interrupted()) failed_ = true;
     }
     if (recorder_) recorder_->begin(tree_, *loop_);
 }
 
 void Session::print(std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fputc('\n', stdout);
+    print_line(text);
     if (!options_.headless) std::fflush(stdout);
     if (console_) console_->print(text);
 }
@@ -206,12 +210,20 @@ void Session::type_what_is_due() {
 }
 
 void Session::fail(const script::ScriptError& error) {
+    if (runtime_->interrupted()) {  // no error of the game's: it did not let the run end
+        if (std::exchange(interruption_, error.message) != error.message)
+            tell("in " + error.context + ": " + error.message);
+        return;
+    }
     failed_ = true;
-    std::fflush(stdout);
-    std::fputs(app::error_text(error).c_str(), stderr);
+    tell_lines(app::error_text(error));
     if (console_) console_->report(error);
     loop_->halt();
     if (errors_) errors_(error);
+}
+
+std::string Session::recording_problem() const {
+    return recorder_ ? recorder_->problem() : std::string();
 }
 
 int Session::exit_status() const {

@@ -30,8 +30,8 @@ class Session {
     ~Session();
     Session(const Session&) = delete;
 
-    /// Loads the game and runs the chunks of --eval. Throws std::filesystem::filesystem_error when
-    /// it cannot be read.
+    /// Loads the game and runs the chunks of --eval. Throws property::FileError when it cannot be
+    /// read.
     void start();
 
     property::Tree& tree() { return tree_; }
@@ -44,6 +44,8 @@ class Session {
     /// By errors and quit().
     int exit_status() const;
     bool failed() const { return failed_; }
+    /// Why the recording of the run is not all of it; "" when it is, or when there is none.
+    std::string recording_problem() const;
 
   private:
     void add_modules();
@@ -75,6 +77,8 @@ class Session {
     std::vector<std::string> early_notes_;  // of before there was a console
     std::uint64_t typed_ = 0;               // the step whose commands were given
     bool failed_ = false;
+    bool ending_ = false;
+    std::string interruption_;  // what was told of scripts that were stopped
 };
 
 }  // namespace fettle::program

@@ -11,6 +11,7 @@
 #include "engines/engine.h"
 #include "engines/hosted_engine.h"
 #include "measure/callgrind.h"
+#include "measure/event_cost.h"
 #include "measure/simulation.h"
 #include "measure/timing.h"
 #include "report/bounds.h"
@@ -129,17 +130,6 @@ struct Bytes {
     double shape = 0;  // on its body
 };
 
-/// The tree notes the last quarter of a million writes. Their notes are there in every tree that
-/// has run for a while, whatever is in it: here, too.
-std::unique_ptr<HostedEngine> hosted_for_a_while(const Scene& scene) {
-    constexpr int writes = (1 << 18) + 1024;
-    auto engine = std::make_unique<HostedEngine>(scene, false);
-    property::Tree& tree = engine->game().tree;
-    const property::Handle view = tree.child(tree.root(), "view");
-    for (int i = 0; i < writes; ++i) tree.set(view, "height", 10.0 + i % 2);
-    return engine;
-}
-
 /// Bytes of a scene in the tree beyond the bare library, in all. The past that is kept for
 /// rewinding is not counted: it has a bound of its own (`time.rewind_memory`).
 double bytes_over_bare(const Scene& scene) {
@@ -150,7 +140,7 @@ double bytes_over_bare(const Scene& scene) {
         return static_cast<double>(heap_in_use() - before);
     };
     const double bare = size_of([&] { return make_fettle(scene); });
-    return size_of([&] { return hosted_for_a_while(scene); }) - bare;
+    return size_of([&] { return std::make_unique<HostedEngine>(scene, false); }) - bare;
 }
 
 Bytes bytes_of(int bodies) {
@@ -167,7 +157,21 @@ Bytes bytes_of(int bodies) {
     return {(of_bodies - without) / count, (of_all - of_bodies) / count};
 }
 
-void print(const std::vector<Result>& results, const Bytes& bytes, const OutputOptions& output) {
+Table event_table(const std::vector<EventCost>& costs, bool json) {
+    Table table({"an event, of boxes on one floor", "ns, handler in C++", "in Lua"});
+    for (const EventCost& cost : costs) {
+        if (json)
+            std::cout << json_line({{"name", "an event, " + std::to_string(cost.boxes) + " boxes"},
+                                    {"ns", cost.ns_native},
+                                    {"ns_script", cost.ns_script}})
+                      << "\n";
+        table.add({std::to_string(cost.boxes), figure(cost.ns_native), figure(cost.ns_script)});
+    }
+    return table;
+}
+
+void print(const std::vector<Result>& results, const Bytes& bytes,
+           const std::vector<EventCost>& costs, const OutputOptions& output) {
     Verdict verdict("hosting");
     Table table({"hosted over bare", "ratio", "95 % interval", "bound"});
     Chart chart{.title = "Cost of hosting, bare library = 1", .unit = "×", .series = {"hosted"}};
@@ -201,7 +205,8 @@ void print(const std::vector<Result>& results, const Bytes& bytes, const OutputO
         memory.add({name, verdict.look(name, size, bytes_bound, figure(size), "bytes"),
                     bytes_bound.text()});
     }
-    if (!output.json) std::cout << table.text() << "\n" << memory.text();
+    const Table events = event_table(costs, output.json);
+    if (!output.json) std::cout << table.text() << "\n" << memory.text() << "\n" << events.text();
     verdict.print(output.json ? std::cerr : std::cout);
     if (!output.svg.empty()) write_svg(chart, output.svg);
 }
@@ -211,19 +216,22 @@ void print(const std::vector<Result>& results, const Bytes& bytes, const OutputO
 int run_hosting(const HostingOptions& options) {
     const Bytes bytes = bytes_of(options.bodies);
     std::vector<Result> results;
+    std::vector<EventCost> events;
     {
         const bool count = options.instructions && callgrind_available();
         if (options.instructions && !count)
             std::cerr << "instructions are not counted: valgrind is not installed\n";
-        Progress progress(count ? 2 : 1);
+        Progress progress(count ? 3 : 2);
         if (count) {
             progress.begin("instructions");
             results = instruction_ratios(options, progress);
         }
         progress.begin("time");
         for (Result& result : time_ratios(options, progress)) results.push_back(std::move(result));
+        progress.begin("events");
+        events = event_costs([&](double share) { progress.add(share); });
     }
-    print(results, bytes, options.output);
+    print(results, bytes, events, options.output);
     return 0;
 }
 

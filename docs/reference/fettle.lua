@@ -499,7 +499,7 @@ StepStatistics = {}
 
 ---Bodies below it are simulated together. Its child `step` tells about the last step.
 ---@class World : Object
----@field bounds vec[]? Walls round the world, given by their lower left and upper right corner; nil: none. · m · any length · default nil · may be nil
+---@field bounds vec[]? Walls round the world, given by their lower left and upper right corner; nil: none. · m · -100000000 to 100000000 · default nil · may be nil
 ---@field bounds_friction number Of the walls of the bounds. · 0 to inf · default 0.6
 ---@field bounds_restitution number How much of its speed what hits the walls gets back. · 0 to 1 · default 0
 ---@field contact_damping number Damping ratio of contacts. · 0 to inf · default 10
@@ -524,7 +524,7 @@ local fettle_World = {}
 ---@param point vec In the world. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 ---@return Body? body The body, or nil.
 function fettle_World:at(point, mask, group, accept) end
 
@@ -533,7 +533,7 @@ function fettle_World:at(point, mask, group, accept) end
 ---@param reach? number No farther than this. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 ---@return World.closest.result?
 function fettle_World:closest(point, reach, mask, group, accept) end
 
@@ -552,14 +552,14 @@ function fettle_World:distance(a, b) end
 ---@param radius number It reaches this far. · m
 ---@param impulse number What a body at the point gets. · N s
 ---@param mask? integer Categories to look for, as bits; all when left out.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 function fettle_World:explode(point, radius, impulse, mask, accept) end
 
 ---The bodies that overlap a shape, or a body, where it is; not its own. A shape of no body is at its coordinates.
 ---@param shape Object A shape or a body, of any world or of none.
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 ---@return Body[] bodies Each once, in no special order.
 function fettle_World:overlap(shape, mask, group, accept) end
 
@@ -568,7 +568,7 @@ function fettle_World:overlap(shape, mask, group, accept) end
 ---@param opposite vec The corner across. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 ---@return Body[] bodies Each once, in no special order.
 function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 
@@ -577,7 +577,7 @@ function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 ---@param to vec Where it ends. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 ---@return World.raycast.result?
 function fettle_World:raycast(from, to, mask, group, accept) end
 
@@ -586,7 +586,7 @@ function fettle_World:raycast(from, to, mask, group, accept) end
 ---@param to vec Where it ends. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 ---@return World.raycast_all.result[]
 function fettle_World:raycast_all(from, to, mask, group, accept) end
 
@@ -595,7 +595,7 @@ function fettle_World:raycast_all(from, to, mask, group, accept) end
 ---@param motion vec How far it goes. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape and says whether it counts.
+---@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
 ---@return World.shapecast.result?
 function fettle_World:shapecast(shape, motion, mask, group, accept) end
 
@@ -645,7 +645,7 @@ World = {}
 
 ---The body stopped touching another.
 ---@class Body.contact_end
----@field other Object The other body; the world itself for its bounds.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Body To whom it happened.
@@ -681,7 +681,7 @@ World = {}
 
 ---The body came into a sensor, or as a sensor was come into.
 ---@class Body.sensor_begin
----@field other Object The other body; the world itself for its bounds.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Body To whom it happened.
@@ -689,7 +689,7 @@ World = {}
 
 ---The body left a sensor, or as a sensor was left.
 ---@class Body.sensor_end
----@field other Object The other body; the world itself for its bounds.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Body To whom it happened.
@@ -719,13 +719,13 @@ World = {}
 
 ---A rigid body: its shapes are its children. It is simulated while it hangs below a World.
 ---@class Body : Object
----@field angle number How far it is turned, counter-clockwise; not wrapped after a full turn. · rad · any finite number · default 0 · simulated
+---@field angle number How far it is turned, counter-clockwise; not wrapped after a full turn. · rad · -100000000 to 100000000 · default 0 · simulated
 ---@field angular_damping number Share of its angular velocity it loses in a second, for small values. · 1/s · 0 to inf · default 0
 ---@field angular_velocity number How fast it turns, counter-clockwise. · rad/s · any finite number · default 0 · simulated
 ---@field awake boolean Whether it takes part in the step. What rests for a while sleeps, together with what it touches, until something disturbs it. · true or false · default true · simulated
 ---@field bullet boolean However fast, it does not pass through other moving bodies either. · true or false · default false
 ---@field can_sleep boolean Whether it may fall asleep. · true or false · default true
----@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · any finite vec · default vec(0, 0) · simulated
+---@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
 ---@field color color? Fills its shapes that have no color of their own; nil goes by its type. · channels 0 to 1 · default nil · may be nil
 ---@field contact_force number How hard what it touches presses on it, all together. · N · any finite number · read-only, simulated
 ---@field contact_impulses number[] What pressed it and the other apart in the last step. · N s · any length · read-only, simulated
@@ -735,13 +735,13 @@ World = {}
 ---@field contacts Object[] The bodies it touches now; the world itself where it touches the bounds. Sensors do not count. · any length · read-only, simulated
 ---@field force vec Pushes its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number How much of the world's gravity it feels: 0 floats, -1 falls upwards. · any finite number · default 1
----@field inertia number Rotational inertia about the center of mass, from the shapes unless one is given; nil computes it again. Infinite: nothing turns it. · kg m² · 0 to inf · default 0 · simulated, may be infinite
+---@field inertia number Rotational inertia about the center of mass, from the shapes unless one is given; nil computes it again. Infinite: nothing turns it. · kg m² · 1e-30 to inf · default 0 · simulated, may be infinite
 ---@field linear_damping number Share of its velocity it loses in a second, for small values. · 1/s · 0 to inf · default 0
 ---@field locked_rotation boolean Nothing turns it. · true or false · default false
 ---@field locked_x boolean Nothing moves it along x. · true or false · default false
 ---@field locked_y boolean Nothing moves it along y. · true or false · default false
----@field mass number Area times density of its shapes, unless a mass is given; nil computes it again. Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg. · kg · 0 to inf · default 1 · simulated, may be infinite
----@field position vec Where its origin is in the world. Writing it teleports. · m · any finite vec · default vec(0, 0) · simulated
+---@field mass number Area times density of its shapes, unless a mass is given; nil computes it again. Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg. · kg · 1e-30 to inf · default 1 · simulated, may be infinite
+---@field position vec Where its origin is in the world. Writing it teleports. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
 ---@field torque number Turns it in every step until it is changed. · N m · any finite number · default 0
 ---@field type "static"|"kinematic"|"dynamic" What moves it. "static": nothing; "kinematic": its velocity, and nothing pushes it; "dynamic": forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
 ---@field velocity vec Of its center of mass. · m/s · any finite vec · default vec(0, 0) · simulated
@@ -850,7 +850,7 @@ Body = {}
 
 ---The shape stopped touching another.
 ---@class Shape.contact_end
----@field other Object The other body; the world itself for its bounds.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Shape To whom it happened.
@@ -886,7 +886,7 @@ Body = {}
 
 ---The shape came into a sensor, or as a sensor was come into.
 ---@class Shape.sensor_begin
----@field other Object The other body; the world itself for its bounds.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Shape To whom it happened.
@@ -894,7 +894,7 @@ Body = {}
 
 ---The shape left a sensor, or as a sensor was left.
 ---@class Shape.sensor_end
----@field other Object The other body; the world itself for its bounds.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Shape To whom it happened.
@@ -940,7 +940,7 @@ Shape = {}
 
 ---A disc.
 ---@class Circle : Shape
----@field center vec Its middle, in the body's coordinates. · m · any finite vec · default vec(0, 0)
+---@field center vec Its middle, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0, 0)
 ---@field radius number From its center to its rim. · m · 0.00001 to 1000000 · default 0.5
 local fettle_Circle = {}
 
@@ -951,8 +951,8 @@ Circle = {}
 
 ---A rectangle.
 ---@class Box : Shape
----@field angle number How far it is turned on its body, counter-clockwise. · rad · any finite number · default 0
----@field center vec Its middle, in the body's coordinates. · m · any finite vec · default vec(0, 0)
+---@field angle number How far it is turned on its body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
+---@field center vec Its middle, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0, 0)
 ---@field height number From bottom to top, rounding included. · m · 0.00001 to 1000000 · default 1
 ---@field rounding number Radius of its corners, at most half the smaller side. · m · 0 to 1000000 · default 0
 ---@field width number From its left to its right side, rounding included. · m · 0.00001 to 1000000 · default 1
@@ -965,8 +965,8 @@ Box = {}
 
 ---A straight line without thickness; it weighs nothing.
 ---@class Segment : Shape
----@field from vec One end, in the body's coordinates. · m · any finite vec · default vec(-0.5, 0)
----@field to vec The other end, in the body's coordinates. · m · any finite vec · default vec(0.5, 0)
+---@field from vec One end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(-0.5, 0)
+---@field to vec The other end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0.5, 0)
 local fettle_Segment = {}
 
 ---A straight line without thickness; it weighs nothing.
@@ -976,9 +976,9 @@ Segment = {}
 
 ---A straight line with round ends and a thickness.
 ---@class Capsule : Shape
----@field from vec One end, in the body's coordinates. · m · any finite vec · default vec(-0.25, 0)
+---@field from vec One end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(-0.25, 0)
 ---@field radius number Around the line between its ends. · m · 0.00001 to 1000000 · default 0.25
----@field to vec The other end, in the body's coordinates. · m · any finite vec · default vec(0.25, 0)
+---@field to vec The other end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0.25, 0)
 local fettle_Capsule = {}
 
 ---A straight line with round ends and a thickness.
@@ -989,7 +989,7 @@ Capsule = {}
 ---A convex polygon.
 ---@class Polygon : Shape
 ---@field rounding number Radius that is added all round it. · m · 0 to 1000000 · default 0
----@field vertices vec[] Its corners in the body's coordinates, counter-clockwise. What is written is made convex: the hull of the points becomes the shape. · m · any length · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0, 0.5)}
+---@field vertices vec[] Its corners in the body's coordinates, counter-clockwise. What is written is made convex: the hull of the points becomes the shape. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0, 0.5)}
 local fettle_Polygon = {}
 
 ---Makes the polygon reach as far as that point; one inside changes nothing.
@@ -1003,8 +1003,8 @@ Polygon = {}
 
 ---An ellipse, exactly.
 ---@class Ellipse : Shape
----@field angle number How far it is turned on its body, counter-clockwise. · rad · any finite number · default 0
----@field center vec Its middle, in the body's coordinates. · m · any finite vec · default vec(0, 0)
+---@field angle number How far it is turned on its body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
+---@field center vec Its middle, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0, 0)
 ---@field radius_x number Half its width, before it is turned. · m · 0.00001 to 1000000 · default 0.5
 ---@field radius_y number Half its height, before it is turned. · m · 0.00001 to 1000000 · default 0.25
 local fettle_Ellipse = {}
@@ -1016,7 +1016,7 @@ Ellipse = {}
 
 ---A polygon that may be concave. It collides in convex pieces, and is one shape all the same.
 ---@class Concave : Shape
----@field vertices vec[] Its corners in the body's coordinates, in either sense of rotation. An outline that crosses or touches itself is refused, and so is a hole. · m · any length · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
+---@field vertices vec[] Its corners in the body's coordinates, in either sense of rotation. An outline that crosses or touches itself is refused, and so is a hole. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
 local fettle_Concave = {}
 
 ---A polygon that may be concave. It collides in convex pieces, and is one shape all the same.
@@ -1027,7 +1027,7 @@ Concave = {}
 ---A line of segments without seams, solid on its left: points from left to right are ground, a closed counter-clockwise chain holds what is inside. From behind everything passes.
 ---@class Chain : Shape
 ---@field closed boolean Whether it goes on from the last point to the first. · true or false · default false
----@field points vec[] In the body's coordinates. · m · any length · default {vec(-0.5, 0), vec(0.5, 0)}
+---@field points vec[] In the body's coordinates. · m · -1000000 to 1000000 · default {vec(-0.5, 0), vec(0.5, 0)}
 local fettle_Chain = {}
 
 ---A line of segments without seams, solid on its left: points from left to right are ground, a closed counter-clockwise chain holds what is inside. From behind everything passes.
@@ -1067,12 +1067,12 @@ Joint = {}
 
 ---Pulls a point of a body softly towards a target: how a mouse drags.
 ---@class MouseJoint : Joint
----@field anchor vec The point of the body that is pulled, in its coordinates. Unless one is given, the point that was at the target when the joint began to act. · m · any finite vec · default vec(0, 0) · simulated
+---@field anchor vec The point of the body that is pulled, in its coordinates. Unless one is given, the point that was at the target when the joint began to act. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
 ---@field body Body? What is pulled; nil: nothing. · any Body · default nil
 ---@field damping_ratio number 1 comes to rest without swinging. · 0 to inf · default 0.7
 ---@field frequency number How stiff it is; 0 is slack. · Hz · 0 to inf · default 5
 ---@field max_force number It never pulls harder. · N · 0 to inf · default inf · may be infinite
----@field target vec Where it is pulled to, in the world. · m · any finite vec · default vec(0, 0)
+---@field target vec Where it is pulled to, in the world. · m · -100000000 to 100000000 · default vec(0, 0)
 local fettle_MouseJoint = {}
 
 ---Pulls a point of a body softly towards a target: how a mouse drags.
@@ -1082,8 +1082,8 @@ MouseJoint = {}
 
 ---Ties two bodies, or one to the world. While both are the same, it does not act.
 ---@class PairJoint : Joint
----@field anchor_a vec The point where that body is held, in its coordinates, or in those of the world. · m · any finite vec · default vec(0, 0)
----@field anchor_b vec The point where that body is held, in its coordinates, or in those of the world. · m · any finite vec · default vec(0, 0)
+---@field anchor_a vec The point where that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field anchor_b vec The point where that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
 ---@field body_a Body? One of the two that are tied; nil: the world. When it is deleted, the joint does not act until it is given another, or nil. · any Body · default nil
 ---@field body_b Body? One of the two that are tied; nil: the world. When it is deleted, the joint does not act until it is given another, or nil. · any Body · default nil
 ---@field collide boolean Whether the two bodies collide with each other. · true or false · default false
@@ -1167,7 +1167,7 @@ PinSlotJoint = {}
 
 ---A pin of body_b in a groove of body_a from anchor_a to groove_end.
 ---@class GrooveJoint : PairJoint
----@field groove_end vec In the coordinates of body_a. · m · any finite vec · default vec(1, 0)
+---@field groove_end vec In the coordinates of body_a. · m · -100000000 to 100000000 · default vec(1, 0)
 ---@field translation number How far the pin is from the begin of the groove. · m · any finite number · read-only, simulated
 local fettle_GrooveJoint = {}
 
@@ -1214,7 +1214,7 @@ WeldJoint = {}
 ---@field angular_velocity number Of body_b against body_a that it drives to. · rad/s · any finite number · default 0
 ---@field damping_ratio number Of that; 1 comes to rest without swinging. · 0 to inf · default 1
 ---@field hertz number How stiff it drives to the offsets; 0: not at all. · Hz · 0 to inf · default 0
----@field linear_offset vec Of anchor_b from anchor_a that it drives to, in the coordinates of body_a. · m · any finite vec · default vec(0, 0)
+---@field linear_offset vec Of anchor_b from anchor_a that it drives to, in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(0, 0)
 ---@field linear_velocity vec Of anchor_b against anchor_a that it drives to, in the coordinates of body_a. · m/s · any finite vec · default vec(0, 0)
 ---@field max_force number It pushes no harder. · N · 0 to inf · default 0 · may be infinite
 ---@field max_torque number It turns no harder. · N m · 0 to inf · default 0 · may be infinite
@@ -1227,8 +1227,8 @@ MotorJoint = {}
 
 ---A rope from body_a over two wheels of the world to body_b. It only pulls.
 ---@class PulleyJoint : PairJoint
----@field ground_a vec The wheel over body_a, in the world. · m · any finite vec · default vec(-1, 1)
----@field ground_b vec The wheel over body_b, in the world. · m · any finite vec · default vec(1, 1)
+---@field ground_a vec The wheel over body_a, in the world. · m · -100000000 to 100000000 · default vec(-1, 1)
+---@field ground_b vec The wheel over body_b, in the world. · m · -100000000 to 100000000 · default vec(1, 1)
 ---@field length number Of the part at body_a and ratio times that at body_b. Unless one is given, the length when the joint began to act. · m · 0 to inf · default 0 · simulated
 ---@field ratio number How many parts of the rope pull body_b. · 0.001 to 1000 · default 1
 ---@field tension number Of the rope in the last step. · N · any finite number · read-only, simulated
@@ -1267,7 +1267,7 @@ RatchetJoint = {}
 ---@class Field : Object
 ---@field enabled boolean Whether it acts. · true or false · default true
 ---@field mask integer It acts on shapes of these categories, as bits. · any integer · default -1
----@field region vec[]? Where it acts, by its lower left and upper right corner: on shapes that reach into it (Buoyancy), or whose body has its center of mass there; nil: everywhere. · m · any length · default nil · may be nil
+---@field region vec[]? Where it acts, by its lower left and upper right corner: on shapes that reach into it (Buoyancy), or whose body has its center of mass there; nil: everywhere. · m · -100000000 to 100000000 · default nil · may be nil
 local fettle_Field = {}
 
 ---A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes all.
@@ -1313,7 +1313,7 @@ Buoyancy = {}
 
 ---Pulls everything towards a point, as a planet does.
 ---@class Attractor : Field
----@field center vec In the world. · m · any finite vec · default vec(0, 0)
+---@field center vec In the world. · m · -100000000 to 100000000 · default vec(0, 0)
 ---@field core number Nearer than this it pulls in proportion to the distance. · m · 0 to inf · default 0.5
 ---@field falloff integer It falls by this power of the distance. · 0 to 3 · default 2
 ---@field strength number At a distance of 1 m; negative repels. · m/s² · any finite number · default 10
@@ -1776,7 +1776,7 @@ function restore(taken) end
 ---@param seconds number
 function rewind(seconds) end
 
----Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _.
+---Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot before the barrier are one save, as the last of them wants it; more than 1000 calls are an error.
 ---@param slot string
 function save_game(slot) end
 
@@ -1791,7 +1791,7 @@ function saves() end
 ---@return Object
 function scene.load(file, parent, name) end
 
----Writes an instance and everything below it to a scene file of the game.
+---Writes an instance and everything below it to a scene file of the game. It replaces a scene or nothing: a file of another kind is left as it is, which is an error.
 ---@param file string
 ---@param instance Object
 function scene.save(file, instance) end
@@ -2419,5 +2419,5 @@ function resized(width, height) end
 ---@param focused boolean
 function focus(focused) end
 
----The window is about to close.
+---The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. It is the last that a game is called for, and has five seconds after a signal.
 function closing() end

@@ -71,7 +71,9 @@ std::vector<Property> of_the_past(Clock& clock) {
          .default_value = 128.0,
          .unit = "MiB",
          .range = {1, 65536},
-         .doc = "How much memory the past may take; where that is too little, less is kept.",
+         .doc =
+             "How much memory the past and the history of edits may take together; where that is "
+             "too little, less is kept. Undo has a quarter of it at most.",
          .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.rewind_memory; }),
          .transient = true},
         kept({.name = "oldest",
@@ -98,9 +100,10 @@ std::vector<property::Method> travelling(Clock& clock) {
              .doc = "Goes to that step of the past, or back to the present, at the next barrier. "
                     "What came later is forgotten when a step is made from there.",
              .context = &clock,
-             .call = [](void* context, property::Tree&, property::Handle, property::Row,
+             .call = [](void* context, property::Tree& tree, property::Handle, property::Row,
                         std::span<const property::Value> arguments) -> property::Result {
                  const Clock& of = *static_cast<Clock*>(context);
+                 tree.require_changeable("go to another step");
                  if (!of.go_to) throw std::invalid_argument("nobody keeps the past of this game");
                  of.go_to(arguments[0].integer());
                  return property::Value();
@@ -210,7 +213,10 @@ std::function<void()> ClockPart::restore(property::ByteReader& from, const prope
     const auto read = from.get<State>();
     for (const double time : {read.now, read.origin, read.origin_dt})
         from.require(time >= 0 && time < 1e15, "a time that is none");
-    from.require(read.step >= 0 && read.origin_step <= read.step, "a step that is none");
+    constexpr std::int64_t most = std::int64_t{1} << 52;  // more than a life of steps
+    from.require(read.step >= 0 && read.step < most && read.origin_step >= 0 &&
+                     read.origin_step <= read.step,
+                 "a step that is none");
     return [this, read] { set(read); };
 }
 
@@ -220,6 +226,10 @@ property::Memory ClockPart::changes() {
 
 void ClockPart::redo(const property::Memory& changes) {
     set(*static_cast<const State*>(changes.get()));
+}
+
+std::size_t ClockPart::size_of(const property::Memory& changes) const {
+    return changes == nullptr ? 0 : sizeof(State) + 32;
 }
 
 property::Handle define_clock(property::Tree& tree, Clock& clock) {

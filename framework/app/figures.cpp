@@ -162,13 +162,17 @@ void Canvas::large_figure(std::vector<Vec2> outline, const Paint& paint) {
 void Canvas::figure(float rounding, const Paint& paint) {
     if (corners_.size() < 3) rounding = std::max(rounding, 0.5f);
     const bool parts = joins(paint);
-    if (is_convex(corners_)) {
+    const bool convex = is_convex(corners_);
+    if (convex)
         outline_.set(corners_, rounding);
-        parts ? join() : draw_outline(paint);
-    } else {
+    else
         outline_.set_any(corners_);
-        parts ? join() : draw_any_outline(paint);
-    }
+    if (parts)
+        join();
+    else if (convex)
+        draw_outline(paint);
+    else
+        draw_any_outline(paint);
 }
 
 /// Convex: its rings are drawn, and the inside of the innermost.

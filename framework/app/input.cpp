@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include <fettle/script/runtime.h>
@@ -61,6 +62,8 @@ void Input::State::queue(std::string_view callback, std::vector<Value> arguments
 }
 
 void Input::State::move_mouse(const Vec2& pixels) {
+    if (!std::isfinite(pixels.x()) || !std::isfinite(pixels.y()))
+        throw std::invalid_argument("it is too far away to be a point of the screen");
     mouse = pixels;
     if (silent) return;
     std::vector<Value> arguments{view.to_world(mouse), mouse};

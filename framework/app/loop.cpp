@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include <fettle/property/exception_text.h>
+
 #include "state_hash.h"
 
 namespace fettle::app {
@@ -56,7 +58,8 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
       timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
     services_.clock.go_to = [this](std::int64_t step) {
-        tree_.at_barrier([this, step] { timeline_.go_to(step); });
+        timeline_.require(step);  // whoever asks can catch; what is kept may be less at the barrier
+        tree_.at_barrier([this, step] { timeline_.go_near(step); });
     };
 }
 
@@ -115,7 +118,7 @@ void Loop::barrier(bool between_steps) {
         // Handlers that never come to rest: the game's fault, and no reason to fall over.
         if (!on_error_) throw;
         script::ScriptError told;
-        told.message = error.what();
+        told.message = property::exception_text(error);
         told.context = "barrier";
         on_error_(told);
     }
@@ -152,7 +155,7 @@ bool Loop::prelude(double dt, Stopwatch& watch) {
     if (stopped()) return false;
     barrier();
     watch.lap(watch.phases.handlers);
-    if (stopped()) return false;
+    if (stopped() || closing_) return false;  // closing() is the last that a game does
     runtime_.call("update", {dt});
     watch.lap(watch.phases.update);
     if (stopped()) return false;

@@ -1,5 +1,9 @@
 #include "packing.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <span>
 #include <utility>
 
 #include <sys/resource.h>
@@ -11,28 +15,23 @@ namespace {
 // The fastest level of any use: it halves what the bytes' own order leaves.
 constexpr int level = 1;
 
-// The first state is that of bodies that touch nothing yet. The system looks for the pages of what
-// comes next when they are first written to: better here than in a step.
-constexpr std::size_t growth = 3;
-constexpr std::size_t most_prepared = std::size_t{64} << 20;  // bytes; more is not worth a pause
+// A piece is packed at a time, so that packing takes little memory of its own.
+constexpr std::size_t piece_size = std::size_t{1} << 20;  // bytes, a multiple of 4
 
 // State is mostly floats: their bytes of the same rank, taken together, repeat far more than they
 // do in a row (a sixth less, in half the time).
-void sort_by_rank(const std::vector<std::byte>& plain, std::vector<std::byte>& ranks) {
+void sort_by_rank(std::span<const std::byte> plain, std::byte* ranks) {
     const std::size_t words = plain.size() / 4;
-    ranks.resize(plain.size());
     for (std::size_t rank = 0; rank < 4; ++rank)
         for (std::size_t i = 0; i < words; ++i) ranks[rank * words + i] = plain[4 * i + rank];
     for (std::size_t i = 4 * words; i < plain.size(); ++i) ranks[i] = plain[i];
 }
 
-std::vector<std::byte> from_ranks(const std::vector<std::byte>& ranks) {
+void sort_from_ranks(std::span<const std::byte> ranks, std::byte* plain) {
     const std::size_t words = ranks.size() / 4;
-    std::vector<std::byte> plain(ranks.size());
     for (std::size_t rank = 0; rank < 4; ++rank)
         for (std::size_t i = 0; i < words; ++i) plain[4 * i + rank] = ranks[rank * words + i];
     for (std::size_t i = 4 * words; i < ranks.size(); ++i) plain[i] = ranks[i];
-    return plain;
 }
 
 /// Where there is no processor to spare, the game goes first.
@@ -45,34 +44,64 @@ void step_back() {
 
 }  // namespace
 
-void PackedBytes::pack(Room& room) {
-    sort_by_rank(plain_, room.ranks);
-    room.packed.resize(ZSTD_compressBound(room.ranks.size()));
-    const std::size_t size = ZSTD_compress(room.packed.data(), room.packed.size(),
-                                           room.ranks.data(), room.ranks.size(), level);
-    if (ZSTD_isError(size) != 0) return;  // it stays as it is
-    packed_.assign(room.packed.begin(), room.packed.begin() + static_cast<std::ptrdiff_t>(size));
-    if (!room.made && plain_size_ <= most_prepared / growth) next_.resize(growth * plain_size_);
-    room.made = true;
+// Each piece is a frame of its own, with its size in front.
+void PackedBytes::pack() {
+    using Size = std::uint32_t;
+    std::vector<std::byte> ranks(std::min(piece_size, plain_size_)), packed;
+    std::vector<std::byte> frame(sizeof(Size) + ZSTD_compressBound(ranks.size()));
+    for (std::size_t at = 0; at < plain_size_; at += piece_size) {
+        const auto piece = std::span(plain_).subspan(at, std::min(piece_size, plain_size_ - at));
+        sort_by_rank(piece, ranks.data());
+        const std::size_t size =
+            ZSTD_compress(frame.data() + sizeof(Size), frame.size() - sizeof(Size), ranks.data(),
+                          piece.size(), level);
+        if (ZSTD_isError(size) != 0) return;  // it stays as it is
+        const auto told = static_cast<Size>(size);
+        std::memcpy(frame.data(), &told, sizeof told);
+        // By an eighth at a time: what is done with it is done once, and the rest is not to be
+        // held.
+        if (const std::size_t wanted = packed.size() + sizeof told + size;
+            wanted > packed.capacity())
+            packed.reserve(wanted + wanted / 8);
+        packed.insert(packed.end(), frame.begin(),
+                      frame.begin() + static_cast<std::ptrdiff_t>(sizeof told + size));
+    }
+    packed.shrink_to_fit();
+    packed_ = std::move(packed);
+    // The system looks for the pages when they are first written to: better here than in a step.
+    if (prepare_ != 0) next_.resize(prepare_);
     is_packed_.store(true, std::memory_order_release);
 }
 
 std::vector<std::byte> PackedBytes::payload() const {
+    using Size = std::uint32_t;
     if (!is_packed_.load(std::memory_order_acquire)) return plain_;
-    std::vector<std::byte> ranks(plain_size_);
-    ZSTD_decompress(ranks.data(), ranks.size(), packed_.data(), packed_.size());
-    return from_ranks(ranks);
+    std::vector<std::byte> plain(plain_size_), ranks(std::min(piece_size, plain_size_));
+    const std::byte* from = packed_.data();
+    for (std::size_t at = 0; at < plain_size_; at += piece_size) {
+        Size size = 0;
+        std::memcpy(&size, from, sizeof size);
+        from += sizeof size;
+        const std::size_t piece = std::min(piece_size, plain_size_ - at);
+        ZSTD_decompress(ranks.data(), piece, from, size);
+        sort_from_ranks(std::span(ranks).first(piece), plain.data() + at);
+        from += size;
+    }
+    return plain;
 }
 
-std::size_t PackedBytes::size() const {
-    const std::size_t packed = is_packed_.load(std::memory_order_acquire) ? packed_.size() : 0;
-    return plain_.size() + packed;
+std::size_t PackedBytes::memory() const {
+    const bool packed = is_packed_.load(std::memory_order_acquire);
+    return touched_ + (packed ? packed_.capacity() + next_.capacity() : prepare_);
 }
 
-std::optional<std::vector<std::byte>> PackedBytes::settle() {
+std::optional<PackedBytes::Buffer> PackedBytes::settle() {
     if (plain_.empty() || !is_packed_.load(std::memory_order_acquire)) return std::nullopt;
-    if (!next_.empty()) plain_ = std::exchange(next_, {});
-    return std::exchange(plain_, {});
+    const std::size_t touched = std::exchange(touched_, 0);
+    if (next_.empty()) return Buffer{std::exchange(plain_, {}), touched};
+    plain_ = {};
+    const std::size_t made = next_.size();
+    return Buffer{std::exchange(next_, {}), made};
 }
 
 Packer::Packer() : thread_([this] { work(); }) {}
@@ -96,7 +125,6 @@ void Packer::pack(const std::shared_ptr<PackedBytes>& what) {
 
 void Packer::work() {
     step_back();
-    PackedBytes::Room room;
     while (true) {
         std::shared_ptr<PackedBytes> next;
         {
@@ -106,7 +134,7 @@ void Packer::work() {
             next = waiting_.front().lock();
             waiting_.pop_front();
         }
-        if (next != nullptr) next->pack(room);
+        if (next != nullptr) next->pack();
     }
 }
 

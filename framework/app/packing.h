@@ -3,6 +3,7 @@
 // thread ever holds what the other wants. The game hands a state over and looks, when it comes by
 // again, whether it is packed.
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -19,29 +20,38 @@ namespace fettle::app {
 /// The state of a keyframe, and later the same in fewer bytes.
 class PackedBytes {
   public:
-    explicit PackedBytes(std::vector<std::byte> plain)
-        : plain_(std::move(plain)), plain_size_(plain_.size()) {}
+    /// Memory for a state. `touched`: as much of it has been written to, and so is there.
+    struct Buffer {
+        std::vector<std::byte> bytes;
+        std::size_t touched = 0;
+    };
+    /// `prepare`: bytes of memory that the packing thread is to make for later states; 0: none.
+    explicit PackedBytes(Buffer plain, std::size_t prepare = 0)
+        : plain_(std::move(plain.bytes)),
+          touched_(std::max(plain.touched, plain_.size())),
+          plain_size_(plain_.size()),
+          prepare_(prepare) {}
 
     // --- By the game's thread
     std::vector<std::byte> payload() const;
-    /// Bytes it takes now.
-    std::size_t size() const;
+    /// Bytes of the state.
+    std::size_t plain_size() const { return plain_size_; }
+    /// Bytes of memory it takes now.
+    std::size_t memory() const;
     /// Once it is packed, memory for the next: that of what was packed, or more. Nothing before,
     /// and after that.
-    std::optional<std::vector<std::byte>> settle();
+    std::optional<Buffer> settle();
 
     // --- By the packing thread
-    struct Room {
-        std::vector<std::byte> ranks, packed;  // kept from one to the next
-        bool made = false;                     // the memory for states
-    };
-    void pack(Room& room);
+    void pack();
 
   private:
     std::vector<std::byte> plain_;   // the game's again once it is packed
+    std::size_t touched_ = 0;        // of its memory
     std::vector<std::byte> packed_;  // the packing thread's until then
-    std::vector<std::byte> next_;    // as well: memory for later states, made once
+    std::vector<std::byte> next_;    // as well: memory for later states
     std::size_t plain_size_ = 0;
+    std::size_t prepare_ = 0;
     std::atomic<bool> is_packed_{false};
 };
 

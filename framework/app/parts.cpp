@@ -53,6 +53,7 @@ void Canvas::draw_joined(const Rim& rim) {
 }
 
 void Canvas::draw_parts() {
+    edge_ = Edge::touching;
     for (std::size_t i = 0; i < joined_.size(); ++i) {
         const auto corners = joined_.part(i);
         if (is_convex(corners)) {

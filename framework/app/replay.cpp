@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fettle/app/recording.h>
+#include <fettle/property/exception_text.h>
 
 #include "recording_text.h"
 
@@ -262,7 +263,7 @@ void Replay::feed(const Recording::Item& item) {
             tree_.reset(item.instance, property);
     } catch (const std::exception& error) {
         difference_ = "an edit that was made after step " + std::to_string(tree_.step()) +
-                      " is refused now: " + error.what();
+                      " is refused now: " + property::exception_text(error);
     }
 }
 

@@ -83,7 +83,9 @@ void StateHash::add_stored_values(const property::Tree& tree) {
                               (kind == BindingKind::stored && !service && !property->transient);
             if (!kept) continue;
             add(std::string_view(property->name));
-            add(tree.get(instance, *property), tree);
+            // Settled; of a formula in error it is the last good value.
+            (void)tree.problem(instance, *property);
+            add(tree.peek(instance, *property), tree);
         }
     });
 }

@@ -17,6 +17,11 @@ using property::Snapshot;
 namespace {
 
 constexpr std::int64_t least_spacing = 60, most_spacing = 480;  // steps
+// Where not even one keyframe has room, it is tried again so much later: the state may be smaller.
+constexpr std::int64_t tried_again = 600;  // steps
+// What is kept of a step besides what was written in it: parts of containers and their memory.
+constexpr std::size_t of_step = 256;                         // bytes
+constexpr std::size_t most_history = std::size_t{64} << 20;  // bytes
 
 double now() {
     const auto since = std::chrono::steady_clock::now().time_since_epoch();
@@ -42,6 +47,11 @@ class Timeline::Jumps : public property::Observer {
     property::Tree& tree_;
 };
 
+/// To write the next keyframe to.
+struct Timeline::Room {
+    PackedBytes::Buffer buffer;
+};
+
 Timeline::Timeline(property::Tree& tree, Clock& clock, std::function<void(double)> step_modules)
     : tree_(tree),
       clock_(clock),
@@ -63,13 +73,32 @@ void Timeline::clear() {
     keyframes_.clear();
     steps_.clear();
     tail_ = {};
-    logged_ = 0;
+    logged_ = logged_since_ = 0;
     spacing_ = least_spacing;
     clock_.oldest = clock_.newest = clock_.step;
 }
 
+/// How much of the memory is for what. Lowered, it holds from the next step on.
+void Timeline::share_room() {
+    const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
+    if (room == room_) return;
+    room_ = room;
+    tree_.set_history_limit(std::min(room / 4, most_history));
+}
+
+bool Timeline::there_is_room() const {
+    return no_room_at_ < 0 || room_ > no_room_ || clock_.step >= no_room_at_ + tried_again ||
+           clock_.step < no_room_at_;
+}
+
+void Timeline::begin_log() {
+    log_ = std::make_unique<property::WriteLog>(tree_);
+    log_->set_most(room_ / 8);
+}
+
 void Timeline::begin_step() {
-    stepping_ = on();
+    share_room();
+    stepping_ = on() && there_is_room();
     if (!stepping_) {
         if (log_ != nullptr) clear();
         clock_.oldest = clock_.newest = clock_.step;
@@ -77,10 +106,11 @@ void Timeline::begin_step() {
     }
     note_jump();
     if (log_ == nullptr) {
-        log_ = std::make_unique<property::WriteLog>(tree_);
+        begin_log();
         Step begun;
         note_changes(begun);
     }
+    log_->set_most(room_ / 8);
     if (keyframes_.empty()) {
         here_ = clock_.step;
         take_keyframe();
@@ -96,21 +126,21 @@ void Timeline::begin_step() {
 
 void Timeline::modules_step(double dt) {
     if (!stepping_) return;
-    open_.dt = dt;
-    open_.before = std::move(tail_.before);
-    open_.changes = std::move(tail_.changes);
+    open_ = std::move(tail_);
     tail_ = {};
-    open_.before.push_back(log_->take());
+    open_.dt = dt;
+    note_writes(open_, open_.before.emplace_back());
 }
 
 void Timeline::end_step() {
     if (!std::exchange(stepping_, false)) return;
     open_.number = here_ = clock_.step;
-    open_.after = log_->take();
+    note_writes(open_, open_.after);
     note_changes(open_);
     if (too_much(open_)) return begin_anew();
-    logged_ += open_.after.memory();
-    for (const LoggedWrites& piece : open_.before) logged_ += piece.memory();
+    open_.bytes += sizeof(Step) + of_step;
+    logged_ += open_.bytes;
+    logged_since_ += open_.bytes;
     steps_.push_back(std::move(open_));
     worked_ += now() - begun_;
     if (keyframe_is_due()) take_keyframe();
@@ -119,53 +149,75 @@ void Timeline::end_step() {
     clock_.newest = newest();
 }
 
-void Timeline::note_changes(Step& of) {
-    for (property::SnapshotPart* part : tree_.parts())
-        if (property::Memory changes = part->changes())
-            of.changes.emplace_back(part, std::move(changes));
+void Timeline::note_writes(Step& of, property::LoggedWrites& where) {
+    where = log_->take();
+    of.bytes += sizeof where + where.memory();
 }
 
-bool Timeline::too_much(const Step& step) {
-    return step.after.too_much || std::any_of(step.before.begin(), step.before.end(),
-                                              [](const LoggedWrites& w) { return w.too_much; });
+void Timeline::note_changes(Step& of) {
+    for (property::SnapshotPart* part : tree_.parts())
+        if (property::Memory changes = part->changes()) {
+            of.bytes += part->size_of(changes);
+            of.changes.emplace_back(part, std::move(changes));
+        }
+}
+
+bool Timeline::too_much(const Step& step) const {
+    return step.bytes > room_ / 2 || step.after.too_much ||
+           std::any_of(step.before.begin(), step.before.end(),
+                       [](const LoggedWrites& w) { return w.too_much; });
 }
 
 /// What cannot be done again cannot be gone back over.
 void Timeline::begin_anew() {
-    const std::int64_t step = here_;
+    const std::int64_t step = clock_.step;
     clear();
-    log_ = std::make_unique<property::WriteLog>(tree_);
+    begin_log();
     here_ = step;
     take_keyframe();
+    trim();
     clock_.oldest = clock_.newest = step;
 }
 
 void Timeline::take_keyframe() {
     const double before = now();
-    Snapshot taken = tree_.snapshot(memory_of_packed());
+    Room room = room_of_packed();
+    Snapshot taken = tree_.snapshot(std::move(room.buffer.bytes));
     (void)log_->take();  // it is in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
-    Keyframe frame{here_, nullptr, taken.memories()};
-    frame.payload = std::make_shared<PackedBytes>(std::move(taken).take_payload());
+    Keyframe frame{here_,      nullptr, taken.memories(), taken.held(), tree_.history_bytes(),
+                   forgotten()};
+    room.buffer.bytes = std::move(taken).take_payload();
+    // The first state is that of bodies that touch nothing yet: what comes next takes more.
+    const std::size_t later = keyframes_.empty() ? 3 * room.buffer.bytes.size() : 0;
+    frame.payload =
+        std::make_shared<PackedBytes>(std::move(room.buffer), later <= room_ / 4 ? later : 0);
     packer_->pack(frame.payload);
     keyframes_.push_back(std::move(frame));
+    logged_since_ = 0;
     cost_ = now() - before;
     worked_ = 0;
 }
 
 /// Of a state that is packed by now, for the next one to be written to; others go back to the
 /// system.
-std::vector<std::byte> Timeline::memory_of_packed() {
-    std::vector<std::byte> found;
+Timeline::Room Timeline::room_of_packed() {
+    Room found;
     for (Keyframe& frame : keyframes_)
-        if (auto plain = frame.payload->settle()) found = std::move(*plain);
+        if (auto plain = frame.payload->settle()) found.buffer = std::move(*plain);
+    // Of a state that was far larger than they are by now.
+    if (!keyframes_.empty() && found.buffer.touched / 4 > keyframes_.back().payload->plain_size())
+        found = {};
     return found;
 }
 
-/// Often enough to be quick at any moment, and not so often that the game is slower for it.
+/// Often enough to be quick at any moment, and not so often that the game is slower for it. Much
+/// that was written calls for one: what is before it can then be forgotten.
 bool Timeline::keyframe_is_due() const {
-    const std::int64_t since = here_ - keyframes_.back().step;
-    return since >= most_spacing || (since >= spacing_ && worked_ * share_ >= cost_);
+    const Keyframe& last = keyframes_.back();
+    const std::int64_t since = here_ - last.step;
+    return since >= most_spacing || (since >= spacing_ && worked_ * share_ >= cost_) ||
+           logged_since_ > std::max(room_ / 8, last.payload->plain_size());
 }
 
 // A snapshot was restored by somebody else. What comes next starts from there; what was before the
@@ -177,28 +229,31 @@ void Timeline::note_jump() {
         clear();
     else
         drop_after(step - 1);
-    if (log_ == nullptr) log_ = std::make_unique<property::WriteLog>(tree_);
+    if (log_ == nullptr) begin_log();
     tail_ = {};
     here_ = step;
     take_keyframe();
 }
 
+void Timeline::drop(std::deque<Step>::iterator step) {
+    logged_ -= step->bytes;
+    steps_.erase(step);
+}
+
 void Timeline::drop_after(std::int64_t step) {
     while (!keyframes_.empty() && keyframes_.back().step > step) keyframes_.pop_back();
-    while (!steps_.empty() && steps_.back().number > step) {
-        logged_ -= steps_.back().after.memory();
-        for (const LoggedWrites& piece : steps_.back().before) logged_ -= piece.memory();
-        steps_.pop_back();
-    }
+    while (!steps_.empty() && steps_.back().number > step) drop(std::prev(steps_.end()));
+    logged_since_ = 0;
+    for (auto each = steps_.rbegin();
+         each != steps_.rend() && (keyframes_.empty() || each->number > keyframes_.back().step);
+         ++each)
+        logged_since_ += each->bytes;
 }
 
 void Timeline::drop_oldest() {
     keyframes_.pop_front();
-    while (!steps_.empty() && steps_.front().number <= keyframes_.front().step) {
-        logged_ -= steps_.front().after.memory();
-        for (const LoggedWrites& piece : steps_.front().before) logged_ -= piece.memory();
-        steps_.pop_front();
-    }
+    while (!steps_.empty() && steps_.front().number <= keyframes_.front().step)
+        drop(steps_.begin());
 }
 
 /// Half as many keyframes: going somewhere takes longer, and the past is as long.
@@ -214,19 +269,18 @@ void Timeline::thin_out() {
 void Timeline::trim() {
     const auto limit = static_cast<std::int64_t>(std::ceil(clock_.rewind_limit / clock_.dt));
     while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit) drop_oldest();
-    const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
-    // The latest keyframe is not packed yet. Where it is much of the room, it does not count: what
-    // it is going to be is not known.
-    const auto spared = [&] {
-        const std::size_t latest = keyframes_.back().payload->size();
-        return latest > room / 4 ? latest : 0;
-    };
-    while (keyframes_.size() > 2 && memory() - spared() > room) {
-        if (spacing_ < most_spacing && logged_ < room / 2)
+    const std::size_t room = room_ - std::min(room_, tree_.history_bytes());
+    while (keyframes_.size() > 1 && memory() > room) {
+        if (spacing_ < most_spacing && keyframes_.size() > 2 && logged_ < room / 2)
             thin_out();
         else
             drop_oldest();
     }
+    no_room_at_ = -1;
+    if (memory() <= room) return;
+    no_room_at_ = clock_.step;
+    no_room_ = room_;
+    clear();
 }
 
 std::int64_t Timeline::oldest() const {
@@ -238,18 +292,54 @@ std::int64_t Timeline::newest() const {
     return keyframes_.empty() ? clock_.step : keyframes_.back().step;
 }
 
+std::size_t Timeline::Keyframe::memory() const {
+    return payload->memory() + held + sizeof *this + of_step;
+}
+
+/// Bytes of edits that the history held once.
+std::size_t Timeline::forgotten() const {
+    return tree_.history_bytes_ever() - tree_.history_bytes();
+}
+
 std::size_t Timeline::memory() const {
-    std::size_t sum = logged_;
-    for (const Keyframe& frame : keyframes_) sum += frame.payload->size();
-    return sum + steps_.size() * (sizeof(Step) + 512);
+    std::size_t sum = logged_ + tail_.bytes + (log_ != nullptr ? log_->memory() : 0);
+    for (const Keyframe& frame : keyframes_) sum += frame.memory();
+    if (keyframes_.empty()) return sum;
+    // The history as it was at the beginning, as far as it is kept for that alone.
+    const Keyframe& first = keyframes_.front();
+    const std::size_t since = forgotten();
+    return sum + std::min(first.history, since - std::min(since, first.forgotten));
 }
 
 // --- Travelling
 // -------------------------------------------------------------------------------------------------------
 
+void Timeline::require(std::int64_t step) const {
+    if (!keeps())
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "there is no past to go to: no step was made, time.rewind_limit is "
+                              "0, or time.rewind_memory is too little for one state");
+    if (step < oldest() || step > newest())
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "step " + std::to_string(step) + ": the past is kept from step " +
+                                  std::to_string(oldest()) + " to " + std::to_string(newest()));
+}
+
+void Timeline::go_to(std::int64_t step) {
+    settle();
+    require(step);
+    travel(step);
+}
+
+void Timeline::go_near(std::int64_t step) {
+    settle();
+    if (keeps()) travel(std::clamp(step, oldest(), newest()));
+}
+
 void Timeline::rewind(double seconds) {
+    settle();
     const double steps = std::min(std::round(seconds / clock_.dt), 1e15);
-    go_to(std::max(oldest(), clock_.step - static_cast<std::int64_t>(steps)));
+    if (keeps()) travel(std::max(oldest(), clock_.step - static_cast<std::int64_t>(steps)));
 }
 
 void Timeline::redo_writes(const Step& step) {
@@ -265,20 +355,16 @@ void Timeline::redo(const Step& step) {
     for (const auto& [part, changes] : step.changes) part->redo(changes);
 }
 
-void Timeline::go_to(std::int64_t step) {
+/// What was done since the newest step is kept, so that one can come back to it.
+void Timeline::settle() {
     note_jump();
-    if (log_ != nullptr && here_ == newest()) {
-        tail_.before.push_back(log_->take());
-        note_changes(tail_);
-        if (too_much(tail_)) begin_anew();
-    }
-    if (log_ == nullptr || step < oldest() || step > newest())
-        throw property::Error(
-            property::ErrorKind::out_of_range,
-            log_ == nullptr ? "there is no past to go to: no step was made, or time.rewind_limit "
-                              "is 0"
-                            : "step " + std::to_string(step) + ": the past is kept from step " +
-                                  std::to_string(oldest()) + " to " + std::to_string(newest()));
+    if (log_ == nullptr || here_ != newest()) return;
+    note_writes(tail_, tail_.before.emplace_back());
+    note_changes(tail_);
+    if (too_much(tail_)) begin_anew();
+}
+
+void Timeline::travel(std::int64_t step) {
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
@@ -288,11 +374,16 @@ void Timeline::go_to(std::int64_t step) {
         bool& travelling;
         ~Arrive() { travelling = false; }
     } arrive{jumps_->travelling};
-    tree_.restore(from, [&] {
-        for (const Step& each : steps_)
-            if (each.number > frame->step && each.number <= step) redo(each);
-        if (step == newest()) redo_writes(tail_);
-    });
+    try {
+        tree_.restore(from, [&] {
+            for (const Step& each : steps_)
+                if (each.number > frame->step && each.number <= step) redo(each);
+            if (step == newest()) redo_writes(tail_);
+        });
+    } catch (...) {
+        begin_anew();  // wherever it has come
+        throw;
+    }
     here_ = step;
     clock_.step = step;
     Step arrived;

@@ -24,9 +24,9 @@ bool runs_here(std::uint32_t abi) {
 
 }  // namespace
 
-OpenModule Plugin::State::open_file() {
+OpenModule Plugin::State::open_file(const ModuleCopy& copy) {
     OpenModule opened;
-    opened.object = SharedObject(file);
+    opened.object = SharedObject(copy);
     const auto entry =
         reinterpret_cast<fettle_module_entry>(opened.object.symbol(FETTLE_MODULE_ENTRY));
     if (entry == nullptr)
@@ -69,6 +69,13 @@ void Plugin::State::check_native() {
         host.require(open.native.check(open.native.context), "its own test");
 }
 
+void Plugin::State::step_once() {
+    constexpr double dt = 1.0 / 60;
+    if (open.native.step != nullptr) open.native.step(open.native.context, dt);
+    if (open.native.report != nullptr) open.native.report(open.native.context);
+    if (open.native.hash != nullptr) (void)open.native.hash(open.native.context);
+}
+
 void Plugin::State::close_native() {
     if (open.native.close != nullptr) open.native.close(open.native.context);
     open.native = {};
@@ -79,16 +86,16 @@ void Plugin::State::close_native() {
 std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
     auto state = std::make_unique<State>();
     state->file = file;
-    require_shared_object(file);
+    const ModuleCopy copy(file);
     const std::string problem = tried([&](const auto& now) {
         now(while_opened);
-        OpenModule opened = state->open_file();
+        OpenModule opened = state->open_file(copy);
         (void)opened;
     });
     if (!problem.empty())
         throw problem.starts_with(file.string()) ? LoadError(problem)
                                                  : LoadError(file, "the module " + problem);
-    state->open = state->open_file();
+    state->open = state->open_file(copy);
     state->identity = identity(file);
     state->name = text_or_empty(state->open.native.name);
     state->version = text_or_empty(state->open.native.version);
@@ -134,6 +141,8 @@ void Plugin::attach(property::Tree& tree) {
         s.attach_native();
         now(in_its_test);
         s.check_native();
+        now(in_a_step);
+        s.step_once();
     });
     if (!problem.empty()) throw LoadError(s.file, "module " + s.name + ": " + problem);
     prepare();

@@ -26,13 +26,15 @@ struct Plugin::State {
     OpenModule open;
     std::vector<std::unique_ptr<BridgedClass>> classes;
 
-    /// Opens `file` and calls its entry point. Throws LoadError.
-    OpenModule open_file();
+    /// Opens a copy of `file` and calls its entry point. Throws LoadError.
+    OpenModule open_file(const ModuleCopy& copy);
     /// The module registers its classes in `host.tree`. Throws property::Error, or
     /// std::invalid_argument with the module's own reason.
     void attach_native();
     /// The module's own test, if it has one.
     void check_native();
+    /// A step as the game will make it, to see whether the module comes back from it.
+    void step_once();
     void close_native();
     /// Whether it says itself what its rows are, for snapshots.
     bool saves() const { return open.native.save != nullptr && open.native.restore != nullptr; }
@@ -42,5 +44,6 @@ struct Plugin::State {
 inline constexpr const char* while_opened = "while it was opened";
 inline constexpr const char* while_attached = "while it registered its classes";
 inline constexpr const char* in_its_test = "in its own test";
+inline constexpr const char* in_a_step = "in a step";
 
 }  // namespace fettle::module

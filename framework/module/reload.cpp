@@ -38,11 +38,12 @@ void write(const Property& property, property::Row row, const Value& value) {
 /// One reload, from the old module to the new.
 class Reload {
   public:
-    explicit Reload(Plugin::State& state) : s_(state), tree_(*state.host.tree) {}
+    Reload(Plugin::State& state, const ModuleCopy& copy)
+        : s_(state), copy_(copy), tree_(*state.host.tree) {}
 
     Reloaded run(const std::function<void(std::string_view)>& now) {
         now(while_opened);
-        OpenModule fresh = s_.open_file();
+        OpenModule fresh = s_.open_file(copy_);
         if (view(fresh.native.name) != s_.name)
             throw LoadError(s_.file, "expected the module " + s_.name + ", found one called " +
                                          fresh.native.name);
@@ -170,6 +171,7 @@ class Reload {
     }
 
     Plugin::State& s_;
+    const ModuleCopy& copy_;
     Tree& tree_;
     std::vector<Saved> saved_;
     Reloaded report_;
@@ -180,13 +182,17 @@ class Reload {
 Reloaded Plugin::reload() {
     State& s = *state_;
     if (s.host.tree == nullptr) throw std::logic_error(s.name + " is attached to no tree");
-    const std::string problem =
-        tried([&](const std::function<void(std::string_view)>& now) { Reload(s).run(now); });
+    const ModuleCopy copy(s.file);
+    const std::string problem = tried([&](const std::function<void(std::string_view)>& now) {
+        Reload(s, copy).run(now);
+        now(in_a_step);
+        s.step_once();
+    });
     if (!problem.empty())
         throw problem.starts_with(s.file.string())
             ? LoadError(problem)
             : LoadError(s.file, "module " + s.name + ", taken in anew: " + problem);
-    return Reload(s).run([](std::string_view) {});
+    return Reload(s, copy).run([](std::string_view) {});
 }
 
 }  // namespace fettle::module

@@ -1,11 +1,16 @@
 #include "shared_object.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
-#include <fstream>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
 #include <utility>
 
 #include <fettle/module/plugin.h>
@@ -16,60 +21,115 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A name beside the file, where its own neighbors are found as for the file itself.
-fs::path fresh_name(const fs::path& file, const fs::path& folder) {
-    static std::atomic<unsigned> count{0};
-    return folder / ("." + file.stem().string() + "-" + std::to_string(getpid()) + "-" +
-                     std::to_string(++count) + file.extension().string());
+constexpr std::uintmax_t size_limit = std::uintmax_t{1} << 30;  // bytes
+
+/// Opened for reading; without waiting for a writer, should it be a pipe.
+int opened(const fs::path& file, int flags = 0) {
+    return ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | flags);
 }
 
-/// Removes the copy in the end: once taken in, its name is of no use.
-struct Copy {
-    fs::path file;
-    ~Copy() {
-        std::error_code ignored;
-        if (!file.empty()) fs::remove(file, ignored);
-    }
-};
+void require_regular(const fs::path& file, const struct stat& status) {
+    const mode_t mode = status.st_mode;
+    const char* const found = S_ISREG(mode)    ? nullptr
+                              : S_ISDIR(mode)  ? "a folder"
+                              : S_ISFIFO(mode) ? "a pipe"
+                              : S_ISSOCK(mode) ? "a socket"
+                                               : "a device";
+    if (found != nullptr)
+        throw LoadError(file, std::string("expected a shared object, found ") + found);
+    if (static_cast<std::uintmax_t>(status.st_size) > size_limit)
+        throw LoadError(file, "expected a shared object, found a file larger than " +
+                                  std::to_string(size_limit >> 20) + " MB");
+}
 
-bool copied(const fs::path& file, Copy& copy) {
+void require_shared_object(const fs::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0)
+        throw LoadError(file, errno == ENOENT || errno == ENOTDIR
+                                  ? std::string("there is no such file")
+                                  : std::string("it cannot be read: ") + std::strerror(errno));
+    require_regular(file, status);
+    const int in = opened(file);
+    char magic[4] = {};
+    const ssize_t count = in < 0 ? -1 : ::read(in, magic, sizeof magic);
+    const int error = errno;
+    if (in >= 0) ::close(in);
+    if (count < 0) throw LoadError(file, std::string("it cannot be read: ") + std::strerror(error));
+    if (std::string_view(magic, 4) !=
+        "\x7f"
+        "ELF")
+        throw LoadError(file, "expected a shared object, found a file of another kind");
+}
+
+constexpr std::string_view mark = ".fettle-";
+
+/// `.weather.fettle-123-4.so`, beside the file, where its own neighbors are found as for the file
+/// itself.
+fs::path fresh_name(const fs::path& file, const fs::path& folder) {
+    static std::atomic<unsigned> count{0};
+    return folder /
+           ("." + file.stem().string().substr(0, 200) + std::string(mark) +
+            std::to_string(getpid()) + "-" + std::to_string(++count) + file.extension().string());
+}
+
+/// Copies that killed processes have left in a folder.
+void remove_leftovers(const fs::path& folder) {
     std::error_code error;
-    for (const fs::path& folder : {file.parent_path(), fs::temp_directory_path(error)}) {
-        copy.file = fresh_name(file, folder);
-        if (fs::copy_file(file, copy.file, error)) return true;
-        copy.file.clear();
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        const std::string name = it->path().stem().string();
+        const std::size_t at = name.rfind(mark);
+        if (!name.starts_with('.') || at == std::string::npos) continue;
+        const std::string_view numbers = std::string_view(name).substr(at + mark.size());
+        if (numbers.find_first_not_of("0123456789-") != std::string_view::npos) continue;
+        const int copy = opened(it->path(), O_NOFOLLOW);
+        if (copy < 0) continue;
+        struct stat status {};
+        if (::fstat(copy, &status) == 0 && S_ISREG(status.st_mode) &&
+            ::flock(copy, LOCK_EX | LOCK_NB) == 0)
+            ::unlink(it->path().c_str());
+        ::close(copy);
     }
-    return false;
 }
 
 }  // namespace
 
-void require_shared_object(const fs::path& file) {
-    std::error_code error;
-    if (!fs::exists(file, error)) throw LoadError(file, "there is no such file");
-    if (fs::is_directory(file, error))
-        throw LoadError(file, "expected a shared object, found a folder");
-    std::ifstream in(file, std::ios::binary);
-    char magic[4] = {};
-    if (!in.read(magic, sizeof magic) || std::string_view(magic, 4) !=
-                                             "\x7f"
-                                             "ELF")
-        throw LoadError(file,
-                        in.bad() || (!in && in.gcount() == 0 && fs::file_size(file, error) > 0)
-                            ? "it cannot be read"
-                            : "expected a shared object, found a file of another kind");
-}
-
-SharedObject::SharedObject(const fs::path& file) {
+ModuleCopy::ModuleCopy(const fs::path& file) : file_(file) {
     require_shared_object(file);
     const fs::path whole = fs::absolute(file);
-    Copy copy;
-    const fs::path& taken = copied(whole, copy) ? copy.file : whole;
-    handle_ = dlopen(taken.c_str(), RTLD_NOW | RTLD_LOCAL);
+    remove_leftovers(whole.parent_path());
+    std::error_code error;
+    if (copy_into(whole.parent_path()) || copy_into(fs::temp_directory_path(error))) return;
+    file_ = whole;
+}
+
+ModuleCopy::~ModuleCopy() {
+    if (!copy_.empty()) ::unlink(copy_.c_str());
+    if (lock_ >= 0) ::close(lock_);
+}
+
+bool ModuleCopy::copy_into(const fs::path& folder) {
+    const fs::path path = fresh_name(file_, folder);
+    // Empty and locked first: what another process finds unlocked it may remove.
+    lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    if (lock_ < 0) return false;
+    (void)::flock(lock_, LOCK_EX | LOCK_NB);
+    copy_ = path;
+    std::error_code error;
+    if (fs::copy_file(file_, path, fs::copy_options::overwrite_existing, error)) return true;
+    ::unlink(path.c_str());
+    ::close(std::exchange(lock_, -1));
+    copy_.clear();
+    return false;
+}
+
+SharedObject::SharedObject(const ModuleCopy& copy) {
+    const fs::path& file = copy.of();
+    handle_ = dlopen(fs::absolute(copy.path()).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ != nullptr) return;
     std::string reason = dlerror();
     // The loader begins with the name of what it was given; ours is known already.
-    if (const std::string prefix = taken.string() + ": "; reason.starts_with(prefix))
+    if (const std::string prefix = fs::absolute(copy.path()).string() + ": ";
+        reason.starts_with(prefix))
         reason.erase(0, prefix.size());
     constexpr std::string_view undefined = "undefined symbol: ";
     if (const std::size_t at = reason.find(undefined); at != std::string::npos)

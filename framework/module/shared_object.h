@@ -1,17 +1,39 @@
 #pragma once
 // A shared object in the process.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 namespace fettle::module {
 
+/// A copy of a file beside it, under a name that was never used, so that the file may be replaced
+/// meanwhile and taken in again. Whoever tries a module in a copy of the process makes it before:
+/// it goes with this, whatever happens there.
+class ModuleCopy {
+  public:
+    /// Throws LoadError unless `file` can be a shared object for this machine.
+    explicit ModuleCopy(const std::filesystem::path& file);
+    ~ModuleCopy();
+    ModuleCopy(const ModuleCopy&) = delete;
+    ModuleCopy& operator=(const ModuleCopy&) = delete;
+
+    /// The file that is copied.
+    const std::filesystem::path& of() const { return file_; }
+    /// The copy; the file itself where none could be made.
+    const std::filesystem::path& path() const { return copy_.empty() ? file_ : copy_; }
+
+  private:
+    bool copy_into(const std::filesystem::path& folder);
+    std::filesystem::path file_, copy_;
+    int lock_ = -1;  // held while it lives: a copy that nobody holds was left by a killed process
+};
+
 class SharedObject {
   public:
     SharedObject() = default;
-    /// Takes in `file` through a copy under a name that was never used, so that it may be replaced
-    /// meanwhile and taken in again. Throws LoadError.
-    explicit SharedObject(const std::filesystem::path& file);
+    /// Takes the copy in. Throws LoadError.
+    explicit SharedObject(const ModuleCopy& copy);
     ~SharedObject() { close(); }
     SharedObject(SharedObject&& other) noexcept : handle_(other.handle_) {
         other.handle_ = nullptr;
@@ -25,9 +47,6 @@ class SharedObject {
     void close();
     void* handle_ = nullptr;
 };
-
-/// Throws LoadError unless `file` can be a shared object for this machine.
-void require_shared_object(const std::filesystem::path& file);
 
 /// Which file it is, whatever its path: two paths of one file are alike.
 struct FileIdentity {

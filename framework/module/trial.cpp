@@ -11,6 +11,9 @@
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
+
+#include <fettle/property/exception_text.h>
 
 namespace fettle::module {
 namespace {
@@ -25,19 +28,25 @@ void write_all(int to, std::string_view text) {
     }
 }
 
-/// What the copy writes is a line a phase, "@in its own test", and at last an error, "!text".
+/// What the copy writes last when all went well: a module may end the process with status 0.
+constexpr std::string_view to_its_end = "=\n";
+
+/// What the copy writes is a line a phase, "@in its own test", and at last an error, "!text", or
+/// that it came to its end.
 [[noreturn]] void run_copy(
     int to, const std::function<void(const std::function<void(std::string_view)>&)>& body) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);  // a crash is told of in words
     // Whoever has asked to hear of crashes asked for those of the program, not of its copy.
-    for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP})
+    for (const int number :
+         {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGINT, SIGTERM, SIGHUP, SIGALRM})
         signal(number, SIG_DFL);
     try {
         body([&](std::string_view phase) { write_all(to, "@" + std::string(phase) + "\n"); });
+        write_all(to, to_its_end);
     } catch (const std::exception& error) {
-        write_all(to, std::string("!") + error.what());
+        write_all(to, "!" + property::exception_text(error));
     } catch (...) {
         write_all(to, "!an exception of no known type");
     }
@@ -63,6 +72,20 @@ bool read_until(int from, Clock::time_point deadline, std::string& text) {
     }
 }
 
+/// Its status, once it has ended; a copy that does not in time is killed. False then.
+bool ended(pid_t copy, Clock::time_point deadline, int& status) {
+    for (;;) {
+        const pid_t found = waitpid(copy, &status, WNOHANG);
+        if (found == copy || (found < 0 && errno != EINTR)) return true;
+        if (Clock::now() >= deadline) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    kill(copy, SIGKILL);
+    while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string tried(const std::function<void(const std::function<void(std::string_view)>&)>& body,
@@ -81,12 +104,14 @@ std::string tried(const std::function<void(const std::function<void(std::string_
         throw std::runtime_error(std::string("no copy of the process: ") + strerror(reason));
     }
     std::string said;
-    const bool in_time = read_until(ends[0], Clock::now() + limit, said);
+    const Clock::time_point deadline = Clock::now() + limit;
+    const bool all_said = read_until(ends[0], deadline, said);
     close(ends[0]);
-    if (!in_time) kill(copy, SIGKILL);
     int status = 0;
-    while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {
-    }
+    // What it says may end before the copy does: a module can close what it did not open.
+    const bool in_time = ended(copy, all_said ? deadline : Clock::now(), status) && all_said;
+    if (in_time && said.ends_with(to_its_end) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+        return "";
     if (const std::size_t error = said.rfind("\n!"); error != std::string::npos)
         return said.substr(error + 2);
     if (said.starts_with('!')) return said.substr(1);
@@ -98,9 +123,7 @@ std::string tried(const std::function<void(const std::function<void(std::string_
                std::to_string(limit.count() / 1000) + " s";
     if (WIFSIGNALED(status))
         return std::string("crashed (") + strsignal(WTERMSIG(status)) + ") " + phase;
-    if (WIFEXITED(status) && WEXITSTATUS(status) != 0)
-        return "ended the process with status " + std::to_string(WEXITSTATUS(status)) + " " + phase;
-    return "";
+    return "ended the process with status " + std::to_string(WEXITSTATUS(status)) + " " + phase;
 }
 
 }  // namespace fettle::module

@@ -2,22 +2,57 @@
 
 #include <utility>
 
+#include <fettle/property/question.h>
+
+#include "state.h"
+
 namespace fettle::property {
 namespace {
 
-thread_local const Acceptance* in_force = nullptr;
+thread_local Acceptance* in_force = nullptr;
+
+constexpr std::string_view rule =
+    "asks `accept` in the middle of a search: it says what counts, it cannot";
 
 }  // namespace
 
-Acceptance::Acceptance(std::function<bool(Handle)> accepts)
-    : accepts_(std::move(accepts)), before_(std::exchange(in_force, this)) {}
-
-Acceptance::~Acceptance() {
-    in_force = before_;
+Acceptance::Acceptance(Tree& tree, std::string method, std::function<bool(Handle)> accepts)
+    : tree_(tree),
+      method_(std::move(method)),
+      accepts_(std::move(accepts)),
+      outer_(std::exchange(in_force, this)) {
+    // In the search formulas keep the values they have now.
+    Tree::State& s = tree.state();
+    if (s.inquiry == nullptr && !s.formulas.tracking() && !s.replaying)
+        s.formulas.settle_all(false);
 }
 
-bool Acceptance::accepts(Handle instance) {
-    return in_force == nullptr || in_force->accepts_(instance);
+Acceptance::~Acceptance() {
+    in_force = outer_;
+}
+
+bool Acceptance::accepts(Handle instance) noexcept {
+    if (in_force == nullptr) return true;
+    Acceptance& asked = *in_force;
+    try {
+        asked.answers_.push_back(0);
+        if (asked.thrown_) return false;
+        const Inquiry inquiry(asked.tree_, asked.method_, rule);
+        const bool accepted = asked.accepts_(instance);
+        asked.answers_.back() = accepted;
+        return accepted;
+    } catch (...) {
+        asked.thrown_ = std::current_exception();
+        return false;
+    }
+}
+
+std::vector<std::uint8_t> Acceptance::answers() {
+    return in_force != nullptr ? in_force->answers_ : std::vector<std::uint8_t>();
+}
+
+void Acceptance::finish() const {
+    if (thrown_) std::rethrow_exception(thrown_);
 }
 
 }  // namespace fettle::property

@@ -9,6 +9,7 @@
 #include <fettle/property/spelling.h>
 
 #include "coerce.h"
+#include "descriptor_check.h"
 
 namespace fettle::property {
 namespace {
@@ -16,14 +17,6 @@ namespace {
 std::string lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
     return text;
-}
-
-// Properties may be called as nothing else may: the keys "0" and "end" of a keyboard, say.
-bool is_word(std::string_view name) {
-    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-        return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-               (c >= 'A' && c <= 'Z');
-    });
 }
 
 // What a property of this type holds when its descriptor names no default.
@@ -123,6 +116,14 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
         throw Error(ErrorKind::unknown_name, "class " + descriptor.name +
                                                  ": no class is called \"" + descriptor.base +
                                                  "\"" + suggestion(descriptor.base, names()));
+    if (base == nullptr && size() > 0)
+        throw Error(ErrorKind::unknown_name, "class " + descriptor.name +
+                                                 ": it derives from no class; the base of all is "
+                                                 "\"Object\"");
+    if (size() > std::numeric_limits<std::uint16_t>::max())
+        throw Error(ErrorKind::bad_structure, "class " + descriptor.name + ": a tree has at most " +
+                                                  std::to_string(size()) + " classes");
+    check_descriptor(descriptor, base);
     std::unique_ptr<Class> made(new Class());
     made->base_ = base;
     made->snapshots_ = descriptor.snapshots;
@@ -135,6 +136,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     for (Property& property : made->descriptor_.properties)
         add_property(*made, std::move(property));
     made->descriptor_.properties.clear();
+    order_initial(*made);
     for (Method& method : made->descriptor_.methods) {
         method.symbol = Symbol(method.name);
         method.owner = made.get();
@@ -148,8 +150,23 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
         made->events_.push_back(&event);
         made->event_index_[event.symbol] = &event;
     }
+    pair_events(*made);
     by_name_[made->name()] = made.get();
     return *classes_.emplace_back(std::move(made));
+}
+
+/// Ends with what they are the ends of.
+void ClassRegistry::pair_events(Class& made) {
+    constexpr std::string_view begins = "_begin", ends = "_end";
+    for (Event& begin : made.descriptor_.events) {
+        if (!begin.name.ends_with(begins)) continue;
+        const std::string stem = begin.name.substr(0, begin.name.size() - begins.size());
+        for (Event& end : made.descriptor_.events) {
+            if (end.name != stem + std::string(ends)) continue;
+            begin.end = &end;
+            end.begin = &begin;
+        }
+    }
 }
 
 void ClassRegistry::inherit(Class& made) {
@@ -172,15 +189,12 @@ void ClassRegistry::inherit(Class& made) {
 
 void ClassRegistry::add_property(Class& made, Property property) {
     property.symbol = Symbol(property.name);
-    if (!is_word(property.name) || made.method(property.symbol) != nullptr)
-        throw Error(ErrorKind::bad_name, "class " + made.name() + ": \"" + property.name +
-                                             "\" cannot be the name of a property");
     const Property* inherited = made.property(property.symbol);
     if (inherited != nullptr) {
         // The same property with a default of its own: everything else stays what the base class
         // says.
         Property again = *inherited;
-        again.default_value = property.default_value;
+        if (!property.default_value.is_nil()) again.default_value = property.default_value;
         if (!property.doc.empty()) again.doc = property.doc;
         property = std::move(again);
     }
@@ -188,10 +202,16 @@ void ClassRegistry::add_property(Class& made, Property property) {
     // Whoever gives no way to write a value means it to be read only.
     if (property.binding.kind == BindingKind::accessor && property.binding.set == nullptr)
         property.read_only = true;
+    if (property.binding.kind == BindingKind::node && property.binding.node_set == nullptr)
+        property.read_only = true;
     // What the memory cannot hold must be refused, not wrapped around.
     if (property.binding.kind == BindingKind::column && property.binding.native == Native::i32) {
         property.range.min = std::max(property.range.min, -0x1p31);
         property.range.max = std::min(property.range.max, 0x1p31 - 1);
+        if (property.range.min > property.range.max)
+            throw Error(ErrorKind::out_of_range,
+                        "class " + made.name() + ": property \"" + property.name +
+                            "\": a column of 32 bits holds nothing of its range");
     }
     property.shortcut = shortcut_to(property);
     property.note_interest(0);
@@ -218,10 +238,23 @@ void ClassRegistry::add_property(Class& made, Property property) {
     made.property_index_[kept.symbol] = &kept;
 }
 
+/// As all values are set that are set together: in the order of declaration, since what one may be
+/// can depend on those before it.
+void ClassRegistry::order_initial(Class& made) {
+    std::vector<const Property*> ordered;
+    for (const Property* property : made.properties_)
+        if (std::find(made.initial_.begin(), made.initial_.end(), property) != made.initial_.end())
+            ordered.push_back(property);
+    made.initial_ = std::move(ordered);
+}
+
 void ClassRegistry::check_default(const Class& made, Property& property) const {
     if (property.default_value.is_nil()) {
         property.default_value = zero_of(property);
-        return;
+        // Not given: it has to be in the range only if a reset can write it.
+        if (property.read_only || property.binding.reset != nullptr || !property.range.bounded() ||
+            property.default_value.is_nil())
+            return;
     }
     struct Names {
         const Class& made;

@@ -24,6 +24,8 @@ class ClassRegistry {
   private:
     void inherit(Class& made);
     void add_property(Class& made, Property property);
+    static void pair_events(Class& made);
+    static void order_initial(Class& made);
     void check_default(const Class& made, Property& property) const;
 
     std::vector<std::unique_ptr<Class>> classes_;

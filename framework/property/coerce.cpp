@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include <fettle/property/coercion.h>
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
 namespace fettle::property {
+
 namespace {
 
 // 2^63 is exactly representable, INT64_MAX is not.
@@ -69,26 +71,38 @@ class Coercion {
         fail(ErrorKind::out_of_range,
              "expected " + expectation(property_) + ", got " + shown(value));
     }
+    /// Finite, and more than a float can be.
+    [[noreturn]] void too_large(const Value& value) const {
+        constexpr double most = std::numeric_limits<float>::max();
+        const Range fits{.min = std::max(property_.range.min, -most),
+                         .max = std::min(property_.range.max, most)};
+        fail(ErrorKind::out_of_range, "expected " + expectation_in(property_, fits) +
+                                          (property_.infinity ? " or infinity" : "") + ", got " +
+                                          shown(value));
+    }
 
     // A number of this property: finite unless it allows infinity, narrowed to what its memory
-    // holds, then in range.
+    // holds, then in range. Bounds are narrowed as well: who writes the number that a message
+    // names, or that is declared, writes the bound.
     double component(double x, const Value& whole) const {
         if (std::isnan(x))
             fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got nan");
         if (std::isinf(x) && !property_.infinity)
             fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got " +
                                             shown(whole) + ": infinity is not allowed here");
+        Range range = property_.range;
         if (property_.precision() == Precision::single_precision) {
+            range = {.min = narrowed(range.min), .max = narrowed(range.max)};
             const double narrow = narrowed(x);
             if (std::isinf(narrow) && !std::isinf(x)) {
-                if (!property_.clamp || !property_.range.bounded()) out_of_range(whole);
+                if (!property_.clamp || !range.bounded()) too_large(whole);
             } else {
                 x = narrow;
             }
         }
-        if (property_.range.contains(x)) return x;
+        if (range.contains(x)) return x;
         if (!property_.clamp) out_of_range(whole);
-        return std::clamp(x, property_.range.min, property_.range.max);
+        return std::clamp(x, range.min, range.max);
     }
 
     Value number(const Value& value) const {
@@ -199,8 +213,7 @@ class Coercion {
     const CoerceContext& context_;
 };
 
-std::string range_text(const Property& property) {
-    const Range& range = property.range;
+std::string range_text(const Property& property, const Range& range) {
     const bool low = range.min != -std::numeric_limits<double>::infinity();
     const bool high = range.max != std::numeric_limits<double>::infinity();
     const std::string unit = property.unit.empty() ? "" : " " + property.unit;
@@ -220,18 +233,18 @@ Vec2 narrowed(const Vec2& v) {
     return {narrowed(v.x()), narrowed(v.y())};
 }
 
-std::string expectation(const Property& property) {
+std::string expectation_in(const Property& property, const Range& range) {
     if (property.any_type) return "a value";
     const std::string nil = property.nullable && property.type != Type::reference ? " or nil" : "";
     switch (property.type) {
         case Type::boolean:
             return "true or false" + nil;
         case Type::integer:
-            return "an integer" + range_text(property) + nil;
+            return "an integer" + range_text(property, range) + nil;
         case Type::number:
-            return "a number" + range_text(property) + nil;
+            return "a number" + range_text(property, range) + nil;
         case Type::vec2:
-            return "a vec2" + range_text(property) + nil;
+            return "a vec2" + range_text(property, range) + nil;
         case Type::color:
             return "a color" + nil;
         case Type::reference:
@@ -240,7 +253,8 @@ std::string expectation(const Property& property) {
         case Type::list:
             return (property.element == Type::nil
                         ? "a list"
-                        : "a list of " + std::string(type_name(property.element))) +
+                        : "a list of " + std::string(type_name(property.element)) +
+                              (range.bounded() ? range_text(property, range) : "")) +
                    nil;
         case Type::text:
             break;
@@ -254,8 +268,18 @@ std::string expectation(const Property& property) {
     return names + nil;
 }
 
+std::string expectation(const Property& property) {
+    return expectation_in(property, property.range);
+}
+
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context) {
     return Coercion(property, context).run(property.any_type ? Type::nil : property.type, value);
+}
+
+Value coerced(const Tree& tree, const Property& property, const Value& value,
+              const std::string& path) {
+    const auto text = [](const void* what) { return *static_cast<const std::string*>(what); };
+    return coerce_value(property, value, {.tree = &tree, .path = text, .what = &path});
 }
 
 }  // namespace fettle::property

@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/tree.h>
 
 #include "state.h"
@@ -17,74 +18,6 @@ namespace {
 constexpr std::size_t most_generations = 16;
 constexpr std::size_t most_fresh_kept = 1024;  // room for instances made between barriers
 }  // namespace
-
-std::string_view writer_name(Writer writer) {
-    switch (writer) {
-        case Writer::module:
-            return "module";
-        case Writer::simulation:
-            return "simulation";
-        case Writer::script:
-            return "script";
-        case Writer::console:
-            return "console";
-        case Writer::inspector:
-            return "inspector";
-        case Writer::formula:
-            return "formula";
-        case Writer::undo:
-            return "undo";
-        case Writer::load:
-            return "load";
-        case Writer::remote:
-            return "remote";
-        case Writer::restore:
-            return "restore";
-    }
-    return "?";
-}
-
-std::string Cause::text() const {
-    return (where.empty() ? std::string(writer_name(writer)) : where) + ", step " +
-           std::to_string(step);
-}
-
-std::uint64_t Tree::step() const {
-    return state_->step;
-}
-
-void Tree::set_step(std::uint64_t step) {
-    state_->tell_plain_writes();
-    state_->step = step;
-    ++state_->upheavals;  // the clock, too, is written without telling
-}
-
-void Tree::stepped() {
-    state_->stepped = true;
-    ++state_->upheavals;
-}
-
-Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate)
-    : tree_(tree), writer_(tree.state_->writer), locate_(tree.state_->locate) {
-    tree.state_->tell_plain_writes();
-    tree.state_->writer = writer;
-    tree.state_->locate = locate;
-    tree.state_->note_recording();
-}
-
-Tree::CauseScope::~CauseScope() {
-    tree_.state_->tell_plain_writes();
-    tree_.state_->writer = writer_;
-    tree_.state_->locate = locate_;
-    tree_.state_->note_recording();
-}
-
-Cause Tree::cause() const {
-    const State& s = *state_;
-    return {.writer = s.writer,
-            .where = s.locate != nullptr ? (*s.locate)() : std::string(),
-            .step = s.step};
-}
 
 /// Whose edit it is, should the barrier find that it changed something else. Its place costs more
 /// than a callback of a game may pay, so it is looked up only while something is watched that an
@@ -205,6 +138,12 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
     State& s = *state_;
     s.require(instance);
     if (event.listeners == 0) return;
+    s.require_event(class_of(instance), event);
+    if (values.size() != event.fields.size())
+        throw Error(ErrorKind::wrong_type, path(instance) + " " + event.name + ": it tells " +
+                                               std::to_string(event.fields.size()) +
+                                               " values, and was given " +
+                                               std::to_string(values.size()));
     QueueItem item;
     item.kind = QueueItem::Kind::event;
     item.what = Occurrence{.instance = instance,
@@ -300,13 +239,14 @@ void hand_over(const Watcher& watcher, const Occurrence& occurrence) {
 
 template <class What>
 void Tree::State::call(const Watcher& watcher, const What& what) {
+    if (ending) return;  // one of the handlers has destroyed the tree
     try {
         hand_over(watcher, what);
     } catch (const std::exception& error) {
-        if (!error_sink) throw;
+        if (!error_sink || ending) throw;
         error_sink({.path = describe(what),
                     .where = watcher.label,
-                    .message = error.what(),
+                    .message = exception_text(error),
                     .exception = std::current_exception()});
     }
 }
@@ -323,7 +263,7 @@ void Tree::State::deliver_change(const Change& change, WatcherId until) {
 void Tree::State::deliver_motion(Motion& motion, WatcherId until, std::exception_ptr& error) {
     Change change;
     change.cause = motion.cause;
-    for (std::size_t part = 0; part < motion.changes.size(); ++part) {
+    for (std::size_t part = 0; part < motion.changes.size() && !ending; ++part) {
         CellChange& moved = motion.changes[part];
         change.instance = moved.instance;
         change.property = moved.property;
@@ -341,6 +281,24 @@ void Tree::State::deliver_motion(Motion& motion, WatcherId until, std::exception
 
 template void Tree::State::call(const Watcher&, const Occurrence&);  // of question.cpp
 
+/// A handler may delete what the event names before the next one is called.
+void Tree::State::deliver_event(const Occurrence& occurrence, WatcherId until) {
+    const Event& event = *occurrence.event;
+    if (event.begin != nullptr && untold.take(occurrence)) return;
+    bool told = false;
+    for (const Watcher* watcher : watchers.of_event(occurrence.instance, event, until)) {
+        if (!watcher->active) continue;
+        if (nodes.find(occurrence.instance) == nullptr) return;
+        const auto deleted = [this](const Value& value) { return names_deleted(tree, value); };
+        if (event.begin == nullptr && std::ranges::any_of(occurrence.record.values, deleted)) {
+            if (event.end != nullptr && !told) untold.note(tree, occurrence);
+            return;
+        }
+        told = true;
+        call(*watcher, occurrence);
+    }
+}
+
 /// To the recipients it was queued for.
 template <class What>
 void Tree::State::deliver_to(const QueueItem& item, const What& what) {
@@ -348,11 +306,13 @@ void Tree::State::deliver_to(const QueueItem& item, const What& what) {
         const Watcher* watcher = watchers.find(id);
         if (watcher == nullptr) continue;
         if (watcher->active || item.retire) call(*watcher, what);
+        if (ending) return;
         if (item.retire && !watcher->active) watchers.stop(id);
     }
 }
 
 void Tree::State::deliver(QueueItem& item) {
+    if (ending) return;
     const auto to_all = [this](const Watchers::List& list, const auto& what) {
         for (const Watcher* watcher : list)
             if (watcher->active) call(*watcher, what);
@@ -381,8 +341,7 @@ void Tree::State::deliver(QueueItem& item) {
             const auto& occurrence = std::get<Occurrence>(item.what);
             if (item.retire) return deliver_to(item, occurrence);
             if (nodes.find(occurrence.instance) == nullptr) return;
-            return to_all(watchers.of_event(occurrence.instance, *occurrence.event, item.until),
-                          occurrence);
+            return deliver_event(occurrence, item.until);
         }
     }
 }
@@ -407,11 +366,12 @@ void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& gen
     if (!error_sink) throw error;
     error_sink({.path = "barrier",
                 .where = {},
-                .message = error.what(),
+                .message = exception_text(error),
                 .exception = std::make_exception_ptr(error)});
 }
 
 void Tree::at_barrier(std::function<void()> action) {
+    if (!action) throw Error(ErrorKind::wrong_type, "at_barrier: a function is needed");
     state_->at_barrier.push_back(std::move(action));
 }
 
@@ -419,13 +379,14 @@ void Tree::State::run_actions(std::exception_ptr& first_error) {
     // What they post meanwhile waits for the next barrier.
     const std::vector<std::function<void()>> actions = std::exchange(at_barrier, {});
     for (const auto& action : actions) {
+        if (ending) return;
         try {
             action();
         } catch (const std::exception& error) {
-            if (error_sink)
+            if (error_sink && !ending)
                 error_sink({.path = "barrier",
                             .where = {},
-                            .message = error.what(),
+                            .message = exception_text(error),
                             .exception = std::current_exception()});
             else if (!first_error)
                 first_error = std::current_exception();
@@ -437,13 +398,16 @@ void Tree::barrier(bool between_steps) {
     State& s = *state_;
     if (s.in_barrier)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
+    const State::Use use(s);
+    s.forbid_in_formula("start a barrier");
     std::exception_ptr first_error;
     s.deliver_all(first_error);
-    if (between_steps && !s.at_barrier.empty()) {
+    if (between_steps && !s.ending && !s.at_barrier.empty()) {
         s.run_actions(first_error);
-        s.deliver_all(first_error);
+        if (!s.ending) s.deliver_all(first_error);
     }
     if (first_error) std::rethrow_exception(first_error);
+    use.finish();
 }
 
 void Tree::State::deliver_all(std::exception_ptr& first_error) {
@@ -457,15 +421,12 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
 
     struct Running {
         State& state;
-        explicit Running(State& st) : state(st) {
-            state.in_barrier = true;
-            state.watchers.handlers_begin();
-        }
+        Watchers::HandlersRun handlers;
+        explicit Running(State& st) : state(st), handlers(st.watchers) { state.in_barrier = true; }
         ~Running() {
             state.in_barrier = false;
             state.delivering = -1;
             state.delivering_part = 0;
-            state.watchers.handlers_end();
         }
     } running(*this);
     std::vector<std::vector<QueueItem>> generations;
@@ -488,6 +449,7 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
             }
         }
         delivering = -1;
+        if (ending) return;
         formulas.settle_all(false);
         compare_shadows();
     }

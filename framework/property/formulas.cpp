@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
 
 #include "state.h"
 
@@ -286,7 +287,8 @@ void Formulas::settle(Cell cell) {
     if (found == entries_.end() || tree_.state().replaying) return;
     const std::shared_ptr<Entry> e = found->second;
     if (e->running) throw Error(ErrorKind::formula, note_cycle(*e));
-    if (!settled(*e)) settle(*e);
+    // Its owner's memory must not be written in an inquiry: it keeps the value it has.
+    if (!settled(*e) && tree_.state().inquiry == nullptr) settle(*e);
     if (!e->error.empty() && !e->removed)
         throw Error(ErrorKind::formula,
                     tree_.path(e->instance, *e->property) + " is in error: " + e->error);
@@ -325,7 +327,7 @@ void Formulas::run(Entry& e) {
     try {
         result = e.formula.function(tree_);
     } catch (const std::exception& raised) {
-        error = raised.what();
+        error = exception_text(raised);
         if (error.empty()) error = "failed";
     }
     if (!e.cycle.empty()) error = e.cycle;
@@ -361,7 +363,7 @@ void Formulas::finish(Entry& e, const Value& result) {
             s.tell([&](Observer& o) { o.wrote(e.instance, *e.property, next); });
         }
     } catch (const std::exception& refusal) {
-        return fail(e, refusal.what());
+        return fail(e, exception_text(refusal));
     }
     if (!(next == e.value) || !e.error.empty()) {
         ++e.version;

@@ -1,26 +1,15 @@
 #include "history.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
 
 #include "state.h"
 
 namespace fettle::property {
 namespace {
-
-std::size_t size_of(const Value& value) {
-    std::size_t bytes = sizeof(Value);
-    if (value.is(Type::text)) bytes += value.text().size();
-    if (value.is(Type::list))
-        for (const Value& element : value.list()) bytes += size_of(element);
-    return bytes;
-}
-
-std::size_t size_of(const History::CellState& state) {
-    return sizeof state + size_of(state.value) +
-           (state.formula ? state.formula->source.size() + 64 : 0);
-}
 
 std::string short_text(std::string text) {
     if (text.size() > 48) text = text.substr(0, 45) + "...";
@@ -42,6 +31,7 @@ void History::begin(std::string name, bool scripts) {
     tree_.state().note_recording();
     if (depth_++ > 0) return;
     open_ = {};
+    open_bytes_ = 0;
     open_.name = std::move(name);
     open_.cause = tree_.cause();
 }
@@ -56,29 +46,41 @@ void History::end() {
 }
 
 void History::close() {
-    if (open_.steps.empty()) return;
-    for (const Shared& transaction : undone_) forget(*transaction);
-    undone_.clear();
-    bytes_ += open_.bytes;
-    done_.push_back(std::make_shared<Transaction>(std::move(open_)));
-    open_ = {};
-    ++version_;
+    if (open_.steps.empty() && !open_.too_large) return;
+    clear(lists_.undone);
+    put(lists_.done, std::exchange(open_, {}));
     trim();
 }
 
-void History::add(Step step, const std::string& name) {
+void History::put(Transactions& list, Transaction transaction) {
+    if (transaction.bytes() > most_of_one()) make_void(transaction);
+    list.push(std::move(transaction));
+    if (bytes_) *bytes_ += list.top_bytes();
+    bytes_ever_ += list.top_bytes();
+    ++version_;
+}
+
+Transaction History::take(Transactions& list) {
+    Transaction taken = list.top();
+    if (bytes_) *bytes_ -= list.top_bytes();
+    list.pop();
+    ++version_;
+    return taken;
+}
+
+/// It stays in the list by its name.
+void History::make_void(Transaction& transaction) {
+    forget(transaction);
+    transaction.steps = {};
+    transaction.too_large = true;
+}
+
+void History::add(EditStep step, const std::string& name) {
     const bool single = depth_ == 0;
     if (single) begin(name, false);
-    std::size_t bytes = sizeof(Step);
-    if (const auto* edit = std::get_if<CellEdit>(&step))
-        bytes += size_of(edit->before) + size_of(edit->after);
-    if (const auto* existence = std::get_if<Existence>(&step))
-        for (const Image& image : existence->images) {
-            bytes += sizeof image;
-            for (const auto& [symbol, state] : image.cells) bytes += size_of(state);
-        }
-    open_.bytes += bytes;
+    open_bytes_ += bytes_of(step);
     open_.steps.push_back(std::move(step));
+    if (open_.too_large || open_bytes_ > most_of_one()) make_void(open_);
     if (single) end();
 }
 
@@ -122,12 +124,12 @@ void History::edited(Handle instance, const Property& property, CellState before
 
 void History::moved(Handle instance, const Position& before) {
     if (observer_ != nullptr) observer_->moved(instance, before.parent, before.name.text());
-    add(Move{instance, before, position(instance)}, "move " + tree_.path(instance));
+    add(MoveEdit{instance, before, position(instance)}, "move " + tree_.path(instance));
 }
 
 void History::born(Handle instance) {
     if (observer_ != nullptr) observer_->born(instance);
-    Existence existence;
+    ExistenceEdit existence;
     existence.top = instance;
     existence.birth = true;
     add(std::move(existence), "create " + tree_.path(instance));
@@ -135,49 +137,61 @@ void History::born(Handle instance) {
 
 void History::dying(Handle instance) {
     if (observer_ != nullptr) observer_->dying(instance);
-    Existence existence;
+    ExistenceEdit existence;
     existence.top = instance;
-    existence.images = images_of(instance);
-    for (const Image& image : existence.images) {
-        const Node& node = tree_.state().nodes[image.handle.index];
+    existence.buried = buried_below(instance);
+    for (const Buried& buried : existence.buried) {
+        const Node& node = tree_.state().nodes[buried.handle.index];
         if (node.watched) ++existence.lost_watchers;
     }
-    keep_slots_ = true;
+    const bool single = depth_ == 0;
     add(std::move(existence), "delete " + tree_.path(instance));
+    keep_slots_ = single ? !lists_.done.empty() && !lists_.done.top().too_large : !open_.too_large;
 }
 
-std::vector<History::Image> History::images_of(Handle top) const {
-    std::vector<Image> images;
+/// What is as in an instance just made is left out: of most, that is nearly all.
+std::vector<Buried> History::buried_below(Handle top) const {
+    std::vector<Buried> all;
     tree_.each_below(top, [&](Handle handle) {
-        Image image;
-        image.handle = handle;
-        image.of = &tree_.class_of(handle);
-        image.position = position(handle);
-        for (const Property* property : tree_.properties(handle))
-            if (!property->read_only && property->binding.kind != BindingKind::node)
-                image.cells.emplace_back(property->symbol, capture(handle, *property));
-        images.push_back(std::move(image));
+        Buried buried;
+        buried.handle = handle;
+        buried.of = &tree_.class_of(handle);
+        buried.position = position(handle);
+        for (const Property* property : tree_.properties(handle)) {
+            if (property->read_only || property->binding.kind == BindingKind::node) continue;
+            CellState state = capture(handle, *property);
+            if (state.overridden || state.formula)
+                buried.cells.emplace_back(property->symbol, std::move(state));
+        }
+        all.push_back(std::move(buried));
     });
-    return images;
+    return all;
 }
 
 // --- Forgetting
 // ------------------------------------------------------------------------------------------------------
 
 void History::forget(const Transaction& transaction) {
-    bytes_ -= std::min(bytes_, transaction.bytes);
-    for (const Step& step : transaction.steps)
-        if (const auto* existence = std::get_if<Existence>(&step))
-            for (const Image& image : existence->images)
-                if (!tree_.alive(image.handle)) tree_.state().nodes.free_kept(image.handle);
+    for (const EditStep& step : transaction.steps)
+        if (const auto* existence = std::get_if<ExistenceEdit>(&step))
+            for (const Buried& buried : existence->buried)
+                if (!tree_.alive(buried.handle)) tree_.state().nodes.free_kept(buried.handle);
 }
 
+std::size_t History::bytes() const {
+    if (!bytes_) bytes_ = lists_.done.bytes() + lists_.undone.bytes();
+    return *bytes_;
+}
+
+/// By a quarter more than has to be, so that it is not every edit that looks for the last.
 void History::trim() {
-    while (bytes_ > limit_ && done_.size() > 1) {
-        forget(*done_.front());
-        done_.pop_front();
-        ++version_;
-    }
+    if (bytes() <= limit_) return;
+    const std::size_t most = most_of_one();
+    const auto forgotten = [this](const Transaction& transaction) { forget(transaction); };
+    lists_.undone.trim(most, forgotten);
+    lists_.done.trim(most - lists_.undone.bytes(), forgotten);
+    bytes_.reset();
+    ++version_;
 }
 
 void History::set_limit(std::size_t bytes) {
@@ -185,47 +199,54 @@ void History::set_limit(std::size_t bytes) {
     trim();
 }
 
-void History::clear() {
-    for (const Shared& transaction : done_) forget(*transaction);
-    for (const Shared& transaction : undone_) forget(*transaction);
-    done_.clear();
-    undone_.clear();
-    bytes_ = 0;
+void History::clear(Transactions& list) {
+    if (list.empty()) return;
+    list.each([this](const Transaction& transaction) { forget(transaction); });
+    list = {};
+    bytes_.reset();
     ++version_;
 }
 
-namespace {
-template <class Done, class Undone>
-struct HistoryImage {
-    Done done;
-    Undone undone;
-    std::size_t bytes = 0;
-};
-}  // namespace
-
 Memory History::image() const {
-    using Lists = HistoryImage<decltype(done_), decltype(undone_)>;
-    return std::make_shared<const Lists>(Lists{done_, undone_, bytes_});
+    return std::make_shared<const Lists>(lists_);
 }
 
 // The slots of the dead that may come back are kept in the nodes' own image.
 void History::restore(const Memory& image) {
-    using Lists = HistoryImage<decltype(done_), decltype(undone_)>;
-    static const Lists nothing;
-    const Lists& lists = image == nullptr ? nothing : *static_cast<const Lists*>(image.get());
-    done_ = lists.done;
-    undone_ = lists.undone;
-    bytes_ = lists.bytes;
-    open_.steps.clear();  // an edit that is under way goes on from here
-    open_.bytes = 0;
+    lists_ = image == nullptr ? Lists{} : *static_cast<const Lists*>(image.get());
+    bytes_.reset();
+    // An edit that is under way goes on from here.
+    open_.steps.clear();
+    open_.too_large = false;
+    open_bytes_ = 0;
     ++version_;
+}
+
+void History::free_unclaimed() {
+    Nodes& nodes = tree_.state().nodes;
+    if (!nodes.keeps_any()) return;
+    std::vector<bool> claimed(nodes.end());
+    const auto claim = [&](const Transaction& transaction) {
+        for (const EditStep& step : transaction.steps)
+            if (const auto* existence = std::get_if<ExistenceEdit>(&step))
+                for (const Buried& buried : existence->buried)
+                    if (nodes.keeps(buried.handle)) claimed[buried.handle.index] = true;
+    };
+    lists_.done.each(claim);
+    lists_.undone.each(claim);
+    nodes.free_kept_but([&](std::uint32_t index) { return claimed[index]; });
 }
 
 std::vector<HistoryEntry> History::entries() const {
     std::vector<HistoryEntry> all;
-    for (const Shared& t : done_) all.push_back({t->name, t->cause, t->steps.size(), false});
-    for (auto t = undone_.rbegin(); t != undone_.rend(); ++t)
-        all.push_back({(*t)->name, (*t)->cause, (*t)->steps.size(), true});
+    const auto list = [&all](const Transactions& of, bool undone) {
+        of.each([&](const Transaction& t) {
+            all.push_back({t.name, t.cause, t.steps.size(), undone, t.too_large});
+        });
+    };
+    list(lists_.undone, true);
+    std::reverse(all.begin(), all.end());  // what was undone first was done last
+    list(lists_.done, false);
     return all;
 }
 
@@ -233,45 +254,45 @@ std::vector<HistoryEntry> History::entries() const {
 // ---------------------------------------------------------------------------------------------------------
 
 UndoResult History::undo() {
-    if (depth_ > 0 && !open_.steps.empty())
+    if (edit_is_open())
         throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
-    if (done_.empty()) return {};
-    Transaction transaction = *done_.back();
-    done_.pop_back();
+    if (lists_.done.empty()) return {};
+    Transaction transaction = take(lists_.done);
     UndoResult result = run(transaction, true);
-    undone_.push_back(std::make_shared<Transaction>(std::move(transaction)));
-    ++version_;
+    put(lists_.undone, std::move(transaction));
+    trim();
     return result;
 }
 
 UndoResult History::redo() {
-    if (depth_ > 0 && !open_.steps.empty())
+    if (edit_is_open())
         throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
-    if (undone_.empty()) return {};
-    Transaction transaction = *undone_.back();
-    undone_.pop_back();
+    if (lists_.undone.empty()) return {};
+    Transaction transaction = take(lists_.undone);
     UndoResult result = run(transaction, false);
-    done_.push_back(std::make_shared<Transaction>(std::move(transaction)));
-    ++version_;
+    put(lists_.done, std::move(transaction));
+    trim();
     return result;
 }
 
 UndoResult History::run(Transaction& transaction, bool back) {
     UndoResult result{.done = true, .name = transaction.name, .notes = {}};
+    if (transaction.too_large)
+        result.notes.emplace_back("it took more memory than the history may: nothing was changed");
     const Tree::CauseScope scope(tree_, Writer::undo);
     struct Applying {
         bool& flag;
         explicit Applying(bool& f) : flag(f) { flag = true; }
         ~Applying() { flag = false; }
     } applying(applying_);
-    const auto one = [&](Step& step) {
+    const auto one = [&](EditStep& step) {
         std::visit([&](auto& what) { apply(what, back, result); }, step);
     };
     if (back)
         for (auto step = transaction.steps.rbegin(); step != transaction.steps.rend(); ++step)
             one(*step);
     else
-        for (Step& step : transaction.steps) one(step);
+        for (EditStep& step : transaction.steps) one(step);
     return result;
 }
 
@@ -297,7 +318,7 @@ void History::set_cell(Handle instance, Symbol name, const CellState& state, Und
             tree_.set(instance, *property, state.value);
         if (state.formula) tree_.set_formula(instance, *property, *state.formula);
     } catch (const std::exception& error) {
-        result.notes.emplace_back(error.what());
+        result.notes.push_back(exception_text(error));
     }
 }
 
@@ -316,7 +337,7 @@ void History::apply(CellEdit& edit, bool back, UndoResult& result) {
         observer_->edited(edit.instance, *property, found);
 }
 
-void History::apply(Move& move, bool back, UndoResult& result) {
+void History::apply(MoveEdit& move, bool back, UndoResult& result) {
     if (!tree_.alive(move.instance)) {
         result.notes.emplace_back("a move is void: its instance was deleted since");
         return;
@@ -326,66 +347,66 @@ void History::apply(Move& move, bool back, UndoResult& result) {
     if (observer_ != nullptr) observer_->moved(move.instance, found.parent, found.name.text());
 }
 
-void History::apply(Existence& existence, bool back, UndoResult& result) {
+void History::apply(ExistenceEdit& existence, bool back, UndoResult& result) {
     if (existence.birth == back)
         bury(existence, result);
     else
         revive(existence, result);
 }
 
-void History::bury(Existence& existence, UndoResult& result) {
+void History::bury(ExistenceEdit& existence, UndoResult& result) {
     if (!tree_.alive(existence.top)) {
         result.notes.emplace_back("an instance to be deleted is gone already");
         return;
     }
     if (observer_ != nullptr) observer_->dying(existence.top);
-    existence.images = images_of(existence.top);
+    existence.buried = buried_below(existence.top);
     existence.lost_watchers = 0;
-    for (const Image& image : existence.images)
-        if (tree_.state().nodes[image.handle.index].watched) ++existence.lost_watchers;
+    for (const Buried& buried : existence.buried)
+        if (tree_.state().nodes[buried.handle.index].watched) ++existence.lost_watchers;
     keep_slots_ = true;
     tree_.destroy(existence.top);
     keep_slots_ = false;
 }
 
-void History::revive(Existence& existence, UndoResult& result) {
+void History::revive(ExistenceEdit& existence, UndoResult& result) {
     Tree::State& s = tree_.state();
-    if (existence.images.empty() || tree_.alive(existence.top)) {
+    if (existence.buried.empty() || tree_.alive(existence.top)) {
         result.notes.emplace_back("an instance cannot be brought back: nothing is known of it");
         return;
     }
-    if (!std::all_of(existence.images.begin(), existence.images.end(),
-                     [&s](const Image& image) { return s.nodes.keeps(image.handle); })) {
+    if (!std::all_of(existence.buried.begin(), existence.buried.end(),
+                     [&s](const Buried& buried) { return s.nodes.keeps(buried.handle); })) {
         result.notes.emplace_back("an instance cannot be brought back: its place was given away");
         return;
     }
-    if (const Handle parent = existence.images.front().position.parent;
+    if (const Handle parent = existence.buried.front().position.parent;
         parent && !tree_.alive(parent)) {
-        result.notes.push_back("\"" + existence.images.front().position.name.text() +
+        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
                                "\" cannot be brought back: what it hung under is gone");
         return;
     }
-    for (const Image& image : existence.images) {
-        NodeName name = image.position.name;
-        const std::uint32_t parent = image.position.parent.index;
+    for (const Buried& buried : existence.buried) {
+        NodeName name = buried.position.name;
+        const std::uint32_t parent = buried.position.parent.index;
         if (const std::uint32_t there = parent == 0 ? 0 : s.nodes.child(parent, name); there != 0) {
             // Below, it can only be what the parent made for itself just now; at the top, the
             // game's own.
-            if (&image != &existence.images.front())
+            if (&buried != &existence.buried.front())
                 tree_.destroy(s.nodes.handle(there));
             else
                 name = s.nodes.free_name(parent, name.base.text());
         }
-        s.make(*image.of, parent, name, image.position.named, image.handle);
+        s.make(*buried.of, parent, name, buried.position.named, buried.handle);
     }
     // Values when all are there, so that references find whom they mean.
-    for (const Image& image : existence.images)
-        for (const auto& [symbol, state] : image.cells)
-            set_cell(image.handle, symbol, state, result);
-    place(existence.top, existence.images.front().position, result);
+    for (const Buried& buried : existence.buried)
+        for (const auto& [symbol, state] : buried.cells)
+            set_cell(buried.handle, symbol, state, result);
+    place(existence.top, existence.buried.front().position, result);
     if (observer_ != nullptr) observer_->born(existence.top);
-    // Whoever buries them next has newer images, and the slots to give back.
-    existence.images.clear();
+    // Whoever buries them next knows better what they are, and the slots to give back.
+    existence.buried.clear();
     if (existence.lost_watchers > 0)
         result.notes.push_back("watchers of " + tree_.path(existence.top) +
                                " ended when it was deleted; they are not brought back");

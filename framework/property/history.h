@@ -5,18 +5,15 @@
 // remembers it.
 
 #include <cstdint>
-#include <deque>
-#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <fettle/property/edits.h>
 #include <fettle/property/history.h>
 #include <fettle/property/tree.h>
 
-#include "nodes.h"
+#include "transactions.h"
 
 namespace fettle::property {
 
@@ -25,13 +22,7 @@ class History {
     explicit History(Tree& tree) : tree_(tree) {}
 
     using CellState = property::CellState;
-    /// Where an instance hangs. `before`: the sibling in front of it.
-    struct Position {
-        Handle parent;
-        Handle before;
-        NodeName name;
-        bool named = false;
-    };
+    using Position = property::Position;
 
     void observe(EditObserver* observer) { observer_ = observer; }
     /// Whether what is written now is a person's edit.
@@ -68,76 +59,64 @@ class History {
 
     UndoResult undo();
     UndoResult redo();
+    /// The latest first; what was undone is later than what was not.
     std::vector<HistoryEntry> entries() const;
     void set_limit(std::size_t bytes);
-    std::size_t bytes() const { return bytes_; }
-    void clear();
+    /// Memory it takes, about.
+    std::size_t bytes() const;
+    /// Of all that was ever put into it; what is not in it now is forgotten, though images made
+    /// before may hold it.
+    std::size_t bytes_ever() const { return bytes_ever_; }
 
     /// The lists as they are, to be put back by `restore`; null puts back nothing: an empty
-    /// history.
+    /// history. Costs the same however long they are.
     Memory image() const;
     void restore(const Memory& image);
+    /// Slots that are kept for the dead of edits that are forgotten: a state of the past may keep
+    /// them for what was forgotten since.
+    void free_unclaimed();
     std::uint64_t version() const { return version_; }
 
   private:
-    struct CellEdit {
-        Handle instance;
-        Symbol property;
-        CellState before, after;
-    };
-    struct Image {
-        Handle handle;
-        const Class* of = nullptr;
-        Position position;
-        std::vector<std::pair<Symbol, CellState>> cells;
-    };
-    struct Existence {
-        Handle top;
-        bool birth = false;  // else a death
-        std::vector<Image> images;
-        std::size_t lost_watchers = 0;
-    };
-    struct Move {
-        Handle instance;
-        Position before, after;
-    };
-    using Step = std::variant<CellEdit, Existence, Move>;
-    struct Transaction {
-        std::string name;
-        Cause cause;
-        std::vector<Step> steps;
-        std::size_t bytes = 0;
+    struct Lists {
+        Transactions done, undone;
     };
 
-    void add(Step step, const std::string& name);
+    bool edit_is_open() const { return depth_ > 0 && (!open_.steps.empty() || open_.too_large); }
+    /// What is more than this is forgotten as soon as it is made.
+    std::size_t most_of_one() const { return limit_ - limit_ / 4; }
+    void add(EditStep step, const std::string& name);
     void close();
+    void put(Transactions& list, Transaction transaction);
+    Transaction take(Transactions& list);
+    void clear(Transactions& list);
     void forget(const Transaction& transaction);
+    void make_void(Transaction& transaction);
     void trim();
-    std::vector<Image> images_of(Handle top) const;
+    std::vector<Buried> buried_below(Handle top) const;
     UndoResult run(Transaction& transaction, bool back);
     void apply(CellEdit& edit, bool back, UndoResult& result);
-    void apply(Existence& existence, bool back, UndoResult& result);
-    void apply(Move& move, bool back, UndoResult& result);
+    void apply(ExistenceEdit& existence, bool back, UndoResult& result);
+    void apply(MoveEdit& move, bool back, UndoResult& result);
     void set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
-    void revive(Existence& existence, UndoResult& result);
-    void bury(Existence& existence, UndoResult& result);
+    void revive(ExistenceEdit& existence, UndoResult& result);
+    void bury(ExistenceEdit& existence, UndoResult& result);
     void place(Handle instance, const Position& at, UndoResult& result);
 
     Tree& tree_;
     EditObserver* observer_ = nullptr;
-    // Never changed once they are in a list: snapshots share them.
-    using Shared = std::shared_ptr<const Transaction>;
-    std::deque<Shared> done_;
-    std::vector<Shared> undone_;
+    Lists lists_;
     std::uint64_t version_ = 0;  // counts changes of the two
     Transaction open_;
+    std::size_t open_bytes_ = 0;
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
     std::size_t script_edits_ = 0;  // how many of them that is true of
     bool applying_ = false;
     bool keep_slots_ = false;
     std::size_t lost_watchers_ = 0;
-    std::size_t bytes_ = 0;
+    mutable std::optional<std::size_t> bytes_ = 0;  // of the lists, where it is known
+    std::size_t bytes_ever_ = 0;
     std::size_t limit_ = std::size_t{64} << 20;
 };
 

@@ -2,6 +2,7 @@
 // Nodes: who is whose child, what everyone is called. Compact (40 bytes and 6 to 12 in a table of
 // names) because a game may have a hundred thousand of them.
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -107,8 +108,15 @@ class Nodes {
     static Nodes load(ByteReader& from, const std::vector<std::uint16_t>& classes);
     /// Takes the place of what is there.
     void replace(Nodes&& other);
-    /// Slots that are kept for nobody any more.
-    void free_all_kept();
+    bool keeps_any() const {
+        return std::any_of(nodes_.begin(), nodes_.end(), [](const Node& n) { return n.kept != 0; });
+    }
+    /// Gives back the slots that are kept and for which `claimed(index)` is false.
+    template <class Claimed>
+    void free_kept_but(Claimed claimed) {
+        for (std::uint32_t i = 1; i < end(); ++i)
+            if (nodes_[i].kept && !claimed(i)) free_kept({i, nodes_[i].generation - 1});
+    }
 
     /// Appends to the children of `parent`. The name must be free.
     void link(std::uint32_t index, std::uint32_t parent, NodeName name);
@@ -135,7 +143,7 @@ class Nodes {
     std::uint32_t& counter(std::uint32_t parent, Symbol stem);
     std::uint32_t next_generation(std::uint32_t index, std::uint32_t after);
     bool links_hold() const;
-    void index_names();
+    bool index_names();
 
     std::vector<Node> nodes_;
     std::uint32_t count_ = 1;  // of slots: the vector's own size takes a division to find

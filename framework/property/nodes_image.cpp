@@ -10,6 +10,9 @@
 namespace fettle::property {
 namespace {
 
+/// Names have no more than nine digits; those before the last are given by counting.
+constexpr std::uint32_t most_number = 900'000'000;
+
 /// Symbols are numbers of this process: the texts of those that are used go along.
 class Names {
   public:
@@ -89,20 +92,31 @@ Nodes Nodes::load(ByteReader& from, const std::vector<std::uint16_t>& classes) {
         Node& node = read.nodes_[i];
         if (!node.alive()) continue;
         ++read.alive_;
+        from.require(node.generation != 0 && !node.kept, "an instance that is dead");
         from.require(node.class_id < classes.size(), "an instance of no class");
         node.class_id = classes[node.class_id];
         node.name.base = names(node.name.base, from);
+        from.require(
+            !node.name.base.text().empty() && NodeName::look_up(node.name.text()) == node.name,
+            "a name that is none");
     }
-    for (const std::uint32_t index : read.free_)
-        from.require(index != 0 && index < read.end() && !read.nodes_[index].alive(),
-                     "a free place that is taken");
+    std::vector<bool> free(read.end());
+    for (const std::uint32_t index : read.free_) {
+        from.require(index != 0 && index < read.end() && !read.nodes_[index].alive() &&
+                         !read.nodes_[index].kept && read.nodes_[index].generation != 0 &&
+                         !free[index],
+                     "a free place that is none");
+        free[index] = true;
+    }
     for (std::size_t n = from.count(12); n > 0; --n) {
         const auto key = from.get<std::uint64_t>();
         const auto stem = std::bit_cast<Symbol>(static_cast<std::uint32_t>(key));
-        read.counters_[key >> 32 << 32 | names(stem, from).id()] = from.get<std::uint32_t>();
+        const auto last = from.get<std::uint32_t>();
+        from.require(last < most_number, "a number that no name can have");
+        read.counters_[key >> 32 << 32 | names(stem, from).id()] = last;
     }
     from.require(read.links_hold(), "parents and children do not agree");
-    read.index_names();
+    from.require(read.index_names(), "two children of one name");
     return read;
 }
 
@@ -143,13 +157,18 @@ bool Nodes::links_hold() const {
     return reached == alive_;
 }
 
-void Nodes::index_names() {
+/// False where two have one name.
+bool Nodes::index_names() {
     std::size_t size = 64;
     while (size * 2 < alive_ * 3 + 3) size *= 2;
     index_.assign(size, 0);
     indexed_ = 0;
-    for (std::uint32_t i = 1; i < end(); ++i)
-        if (nodes_[i].alive() && nodes_[i].parent != 0) index_insert(i);
+    for (std::uint32_t i = 1; i < end(); ++i) {
+        if (!nodes_[i].alive() || nodes_[i].parent == 0) continue;
+        if (child(nodes_[i].parent, nodes_[i].name) != 0) return false;
+        index_insert(i);
+    }
+    return true;
 }
 
 void Nodes::replace(Nodes&& other) {
@@ -176,11 +195,6 @@ void Nodes::replace(Nodes&& other) {
     for (const auto& [i, last] : issued)
         if (i >= room) other.issued_[i] = last;
     *this = std::move(other);
-}
-
-void Nodes::free_all_kept() {
-    for (std::uint32_t i = 1; i < end(); ++i)
-        if (nodes_[i].kept) free_kept({i, nodes_[i].generation - 1});
 }
 
 }  // namespace fettle::property

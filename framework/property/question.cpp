@@ -1,5 +1,7 @@
 #include <fettle/property/question.h>
 
+#include <utility>
+
 #include <fettle/property/tree.h>
 
 #include "coerce.h"
@@ -10,34 +12,52 @@ namespace {
 
 thread_local Question* asked = nullptr;
 
+constexpr std::string_view rule =
+    "is asked inside a step: a handler changes what it is told, it cannot";
+
 /// While it lives, a question is asked on this thread.
 class Asking {
   public:
-    Asking(Tree::State& state, Question& question) : state_(state), before_(asked) {
-        ask(&question);
-    }
-    ~Asking() { ask(before_); }
+    explicit Asking(Question& question) : before_(std::exchange(asked, &question)) {}
+    ~Asking() { asked = before_; }
     Asking(const Asking&) = delete;
 
   private:
-    void ask(Question* question) {
-        asked = question;
-        state_.note_listeners();
-    }
-
-    Tree::State& state_;
     Question* before_;
 };
 
 }  // namespace
+
+Inquiry::Inquiry(Tree& tree, std::string_view subject, std::string_view rule)
+    : tree_(tree),
+      subject_(subject),
+      rule_(rule),
+      outer_(std::exchange(tree.state().inquiry, this)) {
+    tree_.state().note_listeners();
+}
+
+Inquiry::~Inquiry() {
+    tree_.state().inquiry = outer_;
+    tree_.state().note_listeners();
+}
+
+void Inquiry::refuse(const char* what) const {
+    throw Error(ErrorKind::rejected, std::string(subject_) + " " + std::string(rule_) + " " + what);
+}
 
 Question* Question::current() {
     return asked;
 }
 
 void Question::answer(std::size_t field, const Value& value) {
+    if (field >= event_.fields.size() || field >= values_.size())
+        throw Error(ErrorKind::unknown_name, tree_.path(instance_) + " " + event_.name +
+                                                 ": no value number " + std::to_string(field) +
+                                                 " is told");
     const Field& of = event_.fields[field];
-    if (value == values_[field]) return;
+    const Value& now = values_[field];
+    const bool nobody = now.is(Type::reference) && !now.reference();
+    if (value == now || (value.is_nil() && nobody)) return;  // nobody is nil to scripts
     struct Where {
         std::string event, field;
     } place{tree_.path(instance_) + " " + event_.name, of.name};
@@ -59,16 +79,16 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     if (event.listeners == 0 || !tree.alive(instance)) return;
     Tree::State& s = tree.state();
     Question question(tree, instance, event, values, changeable);
-    const Asking asking(s, question);
+    const Inquiry inquiry(tree, event.name, rule);
+    const Asking asking(question);
     // A handler may stop watchers, itself included.
-    s.watchers.handlers_begin();
+    const Watchers::HandlersRun running(s.watchers);
     for (const Watcher* watcher : s.watchers.of_event(instance, event, s.watchers.last_id()))
         if (watcher->active)
             s.call(*watcher, Occurrence{.instance = instance,
                                         .event = &event,
                                         .record = {&event.fields, values},
                                         .step = s.step});
-    s.watchers.handlers_end();
 }
 
 }  // namespace fettle::property

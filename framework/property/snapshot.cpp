@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -18,15 +19,16 @@ namespace fettle::property {
 namespace {
 
 constexpr std::array<char, 8> magic = {'F', 'e', 't', 't', 'l', 'e', 's', '1'};
-constexpr std::uint32_t version = 2;
+constexpr std::uint64_t version = 3;
 
+/// What a file begins with. Behind it comes the state, and then the checksum of all before it:
+/// no byte of the file is outside of it (docs/design/time.md).
 struct FileHeader {
     std::array<char, 8> magic = property::magic;
-    std::uint32_t version = property::version;
-    std::uint32_t reserved = 0;
-    std::uint64_t size = 0;
-    std::uint64_t checksum = 0;
+    std::uint64_t version = property::version;
+    std::uint64_t size = 0;  // of the state, bytes
 };
+using FileChecksum = std::uint64_t;
 
 [[noreturn]] void refuse(const std::string& why) {
     throw Error(ErrorKind::damaged, "the snapshot cannot be read: " + why);
@@ -42,8 +44,8 @@ constexpr std::string_view tree_block = "tree";
 
 }  // namespace
 
-Snapshot::Snapshot(std::vector<std::byte> payload, Memories memories)
-    : data_(std::make_shared<Data>(Data{std::move(payload), std::move(memories)})) {}
+Snapshot::Snapshot(std::vector<std::byte> payload, Memories memories, std::size_t held)
+    : data_(std::make_shared<Data>(Data{std::move(payload), std::move(memories), held})) {}
 
 std::span<const std::byte> Snapshot::payload() const {
     return data_->payload;
@@ -60,14 +62,13 @@ std::uint64_t Snapshot::step() const {
 }
 
 std::vector<std::byte> Snapshot::to_bytes() const {
-    FileHeader header;
-    header.size = data_->payload.size();
-    header.checksum = checksum(data_->payload);
+    const FileHeader header{.size = data_->payload.size()};
     std::vector<std::byte> out;
-    out.reserve(sizeof header + data_->payload.size());
+    out.reserve(sizeof header + data_->payload.size() + sizeof(FileChecksum));
     ByteWriter to(out);
     to.put(header);
     to.raw(data_->payload.data(), data_->payload.size());
+    to.put(FileChecksum{checksum(out)});
     return out;
 }
 
@@ -79,10 +80,15 @@ Snapshot Snapshot::from_bytes(std::span<const std::byte> bytes) {
     if (header.version != version)
         refuse("it is of format " + std::to_string(header.version) + ", and this Fettle reads " +
                std::to_string(version));
-    const auto payload = bytes.subspan(sizeof header);
-    if (payload.size() < header.size) refuse("it ends too early");
-    if (payload.size() > header.size) refuse("there is something behind its end");
-    if (checksum(payload) != header.checksum) refuse("it is damaged: the checksum is another");
+    const std::size_t rest = bytes.size() - sizeof header;
+    if (rest < sizeof(FileChecksum) || rest - sizeof(FileChecksum) < header.size)
+        refuse("it ends too early");
+    if (rest - sizeof(FileChecksum) > header.size) refuse("there is something behind its end");
+    const auto checked = bytes.first(bytes.size() - sizeof(FileChecksum));
+    FileChecksum written = 0;
+    std::memcpy(&written, checked.data() + checked.size(), sizeof written);
+    if (checksum(checked) != written) refuse("it is damaged: the checksum is another");
+    const auto payload = checked.subspan(sizeof header);
     return {std::vector<std::byte>(payload.begin(), payload.end()), {}};
 }
 
@@ -118,6 +124,7 @@ Snapshot Tree::snapshot(std::vector<std::byte> room) const {
     payload.clear();
     payload.reserve(state_->snapshot_size + state_->snapshot_size / 8);
     Snapshot::Memories memories;
+    std::size_t held = 0;
     ByteWriter to(payload);
     to.put(state_->step);
     to.put(std::uint64_t{state_->parts.size() + 1});
@@ -127,11 +134,17 @@ Snapshot Tree::snapshot(std::vector<std::byte> room) const {
         memories.emplace_back(name, save());
         to.end_block(begin);
     };
-    block(tree_block, [&] { return TreeImage::save(*state_, to); });
-    for (const SnapshotPart* part : state_->parts)
+    block(tree_block, [&] {
+        std::shared_ptr<const TreeMemory> memory = TreeImage::save(*state_, to);
+        held += memory->bytes();
+        return memory;
+    });
+    for (const SnapshotPart* part : state_->parts) {
         block(part->part_name(), [&] { return part->save(to); });
+        held += part->size_of(memories.back().second);
+    }
     state_->snapshot_size = payload.size();
-    return {std::move(payload), std::move(memories)};
+    return {std::move(payload), std::move(memories), held};
 }
 
 void Tree::restore(const Snapshot& snapshot) {
@@ -203,6 +216,11 @@ Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
 
 }  // namespace
 
+void Tree::check(const Snapshot& snapshot) const {
+    if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
+    (void)prepare(*state_, snapshot);
+}
+
 void each_restored(const Tree& tree, const std::function<void(Handle, const Class&, Row)>& visit) {
     if (reading.tree == &tree) reading.image->each(visit);
 }
@@ -217,6 +235,7 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
     if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
     Prepared prepared = prepare(s, snapshot);
     Transition transition(s);
+    std::exception_ptr problem;
     {
         struct Silence {
             Tree::State& state;
@@ -230,9 +249,15 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
         prepared.image->put_nodes();
         for (const auto& put : prepared.parts) put();
         prepared.image->put_values();
-        if (go_on) go_on();
+        if (go_on) try {
+                go_on();
+            } catch (...) {
+                problem = std::current_exception();  // the tree is whole, however far it has come
+            }
+        s.history.free_unclaimed();
     }
     transition.finish();
+    if (problem) std::rethrow_exception(problem);
 }
 
 }  // namespace fettle::property

@@ -21,6 +21,7 @@
 #include "nodes.h"
 #include "shadows.h"
 #include "stored_columns.h"
+#include "untold.h"
 #include "watchers.h"
 #include "writes_log.h"
 
@@ -46,6 +47,8 @@ struct QueueItem {
 
 struct Tombstone {
     Handle handle;
+    const Class* of = nullptr;
+    std::string name;
     std::string path;
     Cause cause;
 };
@@ -76,17 +79,22 @@ struct Tree::State {
     std::ptrdiff_t delivering = -1;
     std::size_t delivering_part = 0;
     Watchers::List called;  // by the delivery at hand
+    UntoldBeginnings untold;
     bool in_barrier = false;
     bool stepped = false;  // since the shadows were last compared
     bool edited = false;
     std::uint64_t upheavals = 1;  // what `epoch` counts beside writes in the log
     bool ending = false;          // the tree itself is being destroyed
+    std::shared_ptr<const Tree*> life = std::make_shared<const Tree*>(&tree);
+    int uses = 0;                   // calls that call handlers or methods
+    std::unique_ptr<State> orphan;  // itself, when one of those destroyed the tree
     Cause last_edit;  // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
     std::vector<std::function<void()>> at_barrier;  // when it is between steps
     std::vector<SnapshotPart*> parts;
     mutable std::size_t snapshot_size = 0;  // of the last one
     std::vector<Handle> to_come;            // of whom is made again inside of what is done again
+    const Inquiry* inquiry = nullptr;       // the innermost that is being made
     bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
 
     std::uint64_t step = 0;
@@ -104,6 +112,38 @@ struct Tree::State {
     /// takes back it had before: nobody can have looked in between.
     std::uint64_t epoch() const { return upheavals + writes.ever(); }
 
+    /// While it lives, what is called may destroy the tree: its state lives on as long.
+    class Use {
+      public:
+        explicit Use(State& state) : state_(state) { ++state_.uses; }
+        ~Use() {
+            if (--state_.uses == 0) const std::unique_ptr<State> dead = std::move(state_.orphan);
+        }
+        Use(const Use&) = delete;
+        /// At the end: throws Error(deleted) if that happened.
+        void finish() const;
+
+      private:
+        State& state_;
+    };
+
+    // membership.cpp: what is handed in belongs to this tree, and to that instance
+    bool has(const Node& node, const Property& property) const {
+        const Class& of = classes[node.class_id];
+        return property.owner == &of || inherits(of, property);
+    }
+    static bool inherits(const Class& of, const Property& property);
+    const Node& require(Handle handle, const Property& property) const {
+        const Node& node = require(handle);
+        if (!has(node, property)) [[unlikely]]
+            refuse_foreign(handle, property);
+        return node;
+    }
+    [[noreturn]] void refuse_foreign(Handle handle, const Property& property) const;
+    void require_own(const Class& of) const;
+    void require_event(const Class& of, const Event& event) const;
+    void require_method(Handle handle, const Method& method) const;
+
     Node& require(Handle handle) {
         Node* node = nodes.find(handle);
         if (node == nullptr) throw_deleted(handle);
@@ -111,20 +151,21 @@ struct Tree::State {
     }
     const Node& require(Handle handle) const { return const_cast<State*>(this)->require(handle); }
     [[noreturn]] void throw_deleted(Handle handle) const;
-    /// Formulas compute; they do not write.
+    void bury(Tombstone tombstone);
+    /// nullptr where the instance lives, or was deleted too long ago.
+    const Tombstone* tombstone(Handle handle) const;
+    /// Formulas compute and functions that are asked answer; neither changes anything.
     void forbid_in_formula(const char* what) const;
     /// To be called whenever the writer is another, or an edit begins or ends.
     void note_recording() {
         records = history.recording(writer);
         note_listeners();
     }
-    /// To be called whenever a formula begins or ends to compute or a question to be asked, and
-    /// when there may be other shadows.
+    /// To be called whenever a formula begins or ends to compute or an inquiry to be made, and when
+    /// there may be other shadows.
     void note_listeners() { writes.open(shadows.empty() && !only_the_long_way()); }
     /// What is written is an edit to be recorded, or not allowed.
-    bool only_the_long_way() const {
-        return records || formulas.tracking() || Question::current() != nullptr;
-    }
+    bool only_the_long_way() const { return records || formulas.tracking() || inquiry != nullptr; }
     void structure_changed(std::uint32_t parent, const NodeName& name);
 
     /// Calls `what(observer)` for each observer.
@@ -144,9 +185,19 @@ struct Tree::State {
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});
     void check_child_name(Handle parent, std::string_view name) const;
+    void finish_making(Handle self, const Class& of);
+    void unmake(Handle self);
     void destroy_one(std::uint32_t index);
-    void place_subtree(Handle top);
+    void destroy_below(std::uint32_t top);
     void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
+
+    // tree_placing.cpp
+    void require_movable(Handle instance) const;
+    void place_subtree(Handle top);
+    void hang(Handle instance, const Position& at);
+    void hang_back(Handle instance, const Position& was);
+    void hang_or_leave(Handle instance, const Position& at);
+    void told_of_move(Handle instance);
 
     // tree_edit.cpp
     Value read(std::uint32_t index, const Node& node, const Property& property) const;
@@ -191,6 +242,7 @@ struct Tree::State {
     void deliver(QueueItem& item);
     void deliver_change(const Change& change, WatcherId until);
     void deliver_motion(Motion& motion, WatcherId until, std::exception_ptr& error);
+    void deliver_event(const Occurrence& occurrence, WatcherId until);
     template <class What>
     void deliver_to(const QueueItem& item, const What& what);
     template <class What>

@@ -83,6 +83,12 @@ void StoredColumns::set(const Property& property, std::uint32_t row, const Value
                columns_[property.stored_index]);
 }
 
+std::vector<bool> StoredColumns::free_rows() const {
+    std::vector<bool> free(rows_);
+    for (const std::uint32_t row : free_) free[row] = true;
+    return free;
+}
+
 // --- Snapshots
 
 void StoredColumns::save(ByteWriter& to) const {
@@ -111,7 +117,11 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
     read.rows_ = from.get<std::uint32_t>();
     from.require(read.rows_ <= most_rows, "more rows than it has instances");
     read.free_ = from.list<std::uint32_t>();
-    for (const std::uint32_t row : read.free_) from.require(row < read.rows_, "a row out of range");
+    std::vector<bool> free(read.rows_);
+    for (const std::uint32_t row : read.free_) {
+        from.require(row < read.rows_ && !free[row], "a free row that is none");
+        free[row] = true;
+    }
     std::vector<bool> found(of.stored_.size(), false);
     for (std::size_t n = from.count(9); n > 0; --n) {
         const std::string_view name = from.text();
@@ -130,6 +140,9 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
                 } else {
                     values = block.list<typename Values::value_type>();
                     block.require(values.size() == read.rows_, "a column of another length");
+                    if constexpr (std::is_same_v<Values, std::vector<std::uint8_t>>)
+                        for (const std::uint8_t flag : values)
+                            block.require(flag <= 1, "neither true nor false");
                 }
             },
             column);

@@ -28,6 +28,8 @@ class StoredColumns {
 
     /// As many rows as that are in use or free.
     std::uint32_t rows() const { return rows_; }
+    /// By row.
+    std::vector<bool> free_rows() const;
 
     // Snapshots: columns by the names of their properties, so that a class may have changed since.
     // What it did not have then starts with its default.

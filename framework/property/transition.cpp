@@ -17,7 +17,7 @@ void Transition::note(std::uint32_t index) {
     const Node& node = state_.nodes[index];
     const Handle self = state_.nodes.handle(index);
     const Class& of = state_.classes[node.class_id];
-    lived_.push_back({self, &of, node.fresh != 0});
+    lived_.push_back({self, &of, node.name, node.fresh != 0});
     const bool broad = state_.watchers.any_broad();
     if (!node.watched && !broad && !state_.watchers.any_deleted()) return;
     for (const Property* property : state_.tree.properties(self))
@@ -66,16 +66,17 @@ void Transition::drop_queued() {
     });
     for (QueueItem& item : state_.queue) item.trigger = -1;
     state_.queued_changes.clear();
+    state_.untold.clear();
 }
 
 void Transition::end_instances() {
     const Cause cause = state_.tree.cause();
     for (Existence& gone : farewells_) {
         if (state_.nodes.find(gone.instance) != nullptr) continue;
-        state_.tombstones.push_back({gone.instance, gone.path, cause});
         const auto lived = std::lower_bound(
             lived_.begin(), lived_.end(), gone.instance.index,
             [](const Lived& l, std::uint32_t index) { return l.instance.index < index; });
+        state_.bury({gone.instance, lived->of, lived->name.text(), gone.path, cause});
         gone.cause = cause;
         state_.queue_farewell(std::move(gone), lived->fresh);
     }
@@ -86,9 +87,10 @@ void Transition::end_instances() {
         const auto told =
             std::any_of(farewells_.begin(), farewells_.end(),
                         [&](const Existence& gone) { return gone.instance == lived.instance; });
-        if (!told) state_.tombstones.push_back({lived.instance, "the " + lived.of->name(), cause});
+        if (!told)
+            state_.bury(
+                {lived.instance, lived.of, lived.name.text(), "the " + lived.of->name(), cause});
     }
-    while (state_.tombstones.size() > 8192) state_.tombstones.pop_front();
 }
 
 void Transition::watch_again() {

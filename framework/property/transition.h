@@ -28,6 +28,7 @@ class Transition {
     struct Lived {
         Handle instance;
         const Class* of;
+        NodeName name;
         bool fresh;
     };
     void note(std::uint32_t index);

@@ -1,9 +1,10 @@
-// Classes and instances of a tree: who there is, where they hang, how they come and go.
+// Classes and instances of a tree: who there is, where they hang, how they come and go. How they
+// get other places is tree_placing.cpp.
 
 #include <fettle/property/tree.h>
 
 #include <algorithm>
-#include <optional>
+#include <stdexcept>
 
 #include <fettle/property/drawing.h>
 #include <fettle/property/path.h>
@@ -36,9 +37,15 @@ Tree::Tree() : state_(std::make_unique<State>(*this)) {
 Tree::~Tree() {
     // Modules may still be alive and own rows: they are told, children first.
     State& s = *state_;
+    s.life.reset();
     s.ending = true;
     for (std::uint32_t i = 1; i < s.nodes.end(); ++i)
         if (s.nodes[i].alive() && s.nodes[i].parent == 0) destroy(s.nodes.handle(i));
+    if (s.uses > 0) s.orphan = std::move(state_);
+}
+
+std::weak_ptr<const Tree*> Tree::lifetime() const {
+    return state_->life;
 }
 
 void Tree::State::define_object() {
@@ -175,12 +182,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
             throw;
         }
     }
-    if (lifecycle.place && parent != 0) {
-        const Row row = lifecycle.place(lifecycle.context, tree, self, nodes[index].row);
-        nodes[index].row = row;
-    }
-    for (const Property* property : of.initial_)
-        write(index, nodes[index], *property, property->default_value);
+    finish_making(self, of);
     structure_changed(parent, name);
     if (watchers.any_broad()) {
         shadows.refresh(tree, watchers, self);
@@ -198,9 +200,46 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     return index;
 }
 
+/// What its module may refuse after its row is made. Then the instance came and went, and is told
+/// of as such: a log of that does the same again.
+void Tree::State::finish_making(Handle self, const Class& of) {
+    const Lifecycle& lifecycle = of.lifecycle();
+    const Property* at = nullptr;
+    try {
+        if (lifecycle.place && nodes[self.index].parent != 0) {
+            const Row row = lifecycle.place(lifecycle.context, tree, self, nodes[self.index].row);
+            nodes[self.index].row = row;
+        }
+        for (const Property* property : of.initial_) {
+            at = property;
+            write(self.index, nodes[self.index], *property, property->default_value);
+        }
+    } catch (const std::invalid_argument& refusal) {
+        unmake(self);
+        throw Error(ErrorKind::rejected,
+                    of.name() + (at == nullptr ? "" : "." + at->name) + ": " + refusal.what());
+    } catch (...) {
+        unmake(self);
+        throw;
+    }
+}
+
+void Tree::State::unmake(Handle self) {
+    tell([&](Observer& o) { o.created(self); });
+    tell([&](Observer& o) { o.destroying(self); });
+    destroy_below(self.index);
+}
+
+void Tree::State::destroy_below(std::uint32_t top) {
+    std::vector<std::uint32_t> order;
+    visit_below(top, [&](std::uint32_t i) { order.push_back(i); });
+    for (auto i = order.rbegin(); i != order.rend(); ++i) destroy_one(*i);
+}
+
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
     s.forbid_in_formula("create an instance");
+    s.require_own(instance_class);
     if (parent) s.require(parent);
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
@@ -249,8 +288,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
     const Class& of = classes[nodes[index].class_id];
     const std::string path = tree.path(self);
     queue_deletion(self, of, path);
-    tombstones.push_back({self, path, tree.cause()});
-    if (tombstones.size() > 8192) tombstones.pop_front();
+    bury({self, &of, nodes[index].name.text(), path, tree.cause()});
     shadows.forget(tree, self);
     note_listeners();
     if (nodes[index].has_formula)
@@ -277,10 +315,27 @@ void Tree::destroy(Handle instance) {
     // Nobody will undo the end of the tree, and its modules may be gone already.
     if (!s.ending && s.history.recording()) s.history.dying(instance);
     if (!s.ending) s.tell([&](Observer& o) { o.destroying(instance); });
-    std::vector<std::uint32_t> order;
-    s.visit_below(instance.index, [&](std::uint32_t i) { order.push_back(i); });
-    for (auto i = order.rbegin(); i != order.rend(); ++i) s.destroy_one(*i);
+    s.destroy_below(instance.index);
     s.history.deletion_done();
+}
+
+void Tree::State::bury(Tombstone gone) {
+    constexpr std::size_t most = 8192;
+    tombstones.push_back(std::move(gone));
+    if (tombstones.size() > most) tombstones.pop_front();
+}
+
+const Tombstone* Tree::State::tombstone(Handle handle) const {
+    const auto found = std::find_if(tombstones.rbegin(), tombstones.rend(),
+                                    [&](const Tombstone& t) { return t.handle == handle; });
+    return found == tombstones.rend() ? nullptr : &*found;
+}
+
+std::optional<Remains> Tree::remains(Handle instance) const {
+    if (alive(instance)) return {};
+    const Tombstone* const found = state_->tombstone(instance);
+    if (found == nullptr) return {};
+    return Remains{*found->of, found->name};
 }
 
 bool Tree::alive(Handle instance) const {
@@ -294,12 +349,11 @@ void Tree::State::throw_deleted(Handle handle) const {
     // Undo may bring it back: a formula that looks for it is asked again then.
     if (formulas.tracking()) tree.state().formulas.note_structure();
     if (!handle) throw Error(ErrorKind::deleted, "no instance: the reference is empty");
-    for (auto t = tombstones.rbegin(); t != tombstones.rend(); ++t)
-        if (t->handle == handle)
-            throw Error(ErrorKind::deleted,
-                        t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
-                            (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
-                                                    : t->cause.where));
+    if (const Tombstone* t = tombstone(handle))
+        throw Error(ErrorKind::deleted,
+                    t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
+                        (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
+                                                : t->cause.where));
     throw Error(ErrorKind::deleted, "the instance was deleted");
 }
 
@@ -375,97 +429,6 @@ std::string Tree::path(Handle instance) const {
         path += path_suffix(s.nodes[*i].name.text());
     if (path.front() == '.') return path.substr(1);
     return path.front() == '[' ? "game" + path : path;
-}
-
-void Tree::rename(Handle instance, std::string_view name) {
-    State& s = *state_;
-    Node& node = s.require(instance);
-    s.forbid_in_formula("rename an instance");
-    if (node.name.text() == name) return;
-    if (instance == s.root)
-        throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
-    const std::uint32_t parent = node.parent;
-    s.check_child_name(s.nodes.handle(parent), name);
-    std::optional<History::Position> before;
-    if (s.history.recording()) before = s.history.position(instance);
-    const NodeName was = node.name;
-    const NodeName made = NodeName::make(name);
-    if (parent == 0) {
-        node.name = made;
-    } else {
-        // Renaming keeps the place among the siblings.
-        const bool first = s.nodes[parent].first_child == instance.index;
-        const std::uint32_t in_front = first ? 0 : node.previous;
-        s.nodes.unlink(instance.index);
-        s.nodes.link(instance.index, parent, made);
-        s.nodes.reorder(instance.index, in_front);
-    }
-    s.nodes[instance.index].named = true;
-    s.structure_changed(parent, was);
-    s.structure_changed(parent, made);
-    if (before) s.history.moved(instance, *before);
-    s.tell([&](Observer& o) { o.moved(instance); });
-    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
-}
-
-void Tree::State::place_subtree(Handle top) {
-    tree.each_below(top, [this](Handle handle) {
-        const Class& of = tree.class_of(handle);
-        if (!of.lifecycle().place) return;
-        const Row row =
-            of.lifecycle().place(of.lifecycle().context, tree, handle, nodes[handle.index].row);
-        if (Node* node = nodes.find(handle)) node->row = row;
-    });
-}
-
-void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
-    State& s = *state_;
-    const Node& node = s.require(instance);
-    s.forbid_in_formula("move an instance");
-    if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
-    if (new_parent) {
-        s.require(new_parent);
-        if (new_parent == instance || is_below(new_parent, instance))
-            throw Error(
-                ErrorKind::bad_structure,
-                path(instance) + " cannot be moved below itself (" + path(new_parent) + ")");
-    }
-    NodeName chosen = node.name;
-    if (!name.empty()) {
-        if (s.nodes.child(new_parent.index, NodeName::look_up(name)) != instance.index ||
-            !new_parent)
-            s.check_child_name(new_parent, name);
-        chosen = NodeName::make(name);
-    } else if (new_parent && node.parent != new_parent.index) {
-        const bool taken = !node.named || s.nodes.child(new_parent.index, node.name) != 0 ||
-                           find(new_parent, node.name.text()) != nullptr ||
-                           class_of(new_parent).method(node.name.text()) != nullptr;
-        if (taken) {
-            const std::string_view stem =
-                node.named ? node.name.base.text() : class_of(instance).stem();
-            const bool plain =
-                find(new_parent, stem) == nullptr && class_of(new_parent).method(stem) == nullptr;
-            chosen = first_plain ? s.nodes.plain_name(new_parent.index, stem, plain)
-                                 : s.nodes.free_name(new_parent.index, stem);
-        }
-    } else if (node.parent == new_parent.index) {
-        return;
-    }
-    const bool named = node.named || !name.empty();
-    std::optional<History::Position> before;
-    if (s.history.recording()) before = s.history.position(instance);
-    const std::uint32_t left = node.parent;
-    const NodeName was = node.name;
-    s.nodes.unlink(instance.index);
-    s.nodes.link(instance.index, new_parent.index, chosen);
-    s.nodes[instance.index].named = named;
-    s.edited = true;
-    s.structure_changed(left, was);
-    s.structure_changed(new_parent.index, chosen);
-    s.place_subtree(instance);
-    if (before) s.history.moved(instance, *before);
-    s.tell([&](Observer& o) { o.moved(instance); });
-    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
 }
 
 void Tree::draw(Handle top, Painter& painter, double alpha) const {

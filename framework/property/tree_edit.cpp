@@ -1,10 +1,11 @@
 // Properties of a tree: reading, and the edit pipeline.
 //
-//   1 coerce  2 validate  3 equal? stop  4 record in the history  5 the owner's setter  6 its
-//   invalidate hook 7 queue the change
+//   1 coerce  2 validate  3 equal? stop  4 note for the history  5 the owner's setter  6 its
+//   invalidate hook  7 queue the change
 //
-// Steps 1 and 2 are coerce.cpp. Step 4 is the place of the history: it will be told (cell, old,
-// new, cause) between `coerce` and `write` below, when the writer is a person.
+// Steps 1 and 2 are coerce.cpp. Step 4 is for edits that are recorded, and notes what the cell was;
+// the history is told of the edit at the end, when the cell is what it has become, so that a write
+// that the owner refuses leaves nothing in it.
 
 #include <algorithm>
 #include <cstring>
@@ -180,7 +181,7 @@ Value Tree::State::read(std::uint32_t index, const Node& node, const Property& p
 Value Tree::get(Handle instance, const Property& property) const {
     State& s = *state_;
     if (s.formulas.tracking()) s.formulas.note_read(instance, property);
-    const Node& node = s.require(instance);
+    const Node& node = s.require(instance, property);
     if (node.has_formula) s.formulas.settle({instance.index, property.symbol});
     // The commonest binding, without another call.
     const Binding& binding = property.binding;
@@ -189,7 +190,7 @@ Value Tree::get(Handle instance, const Property& property) const {
 }
 
 Value Tree::peek(Handle instance, const Property& property) const {
-    return state_->read(instance.index, state_->require(instance), property);
+    return state_->read(instance.index, state_->require(instance, property), property);
 }
 
 Value Tree::get(Handle instance, std::string_view name) const {
@@ -247,7 +248,7 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
 
 void Tree::set(Handle instance, const Property& property, const Value& value) {
     State& s = *state_;
-    const Node& node = s.require(instance);
+    const Node& node = s.require(instance, property);
     s.forbid_in_formula("write");
     if (value.is(property.type)) {
         bool done = false;
@@ -296,7 +297,7 @@ void Tree::set(Handle instance, std::string_view name, const Value& value) {
 
 void Tree::reset(Handle instance, const Property& property) {
     State& s = *state_;
-    const Node& node = s.require(instance);
+    const Node& node = s.require(instance, property);
     s.forbid_in_formula("write");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
@@ -310,9 +311,13 @@ void Tree::reset(Handle instance, const Property& property) {
         return set(instance, property, property.default_value);
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
-    if (node.has_formula) s.drop_formula(instance, property);
     const Value old = s.read(instance.index, node, property);
-    property.binding.reset(property.binding.context, node.row);
+    try {
+        property.binding.reset(property.binding.context, node.row);
+    } catch (const std::invalid_argument& refusal) {
+        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+    }
+    if (node.has_formula) s.drop_formula(instance, property);
     if (property.binding.invalidate != nullptr)
         property.binding.invalidate(property.binding.context, node.row);
     s.written(instance, node, property, old);
@@ -321,7 +326,7 @@ void Tree::reset(Handle instance, const Property& property) {
 }
 
 bool Tree::overridden(Handle instance, const Property& property) const {
-    const Node& node = state_->require(instance);
+    const Node& node = state_->require(instance, property);
     if (property.binding.kind == BindingKind::ad_hoc) return true;
     if (property.read_only) return false;
     if (property.binding.overridden != nullptr)

@@ -14,11 +14,11 @@ void Tree::State::forbid_in_formula(const char* what) const {
     if (formulas.tracking())
         throw Error(ErrorKind::formula,
                     std::string("a formula computes a value: it cannot ") + what);
-    if (const Question* question = Question::current())
-        throw Error(ErrorKind::rejected,
-                    question->event().name +
-                        " is asked inside a step: a handler changes what it is told, it cannot " +
-                        what);
+    if (inquiry != nullptr) inquiry->refuse(what);
+}
+
+void Tree::require_changeable(const char* what) const {
+    state_->forbid_in_formula(what);
 }
 
 void Tree::State::drop_formula(Handle instance, const Property& property) {
@@ -27,8 +27,11 @@ void Tree::State::drop_formula(Handle instance, const Property& property) {
 
 void Tree::set_formula(Handle instance, const Property& property, Formula formula) {
     State& s = *state_;
-    s.require(instance);
-    s.forbid_in_formula("define another");
+    s.require(instance, property);
+    s.forbid_in_formula("define a formula");
+    if (!formula.function)
+        throw Error(ErrorKind::wrong_type,
+                    path(instance, property) + ": a formula needs a function");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
     std::optional<History::CellState> before;
@@ -56,9 +59,9 @@ const Formula* Tree::formula(Handle instance, const Property& property) const {
 }
 
 void Tree::remove_formula(Handle instance, const Property& property) {
-    state_->require(instance);
+    state_->require(instance, property);
     State& s = *state_;
-    s.forbid_in_formula("end another");
+    s.forbid_in_formula("end a formula");
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
@@ -68,12 +71,12 @@ void Tree::remove_formula(Handle instance, const Property& property) {
 }
 
 std::string Tree::problem(Handle instance, const Property& property) const {
-    state_->require(instance);
+    state_->require(instance, property);
     return state_->formulas.problem({instance.index, property.symbol});
 }
 
 Explanation Tree::why(Handle instance, const Property& property) const {
-    state_->require(instance);
+    state_->require(instance, property);
     std::vector<Cell> seen;
     return state_->formulas.why(instance, property, seen);
 }
@@ -108,12 +111,18 @@ UndoResult Tree::redo() {
 std::vector<HistoryEntry> Tree::history() const {
     return state_->history.entries();
 }
+std::size_t Tree::history_bytes() const {
+    return state_->history.bytes();
+}
+std::size_t Tree::history_bytes_ever() const {
+    return state_->history.bytes_ever();
+}
 void Tree::set_history_limit(std::size_t bytes) {
     state_->history.set_limit(bytes);
 }
 
 Provenance Tree::who(Handle instance, const Property& property) const {
-    state_->require(instance);
+    state_->require(instance, property);
     if (const auto step = state_->shadows.simulated_at({instance.index, property.symbol}))
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
     state_->tell_plain_writes();

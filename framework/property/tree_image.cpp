@@ -1,10 +1,12 @@
 #include "tree_image.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include <fettle/property/error.h>
 
+#include "restored_values.h"
 #include "state.h"
 
 namespace fettle::property {
@@ -32,7 +34,14 @@ bool by_value(const Class& of) {
 // --- Saving
 // -----------------------------------------------------------------------------------------------------------
 
-Memory TreeImage::save(const Tree::State& s, ByteWriter& to) {
+std::size_t TreeMemory::bytes() const {
+    std::size_t sum = sizeof *this;
+    for (const Formulas::Image& image : formulas)
+        sum += sizeof image + bytes_of(image.formula) - image.formula.holds;  // which is the game's
+    return sum;
+}
+
+std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& s, ByteWriter& to) {
     to.put(s.step);
     to.put(s.root);
     to.put(std::uint64_t{s.classes.size()});
@@ -99,14 +108,17 @@ TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
     const auto root = from.get<Handle>();
     read_classes(from);
     nodes_ = Nodes::load(from, classes_);
-    from.require(root == state_.root && nodes_.find(root) != nullptr, "it has another root");
-    check_services(from);
-    read_columns(from);
-    read_ad_hoc(from);
-    read_values(from);
-    read_formulas(from, memory);
+    const Node* const top = nodes_.find(root);
+    from.require(root == state_.root && top != nullptr && top->parent == 0, "it has another root");
     for (std::uint32_t i = 0; i < state_.nodes.end(); ++i)
         before_.push_back(state_.nodes[i].alive() ? state_.nodes[i].generation : 0);
+    read_columns(from);
+    read_ad_hoc(from);
+    check_instances(from);
+    read_values(from);
+    read_formulas(from, memory);
+    check_rows(from);
+    check_values(from);
 }
 
 void TreeImage::read_classes(ByteReader& from) {
@@ -116,21 +128,75 @@ void TreeImage::read_classes(ByteReader& from) {
         if (here == nullptr)
             throw Error(ErrorKind::unknown_name,
                         "the snapshot has a class \"" + name + "\" that this game does not define");
+        from.require(std::find(classes_.begin(), classes_.end(), here->id()) == classes_.end(),
+                     "one class twice");
         classes_.push_back(static_cast<std::uint16_t>(here->id()));
     }
 }
 
-// Services are the framework's own: its parts hold their handles.
-void TreeImage::check_services(const ByteReader& from) const {
+/// That everybody could have been made and be called so.
+void TreeImage::check_instances(const ByteReader& from) const {
+    // Services are the framework's own: its parts hold their handles.
     for (std::uint32_t i = 1; i < state_.nodes.end(); ++i) {
         const Node& here = state_.nodes[i];
         if (!here.alive() || here.parent != state_.root.index ||
             state_.classes[here.class_id].creatable())
             continue;
         const Node* there = nodes_.find(state_.nodes.handle(i));
-        from.require(there != nullptr && there->class_id == here.class_id,
+        from.require(there != nullptr && there->class_id == here.class_id &&
+                         there->parent == here.parent && there->name == here.name,
                      "it is of a game with other services or modules");
     }
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        const Node& node = nodes_[i];
+        if (!node.alive()) continue;
+        const Class& of = state_.classes[node.class_id];
+        // Modules that save their rows themselves know which of them are theirs.
+        from.require(
+            of.creatable() || of.snapshots() == Snapshots::natively ||
+                (lived_before({i, node.generation}) && state_.nodes[i].class_id == node.class_id),
+            "it is of a game with other services or modules");
+        if (node.parent == 0) continue;
+        const Class& above = state_.classes[nodes_[node.parent].class_id];
+        const Symbol name = Symbol::find(node.name.text());
+        if (name && (above.property(name) != nullptr || above.method(name) != nullptr))
+            from.fail("a child is called \"" + name.text() + "\" like a property or a method of " +
+                      above.name());
+    }
+}
+
+/// That every instance has a row of its own among the values that the tree keeps.
+void TreeImage::check_rows(const ByteReader& from) const {
+    struct Rows {
+        const StoredColumns* columns = nullptr;
+        std::vector<bool> taken{};
+    };
+    std::vector<Rows> of_class(state_.classes.size());
+    for (const auto& [id, columns] : columns_) of_class[id] = {columns.get(), columns->free_rows()};
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        const Node& node = nodes_[i];
+        if (!node.alive() || state_.stored[node.class_id] == nullptr ||
+            state_.classes[node.class_id].snapshots() == Snapshots::never)
+            continue;
+        Rows& rows = of_class[node.class_id];
+        from.require(rows.columns != nullptr && node.stored_row < rows.columns->rows() &&
+                         !rows.taken[node.stored_row],
+                     "an instance without values of its own");
+        rows.taken[node.stored_row] = true;
+    }
+}
+
+void TreeImage::check_values(const ByteReader& from) const {
+    const RestoredValues values(state_.tree, nodes_, from);
+    std::vector<const StoredColumns*> of_class(state_.classes.size());
+    for (const auto& [id, columns] : columns_) of_class[id] = columns.get();
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        const Node& node = nodes_[i];
+        if (!node.alive() || of_class[node.class_id] == nullptr) continue;
+        for (const Property* property : state_.classes[node.class_id].stored_)
+            values.check(*property, of_class[node.class_id]->get(*property, node.stored_row));
+    }
+    for (const AdHoc& own : ad_hoc_) values.check_ad_hoc(own.value);
 }
 
 void TreeImage::read_columns(ByteReader& from) {
@@ -138,6 +204,7 @@ void TreeImage::read_columns(ByteReader& from) {
         const auto there = from.get<std::uint32_t>();
         from.require(there < classes_.size(), "values of no class");
         const std::uint32_t here = classes_[there];
+        for (const auto& [id, columns] : columns_) from.require(id != here, "one class twice");
         ByteReader block = from.block();
         if (state_.stored[here] == nullptr || state_.classes[here].snapshots() == Snapshots::never)
             continue;
@@ -145,19 +212,10 @@ void TreeImage::read_columns(ByteReader& from) {
                                         block, state_.classes[here], nodes_.end())));
         block.finish();
     }
-    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
-        const Node& node = nodes_[i];
-        if (!node.alive() || state_.stored[node.class_id] == nullptr ||
-            state_.classes[node.class_id].snapshots() == Snapshots::never)
-            continue;
-        const auto column = std::find_if(columns_.begin(), columns_.end(),
-                                         [&](const auto& c) { return c.first == node.class_id; });
-        from.require(column != columns_.end() && node.stored_row < column->second->rows(),
-                     "an instance without values");
-    }
 }
 
 void TreeImage::read_ad_hoc(ByteReader& from) {
+    std::set<std::pair<std::uint32_t, std::string>> seen;
     for (std::size_t n = from.count(13); n > 0; --n) {
         AdHoc own;
         own.index = from.get<std::uint32_t>();
@@ -165,7 +223,13 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
         own.value = from.value();
         from.require(own.index < nodes_.end() && nodes_[own.index].alive() && !own.name.empty(),
                      "a property of nobody");
-        ad_hoc_.push_back(std::move(own));
+        from.require(seen.emplace(own.index, own.name).second, "one property twice");
+        const Class& of = state_.classes[nodes_[own.index].class_id];
+        from.require(of.method(own.name) == nullptr &&
+                         nodes_.child(own.index, NodeName::look_up(own.name)) == 0,
+                     "a property called like a method or a child");
+        // What the class has by now of that name is what the game means.
+        if (of.property(own.name) == nullptr) ad_hoc_.push_back(std::move(own));
     }
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) nodes_[i].has_ad_hoc = false;
     for (const AdHoc& own : ad_hoc_) nodes_[own.index].has_ad_hoc = true;
@@ -194,7 +258,12 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
         image.instance = from.get<Handle>();
         image.property = Symbol(from.text());
         image.formula.source = from.text();
-        from.require(nodes_.find(image.instance) != nullptr, "a formula of nobody");
+        const Node* const node = nodes_.find(image.instance);
+        from.require(node != nullptr, "a formula of nobody");
+        const Property* const property = state_.classes[node->class_id].property(image.property);
+        from.require(property == nullptr ||
+                         (!property->read_only && property->binding.kind != BindingKind::node),
+                     "a formula of what is read only");
         formulas_.push_back(std::move(image));
     }
     if (memory == nullptr) return;
@@ -245,7 +314,7 @@ void TreeImage::put_nodes() {
         const Class& of = s.classes[node.class_id];
         const bool lived = lived_before({i, node.generation});
         // Rows that are made anew, or that the present knows.
-        if (by_value(of) && of.lifecycle().create && lived) node.row = s.nodes[i].row;
+        if (of.snapshots() != Snapshots::natively) node.row = lived ? s.nodes[i].row : 0;
         if (of.snapshots() == Snapshots::never && s.stored[of.id()] != nullptr)
             node.stored_row = lived ? s.nodes[i].stored_row : s.stored[of.id()]->add();
     }
@@ -257,7 +326,6 @@ void TreeImage::put_nodes() {
     s.stepped = s.edited = true;
     ++s.upheavals;
     s.history.restore(history_);
-    if (history_ == nullptr) s.nodes.free_all_kept();
 }
 
 void TreeImage::put_columns() {
@@ -280,6 +348,7 @@ void TreeImage::put_formulas() {
     Tree::State& s = state_;
     s.formulas.clear();
     for (Formulas::Image& image : formulas_) {
+        if (s.nodes.find(image.instance) == nullptr) continue;
         const Property* property = s.tree.find(image.instance, image.property);
         if (property == nullptr) continue;
         if (!image.formula.function) {
@@ -297,6 +366,7 @@ void TreeImage::put_formulas() {
 /// Rows of those whose module makes them anew; parents before children.
 void TreeImage::make_rows() {
     Tree::State& s = state_;
+    std::vector<Handle> refused;
     const auto make = [&](std::uint32_t i) {
         const Class& of = s.classes[s.nodes[i].class_id];
         const Lifecycle& lifecycle = of.lifecycle();
@@ -309,11 +379,24 @@ void TreeImage::make_rows() {
             const Row placed = lifecycle.place(lifecycle.context, s.tree, self, row);
             s.nodes[i].row = placed;
         } catch (const std::exception&) {
-            // Its module has no room for it any more: it stays as the module left it.
+            refused.push_back(self);  // its module has no room for it any more
         }
     };
     for (std::uint32_t top = 1; top < s.nodes.end(); ++top)
         if (s.nodes[top].alive() && s.nodes[top].parent == 0) s.visit_below(top, make);
+    for (const Handle self : refused)
+        if (s.nodes.find(self) != nullptr) drop(self.index);
+}
+
+/// An instance without a row cannot be; what is below it goes with it.
+void TreeImage::drop(std::uint32_t index) {
+    Tree::State& s = state_;
+    while (s.nodes[index].first_child != 0) s.destroy_below(s.nodes[index].first_child);
+    const Class& of = s.classes[s.nodes[index].class_id];
+    if (s.stored[of.id()]) s.stored[of.id()]->remove(s.nodes[index].stored_row);
+    if (s.nodes[index].has_ad_hoc) s.ad_hoc.erase(index);
+    s.nodes.unlink(index);
+    s.nodes.release(index);
 }
 
 void TreeImage::put_values() {
@@ -321,6 +404,7 @@ void TreeImage::put_values() {
     Tree::State& s = state_;
     for (const ByValue& each : values_)
         for (const auto& [property, value] : each.values) {
+            if (s.nodes.find(each.instance) == nullptr) break;  // dropped
             const Node& node = s.nodes[each.instance.index];
             try {
                 if (!(s.read(each.instance.index, node, *property) == value))

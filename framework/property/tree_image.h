@@ -21,11 +21,13 @@ namespace fettle::property {
 struct TreeMemory {
     Memory history;
     std::vector<Formulas::Image> formulas;
+    /// Bytes it takes, about. The history has a limit of its own.
+    std::size_t bytes() const;
 };
 
 class TreeImage {
   public:
-    static Memory save(const Tree::State& state, ByteWriter& to);
+    static std::shared_ptr<const TreeMemory> save(const Tree::State& state, ByteWriter& to);
 
     /// Throws Error(damaged, unknown_name); changes nothing.
     TreeImage(Tree::State& state, ByteReader& from, const Memory& memory);
@@ -58,10 +60,13 @@ class TreeImage {
     void read_ad_hoc(ByteReader& from);
     void read_values(ByteReader& from);
     void read_formulas(ByteReader& from, const Memory& memory);
-    void check_services(const ByteReader& from) const;
+    void check_instances(const ByteReader& from) const;
+    void check_rows(const ByteReader& from) const;
+    void check_values(const ByteReader& from) const;
     void put_columns();
     void put_formulas();
     void make_rows();
+    void drop(std::uint32_t index);
     bool lived_before(Handle instance) const;
 
     Tree::State& state_;

@@ -21,7 +21,8 @@ class CallScope {
         if (tells()) state_.tell([&](Observer& o) { o.call_begins(self_, method_, given); });
     }
     ~CallScope() {
-        if (tells()) state_.tell([&](Observer& o) { o.call_ends(self_, method_); });
+        if (tells() && !state_.ending)
+            state_.tell([&](Observer& o) { o.call_ends(self_, method_); });
     }
     CallScope(const CallScope&) = delete;
 
@@ -35,6 +36,9 @@ class CallScope {
 }  // namespace
 
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
+    State& s = *state_;
+    s.require_method(instance, method);
+    const State::Use use(s);
     const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
     if (arguments.size() < method.required || arguments.size() > method.parameters.size())
         throw Error(ErrorKind::wrong_type,
@@ -62,14 +66,20 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         coerced[i] =
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
-    if (method.effect != Effect::nothing && Question::current() != nullptr)
+    if (method.effect != Effect::nothing && state_->inquiry != nullptr)
         state_->forbid_in_formula(("call " + method.name).c_str());
-    const CallScope scope(*state_, instance, method, coerced);
-    try {
-        return method.call(method.context, *this, instance, row(instance), coerced);
-    } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected, where() + ": " + refusal.what());
+    Result result;
+    {
+        const CallScope scope(s, instance, method, coerced);
+        try {
+            result = method.call(method.context, *this, instance, row(instance), coerced);
+        } catch (const std::invalid_argument& refusal) {
+            if (s.ending) throw;
+            throw Error(ErrorKind::rejected, where() + ": " + refusal.what());
+        }
     }
+    use.finish();
+    return result;
 }
 
 Result Tree::call(Handle instance, std::string_view method,

@@ -1,6 +1,9 @@
 #include <fettle/property/value.h>
 
+#include <algorithm>
 #include <cstring>
+
+#include <fettle/property/error.h>
 
 namespace fettle::property {
 
@@ -10,14 +13,43 @@ struct Value::Shared {
     mutable std::atomic<std::uint32_t> count{1};
     std::string text;
     List list;
+    int depth = 1;  // of lists in lists; this one counts
 };
+
+namespace {
+
+// Lists are printed, compared and saved by recursion; snapshots read no deeper.
+constexpr int deepest_list = 64;
+
+}  // namespace
+
+void Value::refuse(Type asked) const {
+    std::string shown = is_nil() ? std::string() : value_text(*this);
+    if (shown.size() > 40) shown = shown.substr(0, 36) + " ...";
+    if (!shown.empty()) shown = " (" + shown + ")";
+    throw Error(ErrorKind::wrong_type, "a value of type " + std::string(type_name(type_)) + shown +
+                                           " was read as " + std::string(type_name(asked)));
+}
+
+Value::Value(const char* v) {
+    if (v == nullptr)
+        throw Error(ErrorKind::wrong_type, "a text was expected, and a null pointer was given");
+    *this = Value(std::string_view(v));
+}
 
 Value::Value(std::string_view v) : type_(Type::text) {
     data_.shared = new Shared{.text = std::string(v), .list = {}};
 }
 
-Value::Value(List v) : type_(Type::list) {
-    data_.shared = new Shared{.text = {}, .list = std::move(v)};
+Value::Value(List v) {
+    int depth = 1;
+    for (const Value& element : v)
+        if (element.type_ == Type::list) depth = std::max(depth, element.data_.shared->depth + 1);
+    if (depth > deepest_list)
+        throw Error(ErrorKind::out_of_range,
+                    "lists are in lists more than " + std::to_string(deepest_list) + " deep");
+    data_.shared = new Shared{.text = {}, .list = std::move(v), .depth = depth};
+    type_ = Type::list;
 }
 
 void Value::retain() const {
@@ -29,10 +61,10 @@ void Value::release() {
 }
 
 const std::string& Value::text() const {
-    return data_.shared->text;
+    return as(Type::text).shared->text;
 }
 const List& Value::list() const {
-    return data_.shared->list;
+    return as(Type::list).shared->list;
 }
 
 bool operator==(const Value& a, const Value& b) {

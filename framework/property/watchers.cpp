@@ -74,7 +74,7 @@ void Watchers::stop(WatcherId id) {
         unlist(*watcher);
         tree_.state().watcher_removed(*watcher);
     }
-    if (handlers_run_) stopped_.push_back(std::move(watcher));
+    if (handlers_run_ > 0) stopped_.push_back(std::move(watcher));
 }
 
 void Watchers::unlist(Watcher& watcher) {
@@ -107,7 +107,7 @@ void Watchers::retire(std::uint32_t index, const std::vector<WatcherId>& keep) {
         watcher->active = false;
         if (std::find(keep.begin(), keep.end(), watcher->id) != keep.end()) continue;
         const auto found = all_.find(watcher->id);
-        if (handlers_run_) stopped_.push_back(std::move(found->second));
+        if (handlers_run_ > 0) stopped_.push_back(std::move(found->second));
         all_.erase(found);
     }
 }

@@ -64,6 +64,9 @@ class Watchers {
     using List = std::vector<Watcher*>;  // in order of registration
 
     explicit Watchers(Tree& tree) : tree_(tree), self_(std::make_shared<Watchers*>(this)) {}
+    /// Handlers may hold connections: these find no watchers any more from here on.
+    ~Watchers() { self_.reset(); }
+    Watchers(const Watchers&) = delete;
 
     Connection add(Watcher watcher);
     void stop(WatcherId id);
@@ -106,12 +109,20 @@ class Watchers {
     void retire(std::uint32_t index, const std::vector<WatcherId>& keep);
 
     /// While handlers run, a watcher that is stopped lives on until they are done: it may be the
-    /// one that runs.
-    void handlers_begin() { handlers_run_ = true; }
-    void handlers_end() {
-        handlers_run_ = false;
-        stopped_.clear();
-    }
+    /// one that runs. Handlers may be asked questions while others run.
+    class HandlersRun {
+      public:
+        explicit HandlersRun(Watchers& watchers) : watchers_(watchers) {
+            ++watchers_.handlers_run_;
+        }
+        ~HandlersRun() {
+            if (--watchers_.handlers_run_ == 0) watchers_.stopped_.clear();
+        }
+        HandlersRun(const HandlersRun&) = delete;
+
+      private:
+        Watchers& watchers_;
+    };
 
   private:
     template <class Visit>
@@ -124,7 +135,7 @@ class Watchers {
     WatcherId last_id_ = 0;
     std::unordered_map<WatcherId, std::unique_ptr<Watcher>> all_;
     std::vector<std::unique_ptr<Watcher>> stopped_;  // while handlers run
-    bool handlers_run_ = false;
+    int handlers_run_ = 0;                           // calls of handlers, one in the other
     std::unordered_map<Cell, List, CellHash> cells_;
     std::unordered_map<std::uint32_t, List> instances_;
     std::unordered_map<std::uint32_t, List> deleted_on_;

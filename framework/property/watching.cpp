@@ -87,6 +87,11 @@ void Tree::State::watcher_removed(const Watcher& watcher) {
 
 namespace {
 
+template <class Handler>
+void require_handler(const Handler& handler) {
+    if (!handler) throw Error(ErrorKind::wrong_type, "to watch needs a handler, a function");
+}
+
 template <class Visit>
 void each_instance(Tree::State& state, const Class& of, Visit visit) {
     for (std::uint32_t i = 1; i < state.nodes.end(); ++i)
@@ -112,7 +117,8 @@ void queue_initial(Tree::State& state, Handle instance, const Property& property
 Connection Tree::watch(Handle instance, const Property& property, ChangeHandler handler,
                        WatchOptions options) {
     State& s = *state_;
-    s.require(instance);
+    s.require(instance, property);
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::cell;
     watcher.index = instance.index;
@@ -132,6 +138,7 @@ Connection Tree::watch(Handle instance, std::string_view name, ChangeHandler han
 Connection Tree::watch(Handle instance, ChangeHandler handler, WatchOptions options) {
     State& s = *state_;
     s.require(instance);
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::instance;
     watcher.index = instance.index;
@@ -147,6 +154,13 @@ Connection Tree::watch(Handle instance, ChangeHandler handler, WatchOptions opti
 Connection Tree::watch(const Class& of, const Property* property, ChangeHandler handler,
                        WatchOptions options) {
     State& s = *state_;
+    s.require_own(of);
+    require_handler(handler);
+    if (property != nullptr && property->owner != nullptr && !property->owner->is_a(of) &&
+        !of.is_a(*property->owner))
+        throw Error(ErrorKind::unknown_name, of.name() + " has no such property: \"" +
+                                                 property->name + "\" is of " +
+                                                 property->owner->name());
     Watcher watcher;
     watcher.kind = WatchKind::of_class;
     watcher.of = &of;
@@ -166,6 +180,7 @@ Connection Tree::watch(const Class& of, const Property* property, ChangeHandler 
 Connection Tree::watch_pattern(std::string_view pattern, ChangeHandler handler,
                                WatchOptions options) {
     State& s = *state_;
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::pattern;
     watcher.pattern = std::make_unique<Pattern>(pattern);
@@ -186,6 +201,8 @@ Connection Tree::watch_pattern(std::string_view pattern, ChangeHandler handler,
 
 Connection Tree::watch_created(const Class& of, ExistenceHandler handler, WatchOptions options) {
     State& s = *state_;
+    s.require_own(of);
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::created;
     watcher.of = &of;
@@ -208,6 +225,8 @@ Connection Tree::watch_created(const Class& of, ExistenceHandler handler, WatchO
 }
 
 Connection Tree::watch_deleted(const Class& of, ExistenceHandler handler, WatchOptions options) {
+    state_->require_own(of);
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::deleted;
     watcher.of = &of;
@@ -218,6 +237,7 @@ Connection Tree::watch_deleted(const Class& of, ExistenceHandler handler, WatchO
 
 Connection Tree::watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options) {
     state_->require(instance);
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::deleted;
     watcher.index = instance.index;
@@ -228,7 +248,8 @@ Connection Tree::watch_deleted(Handle instance, ExistenceHandler handler, WatchO
 
 Connection Tree::on(Handle instance, const Event& event, EventHandler handler,
                     WatchOptions options) {
-    state_->require(instance);
+    state_->require_event(class_of(instance), event);
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::event;
     watcher.index = instance.index;
@@ -240,6 +261,8 @@ Connection Tree::on(Handle instance, const Event& event, EventHandler handler,
 
 Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
                     WatchOptions options) {
+    state_->require_event(of, event);
+    require_handler(handler);
     Watcher watcher;
     watcher.kind = WatchKind::class_event;
     watcher.of = &of;

@@ -4,7 +4,10 @@
 #include <bit>
 #include <cstring>
 #include <exception>
+#include <optional>
 #include <utility>
+
+#include <fettle/property/acceptance.h>
 
 #include "state.h"
 
@@ -21,28 +24,31 @@ enum class WriteLog::Did : std::uint8_t {
     created,        // handle, class, parent, name, named
     destroyed,      // handle, whether its slot was kept for it
     moved,          // handle, parent, sibling in front, name, named
-    called,         // handle, method, arguments, handles made meanwhile
+    called,         // handle, method, arguments, handles made meanwhile, answers of `accept`
     refreshed       // number of the part, what: because it was read
 };
 
 std::size_t LoggedWrites::memory() const {
-    return bytes.capacity() + formulas.size() * (sizeof(Formula) + 64);
+    std::size_t sum = bytes.capacity() + history_bytes + (history != nullptr ? 128 : 0);
+    for (const Formula& formula : formulas) sum += bytes_of(formula);
+    return sum;
 }
 
 // --- Noting
 // -----------------------------------------------------------------------------------------------------------
 
-WriteLog::WriteLog(Tree& tree) : tree_(tree) {
+WriteLog::WriteLog(Tree& tree) : tree_(tree), life_(tree.lifetime()) {
     tree_.observe(*this);
-    history_version_ = tree_.state().history.version();
+    note_history();
 }
 
 WriteLog::~WriteLog() {
-    tree_.unobserve(*this);
+    if (!life_.expired()) tree_.unobserve(*this);
 }
 
 LoggedWrites WriteLog::take() {
     tree_.state().tell_plain_writes();
+    (void)notes();  // the last of it may have been too much
     LoggedWrites piece;
     piece.bytes = joined();
     piece.formulas = std::move(formulas_);
@@ -50,10 +56,16 @@ LoggedWrites WriteLog::take() {
     forget();
     const History& history = tree_.state().history;
     if (history.version() != history_version_) {
-        history_version_ = history.version();
         piece.history = history.image();
+        piece.history_bytes = history.bytes_ever() - history_bytes_;
+        note_history();
     }
     return piece;
+}
+
+void WriteLog::note_history() {
+    history_version_ = tree_.state().history.version();
+    history_bytes_ = tree_.state().history.bytes_ever();
 }
 
 void WriteLog::put_plain(std::vector<std::byte>& bytes, std::span<const PlainWrite> writes) {
@@ -87,16 +99,22 @@ void WriteLog::forget() {
     kept_.clear();
     kept_count_ = 0;
     formulas_.clear();
+    formula_bytes_ = 0;
     too_much_ = false;
+    if (bytes_.capacity() > most_kept) bytes_.shrink_to_fit();
 }
 
 bool WriteLog::notes() {
-    if (bytes_.size() + kept_count_ * sizeof(PlainWrite) > most) {
+    if (memory() > most_) {
         forget();
         bytes_.shrink_to_fit();
         too_much_ = true;
     }
     return calls_ == 0 && !too_much_;
+}
+
+std::size_t WriteLog::memory() const {
+    return bytes_.size() + kept_count_ * sizeof(PlainWrite) + formula_bytes_;
 }
 
 void WriteLog::note(Did what, Handle instance, const Property& property) {
@@ -136,6 +154,7 @@ void WriteLog::formula_changed(Handle instance, const Property& property) {
     if (formula == nullptr) return;
     ByteWriter(bytes_).put(static_cast<std::uint32_t>(formulas_.size()));
     formulas_.push_back(*formula);
+    formula_bytes_ += bytes_of(*formula);
 }
 
 void WriteLog::created(Handle instance) {
@@ -191,7 +210,10 @@ void WriteLog::call_begins(Handle instance, const Method& method,
 }
 
 void WriteLog::call_ends(Handle, const Method&) {
-    if (--calls_ == 0 && call_noted_) ByteWriter(bytes_).put(made_);
+    if (--calls_ != 0 || !call_noted_) return;
+    ByteWriter to(bytes_);
+    to.put(made_);
+    to.put(Acceptance::answers());
 }
 
 // Within a call the module is made to read again by the call itself.
@@ -208,7 +230,7 @@ void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
 // What was not taken belongs to a time that is left.
 void WriteLog::restored() {
     forget();
-    history_version_ = tree_.state().history.version();
+    note_history();
 }
 
 // --- Doing it again
@@ -303,6 +325,7 @@ void WriteLog::Player::structure(Did did, Handle instance) {
             return create(instance);
         case Did::destroyed:
             s_.history.keep_slots(from_.boolean());
+            std::erase(s_.to_come, instance);
             return tree_.destroy(instance);
         case Did::moved:
             return move(instance);
@@ -342,6 +365,12 @@ void WriteLog::Player::call(Handle instance) {
     std::vector<Value> arguments(from_.count());
     for (Value& argument : arguments) argument = from_.value();
     for (const Handle made : from_.list<Handle>()) s_.to_come.push_back(made);
+    const auto answers = from_.list<std::uint8_t>();
+    std::optional<Acceptance> acceptance;
+    if (!answers.empty())
+        acceptance.emplace(tree_, name.text(), [&, asked = std::size_t{0}](Handle) mutable {
+            return asked < answers.size() && answers[asked++] != 0;
+        });
     try {
         if (const Method* method = tree_.class_of(instance).method(name))
             tree_.call(instance, *method, arguments);

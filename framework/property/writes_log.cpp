@@ -4,17 +4,20 @@
 
 namespace fettle::property {
 
-// The oldest chunk is used again, unless somebody keeps it.
-void WritesLog::add_chunk() {
-    std::shared_ptr<Chunk> chunk;
-    if (chunks_.size() == most / in_chunk) {
-        chunk = std::move(chunks_.front());
-        chunks_.pop_front();
+// Which cells were written is kept for long, what was written only by who keeps the chunk.
+void WritesLog::next_chunk() {
+    PackedWrites packed(*chunk_);
+    const bool one_is_free = !spare_.empty() && spare_.front().use_count() == 1;
+    std::shared_ptr<Chunk> next = one_is_free ? spare_.front() : std::make_shared<Chunk>();
+    packed_.push_back(std::move(packed));
+    if (one_is_free) spare_.erase(spare_.begin());
+    if (spare_.size() < most_spare) spare_.push_back(chunk_);
+    if (packed_.size() == most / in_chunk) {
+        packed_.pop_front();
         first_ += in_chunk;
     }
-    if (chunk == nullptr || chunk.use_count() > 1) chunk = std::make_shared<Chunk>();
-    chunks_.push_back(std::move(chunk));
-    next_ = chunks_.back()->data();
+    chunk_ = std::move(next);
+    next_ = chunk_->data();
     end_ = next_ + in_chunk;
     open(open_);
 }
@@ -26,7 +29,7 @@ void WritesLog::tell(Writer writer, std::uint64_t step) {
         runs_.push_back({.end = told_, .step = step, .writer = writer});
     }
     // Up to here memory may be refused, and nothing has been told.
-    if (next_ == end_) add_chunk();
+    if (next_ == end_) next_chunk();
     runs_.back().end = told_ = told;
     untold_ = next_;
 }
@@ -38,20 +41,40 @@ void WritesLog::take_back(PlainWrite& entry) {
         entry.instance = {};  // others came after it: nobody's
 }
 
+/// Of the writes in full chunks, by their numbers since `first_`.
+PackedWrites::Found WritesLog::last_packed(std::uint32_t index, Symbol property) const {
+    for (std::size_t piece = packed_.size(); piece > 0; --piece) {
+        PackedWrites::Found found = packed_[piece - 1].last(index, property);
+        if (found.number == 0) continue;
+        found.number += (piece - 1) * in_chunk;
+        return found;
+    }
+    return {};
+}
+
 Provenance WritesLog::find(Handle instance, Symbol property) const {
     Provenance out;
-    for (std::uint64_t number = told_; number > first_; --number) {
-        const std::uint64_t at = number - 1 - first_;
-        const PlainWrite& write = (*chunks_[at / in_chunk])[at % in_chunk];
-        if (write.instance.index != instance.index || write.property->symbol != property) continue;
-        // A slot's next owner has been written by nobody yet.
-        if (write.instance.generation != instance.generation) break;
+    std::uint64_t number = told_;
+    const PlainWrite* write = untold_;
+    const auto is_it = [&](const PlainWrite& w) {
+        return w.instance.index == instance.index && w.property->symbol == property;
+    };
+    while (write != chunk_->data() && !is_it(*(write - 1))) --write, --number;
+    std::uint32_t generation = 0;
+    if (write != chunk_->data()) {
+        generation = (write - 1)->instance.generation;
+    } else {
+        const PackedWrites::Found found = last_packed(instance.index, property);
+        number = found.number == 0 ? 0 : first_ + found.number;
+        generation = found.generation;
+    }
+    // A slot's next owner has been written by nobody yet.
+    if (number != 0 && generation == instance.generation) {
         const auto run = std::lower_bound(runs_.begin(), runs_.end(), number,
                                           [](const Run& r, std::uint64_t n) { return r.end < n; });
         out.known = true;
         out.cause.writer = run->writer;
         out.cause.step = run->step;
-        break;
     }
     const auto full = full_.find({instance.index, property});
     if (full == full_.end() || full->second.first != instance.generation) return out;

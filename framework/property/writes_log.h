@@ -11,16 +11,19 @@
 #include <span>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <fettle/property/history.h>
 #include <fettle/property/observer.h>
 
+#include "packed_writes.h"
 #include "watchers.h"
 
 namespace fettle::property {
 
 class WritesLog {
   public:
+    WritesLog() { spare_.reserve(most_spare); }
     /// It is time to tell of them: no other write can begin.
     bool full() const { return next_ == end_; }
     /// A write of the shortest way can begin: all that could be against it and does not depend on
@@ -41,7 +44,7 @@ class WritesLog {
     }
 
     /// What has begun and was not yet told of.
-    PlainWrites untold() const { return {{untold_, next_}, chunks_.back()}; }
+    PlainWrites untold() const { return {{untold_, next_}, chunk_}; }
     bool any_untold() const { return next_ != untold_; }
     /// How many have begun. Falls by one where the last is taken back.
     std::uint64_t ever() const { return told_ + static_cast<std::uint64_t>(next_ - untold_); }
@@ -63,6 +66,7 @@ class WritesLog {
     static constexpr std::size_t most = std::size_t{1} << 18;
     // As many as may be untold: they stay in the nearest cache.
     static constexpr std::size_t in_chunk = 512;
+    static constexpr std::size_t most_spare = 64;
     using Chunk = std::array<PlainWrite, in_chunk>;
 
     /// One after the other by one writer in one step.
@@ -72,11 +76,14 @@ class WritesLog {
         Writer writer;
     };
 
-    void add_chunk();
+    void next_chunk();
+    PackedWrites::Found last_packed(std::uint32_t index, Symbol property) const;
 
-    std::deque<std::shared_ptr<Chunk>> chunks_{std::make_shared<Chunk>()};  // the last is filled
-    std::uint64_t first_ = 0;  // how many writes there had been before those in chunks
-    PlainWrite* untold_ = chunks_.back()->data();
+    std::shared_ptr<Chunk> chunk_ = std::make_shared<Chunk>();  // is filled
+    std::vector<std::shared_ptr<Chunk>> spare_;  // were full; used again when nobody keeps them
+    std::deque<PackedWrites> packed_;            // what was in full ones
+    std::uint64_t first_ = 0;  // how many writes there had been before those in `packed_`
+    PlainWrite* untold_ = chunk_->data();
     PlainWrite* next_ = untold_;
     PlainWrite* end_ = untold_ + in_chunk;
     PlainWrite* open_end_ = end_;  // nullptr where the shortest way is closed

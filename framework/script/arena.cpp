@@ -42,16 +42,17 @@ void Arena::give(void* block, std::size_t size) {
     give_small(block, size);
 }
 
-// Lua answers a refusal with a full collection and asks once more for the same; only the second
-// refusal is final.
 bool Arena::refuse(std::size_t growth, std::size_t size) {
     if (growth <= limit_ && bytes_ <= limit_ - growth) return false;
-    if (refused_ == size) {
-        refused_ = 0;
-        if (on_refusal) on_refusal(size);
-    } else {
-        refused_ = size;
-    }
+    return tell_refusal(size, false);
+}
+
+// Lua answers a refusal with a full collection and asks once more for the same; only the second
+// refusal is final.
+bool Arena::tell_refusal(std::size_t size, bool by_system) {
+    const bool final = refused_ == size;
+    refused_ = final ? 0 : size;
+    if (on_refusal) on_refusal({.size = size, .by_system = by_system, .final = final});
     return true;
 }
 
@@ -86,7 +87,8 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
     void* result;
     if (block && old_size > small && new_size > small) {
         result = std::realloc(block, new_size);
-        if (!result) return nullptr;
+        if (!result && new_size <= old_size) return block;
+        if (!result && arena.tell_refusal(new_size, true)) return nullptr;
     } else if (block && list_of(old_size) == list_of(new_size) && new_size <= small) {
         result = block;
     } else {
@@ -94,6 +96,7 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
         if (!result) {
             // Lua relies on shrinking never to fail.
             if (block && new_size <= old_size) return block;
+            arena.tell_refusal(new_size, true);
             return nullptr;
         }
         if (block) {

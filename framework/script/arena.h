@@ -23,8 +23,15 @@ class Arena {
     std::size_t limit() const { return limit_; }
     void set_limit(std::size_t limit) { limit_ = limit; }
 
-    /// Told of every refusal that a full collection could not avert, and of every large block.
-    std::function<void(std::size_t size)> on_refusal;
+    /// A refusal, by the limit or by the system. A full collection may avert one that is not final;
+    /// parts of Lua ask once and give up, though.
+    struct Refusal {
+        std::size_t size = 0;
+        bool by_system = false;
+        bool final = false;
+    };
+    /// Told of every refusal and of every large block.
+    std::function<void(const Refusal& refusal)> on_refusal;
     std::function<void(std::size_t size)> on_large;
 
   private:
@@ -47,6 +54,7 @@ class Arena {
         head = node;
     }
     bool refuse(std::size_t growth, std::size_t size);
+    bool tell_refusal(std::size_t size, bool by_system);
 
     std::array<Free*, small / granule + 1> lists_{};
     std::vector<std::unique_ptr<std::byte[]>> chunks_;

@@ -67,7 +67,7 @@ bool tell_of_replay(Machine& machine, const std::string& what) {
 void print_line(Machine& machine, std::string text) {
     constexpr std::size_t most_lines = 2000;
     if (!machine.recording.active) {
-        if (machine.print_sink) machine.print_sink(text);
+        if (const auto sink = machine.print_sink) sink(text);  // it may be replaced meanwhile
         return;
     }
     // Console: a line a line, however many the text has.
@@ -376,6 +376,7 @@ int quit(lua_State* L) {
         if (!whole || status < 0 || status > 255)
             throw Error(ErrorKind::out_of_range, "quit: a status is a whole number from 0 to 255");
     }
+    machine_of(L).tree.require_changeable("end the game");
     machine_of(L).quit_status = static_cast<int>(status);
     return 0;
 }

@@ -1,6 +1,8 @@
 #include "budget.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "machine.h"
 
@@ -34,7 +36,8 @@ void Budget::end() {
 
 void Budget::hook(lua_State* L, lua_Debug*) {
     Budget& budget = machine_of(L).budget;
-    if (!budget.active_) {
+    budget.stop_if_interrupted(L);
+    if (!budget.active_ && !budget.stopping_) {
         lua_sethook(L, nullptr, 0, 0);  // a coroutine that outlived the command it was made in
         return;
     }
@@ -64,6 +67,22 @@ void Budget::stop(lua_State* L, const std::string& why) {
     reason_ = (line_ > 0 ? file_ + ":" + std::to_string(line_) + ": " : std::string()) + why;
 }
 
+void Budget::interrupt() noexcept {
+    interrupted_ = 1;
+    if (machine_.running != nullptr) lua_sethook(machine_.running, hook, LUA_MASKCOUNT, 1);
+}
+
+void Budget::stop_if_interrupted(lua_State* L) {
+    if (interrupted_ != 0) stop(L, "stopped: the run is to end");
+}
+
+void Budget::go_on() {
+    interrupted_ = 0;
+    if (active_) return;
+    stopping_ = false;
+    lua_sethook(machine_.main, nullptr, 0, 0);
+}
+
 void Budget::arm() {
     lua_sethook(machine_.running, hook, LUA_MASKCOUNT, 1);
 }
@@ -75,7 +94,8 @@ void Budget::raise_stop(lua_State* L) {
 }
 
 void Budget::charge(lua_State* L, std::uint64_t instructions) {
-    if (!active_) return;
+    if (!active_ && interrupted_ == 0) return;
+    stop_if_interrupted(L);
     charge_quietly(instructions);
     check(L);
 }
@@ -90,22 +110,53 @@ void Budget::charge_quietly(std::uint64_t instructions) {
     arm();
 }
 
-void Budget::memory_refused(std::size_t size) {
-    if (!active_ || stopping_) return;
+std::string Budget::out_of_memory(const Arena::Refusal& refusal) const {
+    return "not enough memory: " + std::to_string(refusal.size) +
+           " bytes more were asked for, and " +
+           (refusal.by_system ? std::string("the system has none to give")
+                              : "the scripts of a game may use " +
+                                    std::to_string(machine_.arena.limit() >> 20) + " MB");
+}
+
+void Budget::memory_refused(const Arena::Refusal& refusal) {
+    if (stopping_) return;
+    if (!active_) {
+        // Lua's own error says neither where nor why, and calls no handler that could find out.
+        refused_ = {.what = refusal};
+        lua_Debug frame;
+        for (int level = 0; lua_getstack(machine_.running, level, &frame); ++level) {
+            lua_getinfo(machine_.running, "Sl", &frame);
+            if (frame.currentline <= 0) continue;
+            std::copy(std::begin(frame.short_src), std::end(frame.short_src), refused_.file);
+            refused_.line = frame.currentline;
+            break;
+        }
+        return;
+    }
+    if (!refusal.final) return;
     stop(machine_.running, "stopped: it needs more memory than a command may use (" +
-                               std::to_string(size) + " bytes more, limit " +
+                               std::to_string(refusal.size) + " bytes more, limit " +
                                std::to_string(memory_limit_ >> 20) + " MB)");
     arm();
 }
 
+std::string Budget::take_refusal() {
+    const Refused refused = std::exchange(refused_, {});
+    if (refused.what.size == 0) return {};
+    const std::string place =
+        refused.line > 0 ? std::string(refused.file) + ":" + std::to_string(refused.line) + ": "
+                         : "";
+    return place + out_of_memory(refused.what);
+}
+
 void Budget::enter(lua_State* thread) {
-    if (!active_) return;
+    if (!active_ && interrupted_ == 0) return;
     charge_quietly(500);
-    lua_sethook(thread, hook, LUA_MASKCOUNT, stopping_ ? 1 : interval);
+    lua_sethook(thread, hook, LUA_MASKCOUNT, stopping_ || interrupted_ != 0 ? 1 : interval);
 }
 
 void Budget::check(lua_State* L) {
-    if (active_ && stopping_) raise_stop(L);
+    if (stopping_) raise_stop(L);
 }
 
 }  // namespace fettle::script

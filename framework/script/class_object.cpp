@@ -2,9 +2,11 @@
 // `function Ball:step(dt)` adds a function.
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -65,13 +67,39 @@ int push_key(lua_State* L, const std::string& name) {
     return lua_rawget(L, 2);
 }
 
-void adopt_unnamed(lua_State* L, Machine& machine, const Class& of, Handle made) {
+/// An instance that is being made. Unless it is finished it never was, and the children it was
+/// given are as they were before.
+class Construction {
+  public:
+    Construction(Machine& machine, const Class& to_make)
+        : of(to_make), made(machine.classes->create(to_make)), machine_(machine) {}
+    ~Construction() {
+        if (finished_) return;
+        for (auto back = ways_back_.rbegin(); back != ways_back_.rend(); ++back) (*back)();
+        if (machine_.tree.alive(made)) machine_.tree.destroy(made);
+    }
+    Construction(const Construction&) = delete;
+
+    /// Before `child` gets its place below.
+    void adopts(Handle child) { ways_back_.push_back(machine_.tree.way_back(child)); }
+    void finish() { finished_ = true; }
+
+    const Class& of;
+    const Handle made;
+
+  private:
+    Machine& machine_;
+    std::vector<std::function<void()>> ways_back_;
+    bool finished_ = false;
+};
+
+void adopt_unnamed(lua_State* L, Machine& machine, Construction& now) {
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, 2));
     for (lua_Integer i = 1; i <= length; ++i) {
         lua_rawgeti(L, 2, i);
         const auto* box = instance_at(L, -1);
         if (!box)
-            throw Error(ErrorKind::wrong_type, of.name() + ": element " + std::to_string(i) +
+            throw Error(ErrorKind::wrong_type, now.of.name() + ": element " + std::to_string(i) +
                                                    " is " + describe_type(L, -1) +
                                                    "; what has no name becomes a child, so it "
                                                    "must be an instance");
@@ -79,38 +107,58 @@ void adopt_unnamed(lua_State* L, Machine& machine, const Class& of, Handle made)
         if (!is_orphan(L, machine, -1))
             throw Error(
                 ErrorKind::bad_structure,
-                of.name() + ": " + machine.tree.path(box->handle) + " has its place already");
-        place(machine, box->handle, made, {}, true);
+                now.of.name() + ": " + machine.tree.path(box->handle) + " has its place already");
+        now.adopts(box->handle);
+        place(machine, box->handle, now.made, {}, true);
         lua_pop(L, 1);
     }
 }
 
+void set_declared(lua_State* L, Machine& machine, Handle made, const Property& property) {
+    if (is_formula(L, 3)) return define_formula(L, machine, 3, made, property.name);
+    const Value value = to_value(L, 3);
+    machine.classes->explain_integer(property, value);
+    machine.tree.set(made, property, value);
+}
+
 // Named children come first, so that unnamed ones are numbered around them; then unnamed ones; then
-// properties, which may depend on what hangs below. Names in order, so that runs are the same.
-void fill(lua_State* L, Machine& machine, const Class& of, Handle made) {
-    const std::vector<std::string> keys = sorted_keys(L, 2, of.name());
-    std::vector<std::string> properties;
-    for (const std::string& key : keys) {
-        push_key(L, key);
-        lua_replace(L, 3);
-        if (!of.property(key) && is_orphan(L, machine, 3))
-            write_member(L, machine, made, of, key);
-        else
-            properties.push_back(key);
-    }
-    adopt_unnamed(L, machine, of, made);
-    for (const std::string& key : properties) {
-        push_key(L, key);
-        lua_replace(L, 3);
-        if (is_formula(L, 3)) {
-            define_formula(L, machine, 3, made, key);
-        } else if (const Property* property = of.property(key)) {
-            const Value value = to_value(L, 3);
-            machine.classes->explain_integer(*property, value);
-            machine.tree.set(made, *property, value);
-        } else {
-            write_member(L, machine, made, of, key);
+// properties, which may depend on what hangs below. Names in order, so that runs are the same;
+// declared properties in the order of their declaration, since what one may be can depend on those
+// before it (whether a chain is closed on its points).
+void fill(lua_State* L, Machine& machine, Construction& now) {
+    const Class& of = now.of;
+    std::vector<std::pair<std::size_t, const Property*>> declared;
+    std::vector<std::string> others;
+    for (const std::string& key : sorted_keys(L, 2, of.name())) {
+        if (const Property* property = of.property(key)) {
+            const auto& all = of.properties();
+            declared.emplace_back(std::find(all.begin(), all.end(), property) - all.begin(),
+                                  property);
+            continue;
         }
+        push_key(L, key);
+        lua_replace(L, 3);
+        if (is_orphan(L, machine, 3)) {
+            now.adopts(instance_at(L, 3)->handle);
+            write_member(L, machine, now.made, of, key);
+        } else {
+            others.push_back(key);
+        }
+    }
+    adopt_unnamed(L, machine, now);
+    std::sort(declared.begin(), declared.end());
+    for (const auto& [place, property] : declared) {
+        push_key(L, property->name);
+        lua_replace(L, 3);
+        set_declared(L, machine, now.made, *property);
+    }
+    for (const std::string& key : others) {
+        push_key(L, key);
+        lua_replace(L, 3);
+        if (is_formula(L, 3))
+            define_formula(L, machine, 3, now.made, key);
+        else
+            write_member(L, machine, now.made, of, key);
     }
 }
 
@@ -151,19 +199,17 @@ int construct(lua_State* L) {
     lua_settop(L, 3);
     // Else the children would be echoed one by one.
     const Unrecorded quiet(machine);
-    Handle made;
+    Construction now(machine, *of);
     try {
-        made = machine.classes->create(*of);
-        if (lua_istable(L, 2)) fill(L, machine, *of, made);
+        if (lua_istable(L, 2)) fill(L, machine, now);
     } catch (const std::exception& error) {
-        std::string message = error.what();
-        if (made && machine.tree.alive(made)) {
-            message = named_by_class(message, machine.tree.path(made), *of);
-            machine.tree.destroy(made);
-        }
+        std::string message = property::exception_text(error);
+        if (machine.tree.alive(now.made))
+            message = named_by_class(message, machine.tree.path(now.made), *of);
         throw Error(ErrorKind::rejected, message);
     }
-    push_instance(L, made);
+    now.finish();
+    push_instance(L, now.made);
     return 1;
 }
 
@@ -204,7 +250,9 @@ int class_newindex(lua_State* L) {
                     of->name() + "." + name + ": a class takes functions, not " +
                         describe_type(L, 3) + "; properties are declared in class(...) { }");
     lua_settop(L, 3);
-    machine_of(L).classes->set_function(L, *of, name);
+    Machine& machine = machine_of(L);
+    machine.tree.require_changeable("give a class a function");
+    machine.classes->set_function(L, *of, name);
     return 0;
 }
 
@@ -273,6 +321,7 @@ void refuse_slips(const Class& base, const std::string& class_name, const std::s
 // Upvalues: name, base.
 int define_class(lua_State* L) {
     Machine& machine = machine_of(L);
+    machine.tree.require_changeable("define a class");
     ScriptClasses::Definition definition;
     definition.name = lua_tostring(L, lua_upvalueindex(1));
     definition.base = class_object_at(L, lua_upvalueindex(2));

@@ -133,6 +133,13 @@ bool script_frame(lua_State* L, int level, lua_Debug& frame) {
     return false;
 }
 
+constexpr const char* out_of_memory = "not enough memory";  // as Lua says it, and no more
+
+void tell_refusal(Machine& machine, ScriptError& error) {
+    if (std::string told = machine.budget.take_refusal(); !told.empty())
+        error.message = std::move(told);
+}
+
 }  // namespace
 
 std::string error_text(lua_State* L, int index) {
@@ -151,6 +158,7 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
     ScriptError error;
     lua_checkstack(from, 8);
     error.message = error_text(from, index);
+    if (error.message == out_of_memory) tell_refusal(machine, error);
     if (machine.thread_error && machine.thread_error->message == error.message) {
         // It rose out of a coroutine, where it was described already.
         error = std::move(*machine.thread_error);
@@ -186,7 +194,7 @@ int describing_handler(lua_State* L) {
 }
 
 void report(Machine& machine, ScriptError error) {
-    if (machine.error_sink) machine.error_sink(error);
+    if (const auto sink = machine.error_sink) sink(error);  // it may be replaced meanwhile
 }
 
 std::string Context::text(Machine& machine) const {
@@ -200,6 +208,7 @@ std::string Context::text(Machine& machine) const {
 
 bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
                    void* body, bool report_error) {
+    const Machine::Use use(machine);
     lua_State* L = machine.main;
     lua_State* outer = machine.running;
     machine.running = L;
@@ -221,8 +230,10 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     if (!machine.caught) {
         // Out of memory, or an error while describing one: there is a message and no more.
         ScriptError error;
-        error.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "out of memory";
+        error.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : out_of_memory;
+        if (error.message == out_of_memory) tell_refusal(machine, error);
         place_from_message(error);
+        error.source_line = source_line(machine, error.file, error.line);
         machine.caught = std::move(error);
     }
     lua_settop(L, top);

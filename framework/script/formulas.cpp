@@ -5,6 +5,7 @@
 #include <fettle/property/error.h>
 
 #include "guard.h"
+#include "held_memory.h"
 #include "machine.h"
 #include "protected.h"
 #include "sandbox.h"
@@ -37,6 +38,7 @@ class ScriptFormula {
     Value operator()(const Tree&) const {
         if (*alive_ == nullptr) throw std::runtime_error("its script has ended");
         Machine& machine = *machine_;
+        const Machine::Use use(machine);
         const bool counted = !machine.budget.active();
         if (counted)
             machine.budget.begin(machine.options.console_budget, machine.options.console_memory);
@@ -124,12 +126,15 @@ void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
                     std::string_view name) {
     const std::string source = text_at(L, index, 2), not_saved = text_at(L, index, 3);
     lua_getiuservalue(L, index, 1);
+    const std::size_t holds = held_memory(L, machine, -1);
     const auto function = std::make_shared<FunctionRef>(L, machine);
-    write_formula(machine, instance, name, {ScriptFormula(machine, function), source, not_saved});
+    write_formula(machine, instance, name,
+                  {ScriptFormula(machine, function), source, not_saved, holds});
 }
 
 property::Formula compile_formula(Machine& machine, const std::string& source) {
     if (one_line(source).empty()) throw Error(ErrorKind::formula, "the formula has no text");
+    const Machine::Use use(machine);
     const std::string chunk = "return " + source;
     std::shared_ptr<FunctionRef> function;
     std::string wrong;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
@@ -101,12 +102,15 @@ int alive(lua_State* L) {
     return 1;
 }
 
+// What was deleted is still told apart: an event may name it.
 int is_a(lua_State* L) {
-    const Handle self = check_instance(L, 1, "is_a");
     Machine& machine = machine_of(L);
+    const auto* box = instance_at(L, 1);
+    const auto remains = box ? machine.tree.remains(box->handle) : std::nullopt;
+    const Class& is = remains ? remains->of : machine.tree.class_of(check_instance(L, 1, "is_a"));
     const Class* of = class_at(L, machine, 2, "is_a");
     if (!of) throw Error(ErrorKind::wrong_type, "is_a: needs a class or its name");
-    lua_pushboolean(L, machine.tree.class_of(self).is_a(*of));
+    lua_pushboolean(L, is.is_a(*of));
     return 1;
 }
 
@@ -190,50 +194,97 @@ int each(lua_State* L) {
 
 // --- Copies
 
-using Copies = std::vector<std::pair<Handle, Handle>>;
+struct Copies {
+    std::vector<std::pair<Handle, Handle>> in_order;
+    std::unordered_map<std::uint64_t, Handle> of;
 
-void copy_below(Machine& machine, Handle from, Handle to, Copies& copies) {
-    copies.emplace_back(from, to);
-    for (const Handle child : machine.tree.children(from)) {
-        const Handle made =
-            machine.tree.create(machine.tree.class_of(child), to, machine.tree.name(child));
-        copy_below(machine, child, made, copies);
+    static std::uint64_t key(Handle h) { return std::uint64_t{h.generation} << 32 | h.index; }
+    void add(Handle from, Handle to) {
+        in_order.emplace_back(from, to);
+        of.emplace(key(from), to);
+    }
+};
+
+void require_creatable(Machine& machine, Handle original) {
+    const Class& of = machine.tree.class_of(original);
+    if (of.creatable()) return;
+    throw Error(ErrorKind::bad_structure, machine.tree.path(original) +
+                                              ": cannot be cloned: only Fettle itself makes a " +
+                                              of.name());
+}
+
+Handle copy_of(Machine& machine, Handle original, Handle parent) {
+    const Class& of = machine.tree.class_of(original);
+    const std::string name = machine.tree.name(original);
+    // What the copy has made by itself, as a world makes its statistics, is the copy of that.
+    const Handle own = machine.tree.child(parent, name);
+    if (own && &machine.tree.class_of(own) == &of) return own;
+    require_creatable(machine, original);
+    return machine.tree.create(of, parent, name);
+}
+
+// Parents first, siblings in their order; without recursion, however deep the tree is.
+void copy_below(Machine& machine, Handle top, Handle copy, Copies& copies) {
+    std::vector<std::pair<Handle, Handle>> open;  // what is to be copied, and below what
+    const auto below = [&](Handle original, Handle made) {
+        copies.add(original, made);
+        const std::vector<Handle> children = machine.tree.children(original);
+        for (auto child = children.rbegin(); child != children.rend(); ++child)
+            open.emplace_back(*child, made);
+    };
+    below(top, copy);
+    while (!open.empty()) {
+        const auto [original, parent] = open.back();
+        open.pop_back();
+        below(original, copy_of(machine, original, parent));
     }
 }
 
-// References inside what is copied lead to the copies.
-Value redirected(const Value& value, const Copies& copies) {
+// References inside what is copied lead to the copies; those to nobody any more to nobody.
+Value redirected(const Machine& machine, const Value& value, const Copies& copies) {
     if (value.is(property::Type::reference)) {
-        for (const auto& [from, to] : copies)
-            if (value.reference() == from) return to;
-    } else if (value.is(property::Type::list)) {
+        if (!machine.tree.alive(value.reference())) return Handle{};
+        const auto copy = copies.of.find(Copies::key(value.reference()));
+        return copy == copies.of.end() ? value : Value(copy->second);
+    }
+    if (value.is(property::Type::list)) {
         property::List list;
-        for (const Value& each_value : value.list()) list.push_back(redirected(each_value, copies));
+        for (const Value& element : value.list())
+            list.push_back(redirected(machine, element, copies));
         return list;
     }
     return value;
 }
 
-int clone(lua_State* L) {
-    const Handle self = check_instance(L, 1, "clone");
-    Machine& machine = machine_of(L);
-    if (!machine.tree.class_of(self).creatable())
-        throw Error(ErrorKind::bad_structure, machine.tree.path(self) + ": there can be only one " +
-                                                  machine.tree.class_of(self).name());
-    const Handle made = machine.tree.create(machine.tree.class_of(self));
-    machine.unplaced.push_back(made);
-    Copies copies;
-    copy_below(machine, self, made, copies);
-    for (const auto& [from, to] : copies) {
+void copy_values(Machine& machine, const Copies& copies) {
+    for (const auto& [from, to] : copies.in_order) {
         for (const Property* property : machine.tree.properties(from)) {
             if (property->read_only || !machine.tree.overridden(from, *property)) continue;
-            const Value value = redirected(machine.tree.get(from, *property), copies);
+            // Of a formula its value; of one in error the last good one.
+            (void)machine.tree.problem(from, *property);
+            const Value value = redirected(machine, machine.tree.peek(from, *property), copies);
             if (property->binding.kind == property::BindingKind::ad_hoc)
                 machine.tree.set_or_add(to, property->name, value);
             else
                 machine.tree.set(to, *property, value);
         }
     }
+}
+
+int clone(lua_State* L) {
+    const Handle self = check_instance(L, 1, "clone");
+    Machine& machine = machine_of(L);
+    require_creatable(machine, self);
+    const Handle made = machine.tree.create(machine.tree.class_of(self));
+    try {
+        Copies copies;
+        copy_below(machine, self, made, copies);
+        copy_values(machine, copies);
+    } catch (...) {
+        machine.tree.destroy(made);
+        throw;
+    }
+    machine.unplaced.push_back(made);
     push_instance(L, made);
     return 1;
 }

@@ -15,6 +15,8 @@ std::string position(lua_State* L);
 /// Raises `message` with its position in front.
 [[noreturn]] void raise(lua_State* L, const std::string& message);
 [[noreturn]] void raise_text(lua_State* L, const char* message);
+/// The same with what the exception tells people.
+[[noreturn]] void raise_exception(lua_State* L, const std::exception& error);
 
 /// Gives what `body` returns.
 template <class Body>
@@ -22,7 +24,7 @@ auto guard(lua_State* L, const Body& body) {
     try {
         return body();
     } catch (const std::exception& error) {
-        raise_text(L, error.what());
+        raise_exception(L, error);
     }
 }
 

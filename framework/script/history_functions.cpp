@@ -40,8 +40,9 @@ int history(lua_State* L) {
     Machine& machine = machine_of(L);
     const auto entries = machine.tree.history();
     for (const property::HistoryEntry& entry : entries)
-        print_line(machine,
-                   (entry.undone ? "  (undone) " : "  ") + entry.name + "   " + entry.cause.text());
+        print_line(machine, (entry.undone ? "  (undone) " : "  ") + entry.name + "   " +
+                                entry.cause.text() +
+                                (entry.too_large ? "   (too large to be undone)" : ""));
     if (entries.empty()) print_line(machine, "nothing was edited");
     return 0;
 }

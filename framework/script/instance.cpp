@@ -150,8 +150,20 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
     return child;
 }
 
+/// What was deleted still tells what it was called and of which class it was.
+bool push_remains(lua_State* L, Machine& machine, Handle instance) {
+    if (machine.tree.alive(instance) || lua_type(L, 2) != LUA_TSTRING) return false;
+    const std::string_view key = lua_tostring(L, 2);
+    if (key != "name" && key != "class") return false;
+    const auto remains = machine.tree.remains(instance);
+    if (!remains) return false;
+    lua_pushstring(L, key == "name" ? remains->name.c_str() : remains->of.name().c_str());
+    return true;
+}
+
 [[gnu::noinline]] int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     const Handle instance = self.handle;
+    if (push_remains(L, machine, instance)) return 1;
     if (lua_type(L, 2) == LUA_TSTRING) {
         // A method tells itself what a deleted instance cannot do; `alive` can be asked.
         const Dispatch& found = look_up(L, machine, *self.members);
@@ -199,7 +211,8 @@ Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
 [[gnu::noinline]] int read_at_length(lua_State* L, const InstanceBox& self) {
     Machine& machine = machine_of(L);
     const Dispatch* known = self.members->find(lua_topointer(L, 2));
-    if (known == nullptr || !known->is_property() || machine.recording.active)
+    if (known == nullptr || !known->is_property() || machine.recording.active ||
+        !machine.tree.alive(self.handle))
         return read_slowly(L, machine, self);
     push_property(L, machine, self.handle, *known->property);
     return 1;

@@ -1,5 +1,7 @@
 // Writing a name that the class does not declare: a child, an ad-hoc property, or a slip.
 
+#include <optional>
+
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
@@ -65,8 +67,24 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
     if (machine.tree.is_below(instance, orphan))
         throw Error(ErrorKind::bad_structure,
                     path_of(machine, instance, name) + ": an instance cannot hang below itself");
-    destroy(machine, child);
-    place(machine, orphan, instance, name, false);
+    replace(machine, child, orphan);
+}
+
+/// A child takes the place of a property that somebody added.
+void write_over(Machine& machine, Handle instance, const Property& property, Handle orphan) {
+    const std::string name = property.name;
+    const property::Formula* const formula = machine.tree.formula(instance, property);
+    const std::optional<property::Formula> computed =
+        formula != nullptr ? std::optional(*formula) : std::nullopt;
+    const Value value = machine.tree.peek(instance, property);
+    clear_property(machine, instance, property);
+    try {
+        place(machine, orphan, instance, name, false);
+    } catch (...) {  // it got none: everything stays
+        machine.tree.set_or_add(instance, name, value);
+        if (computed) machine.tree.set_formula(instance, name, *computed);
+        throw;
+    }
 }
 
 }  // namespace
@@ -92,17 +110,18 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const propert
             define_formula(L, machine, 3, instance, name);
             return;
         }
-        if (!orphan_at(L, machine)) {
-            Value value;
-            try {
-                value = to_value(L, 3);
-            } catch (const Error& error) {
-                throw Error(error.kind(), path_of(machine, instance, name) + ": " + error.what());
-            }
-            write_property(machine, instance, *property, value);
+        if (const Handle orphan = orphan_at(L, machine)) {
+            write_over(machine, instance, *property, orphan);
             return;
         }
-        clear_property(machine, instance, *property);  // a child takes its place
+        Value value;
+        try {
+            value = to_value(L, 3);
+        } catch (const Error& error) {
+            throw Error(error.kind(), path_of(machine, instance, name) + ": " + error.what());
+        }
+        write_property(machine, instance, *property, value);
+        return;
     }
     refuse_near_miss(machine, instance, of, name);
     if (lua_isnil(L, 3)) return;

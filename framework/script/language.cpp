@@ -63,13 +63,17 @@ const std::vector<GlobalDoc>& global_docs() {
          "past is kept (`time.oldest`)."},
         {"save_game", "save_game(slot: string)",
          "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
-         "Lua. A slot is called by letters, digits, spaces, - and _."},
+         "Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot "
+         "before the barrier are one save, as the last of them wants it; more than 1000 calls are "
+         "an error."},
         {"saves", "saves(): SavedGame[]",
          "The saved games by slot, those that cannot be loaded too."},
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
          "The instances of a scene file, placed below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",
-         "Writes an instance and everything below it to a scene file of the game."},
+         "Writes an instance and everything below it to a scene file of the game. It replaces a "
+         "scene "
+         "or nothing: a file of another kind is left as it is, which is an error."},
         {"snapshot", "snapshot(): Snapshot",
          "The whole tree as it is at the next barrier between steps, for restore."},
         {"tweaks", "tweaks()",
@@ -140,7 +144,10 @@ const std::vector<GlobalDoc>& callback_docs() {
         {"resized", "resized(width: number, height: number)",
          "The window got another size, in pixels."},
         {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},
-        {"closing", "closing()", "The window is about to close."},
+        {"closing", "closing()",
+         "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for "
+         "it. "
+         "It is the last that a game is called for, and has five seconds after a signal."},
     };
     return docs;
 }

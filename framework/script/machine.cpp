@@ -1,6 +1,7 @@
 #include "machine.h"
 
 #include <new>
+#include <utility>
 
 #include <fettle/property/error.h>
 
@@ -64,10 +65,20 @@ int open_all(lua_State* L) {
     return 0;
 }
 
+/// Before anything is made.
+property::Tree& without_runtime(property::Tree& tree) {
+    for (const property::SnapshotPart* part : tree.parts())
+        if (part->part_name() == RuntimePart::name)
+            throw property::Error(property::ErrorKind::bad_structure,
+                                  "the tree has a runtime already: it has one at a time");
+    return tree;
+}
+
 }  // namespace
 
 Machine::Machine(property::Tree& property_tree, Options runtime_options)
-    : tree(property_tree),
+    : tree(without_runtime(property_tree)),
+      tree_life(tree.lifetime()),
       options(std::move(runtime_options)),
       files(options.files != nullptr ? *options.files : files_on_disk),
       arena(options.memory_limit),
@@ -80,20 +91,32 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
     running = main;
     *static_cast<Machine**>(lua_getextraspace(main)) = this;
     tree.add_part(part);
-    arena.on_refusal = [this](std::size_t size) { budget.memory_refused(size); };
+    arena.on_refusal = [this](const Arena::Refusal& refusal) { budget.memory_refused(refusal); };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
     lua_pushcfunction(main, guarded<open_all>);
     if (lua_pcall(main, 0, 0, 0) != LUA_OK) {
         const char* message = lua_tostring(main, -1);
         const std::string text = message ? message : "Lua could not be started";
-        lua_close(main);
+        end();
         throw property::Error(property::ErrorKind::rejected, text);
     }
 }
 
 Machine::~Machine() {
-    tree.compile_formulas_with({});
-    tree.remove_part(part);
+    end();
+}
+
+void Machine::leave() {
+    if (std::exchange(in_tree, false) && !tree_life.expired()) {
+        tree.compile_formulas_with({});
+        tree.remove_part(part);
+    }
+    subscriptions->clear();
+    timers.clear();
+}
+
+void Machine::end() {
+    leave();
     subscriptions.reset();
     classes.reset();
     arena.set_limit(static_cast<std::size_t>(-1));

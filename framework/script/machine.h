@@ -55,6 +55,7 @@ struct Machine {
     Machine(const Machine&) = delete;
 
     property::Tree& tree;
+    std::weak_ptr<const property::Tree*> tree_life;
     Options options;
     property::GameFiles files_on_disk;
     property::GameFiles& files;
@@ -91,6 +92,8 @@ struct Machine {
     int last_result = 0;  // `_` is element 1: a reference itself must never be nil
     int killed = 0;       // weak: coroutines stopped for good
     int pen = 0;
+    int counted = 0;                     // weak: what functions of the past hold; 0: not made yet
+    const void* counted_text = nullptr;  // the text counted last
 
     std::filesystem::path folder;                          // of the game
     std::unordered_map<std::string, std::string> sources;  // text by chunk name
@@ -111,6 +114,27 @@ struct Machine {
     std::size_t unplaced_limit = 64;
 
     DispatchTable& dispatch_of(const property::Class& of);
+    /// Ends what the scripts have in the tree, and leaves it, if there still is one.
+    void leave();
+    /// The same, and closes Lua.
+    void end();
+
+    /// While it lives, scripts run, and what they call may destroy the runtime: all of it stays as
+    /// long.
+    class Use {
+      public:
+        explicit Use(Machine& machine) : machine_(machine) { ++machine_.uses; }
+        ~Use() {
+            if (--machine_.uses == 0) const std::shared_ptr<void> dead = std::move(machine_.orphan);
+        }
+        Use(const Use&) = delete;
+
+      private:
+        Machine& machine_;
+    };
+    int uses = 0;
+    std::shared_ptr<void> orphan;  // itself, once its runtime was destroyed
+    bool in_tree = true;
     /// Whether what happens from now on is noted in `recording`. What is noted is read and written
     /// the long way.
     void record(bool whether);

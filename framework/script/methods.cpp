@@ -64,7 +64,7 @@ int call_method(lua_State* L) {
             method.parameters[static_cast<std::size_t>(i)].name ==
                 property::Acceptance::parameter) {
             values[static_cast<std::size_t>(i)] = true;
-            acceptance.emplace([L, index](property::Handle instance) {
+            acceptance.emplace(machine.tree, method.name, [L, index](property::Handle instance) {
                 lua_pushvalue(L, index);
                 push_instance(L, instance);
                 lua_call(L, 1, 1);
@@ -84,6 +84,7 @@ int call_method(lua_State* L) {
     }
     const Result result = machine.tree.call(
         self->handle, method, std::span(values.data(), static_cast<std::size_t>(given)));
+    if (acceptance) acceptance->finish();
     push_result(L, result);
     return 1;
 }
@@ -150,7 +151,10 @@ void push_record(lua_State* L, const Record& record) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::string& name = (*record.fields)[i].name;
         lua_pushlstring(L, name.data(), name.size());
-        if (i >= record.values.size() || record.values[i].is_nil()) {
+        const bool given = i < record.values.size();
+        const bool nobody = given && record.values[i].is(property::Type::reference) &&
+                            !record.values[i].reference();
+        if (!given || nobody || record.values[i].is_nil()) {
             // A field without a value reads as nil, without an error.
             push_registry(L, machine.record_meta);
             lua_getfield(L, -1, "nil_fields");

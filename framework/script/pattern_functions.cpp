@@ -200,8 +200,9 @@ void add_replacement(lua_State* L, std::string& out, const PatternMatcher& match
 void check_size(lua_State* L, const std::string& out) {
     const Arena& arena = machine_of(L).arena;
     if (out.size() > arena.limit() - std::min(arena.limit(), arena.bytes())) {
-        machine_of(L).budget.memory_refused(out.size());
-        throw Error(ErrorKind::rejected, "not enough memory");
+        const Arena::Refusal refusal{.size = out.size(), .final = true};
+        machine_of(L).budget.memory_refused(refusal);
+        throw Error(ErrorKind::rejected, machine_of(L).budget.out_of_memory(refusal));
     }
 }
 

@@ -18,15 +18,7 @@ using property::Error;
 using property::ErrorKind;
 
 std::string read_source(Machine& machine, const fs::path& path) {
-    std::error_code code;
-    if (!machine.files.exists(path) || fs::is_directory(path, code))
-        throw fs::filesystem_error("cannot read", path,
-                                   std::make_error_code(std::errc::no_such_file_or_directory));
-    try {
-        return machine.files.read(path);
-    } catch (const property::FileError&) {
-        throw fs::filesystem_error("cannot read", path, std::make_error_code(std::errc::io_error));
-    }
+    return machine.files.read(path);
 }
 
 int load_source(lua_State* L, Machine& machine, const std::string& text, const std::string& name) {
@@ -77,18 +69,12 @@ std::vector<std::string> modules_of(const fs::path& folder) {
     return names;
 }
 
-fs::path inside(const fs::path& folder, const std::string& file, const std::string& name) {
-    std::error_code code;
-    const fs::path root = fs::canonical(folder, code);
-    fs::path path = code ? fs::path() : fs::canonical(root / file, code);
-    if (code || !fs::is_regular_file(path, code))
-        throw Error(ErrorKind::unknown_name, "require: no module \"" + name + "\" (" + file + ")" +
-                                                 property::suggestion(name, modules_of(folder)));
-    const fs::path relative = path.lexically_relative(root);
-    if (relative.empty() || *relative.begin() == "..")
-        throw Error(ErrorKind::rejected,
-                    "require: \"" + name + "\" leads outside the game's folder");
-    return path;
+fs::path existing(Machine& machine, const std::string& file, const std::string& name) {
+    fs::path path = machine.folder / file;
+    if (machine.files.exists(path)) return path;
+    throw Error(ErrorKind::unknown_name,
+                "require: no module \"" + name + "\" (" + file + ")" +
+                    property::suggestion(name, modules_of(machine.folder)));
 }
 
 int require(lua_State* L) {
@@ -111,7 +97,7 @@ int require(lua_State* L) {
     if (machine.folder.empty())
         throw Error(ErrorKind::rejected, "require: there is no game folder");
     const std::string file = module_file(name);
-    const std::string text = read_source(machine, inside(machine.folder, file, name));
+    const std::string text = read_source(machine, existing(machine, file, name));
     if (load_source(L, machine, text, file) != LUA_OK) return lua_error(L);
     lua_pushvalue(L, 1);
     lua_pushlightuserdata(L, &machine);  // stands for: being loaded

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include <fettle/property/error.h>
+
 #include "complete.h"
 #include "errors.h"
 #include "evaluate.h"
@@ -31,7 +33,21 @@ Runtime::Runtime(property::Tree& tree, Options options)
     };
 }
 
-Runtime::~Runtime() = default;
+Runtime::~Runtime() {
+    Machine& machine = *state_;
+    if (machine.uses > 0) {
+        machine.leave();
+        machine.orphan = std::shared_ptr<State>(std::move(state_));
+    }
+}
+
+/// For what runs scripts.
+Machine& Runtime::live() const {
+    if (state_->tree_life.expired())
+        throw property::Error(property::ErrorKind::deleted,
+                              "the tree of this runtime was destroyed: nothing is left to script");
+    return *state_;
+}
 
 // --- The game
 
@@ -78,32 +94,51 @@ bool call_global(Machine& machine, std::string_view name, std::span<const Value>
     });
 }
 
+/// What was made before is ready first.
+bool call_ready(Machine& machine, std::string_view name, std::span<const Value> arguments) {
+    const bool ready = machine.classes->deliver_ready();
+    const bool ok = call_global(machine, name, arguments);
+    return machine.classes->deliver_ready() && ready && ok;
+}
+
 }  // namespace
 
 bool Runtime::load(const std::filesystem::path& game) {
     namespace fs = std::filesystem;
-    const fs::path file = fs::is_directory(game) ? game / "main.lua" : game;
-    const std::string text = read_source(*state_, file);
-    forget_game(*state_);
-    state_->folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    bool ok = run_chunk(*state_, text, file.filename().string(), "load");
-    if (ok) ok = state_->classes->deliver_ready() && call("start", {});
+    Machine& machine = live();
+    if (machine.uses > 0)
+        throw property::Error(property::ErrorKind::bad_structure,
+                              "no game can be loaded while a script of this runtime runs: do it "
+                              "when that call has returned");
+    const Machine::Use use(machine);
+    std::error_code error;
+    const fs::path file = fs::is_directory(game, error) ? game / "main.lua" : game;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    machine.files.stay_below(folder, machine.options.assets);
+    const std::string text = read_source(machine, file);
+    forget_game(machine);
+    machine.folder = folder;
+    bool ok = run_chunk(machine, text, file.filename().string(), "load");
+    if (ok) ok = machine.classes->deliver_ready() && call_ready(machine, "start", {});
     return ok;
 }
 
 bool Runtime::run(std::string_view chunk, const std::string& name) {
-    const bool ok = run_chunk(*state_, std::string(chunk), name, "chunk");
-    return state_->classes->deliver_ready() && ok;
+    Machine& machine = live();
+    const Machine::Use use(machine);
+    const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
+    return machine.classes->deliver_ready() && ok;
 }
 
 bool Runtime::call(std::string_view callback, std::span<const Value> arguments) {
-    const bool ready = state_->classes->deliver_ready();
-    const bool ok = call_global(*state_, callback, arguments);
-    return state_->classes->deliver_ready() && ready && ok;
+    Machine& machine = live();
+    const Machine::Use use(machine);
+    return call_ready(machine, callback, arguments);
 }
 
 bool Runtime::draw(property::Painter& painter) {
-    Machine& machine = *state_;
+    Machine& machine = live();
+    const Machine::Use use(machine);
     machine.painter = &painter;
     bool ok = machine.classes->draw();
     ok &= protected_run(machine, "draw", [&](lua_State* L) {
@@ -118,7 +153,8 @@ bool Runtime::draw(property::Painter& painter) {
 }
 
 bool Runtime::step(double now, double dt) {
-    Machine& machine = *state_;
+    Machine& machine = live();
+    const Machine::Use use(machine);
     machine.now = now;
     collect_unplaced(machine);
     bool ok = machine.classes->deliver_ready();
@@ -133,12 +169,16 @@ bool Runtime::step(double now, double dt) {
 // --- Console
 
 Evaluation Runtime::evaluate(std::string_view command) {
-    if (state_->command_sink) state_->command_sink(command);
-    return script::evaluate(*state_, command);
+    Machine& machine = live();
+    const Machine::Use use(machine);
+    if (const auto sink = machine.command_sink) sink(command);  // it may be replaced meanwhile
+    return script::evaluate(machine, command);
 }
 
 std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cursor) {
-    return script::complete(*state_, input, cursor);
+    Machine& machine = live();
+    const Machine::Use use(machine);
+    return script::complete(machine, input, cursor);
 }
 
 void Runtime::set_it(property::Handle instance) {
@@ -167,17 +207,31 @@ void Runtime::on_command(std::function<void(std::string_view)> sink) {
     state_->command_sink = std::move(sink);
 }
 
+void Runtime::interrupt() noexcept {
+    state_->budget.interrupt();
+}
+
+void Runtime::go_on() {
+    state_->budget.go_on();
+}
+
+bool Runtime::interrupted() const {
+    return state_->budget.interrupted();
+}
+
 std::optional<int> Runtime::quit_status() const {
     return state_->quit_status;
 }
 
 bool Runtime::defines(std::string_view callback) const {
+    Machine& machine = live();
+    const Machine::Use use(machine);
     const std::string name(callback);
     bool found = false;
     protected_run(
-        *state_, "defines",
+        machine, "defines",
         [&](lua_State* M) {
-            push_registry(M, state_->environment);
+            push_registry(M, machine.environment);
             lua_pushlstring(M, name.data(), name.size());
             found = lua_rawget(M, -2) == LUA_TFUNCTION;
         },

@@ -12,16 +12,25 @@ using property::Handle;
 
 namespace {
 
-struct Image {
+/// What is kept for others begins with how many bytes that is.
+struct Held {
+    std::size_t bytes = 0;
+};
+
+struct Image : Held {
     Timers::Queue timers;
 };
 
-struct Changes {
+struct Changes : Held {
     Random::State random;
     double now = 0;
     Timers::Changes timers;
     std::vector<Handle> adopted;
 };
+
+std::uint64_t bits(Handle handle) {
+    return std::uint64_t{handle.generation} << 32 | handle.index;
+}
 
 }  // namespace
 
@@ -31,7 +40,10 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
     to.put(machine_.unplaced);
     to.put(std::uint64_t{machine_.unplaced_limit});
     machine_.classes->save(to);
-    return std::make_shared<const Image>(Image{machine_.timers.image()});
+    auto image = std::make_shared<Image>();
+    image->timers = machine_.timers.image();
+    image->bytes = sizeof *image + Timers::bytes_of(image->timers);
+    return std::shared_ptr<const Held>(std::move(image));
 }
 
 std::function<void()> RuntimePart::restore(property::ByteReader& from,
@@ -43,12 +55,15 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
                  "random numbers that are none");
     const auto now = from.get<double>();
     from.require(now >= 0 && now < 1e15, "a time that is none");
-    const auto unplaced = from.list<Handle>();
+    auto unplaced = from.list<Handle>();
+    // The root hangs nowhere either, and is not to be collected.
+    std::erase(unplaced, machine_.tree.root());
     const auto limit = from.get<std::uint64_t>();
     const std::function<void()> put_classes = machine_.classes->restore(from);
     return [this, random, now, unplaced, limit, put_classes, memory] {
         static const Image nothing;
-        const Image& image = memory ? *static_cast<const Image*>(memory.get()) : nothing;
+        const Image& image =
+            memory ? *static_cast<const Image*>(static_cast<const Held*>(memory.get())) : nothing;
         machine_.random.restore(random);
         machine_.timers.restore(image.timers, now - machine_.now);
         machine_.now = now;
@@ -65,11 +80,17 @@ property::Memory RuntimePart::changes() {
     changes->now = machine_.now;
     changes->timers = machine_.timers.take_changes();
     changes->adopted = machine_.classes->take_adopted();
-    return changes;
+    changes->bytes = sizeof *changes + Timers::bytes_of(changes->timers) +
+                     changes->adopted.capacity() * sizeof(Handle);
+    return std::shared_ptr<const Held>(std::move(changes));
+}
+
+std::size_t RuntimePart::size_of(const property::Memory& memory) const {
+    return memory == nullptr ? 0 : static_cast<const Held*>(memory.get())->bytes;
 }
 
 void RuntimePart::redo(const property::Memory& memory) {
-    const auto& changes = *static_cast<const Changes*>(memory.get());
+    const auto& changes = *static_cast<const Changes*>(static_cast<const Held*>(memory.get()));
     machine_.random.restore(changes.random);
     machine_.now = changes.now;
     machine_.timers.redo(changes.timers);
@@ -88,18 +109,20 @@ void ScriptClasses::save(property::ByteWriter& to) const {
 }
 
 std::function<void()> ScriptClasses::restore(property::ByteReader& from) {
-    const auto members = from.list<Handle>();
+    std::vector<Handle> members = from.list<Handle>();
+    std::unordered_set<std::uint64_t> known;
+    for (const Handle member : members)
+        from.require(known.insert(bits(member)).second, "an instance that is stepped twice");
     std::vector<Waiting> waiting;
     for (std::size_t n = from.count(9); n > 0; --n) {
         const auto instance = from.get<Handle>();
         waiting.push_back({instance, from.boolean()});
     }
-    return [this, members, waiting] {
+    return [this, members = std::move(members), waiting = std::move(waiting),
+            known = std::move(known)] {
         members_ = members;
         waiting_ = waiting;
-        known_.clear();
-        for (const Handle member : members_)
-            known_.insert(std::uint64_t{member.generation} << 32 | member.index);
+        known_ = known;
         adopted_.clear();
     };
 }
@@ -111,8 +134,7 @@ std::vector<Handle> ScriptClasses::take_adopted() {
 
 void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
     for (const Handle instance : adopted) {
-        if (!known_.insert(std::uint64_t{instance.generation} << 32 | instance.index).second)
-            continue;
+        if (!known_.insert(bits(instance)).second) continue;
         members_.push_back(instance);
         // Whoever hangs somewhere by now was told so then.
         if (machine_.tree.alive(instance) &&

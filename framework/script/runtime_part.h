@@ -10,14 +10,16 @@ struct Machine;
 
 class RuntimePart : public property::SnapshotPart {
   public:
+    static constexpr std::string_view name = "scripts";
     explicit RuntimePart(Machine& machine) : machine_(machine) {}
 
-    std::string_view part_name() const override { return "scripts"; }
+    std::string_view part_name() const override { return name; }
     property::Memory save(property::ByteWriter& to) const override;
     std::function<void()> restore(property::ByteReader& from,
                                   const property::Memory& memory) override;
     property::Memory changes() override;
     void redo(const property::Memory& changes) override;
+    std::size_t size_of(const property::Memory& memory) const override;
 
   private:
     Machine& machine_;

@@ -49,7 +49,7 @@ int delete_save(lua_State* L) {
     Machine& machine = machine_of(L);
     GameSaves& saves = saves_of(machine, "delete_save");
     const std::string slot = slot_at(L, "delete_save");
-    if (!tell_of_replay(machine, "delete_save")) saves.slots().remove(slot);
+    if (!tell_of_replay(machine, "delete_save")) saves.remove(slot);
     return 0;
 }
 
@@ -57,7 +57,7 @@ int delete_save(lua_State* L) {
 // (nil when it can be loaded).
 int saves(lua_State* L) {
     Machine& machine = machine_of(L);
-    const std::vector<SaveInfo> all = saves_of(machine, "saves").slots().list();
+    const std::vector<SaveInfo> all = saves_of(machine, "saves").list();
     lua_createtable(L, static_cast<int>(all.size()), 0);
     lua_Integer place = 0;
     for (const SaveInfo& save : all) {

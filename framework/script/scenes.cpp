@@ -41,21 +41,6 @@ std::string file_name(lua_State* L, int index, const char* what) {
     return name;
 }
 
-// `file` below `folder`, or nothing when it is not there. A symbolic link must not lead out.
-fs::path below(const fs::path& folder, const std::string& file, const char* what) {
-    std::error_code code;
-    const fs::path root = fs::canonical(folder, code);
-    if (code) return {};
-    fs::path path = fs::weakly_canonical(root / file, code);
-    if (code) return {};
-    const fs::path relative = path.lexically_relative(root);
-    if (relative.empty() || *relative.begin() == "..")
-        throw Error(ErrorKind::rejected, std::string(what) + ": \"" + file +
-                                             "\" leads out of the folder " +
-                                             root.filename().string());
-    return path;
-}
-
 std::vector<std::string> scenes_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code code;
@@ -79,20 +64,25 @@ int load(lua_State* L) {
                         "scene.load: needs a name, not " + describe_type(L, 3));
         name = lua_tostring(L, 3);
     }
-    fs::path path = below(machine.folder, file, "scene.load");
-    if (path.empty() || !machine.files.exists(path))
-        path = below(machine.options.assets, file, "scene.load");
-    if (path.empty() || !machine.files.exists(path)) {
+    const auto found = [&](const fs::path& folder) {
+        return !folder.empty() && machine.files.exists(folder / file);
+    };
+    const bool own = found(machine.folder);
+    if (!own && !found(machine.options.assets)) {
         std::vector<std::string> names = scenes_in(machine.folder);
         for (std::string& each : scenes_in(machine.options.assets))
             names.push_back(std::move(each));
         throw Error(ErrorKind::unknown_name, "scene.load: there is no file \"" + file + "\"" +
                                                  property::suggestion(file, names));
     }
+    const fs::path named = (own ? machine.folder : machine.options.assets) / file;
+    const std::string text = machine.files.read(named);
+    // The same whatever folder a later run, which keeps tweaks of this one, is started in.
+    const fs::path path = fs::weakly_canonical(named);
     std::vector<std::string> warnings;
     std::vector<property::SceneInstance> instances;
-    const Handle loaded = property::load_scene_text(
-        machine.tree, machine.files.read(path), path.string(), parent, name, &warnings, &instances);
+    const Handle loaded = property::load_scene_text(machine.tree, text, path.string(), parent, name,
+                                                    &warnings, &instances);
     if (property::Tweaks* tweaks = machine.options.tweaks) {
         tweaks->scene_loaded(path, instances);
         tweaks->placed(loaded);
@@ -106,11 +96,12 @@ int save(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string file = file_name(L, 1, "scene.save");
     const Handle node = check_instance(L, 2, "scene.save");
-    const fs::path path = below(machine.folder, file, "scene.save");
-    if (path.empty()) throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
+    if (machine.folder.empty())
+        throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
     tell_of_replay(machine, "scene.save");
     std::vector<std::string> warnings;
-    machine.files.write(path, property::scene_text(machine.tree, node, &warnings));
+    machine.files.write_scene(machine.folder / file,
+                              property::scene_text(machine.tree, node, &warnings));
     for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
     return 0;
 }

@@ -243,11 +243,12 @@ const Class& ScriptClasses::define(Definition definition) {
                             "it live on, so that needs a restart of the game");
         Info& own = info(*existing);
         own.defaults.clear();
-        for (const Property& property : definition.properties) {
-            const Property* declared = existing->property(property.name);
-            if (!(declared->default_value == property.default_value))
-                own.defaults.emplace_back(declared, property.default_value);
-        }
+        // In the order in which all values are set that are set together.
+        for (const Property* declared : existing->properties())
+            for (const Property& property : definition.properties)
+                if (property.name == declared->name &&
+                    !(declared->default_value == property.default_value))
+                    own.defaults.emplace_back(declared, property.default_value);
         return *existing;
     }
     property::ClassDescriptor descriptor;
@@ -277,9 +278,14 @@ Handle ScriptClasses::create(const Class& of) {
         return made;
     }
     adopt(made, true);
-    for (auto c = up.rbegin(); c != up.rend(); ++c)
-        for (const auto& [property, value] : info(**c).defaults)
-            machine_.tree.set(made, *property, value);
+    try {
+        for (auto c = up.rbegin(); c != up.rend(); ++c)
+            for (const auto& [property, value] : info(**c).defaults)
+                machine_.tree.set(made, *property, value);
+    } catch (...) {
+        machine_.tree.destroy(made);
+        throw;
+    }
     return made;
 }
 

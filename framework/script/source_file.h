@@ -10,7 +10,7 @@ namespace fettle::script {
 
 struct Machine;
 
-/// Throws std::filesystem::filesystem_error when the file cannot be read.
+/// Throws property::FileError when the file cannot be read, or is none of the game's.
 std::string read_source(Machine& machine, const std::filesystem::path& path);
 /// Compiles text, keeping it for error messages under `name`. A status of Lua; the function or the
 /// message is on top.

@@ -25,10 +25,14 @@ class FunctionRef {
     ~FunctionRef();
     FunctionRef(const FunctionRef&) = delete;
     void push(lua_State* L) const;
+    /// Bytes that it alone keeps, about: `held_memory`, if anybody has asked; else 0.
+    std::size_t holds() const { return holds_; }
+    void set_holds(std::size_t bytes) { holds_ = bytes; }
 
   private:
     std::shared_ptr<lua_State*> alive_;
     int reference_;
+    std::size_t holds_ = 0;
 };
 
 class Subscriptions {

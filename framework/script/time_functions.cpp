@@ -59,15 +59,9 @@ int describe(lua_State* L) {
     return 1;
 }
 
-void forbid_in_formula(Machine& machine, const char* what) {
-    if (machine.tree.in_formula())
-        throw Error(ErrorKind::formula,
-                    std::string("a formula computes a value: it cannot ") + what);
-}
-
 int snapshot(lua_State* L) {
     Machine& machine = machine_of(L);
-    forbid_in_formula(machine, "take a snapshot");
+    machine.tree.require_changeable("take a snapshot");
     if (machine.snapshots >= most_snapshots) lua_gc(L, LUA_GCCOLLECT);
     if (machine.snapshots >= most_snapshots)
         throw Error(ErrorKind::rejected, "snapshot: " + std::to_string(most_snapshots) +
@@ -85,7 +79,7 @@ int snapshot(lua_State* L) {
 
 int restore(lua_State* L) {
     Machine& machine = machine_of(L);
-    forbid_in_formula(machine, "restore a snapshot");
+    machine.tree.require_changeable("restore a snapshot");
     const auto* box = box_at<SnapshotBox>(L, 1, Tag::snapshot);
     if (box == nullptr)
         throw Error(ErrorKind::wrong_type,
@@ -97,7 +91,7 @@ int restore(lua_State* L) {
 
 int rewind(lua_State* L) {
     Machine& machine = machine_of(L);
-    forbid_in_formula(machine, "rewind");
+    machine.tree.require_changeable("rewind");
     const double seconds = check_number(L, 1, "rewind");
     if (!(seconds >= 0) || std::isinf(seconds))
         throw Error(ErrorKind::out_of_range, "rewind: " + property::number_text(seconds) +
@@ -105,7 +99,8 @@ int rewind(lua_State* L) {
     if (!machine.rewind)
         throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
     machine.tree.at_barrier([&machine, alive = machine.alive, seconds] {
-        if (*alive != nullptr && machine.rewind) machine.rewind(seconds);
+        if (*alive == nullptr) return;
+        if (const auto go = machine.rewind) go(seconds);  // it may end the runtime
     });
     return 0;
 }

@@ -8,6 +8,7 @@
 #include "coroutines.h"
 #include "errors.h"
 #include "guard.h"
+#include "held_memory.h"
 #include "machine.h"
 #include "protected.h"
 #include "subscriptions.h"
@@ -50,9 +51,10 @@ void Timers::erase(Queue::iterator entry) {
 
 std::uint64_t Timers::add(lua_State* L, double due, double interval) {
     const std::uint64_t id = next_id_++;
-    insert({due, id}, {.interval = interval,
-                       .function = std::make_shared<FunctionRef>(L, machine_),
-                       .thread = LUA_NOREF});
+    const std::size_t holds = noting_ ? held_memory(L, machine_, -1) : 0;
+    const auto function = std::make_shared<FunctionRef>(L, machine_);
+    function->set_holds(holds);
+    insert({due, id}, {.interval = interval, .function = function, .thread = LUA_NOREF});
     return id;
 }
 
@@ -122,6 +124,22 @@ void Timers::restore(const Queue& image, double later) {
     due_.clear();
     for (const auto& [key, timer] : queue_) due_.emplace(key.second, key.first);
     changes_ = {.all = noting_, .queue = {}, .list = {}};
+}
+
+namespace {
+// A node of a map, and what the system keeps beside it.
+constexpr std::size_t of_timer = sizeof(Timers::Queue::value_type) + 48;
+}  // namespace
+
+std::size_t Timers::bytes_of(const Queue& image) {
+    return image.size() * of_timer;
+}
+
+std::size_t Timers::bytes_of(const Changes& changes) {
+    std::size_t sum = bytes_of(changes.queue) + changes.list.capacity() * sizeof(Change);
+    for (const Change& change : changes.list)
+        if (change.added) sum += change.added->function->holds();
+    return sum;
 }
 
 Timers::Changes Timers::take_changes() {
@@ -208,6 +226,7 @@ int timer(lua_State* L, const char* what, bool repeated) {
                     std::string(what) + ": needs a function, not " + describe_type(L, 2));
     lua_settop(L, 2);
     Machine& machine = machine_of(L);
+    machine.tree.require_changeable("start a timer");
     push_timer_connection(L, machine.timers.add(L, machine.now + seconds, repeated ? seconds : -1));
     return 1;
 }
@@ -226,6 +245,7 @@ int wait(lua_State* L) {
                     "wait: works inside a coroutine or a function given to after; here, use "
                     "after(seconds, function)");
     Machine& machine = machine_of(L);
+    machine.tree.require_changeable("wait");
     machine.timers.wait(L, machine.now + seconds);
     return lua_yield(L, 0);
 }

@@ -57,6 +57,9 @@ class Timers {
     /// `later`: by how much simulation time jumps, seconds.
     void restore(const Queue& image, double later);
     Changes take_changes();
+    /// Memory they take, about; functions count where they were added.
+    static std::size_t bytes_of(const Queue& image);
+    static std::size_t bytes_of(const Changes& changes);
     void redo(const Changes& changes);
 
   private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fettle/property/error.h>
 #include <fettle/property/storage/tweaks.h>
 
 #include "function_source.h"
@@ -124,17 +125,38 @@ void add_property(Machine& machine, Handle instance, std::string_view name, cons
     }
 }
 
-void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
-           bool first_plain) {
-    machine.tree.move(instance, parent, name, first_plain);
+namespace {
+
+void note_placed(Machine& machine, Handle instance) {
     if (machine.options.tweaks != nullptr) machine.options.tweaks->placed(instance);
     if (machine.recording.active && machine.tree.is_below(instance, machine.tree.root()))
         note(machine, instance, machine.tree.path(instance),
              "new " + machine.tree.class_of(instance).name());
 }
 
+}  // namespace
+
+void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
+           bool first_plain) {
+    machine.tree.move(instance, parent, name, first_plain);
+    note_placed(machine, instance);
+}
+
+void replace(Machine& machine, Handle old, Handle by) {
+    const bool placed = machine.tree.is_below(old, machine.tree.root());
+    const std::string path = machine.recording.active ? machine.tree.path(old) : "";
+    machine.tree.replace(old, by);
+    if (placed) note(machine, old, path, "deleted");
+    note_placed(machine, by);
+}
+
 void destroy(Machine& machine, Handle instance) {
     machine.tree.require(instance);
+    if (!machine.tree.class_of(instance).creatable())
+        throw property::Error(property::ErrorKind::bad_structure,
+                              machine.tree.path(instance) +
+                                  ": is the framework's own and cannot "
+                                  "be deleted");
     const bool placed = machine.tree.is_below(instance, machine.tree.root());
     const std::string path = machine.recording.active ? machine.tree.path(instance) : "";
     machine.tree.destroy(instance);

@@ -24,6 +24,8 @@ void write_formula(Machine& machine, property::Handle instance, std::string_view
 /// Gives a detached instance its place.
 void place(Machine& machine, property::Handle instance, property::Handle parent,
            std::string_view name, bool first_plain);
+/// Gives a detached instance the place and the name of another, which is deleted.
+void replace(Machine& machine, property::Handle old, property::Handle by);
 void destroy(Machine& machine, property::Handle instance);
 
 }  // namespace fettle::script

@@ -42,7 +42,8 @@ std::vector<Point> monotone_chain(const std::vector<Point>& sorted) {
 /// edge that short of a direction would give a normal made of rounding errors.
 void drop_flat_corners(std::vector<Point>& hull, double extent) {
     const double flat = 2.5e-7 * extent, near = 1e-5 * extent;
-    for (size_t i = 0; hull.size() >= 3 && i < hull.size();) {
+    // Round and round until there is none: the hull of a hull is the same.
+    for (size_t i = 0, kept = 0; hull.size() >= 3 && kept < hull.size();) {
         const size_t n = hull.size();
         const Point before = hull[(i + n - 1) % n];
         const Point after = hull[(i + 1) % n];
@@ -50,8 +51,10 @@ void drop_flat_corners(std::vector<Point>& hull, double extent) {
         if (turn(before, hull[i], after) <= flat * chord || length(before, hull[i]) <= near) {
             hull.erase(hull.begin() + std::ptrdiff_t(i));
             i = i > 0 ? i - 1 : 0;
+            kept = 0;
         } else {
-            ++i;
+            i = (i + 1) % n;
+            ++kept;
         }
     }
 }

@@ -127,6 +127,18 @@ Binding overridable(Hosting& hosting) {
 
 inline constexpr Range not_negative{.min = 0.0};
 inline constexpr Range fraction{.min = 0.0, .max = 1.0};
+/// Of masses and inertias, so that their reciprocals are floats too.
+inline constexpr Range inertial{.min = 1e-30};
+// As far as the library goes: places in the world and points of bodies, m; points of shapes, m;
+// angles, rad.
+inline constexpr Range coordinates{.min = -1e8, .max = 1e8};
+inline constexpr Range shape_coordinates{.min = -1e6, .max = 1e6};
+inline constexpr Range turns{.min = -1e8, .max = 1e8};
+
+inline Property within(const Range& range, Property property) {
+    property.range = range;
+    return property;
+}
 
 /// A number no less than zero.
 inline Property amount(std::string name, double default_value, std::string unit, std::string doc,

@@ -145,12 +145,14 @@ std::vector<Property> motion(Hosting& hosting) {
         {.name = "position",
          .type = Type::vec2,
          .unit = "m",
+         .range = coordinates,
          .doc = "Where its origin is in the world. Writing it teleports.",
          .binding = position(hosting),
          .simulated = true,
          .single_precision = true},
         {.name = "angle",
          .unit = "rad",
+         .range = turns,
          .doc = "How far it is turned, counter-clockwise; not wrapped after a full turn.",
          .binding = angle(hosting),
          .simulated = true,
@@ -193,7 +195,7 @@ std::vector<Property> weight(Hosting& hosting) {
         {.name = "mass",
          .default_value = 1.0,
          .unit = "kg",
-         .range = not_negative,
+         .range = inertial,
          .doc = "Area times density of its shapes, unless a mass is given; nil computes it again. "
                 "Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg.",
          .binding = mass(hosting),
@@ -203,7 +205,7 @@ std::vector<Property> weight(Hosting& hosting) {
          .single_precision = true},
         {.name = "inertia",
          .unit = "kg m\xC2\xB2",
-         .range = not_negative,
+         .range = inertial,
          .doc = "Rotational inertia about the center of mass, from the shapes unless one is given; "
                 "nil computes it again. Infinite: nothing turns it.",
          .binding =
@@ -215,6 +217,7 @@ std::vector<Property> weight(Hosting& hosting) {
         {.name = "center",
          .type = Type::vec2,
          .unit = "m",
+         .range = coordinates,
          .doc = "Center of mass in its own coordinates, from the shapes unless one is given; nil "
                 "computes it again.",
          .binding = overridable<&Body::center, &Body::set_center, &Body::center_override>(hosting),

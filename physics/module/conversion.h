@@ -82,16 +82,21 @@ inline std::optional<physics::Vec2> from_value<std::optional<physics::Vec2>>(
 
 // Arguments of methods: finite doubles that a float may be too small for.
 
+[[noreturn]] inline void refuse_argument(const property::Value& value, const char* expected) {
+    throw std::invalid_argument(std::string("expected ") + expected +
+                                " from -3.4028235e+38 to 3.4028235e+38, got " +
+                                property::value_text(value));
+}
+
 inline float float_argument(const property::Value& value) {
     const auto narrowed = static_cast<float>(value.number());
-    if (!std::isfinite(narrowed))
-        throw std::invalid_argument("a number is too large for single precision");
+    if (!std::isfinite(narrowed)) refuse_argument(value, "a number");
     return narrowed;
 }
 inline physics::Vec2 vec2_argument(const property::Value& value) {
     physics::Vec2 narrowed = narrow(value.vec2());
     if (!std::isfinite(narrowed.x()) || !std::isfinite(narrowed.y()))
-        throw std::invalid_argument("a vector is too large for single precision");
+        refuse_argument(value, "a vec2");
     return narrowed;
 }
 /// A list of two corners, in any order. Throws std::invalid_argument for another number of them.

@@ -53,10 +53,11 @@ void define_motor_joint(Hosting& hosting) {
             free_number(
                 "angular_velocity", 0, "rad/s", "Of body_b against body_a that it drives to.",
                 joint_setting<&S::angular_velocity, &MotorJoint::set_angular_velocity>(hosting)),
-            joint_vector(
-                "linear_offset", {0, 0}, "m",
-                "Of anchor_b from anchor_a that it drives to, in the coordinates of body_a.",
-                joint_setting<&S::linear_offset, &MotorJoint::set_linear_offset>(hosting)),
+            within(coordinates,
+                   joint_vector(
+                       "linear_offset", {0, 0}, "m",
+                       "Of anchor_b from anchor_a that it drives to, in the coordinates of body_a.",
+                       joint_setting<&S::linear_offset, &MotorJoint::set_linear_offset>(hosting))),
             found_number(
                 "angular_offset", "rad",
                 "The angle of body_b against body_a that it drives to. Unless one is "
@@ -90,10 +91,12 @@ void define_pulley_joint(Hosting& hosting) {
         hosting, "PulleyJoint", "pulley_joint",
         "A rope from body_a over two wheels of the world to body_b. It only pulls.",
         {
-            joint_vector("ground_a", {-1, 1}, "m", "The wheel over body_a, in the world.",
-                         joint_setting<&S::ground_a, &PulleyJoint::set_ground_a>(hosting)),
-            joint_vector("ground_b", {1, 1}, "m", "The wheel over body_b, in the world.",
-                         joint_setting<&S::ground_b, &PulleyJoint::set_ground_b>(hosting)),
+            within(coordinates,
+                   joint_vector("ground_a", {-1, 1}, "m", "The wheel over body_a, in the world.",
+                                joint_setting<&S::ground_a, &PulleyJoint::set_ground_a>(hosting))),
+            within(coordinates,
+                   joint_vector("ground_b", {1, 1}, "m", "The wheel over body_b, in the world.",
+                                joint_setting<&S::ground_b, &PulleyJoint::set_ground_b>(hosting))),
             amount("ratio", 1, "", "How many parts of the rope pull body_b.",
                    joint_setting<&S::ratio, &PulleyJoint::set_ratio>(hosting)),
             found_number("length", "m",

@@ -15,7 +15,11 @@ using property::Field;
 /// Both bodies are told, each from its side.
 std::vector<Field> contact_fields(bool full) {
     std::vector<Field> fields = {
-        {"other", Type::reference, "", "The other body; the world itself for its bounds."},
+        {"other", Type::reference, "",
+         full
+             ? "The other body; the world itself for its bounds."
+             : "The other body; the world itself for its bounds. It may have been deleted: then it "
+               "still tells alive(), name, class and is_a()."},
         {"shape", Type::reference, "", "The shape of this body.", "Shape"},
         {.name = "other_shape",
          .type = Type::reference,
@@ -42,28 +46,17 @@ std::vector<Field> questioned_fields() {
     return fields;
 }
 
-/// What only the contact itself knows; nothing when it is over already.
-struct Mixed {
-    float friction = 0.0f, restitution = 0.0f;
-};
-
-Mixed mixed(physics::World& world, physics::BodyId body, physics::ShapeId a, physics::ShapeId b) {
-    if (!world.is_valid(body)) return {};
-    for (const physics::Contact& contact : world.body(body).contacts())
-        if (contact.shape_a == a && contact.shape_b == b)
-            return {contact.friction, contact.restitution};
-    return {};
-}
-
 Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uint32_t generation) {
     const auto at = departed.find(generation);
     return at == departed.end() ? Handle{} : at->second;
 }
 
-std::vector<Value> meeting(const physics::Vec2& point, const physics::Vec2& normal, float impulse,
-                           float speed, const Mixed& surface) {
-    return {to_value(point), to_value(normal),           to_value(impulse),
-            to_value(speed), to_value(surface.friction), to_value(surface.restitution)};
+/// What is told of a meeting to one of the two; `side`: -1 to the second.
+template <class Meeting>
+void add_meeting(std::vector<Value>& to, const Meeting& e, float side) {
+    to.insert(to.end(),
+              {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
+               to_value(e.speed), to_value(e.friction), to_value(e.restitution)});
 }
 
 }  // namespace
@@ -112,12 +105,16 @@ Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
     return party;
 }
 
+/// `add_rest`: adds to the values of a record what the event tells beside who takes part in it.
+template <class AddRest>
 void Hosting::tell(const PairEvent& event, const Party& self, const Party& other,
-                   const std::vector<Value>& rest) {
+                   const AddRest& add_rest) {
     const auto emit = [&](Handle to, const Event& which) {
         if (which.listeners == 0 || !tree.alive(to) || !tree.listens(to, which)) return;
-        std::vector<Value> values = {other.body, self.shape, other.shape};
-        values.insert(values.end(), rest.begin(), rest.end());
+        std::vector<Value> values;
+        values.reserve(which.fields.size());
+        values.insert(values.end(), {other.body, self.shape, other.shape});
+        add_rest(values);
         tree.emit(to, which, std::move(values));
     };
     if (tree.alive(self.body) && tree.class_of(self.body).is_a(*body_class))
@@ -127,13 +124,13 @@ void Hosting::tell(const PairEvent& event, const Party& self, const Party& other
 
 void Hosting::report(HostedWorld& hosted) {
     const physics::Events& events = hosted.world.events();
-    const auto pair = [&](const PairEvent& event, const auto& list, const auto& rest_of) {
+    const auto pair = [&](const PairEvent& event, const auto& list, const auto& add_rest) {
         if (!event.heard()) return;
         for (const auto& e : list) {
             const Party a = party(hosted, e.body_a, e.shape_a);
             const Party b = party(hosted, e.body_b, e.shape_b);
-            tell(event, a, b, rest_of(e, 1.0f));
-            tell(event, b, a, rest_of(e, -1.0f));
+            tell(event, a, b, [&](std::vector<Value>& to) { add_rest(to, e, 1.0f); });
+            tell(event, b, a, [&](std::vector<Value>& to) { add_rest(to, e, -1.0f); });
         }
     };
     const auto sensed = [&](const PairEvent& event, const auto& list) {
@@ -141,15 +138,13 @@ void Hosting::report(HostedWorld& hosted) {
         for (const physics::SensorEvent& e : list) {
             const Party sensor = party(hosted, e.sensor_body, e.sensor);
             const Party visitor = party(hosted, e.visitor_body, e.visitor);
-            tell(event, sensor, visitor, {});
-            tell(event, visitor, sensor, {});
+            tell(event, sensor, visitor, [](std::vector<Value>&) {});
+            tell(event, visitor, sensor, [](std::vector<Value>&) {});
         }
     };
-    const auto nothing = [](const auto&, float) { return std::vector<Value>(); };
-    const auto all = [&](const auto& e, float side) {
-        const Mixed surface =
-            mixed(hosted.world, e.body_a.index == 0 ? e.body_b : e.body_a, e.shape_a, e.shape_b);
-        return meeting(e.point, side * e.normal, e.impulse, e.speed, surface);
+    const auto nothing = [](std::vector<Value>&, const auto&, float) {};
+    const auto all = [](std::vector<Value>& to, const auto& e, float side) {
+        add_meeting(to, e, side);
     };
     pair(contact_end, events.contact_end, nothing);
     pair(contact_begin, events.contact_begin, all);

@@ -133,6 +133,7 @@ void define_field(Hosting& hosting) {
         {.name = "region",
          .type = Type::list,
          .unit = "m",
+         .range = coordinates,
          .doc =
              "Where it acts, by its lower left and upper right corner: on shapes that reach into "
              "it (Buoyancy), or whose body has its center of mass there; nil: everywhere.",
@@ -229,7 +230,8 @@ void define_fields(Hosting& hosting) {
                      .binding = force_value<&AttractorField::falloff>(h)};
     define_kind<AttractorField>(
         h, "Attractor", "Pulls everything towards a point, as a planet does.",
-        {vector<&AttractorField::center>(h, "center", {0, 0}, "m", "In the world."),
+        {within(coordinates,
+                vector<&AttractorField::center>(h, "center", {0, 0}, "m", "In the world.")),
          number<&AttractorField::strength>(h, "strength", 10, "m/s\xC2\xB2",
                                            "At a distance of 1 m; negative repels."),
          falloff,

@@ -6,11 +6,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include <fettle/physics/world.h>
+#include <fettle/property/error.h>
 #include <fettle/property/snapshot.h>
 #include <fettle/property/tree.h>
 
@@ -37,6 +39,16 @@ constexpr std::uint32_t slot_of(Row row) {
 }
 constexpr Row make_row(std::uint32_t world, std::uint32_t slot) {
     return world << slot_bits | slot;
+}
+
+/// Throws where no row can name it, and ends it: nobody has heard of it yet.
+template <class Object>
+Row row_of(std::uint32_t world, Object made) {
+    if (made.index() < most_slots) return make_row(world, made.index());
+    made.destroy();
+    throw property::Error(
+        property::ErrorKind::rejected,
+        "a world holds at most " + std::to_string(most_slots) + " bodies and as many shapes");
 }
 
 // The physics library keeps 64 bits for its user: enough for a handle.
@@ -193,16 +205,19 @@ class Hosting {
   private:
     std::unique_ptr<HostedWorld> make_world(std::uint32_t number);
     Row migrate_body(Row row, std::uint32_t to);
-    /// A shape of `geometry` in another world, as part of `owner` (none: detached), as `from` was.
+    /// A shape as the one at `from` in another world, as part of `owner` (none: detached).
     Row migrate_shape(Row from, std::uint32_t to, const physics::Body& owner);
+    physics::Shape copy_shape(const physics::Shape& shape, std::uint32_t to);
+    Row leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh);
     void note_departure(Row shape);
 
     struct Party {
         Handle body, shape;
     };
     Party party(HostedWorld& hosted, physics::BodyId body, physics::ShapeId shape) const;
+    template <class AddRest>
     void tell(const PairEvent& event, const Party& self, const Party& other,
-              const std::vector<property::Value>& rest);
+              const AddRest& add_rest);
 
     property::SnapshotPart& part_;
     std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;

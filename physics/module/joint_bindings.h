@@ -1,6 +1,6 @@
 #pragma once
-// Bindings of joints: what they are set to is kept in the record and, while the joint acts, told to
-// the library.
+// Bindings of joints: what they are set to is told to the library, which may refuse it, and kept in
+// the record.
 
 #include "bindings.h"
 
@@ -24,7 +24,7 @@ Binding joint_setting(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return to_value(h.joints.settings<Of>(row).*Field); },
         [](Hosting& h, Row row, const Value& value) {
             const auto wanted = from_value<Argument>(value);
-            if (Native joint = h.joints.native<Native>(row)) (joint.*Set)(wanted);
+            (h.joints.acting_or_model<Native>(row).*Set)(wanted);
             h.joints.settings<Of>(row).*Field = wanted;
         });
 }
@@ -44,7 +44,7 @@ Binding found_setting(Hosting& hosting) {
         },
         [](Hosting& h, Row row, const Value& value) {
             const auto wanted = from_value<Argument>(value);
-            if (Native joint = h.joints.native<Native>(row)) (joint.*Set)(wanted);
+            (h.joints.acting_or_model<Native>(row).*Set)(wanted);
             (h.joints.settings<Of>(row).*Field).give(wanted);
         });
     binding.reset = [](void* context, Row row) {

@@ -13,7 +13,7 @@ Binding common_setting(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return to_value(h.joints.at(row).*Field); },
         [](Hosting& h, Row row, const Value& value) {
             const auto wanted = from_value<typename Setter<Set>::Argument>(value);
-            if (physics::Joint joint = h.joints.native(row)) (joint.*Set)(wanted);
+            (h.joints.acting_or_model(row).*Set)(wanted);
             h.joints.at(row).*Field = wanted;
         });
 }
@@ -33,8 +33,8 @@ Binding anchor(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return to_value(h.joints.at(row).anchors[Side]); },
         [](Hosting& h, Row row, const Value& value) {
             const physics::Vec2 wanted = narrow(value.vec2());
-            if (physics::Joint joint = h.joints.native(row))
-                Side == 0 ? joint.set_anchor_a(wanted) : joint.set_anchor_b(wanted);
+            physics::Joint joint = h.joints.acting_or_model(row);
+            Side == 0 ? joint.set_anchor_a(wanted) : joint.set_anchor_b(wanted);
             h.joints.at(row).anchors[Side] = wanted;
         });
 }
@@ -44,8 +44,7 @@ Binding mouse_anchor(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return to_value(h.joints.mouse_anchor(row)); },
         [](Hosting& h, Row row, const Value& value) {
             const physics::Vec2 wanted = narrow(value.vec2());
-            if (physics::MouseJoint joint = h.joints.native<physics::MouseJoint>(row))
-                joint.set_anchor(wanted);
+            h.joints.acting_or_model<physics::MouseJoint>(row).set_anchor(wanted);
             h.joints.settings<MouseSettings>(row).anchor.give(wanted);
         });
     binding.reset = [](void* context, Row row) {
@@ -139,6 +138,7 @@ Property anchor_property(Hosting& hosting, std::string name) {
         .name = std::move(name),
         .type = Type::vec2,
         .unit = "m",
+        .range = coordinates,
         .doc = "The point where that body is held, in its coordinates, or in those of the world.",
         .binding = anchor<Side>(hosting),
         .single_precision = true};
@@ -183,6 +183,7 @@ void define_mouse_joint(Hosting& hosting) {
         {.name = "anchor",
          .type = Type::vec2,
          .unit = "m",
+         .range = coordinates,
          .doc = "The point of the body that is pulled, in its coordinates. Unless one is given, "
                 "the point that was at the target when the joint began to act.",
          .binding = mouse_anchor(hosting),
@@ -192,6 +193,7 @@ void define_mouse_joint(Hosting& hosting) {
         {.name = "target",
          .type = Type::vec2,
          .unit = "m",
+         .range = coordinates,
          .doc = "Where it is pulled to, in the world.",
          .binding = joint_setting<&S::target, &MouseJoint::set_target>(hosting),
          .single_precision = true},

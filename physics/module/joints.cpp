@@ -1,24 +1,50 @@
 #include "joints.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
 #include "hosting.h"
 
 namespace fettle::physics_module {
 namespace {
 
-/// Tells a native joint what it is set to, in the order in which `each` names it; what is to be
-/// found, and was not, is asked of it.
-template <class Native, class Settings>
-Native adjust(Native made, Settings& settings) {
+/// What bodies that are far away let a joint find may be more than it can be set to.
+float bounded(float x, float most) {
+    return std::isnan(x) ? 0.0f : std::clamp(x, -most, most);
+}
+float within_reach(float found) {
+    return bounded(found, std::numeric_limits<float>::max());
+}
+physics::Vec2 within_reach(const physics::Vec2& found) {
+    constexpr float most = 1e8f;  // of coordinates
+    return {bounded(found.x(), most), bounded(found.y(), most)};
+}
+
+/// Tells a native joint what it is set to, in the order in which `each` names it.
+template <class Settings>
+void adjust(typename Settings::Native joint, const Settings& settings) {
     Settings::each([&](auto field, auto set, auto... ask) {
-        auto& value = settings.*field;
-        if constexpr (sizeof...(ask) == 0) {
-            (made.*set)(value);
-        } else {
-            if (!value.value) value.value = (..., (made.*ask)());
-            (made.*set)(*value.value);
+        const auto& value = settings.*field;
+        if constexpr (sizeof...(ask) == 0)
+            (joint.*set)(value);
+        else if (value.value)
+            (joint.*set)(*value.value);
+    });
+}
+
+/// What is to be found, and was not, is asked of the joint.
+template <class Settings>
+void find_missing(typename Settings::Native joint, Settings& settings) {
+    Settings::each([&](auto field, auto set, auto... ask) {
+        if constexpr (sizeof...(ask) != 0) {
+            auto& value = (settings.*field).value;
+            if (value) return;
+            value = within_reach((..., (joint.*ask)()));
+            (joint.*set)(*value);
         }
     });
-    return made;
 }
 
 }  // namespace
@@ -120,19 +146,18 @@ physics::JointDef Joints::description(const JointRecord& record) const {
     return def;
 }
 
-physics::JointId Joints::connect(JointRecord& record, MouseSettings& settings) {
-    physics::MouseJointDef def;
-    def.body = body_id(record.bodies[1]);
-    def.target = settings.target;
-    def.anchor = settings.anchor.value;
-    def.enabled = record.enabled;
-    const physics::MouseJoint made = world_of(record).create_mouse_joint(def);
-    return adjust(made, settings).id();
-}
-
 template <class Settings>
-physics::JointId Joints::connect(JointRecord& record, Settings& settings) {
-    return adjust(Settings::make(world_of(record), description(record)), settings).id();
+typename Settings::Native Joints::make(const JointRecord& record, const Settings& settings) const {
+    if constexpr (std::is_same_v<Settings, MouseSettings>) {
+        physics::MouseJointDef def;
+        def.body = body_id(record.bodies[1]);
+        def.target = settings.target;
+        def.anchor = settings.anchor.value;
+        def.enabled = record.enabled;
+        return world_of(record).create_mouse_joint(def);
+    } else {
+        return Settings::make(world_of(record), description(record));
+    }
 }
 
 bool Joints::can_act(const JointRecord& record) const {
@@ -153,6 +178,28 @@ property::Handle Joints::broke(physics::JointId native, physics::World& world) {
     return self;
 }
 
+/// False where the library takes what the joint is set to for impossible. What is written is
+/// checked when it is, so this is not expected; but nothing may throw out of a step.
+bool Joints::begin(JointRecord& record) try {
+    std::visit(
+        [&](auto& settings) {
+            const auto made = make(record, settings);
+            record.native = made.id();
+            adjust(made, settings);
+            find_missing(made, settings);
+        },
+        record.settings);
+    physics::Joint made = world_of(record).joint(record.native);
+    made.set_user_data(pack(record.self));
+    made.set_break_force(record.break_force);
+    made.set_break_torque(record.break_torque);
+    made.set_broken(record.broken);
+    return true;
+} catch (const std::invalid_argument&) {
+    disconnect(record);
+    return false;
+}
+
 void Joints::tighten() {
     if (!loose_) return;
     loose_ = false;
@@ -160,17 +207,44 @@ void Joints::tighten() {
         if (!record.used) continue;
         const bool wanted = can_act(record);
         const bool acts = world_of(record).is_valid(record.native);
-        if (wanted && !acts) {
-            record.native = std::visit([&](auto& settings) { return connect(record, settings); },
-                                       record.settings);
-            physics::Joint made = world_of(record).joint(record.native);
-            made.set_user_data(pack(record.self));
-            made.set_break_force(record.break_force);
-            made.set_break_torque(record.break_torque);
-            made.set_broken(record.broken);
-        }
+        if (wanted && !acts) begin(record);
         if (!wanted && acts) disconnect(record);
     }
+}
+
+// --- Models
+
+physics::JointId Joints::model(const AnySettings& type) {
+    physics::JointId& known = model_of_type_[type.index()];
+    if (known) return known;
+    if (models_ == nullptr) models_ = std::make_unique<physics::World>();
+    physics::Body body = models_->create_body({});
+    known = std::visit(
+        [&](const auto& settings) -> physics::JointId {
+            using Settings = std::remove_cvref_t<decltype(settings)>;
+            if constexpr (std::is_same_v<Settings, MouseSettings>)
+                return models_->create_mouse_joint({.body = body.id()}).id();
+            else
+                return Settings::make(*models_, {.body_b = body.id()}).id();
+        },
+        type);
+    return known;
+}
+
+/// Throws std::invalid_argument where the library would refuse what a joint is set to.
+void Joints::check(const JointRecord& record) {
+    const physics::JointId id = model(record.settings);
+    std::visit(
+        [&](const auto& settings) {
+            using Settings = std::remove_cvref_t<decltype(settings)>;
+            adjust(typename Settings::Native{models_.get(), id}, settings);
+        },
+        record.settings);
+    physics::Joint any = models_->joint(id);
+    any.set_anchor_a(record.anchors[0]);
+    any.set_anchor_b(record.anchors[1]);
+    any.set_break_force(record.break_force);
+    any.set_break_torque(record.break_torque);
 }
 
 }  // namespace fettle::physics_module

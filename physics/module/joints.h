@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -54,6 +55,15 @@ class Joints {
     Native native(std::uint32_t row) const {
         return {&world_of(records_[row]), records_[row].native};
     }
+    /// What settings are told to: the joint that acts or, while none does, a model, so that the
+    /// library refuses the same at the same moment.
+    template <class Native = physics::Joint>
+    Native acting_or_model(std::uint32_t row) {
+        const Native acting = native<Native>(row);
+        if (acting) return acting;
+        const physics::JointId id = model(records_[row].settings);
+        return {models_.get(), id};
+    }
 
     /// Null: the world, or it was deleted.
     property::Handle body(std::uint32_t row, std::size_t side) const;
@@ -81,18 +91,23 @@ class Joints {
   private:
     std::uint32_t create(std::uint32_t world, property::Handle self);
     physics::World& world_of(const JointRecord& record) const;
+    physics::JointId model(const AnySettings& type);
+    void check(const JointRecord& record);
+    bool begin(JointRecord& record);
     bool can_act(const JointRecord& record) const;
     physics::BodyId body_id(property::Handle body) const;
     void disconnect(JointRecord& record);
-    physics::JointId connect(JointRecord& record, MouseSettings& settings);
     template <class Settings>
-    physics::JointId connect(JointRecord& record, Settings& settings);
+    typename Settings::Native make(const JointRecord& record, const Settings& settings) const;
     physics::JointDef description(const JointRecord& record) const;
 
     Hosting& hosting_;
     std::vector<JointRecord> records_;
     std::vector<std::uint32_t> free_;
     bool loose_ = false;
+    // A joint of each type in a world that is never stepped. Made when first asked for.
+    std::unique_ptr<physics::World> models_;
+    std::array<physics::JointId, std::variant_size_v<AnySettings>> model_of_type_;
 };
 
 }  // namespace fettle::physics_module

@@ -2,16 +2,24 @@
 // objects, so moving is making the same anew there and ending it here; the rows change, the handles
 // do not.
 
+#include <algorithm>
+
 #include "hosting.h"
 
 namespace fettle::physics_module {
 namespace {
 
+/// A simulation may carry a body, and turn it, a little farther than it can be put.
+float within_reach(float x) {
+    constexpr float most = 1e8f;  // m or rad
+    return std::clamp(x, -most, most);
+}
+
 physics::BodyDef description(const physics::Body& body) {
     physics::BodyDef def;
     def.type = body.type();
-    def.position = body.position();
-    def.angle = body.angle();
+    def.position = body.position().unaryExpr(&within_reach);
+    def.angle = within_reach(body.angle());
     def.velocity = body.velocity();
     def.angular_velocity = body.angular_velocity();
     def.force = body.force();
@@ -21,7 +29,6 @@ physics::BodyDef description(const physics::Body& body) {
     def.angular_damping = body.angular_damping();
     def.mass = body.mass_override();
     def.inertia = body.inertia_override();
-    def.center = body.center_override();
     def.can_sleep = body.can_sleep();
     def.bullet = body.bullet();
     def.locked_x = body.locked_x();
@@ -56,14 +63,28 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     def.velocity = velocity(from);
     const bool awake = old.awake();
 
+    // First what may be refused, so that nothing has happened if it is.
+    const std::vector<physics::Shape> shapes = old.shapes();
+    std::vector<physics::Shape> copies;
     physics::Body fresh = target.world.create_body(def);
-    for (const physics::Shape& shape : old.shapes()) {
-        const Handle instance = unpack(shape.user_data());
-        const Row shape_row = make_row(world_number(from), shape.index());
-        tree.set_row(instance, migrate_shape(shape_row, to, fresh));
+    const Row row = row_of(to, fresh);
+    try {
+        for (const physics::Shape& shape : shapes) {
+            copies.push_back(copy_shape(shape, to));
+            copies.back().attach(fresh);
+        }
+    } catch (...) {
+        for (physics::Shape& copy : copies) copy.destroy();
+        fresh.destroy();
+        throw;
     }
-    // The velocity is that of the center of mass, which the shapes have just moved.
-    const Row row = make_row(to, fresh.index());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Handle instance = unpack(shapes[i].user_data());
+        const Row left = make_row(world_number(from), shapes[i].index());
+        tree.set_row(instance, leave_shape(left, to, copies[i]));
+    }
+    if (const auto center = old.center_override()) fresh.set_center(center);
+    // The velocity is that of the center of mass, which has just moved.
     fresh.mass();
     fresh.set_angular_velocity(def.angular_velocity);
     set_velocity(row, def.velocity);
@@ -80,16 +101,26 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
 }
 
 Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owner) {
-    note_departure(from);
-    HostedWorld& target = *worlds_[to];
-    physics::Shape old = shape(from);
-    physics::Shape fresh = target.world.create_shape(old.geometry(), description(old));
+    physics::Shape fresh = copy_shape(shape(from), to);
     if (owner) fresh.attach(owner);
+    return leave_shape(from, to, fresh);
+}
+
+/// The same shape in another world, on no body.
+physics::Shape Hosting::copy_shape(const physics::Shape& shape, std::uint32_t to) {
+    physics::Shape made = worlds_[to]->world.create_shape(shape.geometry(), description(shape));
+    (void)row_of(to, made);
+    return made;
+}
+
+/// `fresh` takes the place of the shape at `from`, which ends.
+Row Hosting::leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh) {
+    note_departure(from);
     if (!hosted(from).looks.empty()) {
         const Look look = hosted(from).looks.take(slot_of(from));
-        if (look.fill || look.border || !look.visible) target.looks.set(fresh.index(), look);
+        if (look.fill || look.border || !look.visible) worlds_[to]->looks.set(fresh.index(), look);
     }
-    old.destroy();
+    shape(from).destroy();
     return make_row(to, fresh.index());
 }
 

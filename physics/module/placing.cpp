@@ -8,22 +8,6 @@
 #include "hosting.h"
 
 namespace fettle::physics_module {
-namespace {
-
-[[noreturn]] void no_room(const std::string& reason) {
-    throw property::Error(property::ErrorKind::rejected, reason);
-}
-
-/// Throws before the object is in the way of anyone: `made` is destroyed again.
-template <class Object>
-Row row_of(std::uint32_t world, Object made) {
-    if (made.index() < most_slots) return make_row(world, made.index());
-    made.destroy();
-    no_room("a world holds at most " + std::to_string(most_slots) + " bodies and as many shapes");
-}
-
-}  // namespace
-
 // --- Worlds
 
 Row Hosting::create_world(Handle self) {
@@ -31,7 +15,9 @@ Row Hosting::create_world(Handle self) {
     std::uint32_t number = first_world;
     while (number < most_worlds && worlds_[number] != nullptr) ++number;
     if (number == most_worlds)
-        no_room("there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");
+        throw property::Error(
+            property::ErrorKind::rejected,
+            "there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");
     worlds_[number] = make_world(number);
     worlds_[number]->self = self;
     listen(*worlds_[number], {});

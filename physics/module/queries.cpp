@@ -62,8 +62,10 @@ const std::vector<Field> separation_fields = {
     {"normal", Type::vec2, "", "From the first to the second; none where they overlap."},
 };
 
-const Field accept{"accept", Type::nil, "",
-                   "A function that is handed a shape and says whether it counts."};
+const Field accept{
+    "accept", Type::nil, "",
+    "A function that is handed a shape, or nil for the bounds of the world, and says "
+    "whether it counts. It may read everything and search on, and change nothing."};
 
 physics::QueryFilter filter(const Value& categories, const Value& of_group = {},
                             const Value& function = {}) {

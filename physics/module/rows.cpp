@@ -53,15 +53,16 @@ class Rows {
         const auto& lifecycle = is.lifecycle();
         if (is.is_a(*hosting_.shape_class)) {
             const auto* kind = static_cast<const ShapeKind*>(lifecycle.context);
-            return kind != nullptr && is_whose(shapes_, row, self, kind->geometry.index());
+            return is.creatable() && kind != nullptr &&
+                   is_whose(shapes_, row, self, kind->geometry.index());
         }
         if (const auto kind = kind_of(hosting_.field_kinds, lifecycle))
-            return is_whose(fields_, row, self, *kind);
+            return is.creatable() && is_whose(fields_, row, self, *kind);
         if (const auto kind = kind_of(hosting_.joint_kinds, lifecycle)) {
             const std::vector<JointRecord>& joints = *objects_.joints;
             seen.is_joint = true;
-            return row < joints.size() && joints[row].used && joints[row].self == self &&
-                   joints[row].settings.index() == *kind;
+            return is.creatable() && row < joints.size() && joints[row].used &&
+                   joints[row].self == self && joints[row].settings.index() == *kind;
         }
         return true;  // of another module
     }

@@ -43,6 +43,14 @@ struct Beside {
     Departed bodies, shapes;
 };
 
+bool is_color(const std::optional<property::Color>& color) {
+    if (!is_optional(color)) return false;
+    if (!color) return true;
+    const auto is_channel = [](float value) { return value >= 0.0f && value <= 1.0f; };
+    return is_channel(color->r) && is_channel(color->g) && is_channel(color->b) &&
+           is_channel(color->a);
+}
+
 void save_beside(property::ByteWriter& to, const HostedWorld& hosted) {
     to.put(hosted.self);
     to.put(std::uint8_t{hosted.placed});
@@ -63,11 +71,11 @@ Beside read_beside(property::ByteReader& from) {
     beside.body_colors = from.list<std::optional<property::Color>>();
     beside.velocities = from.list<std::optional<physics::Vec2>>();
     for (const Look& look : beside.looks)
-        from.require(is_optional(look.fill) && is_optional(look.border) && is_flag(look.visible),
+        from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible),
                      "a look");
-    for (const auto& color : beside.body_colors) from.require(is_optional(color), "a color");
+    for (const auto& color : beside.body_colors) from.require(is_color(color), "a color");
     for (const auto& velocity : beside.velocities)
-        from.require(is_optional(velocity), "a velocity");
+        from.require(is_optional(velocity) && (!velocity || velocity->allFinite()), "a velocity");
     beside.bodies = get_departed(from);
     beside.shapes = get_departed(from);
     return beside;
@@ -82,6 +90,20 @@ void put_beside(Beside beside, HostedWorld& hosted) {
     hosted.velocities.replace(std::move(beside.velocities));
     hosted.departed_bodies = std::move(beside.bodies);
     hosted.departed_shapes = std::move(beside.shapes);
+}
+
+/// Whether the flags among what a joint is set to are flags.
+template <class Settings>
+bool flags_hold(const Settings& settings) {
+    bool hold = true;
+    Settings::each([&](auto field, auto, auto... ask) {
+        const auto& value = settings.*field;
+        if constexpr (sizeof...(ask) != 0)
+            hold &= is_optional(value.value) && is_flag(value.given);
+        else if constexpr (std::is_same_v<decltype(value), const bool&>)
+            hold &= is_flag(value);
+    });
+    return hold;
 }
 
 /// World, kind and slot in one number, for the log of a timeline.
@@ -167,6 +189,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
             if (hosted == nullptr) hosted = make_world(saved.number);
             hosted->world.take(std::move(*saved.world));
             put_beside(std::move(saved.beside), *hosted);
+            hosted->placed = tree.alive(hosted->self) && tree.is_below(hosted->self, tree.root());
             listen(*hosted, told);
         }
         put_joints();
@@ -191,8 +214,23 @@ std::function<void()> Joints::restore(property::ByteReader& from,
                          is_flag(record.collide) && is_flag(record.enabled) &&
                          is_flag(record.broken),
                      "a joint of no type");
-    for (const std::uint32_t row : *free)
-        from.require(row < records->size() && !(*records)[row].used, "a free joint that is used");
+    for (const JointRecord& record : *records) {
+        if (!record.used) continue;
+        from.require(
+            std::visit([](const auto& settings) { return flags_hold(settings); }, record.settings),
+            "a flag of a joint");
+        try {
+            check(record);
+        } catch (const std::invalid_argument& problem) {
+            from.fail(problem.what());
+        }
+    }
+    std::vector<bool> seen(records->size());
+    for (const std::uint32_t row : *free) {
+        from.require(row < records->size() && !(*records)[row].used && !seen[row],
+                     "a free joint that is used");
+        seen[row] = true;
+    }
     return [this, records, free, loose] {
         records_ = std::move(*records);
         free_ = std::move(*free);

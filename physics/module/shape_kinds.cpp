@@ -28,6 +28,7 @@ Property point(std::string name, const physics::Vec2& default_value, std::string
             .type = Type::vec2,
             .default_value = widen(default_value),
             .unit = "m",
+            .range = shape_coordinates,
             .doc = std::move(doc),
             .binding = binding,
             .single_precision = true};
@@ -58,6 +59,7 @@ Property points(Hosting& hosting, std::string name, const std::vector<physics::V
             .type = Type::list,
             .default_value = list_of(given),
             .unit = "m",
+            .range = shape_coordinates,
             .doc = std::move(doc),
             .binding = accessor(hosting, get, set),
             .element = Type::vec2,
@@ -89,6 +91,7 @@ property::Method add_vertex(Hosting& hosting) {
 Property turned(Hosting& hosting) {
     return {.name = "angle",
             .unit = "rad",
+            .range = turns,
             .doc = "How far it is turned on its body, counter-clockwise.",
             .binding = bound<&Shape::angle, &Shape::set_angle>(hosting),
             .single_precision = true};
@@ -140,12 +143,12 @@ void define_outlines(Hosting& hosting) {
            "A line of segments without seams, solid on its left: points from left to right are "
            "ground, a closed counter-clockwise chain holds what is inside. From behind everything "
            "passes.",
-           {{.name = "closed",
+           {points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
+                   "In the body's coordinates."),
+            {.name = "closed",
              .type = Type::boolean,
-             .doc = "Whether it goes on from the last point to the first.",
-             .binding = bound<&Shape::closed, &Shape::set_closed>(hosting)},
-            points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
-                   "In the body's coordinates.")});
+             .doc = "Whether it goes on from the last point to the first; that takes three points.",
+             .binding = bound<&Shape::closed, &Shape::set_closed>(hosting)}});
 }
 
 }  // namespace

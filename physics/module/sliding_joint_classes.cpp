@@ -59,8 +59,10 @@ void define_sliding_joints(Hosting& hosting) {
     hosting.tree.define(pair_joint<GrooveSettings>(
         hosting, "GrooveJoint", "groove_joint",
         "A pin of body_b in a groove of body_a from anchor_a to groove_end.",
-        {joint_vector("groove_end", {1, 0}, "m", "In the coordinates of body_a.",
-                      joint_setting<&GrooveSettings::groove_end, &GrooveJoint::set_end>(hosting)),
+        {within(coordinates,
+                joint_vector(
+                    "groove_end", {1, 0}, "m", "In the coordinates of body_a.",
+                    joint_setting<&GrooveSettings::groove_end, &GrooveJoint::set_end>(hosting))),
          joint_figure("translation", "m", "How far the pin is from the begin of the groove.",
                       told<GrooveJoint, &GrooveJoint::translation>(hosting))}));
 }

@@ -110,6 +110,7 @@ std::vector<Property> simulation(Hosting& hosting) {
         {.name = "bounds",
          .type = Type::list,
          .unit = "m",
+         .range = coordinates,
          .doc = "Walls round the world, given by their lower left and upper right corner; nil: "
                 "none.",
          .binding = accessor(

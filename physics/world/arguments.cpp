@@ -2,6 +2,7 @@
 #include <geometry/vector.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
+#include <world/world_link.h>
 
 #include <cmath>
 #include <cstdio>
@@ -84,6 +85,10 @@ const Vec2& check_coordinates(const char* what, const Vec2& value) {
     return value;
 }
 
+void refuse_enumerator(const char* what, int value, int last) {
+    refuse(what, std::to_string(value), "an enumerator, 0 to " + std::to_string(last));
+}
+
 std::optional<float> check_inertial(const char* what, std::optional<float> value) {
     if (value && !(*value > 0.0f)) refuse(what, text(*value), "a positive number or infinity");
     return value;
@@ -99,6 +104,12 @@ const Aabb& check_bounds(const Aabb& value) {
     return value;
 }
 
+const Vec2& check_point(const char* what, const Vec2& p) {
+    check_range(what, p.x(), -greatest_size, greatest_size);
+    check_range(what, p.y(), -greatest_size, greatest_size);
+    return p;
+}
+
 void check(const WorldDef& def) {
     check_finite("gravity", def.gravity);
     check_range("substeps", float(def.substeps), 1.0f, 64.0f);
@@ -112,9 +123,13 @@ void check(const WorldDef& def) {
     check_not_negative("contact_hertz", def.contact_hertz);
     check_not_negative("contact_damping", def.contact_damping);
     check_not_negative("push_speed", def.push_speed);
+    check_enumerator("friction_mix", def.friction_mix, MixRule::geometric);
+    check_enumerator("restitution_mix", def.restitution_mix, MixRule::geometric);
+    check_enumerator("solver", def.solver, Solver::direct);
 }
 
 void check(const BodyDef& def) {
+    check_enumerator("type", def.type, BodyType::dynamic_body);
     check_coordinates("position", def.position);
     check_range("angle", def.angle, -greatest_coordinate, greatest_coordinate);
     check_finite("velocity", def.velocity);
@@ -126,8 +141,7 @@ void check(const BodyDef& def) {
     check_not_negative("angular_damping", def.angular_damping);
     check_inertial("mass", def.mass);
     check_inertial("inertia", def.inertia);
-    if (def.center)
-        check_range("center", def.center->lpNorm<Eigen::Infinity>(), 0.0f, greatest_size);
+    if (def.center) check_point("center", *def.center);
 }
 
 void check(const ShapeDef& def) {
@@ -139,11 +153,6 @@ void check(const ShapeDef& def) {
 }
 
 namespace {
-
-void point(const char* what, const Vec2& p) {
-    check_range(what, p.x(), -greatest_size, greatest_size);
-    check_range(what, p.y(), -greatest_size, greatest_size);
-}
 
 /// A shape remembers the number of its vertices in 24 bits.
 void check_count(const char* what, size_t count) {
@@ -163,7 +172,7 @@ bool all_the_same(std::span<const Vec2> points) {
 
 void check_outline(std::span<const Vec2> points) {
     check_count("vertices", points.size());
-    for (const Vec2& v : points) point("vertices", v);
+    for (const Vec2& v : points) check_point("vertices", v);
     std::vector<V2> outline;
     for (const Vec2& v : points) outline.push_back(to_v2(v));
     if (const auto problem = outline_problem(outline))
@@ -175,7 +184,7 @@ void check_chain(std::span<const Vec2> points, bool closed) {
     if (points.size() < 2)
         throw std::invalid_argument("points: a chain needs at least two points, got " +
                                     std::to_string(points.size()));
-    for (const Vec2& p : points) point("points", p);
+    for (const Vec2& p : points) check_point("points", p);
     if (all_the_same(points))
         throw std::invalid_argument("points: all points of the chain are in the same place");
     if (closed && points.size() < 3)
@@ -185,22 +194,22 @@ void check_chain(std::span<const Vec2> points, bool closed) {
 void check(const Geometry& geometry) {
     if (const Circle* circle = std::get_if<Circle>(&geometry)) {
         check_range("radius", circle->radius, least_size, greatest_size);
-        point("center", circle->center);
+        check_point("center", circle->center);
     } else if (const Box* box = std::get_if<Box>(&geometry)) {
         check_range("width", box->width, least_size, greatest_size);
         check_range("height", box->height, least_size, greatest_size);
         check_range("rounding", box->rounding, 0.0f, greatest_size);
         check_range("angle", box->angle, -greatest_coordinate, greatest_coordinate);
-        point("center", box->center);
+        check_point("center", box->center);
     } else if (const Segment* segment = std::get_if<Segment>(&geometry)) {
-        point("from", segment->from);
-        point("to", segment->to);
+        check_point("from", segment->from);
+        check_point("to", segment->to);
         check_range("rounding", segment->rounding, 0.0f, greatest_size);
     } else if (const Ellipse* ellipse = std::get_if<Ellipse>(&geometry)) {
         check_range("radius_x", ellipse->radius_x, least_size, greatest_size);
         check_range("radius_y", ellipse->radius_y, least_size, greatest_size);
         check_range("angle", ellipse->angle, -greatest_coordinate, greatest_coordinate);
-        point("center", ellipse->center);
+        check_point("center", ellipse->center);
     } else if (const Concave* concave = std::get_if<Concave>(&geometry)) {
         check_outline(concave->vertices);
     } else if (const Chain* chain = std::get_if<Chain>(&geometry)) {
@@ -213,15 +222,24 @@ void check(const Geometry& geometry) {
         const HullStatus status = convex_hull(polygon.vertices, hull);
         if (status != HullStatus::ok)
             throw std::invalid_argument(std::string("vertices: ") + describe(status));
-        for (const Vec2& v : hull) point("vertices", v);
+        for (const Vec2& v : hull) check_point("vertices", v);
     }
 }
 
-void dangling(const char* kind, uint32_t index, uint32_t generation) {
-    if (generation == 0) throw std::invalid_argument(std::string("this handle names no ") + kind);
-    throw std::invalid_argument(std::string(kind) + " " + std::to_string(index) +
-                                " of generation " + std::to_string(generation) +
+void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t generation) {
+    if (link == nullptr || generation == 0)
+        throw std::invalid_argument(std::string("this handle names no ") + kind);
+    const std::string named = std::string(kind) + " " + std::to_string(index);
+    if (link->data == nullptr)
+        throw std::invalid_argument(named + " does not exist any more: its world was destroyed");
+    throw std::invalid_argument(named + " of generation " + std::to_string(generation) +
                                 " does not exist any more");
+}
+
+void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
+    throw std::invalid_argument(std::string(name) + ": " + kind + " " + std::to_string(index) +
+                                " of generation " + std::to_string(generation) +
+                                " was destroyed, or is of another world");
 }
 
 void wrong_type(const char* property, ShapeType type) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fettle/physics/definitions.h>
+#include <fettle/physics/field.h>
 #include <fettle/physics/hull.h>
 #include <fettle/physics/shape.h>
 
@@ -10,6 +11,8 @@
 // the name of the value, what it was and what was expected. `what` reads like "linear_damping".
 
 namespace fettle::physics::detail {
+
+struct WorldLink;
 
 [[noreturn]] void refuse_infinite(const char* what, float value);
 [[noreturn]] void refuse_infinite(const char* what, const Vec2& value);
@@ -33,7 +36,16 @@ inline float check_not_negative(const char* what, float value) {
     return value;
 }
 float check_range(const char* what, float value, float low, float high);
+[[noreturn]] void refuse_enumerator(const char* what, int value, int last);
+/// Enumerations count from 0 to `last`; a number cast to one may be anything.
+template <class Enum>
+Enum check_enumerator(const char* what, Enum value, Enum last) {
+    if (value < Enum{} || value > last) [[unlikely]]
+        refuse_enumerator(what, int(value), int(last));
+    return value;
+}
 const Vec2& check_coordinates(const char* what, const Vec2& value);  ///< within ±1e8
+const Vec2& check_point(const char* what, const Vec2& value);        ///< of a body: within ±1e6
 /// Positive or infinite: mass, inertia.
 std::optional<float> check_inertial(const char* what, std::optional<float> value);
 const Aabb& check_bounds(const Aabb& value);
@@ -41,12 +53,17 @@ const Aabb& check_bounds(const Aabb& value);
 void check(const WorldDef& def);
 void check(const BodyDef& def);
 void check(const ShapeDef& def);
+void check(const FieldDef& def);
 /// Of a concave polygon.
 void check_outline(std::span<const Vec2> points);
 void check_chain(std::span<const Vec2> points, bool closed);
 void check(const Geometry& geometry);  ///< polygons: also that there is a hull
 
-[[noreturn]] void dangling(const char* kind, uint32_t index, uint32_t generation);
+/// A handle that reaches nothing: default-made, or its object or its world was destroyed.
+[[noreturn]] void dangling(const char* kind, const WorldLink* link, uint32_t index,
+                           uint32_t generation);
+/// An id that a definition calls `name`.
+[[noreturn]] void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation);
 [[noreturn]] void wrong_type(const char* property, ShapeType type);
 
 }  // namespace fettle::physics::detail

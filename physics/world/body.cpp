@@ -2,6 +2,9 @@
 #include <world/arguments.h>
 #include <world/live_body.h>
 
+#include <stdexcept>
+#include <string>
+
 namespace fettle::physics {
 
 using namespace detail;
@@ -43,12 +46,23 @@ void kick(const BodyRecord& record, BodyState& state, V2 impulse, float angular_
 
 }  // namespace
 
+void detail::refuse_border_body(const char* function) {
+    throw std::invalid_argument(std::string("Body::") + function +
+                                ": this body carries the bounds of its world; edit them by "
+                                "World::set_bounds");
+}
+
 bool Body::is_valid() const {
-    return world_ != nullptr && world_->is_valid(id_);
+    return link_ != nullptr && link_->data != nullptr && link_->data->is_valid(id_);
+}
+
+World& Body::world() const {
+    FETTLE_LIVE_BODY
+    return *link_->world;
 }
 
 void Body::destroy() {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     data.destroy_body(id_.index);
 }
 
@@ -58,8 +72,8 @@ BodyType Body::type() const {
 }
 
 void Body::set_type(BodyType type) {
-    FETTLE_LIVE_BODY
-    if (type == record.type) return;
+    FETTLE_EDIT_BODY
+    if (check_enumerator("type", type, BodyType::dynamic_body) == record.type) return;
     data.wake_for_edit(id_.index);
     record.type = type;
     data.mark_mass(id_.index);
@@ -73,7 +87,7 @@ Vec2 Body::position() const {
 }
 
 void Body::set_position(const Vec2& position) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     teleport(data, id_.index, check_coordinates("position", position), state.angle);
 }
 
@@ -83,13 +97,13 @@ float Body::angle() const {
 }
 
 void Body::set_angle(float angle) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     teleport(data, id_.index, state.position,
              check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
 }
 
 void Body::set_pose(const Pose& pose) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_coordinates("position", pose.position);
     check_range("angle", pose.angle, -greatest_coordinate, greatest_coordinate);
     teleport(data, id_.index, pose.position, pose.angle);
@@ -102,7 +116,7 @@ Vec2 Body::velocity() const {
 }
 
 void Body::set_velocity(const Vec2& velocity) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("velocity", velocity);
     data.read_mass(id_.index);
     if (record.mobility == Mobility::fixed) return;
@@ -116,7 +130,7 @@ float Body::angular_velocity() const {
 }
 
 void Body::set_angular_velocity(float angular_velocity) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("angular_velocity", angular_velocity);
     data.read_mass(id_.index);
     if (record.mobility == Mobility::fixed) return;
@@ -130,7 +144,7 @@ Vec2 Body::force() const {
 }
 
 void Body::set_force(const Vec2& force) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.force = to_v2(check_finite("force", force));
     data.wake_body(id_.index);
 }
@@ -141,12 +155,19 @@ float Body::torque() const {
 }
 
 void Body::set_torque(float torque) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.torque = check_finite("torque", torque);
     data.wake_body(id_.index);
 }
 
 namespace {
+
+/// However many are added up, N, N m.
+constexpr float greatest_force = std::numeric_limits<float>::max();
+
+V2 sum(V2 force, V2 more) {
+    return bounded(force + more, greatest_force);
+}
 
 /// Awake from now on; false where a force would only wait for the day it can move something.
 bool moved_by_forces(WorldData& data, uint32_t body) {
@@ -159,26 +180,28 @@ bool moved_by_forces(WorldData& data, uint32_t body) {
 }  // namespace
 
 void Body::apply_force(const Vec2& force) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("force", force);
     if (!moved_by_forces(data, id_.index)) return;
-    record.step_force = record.step_force + to_v2(force);
+    record.step_force = sum(record.step_force, to_v2(force));
 }
 
 void Body::apply_force(const Vec2& force, const Vec2& world_point) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("force", force);
     check_finite("world_point", world_point);
     if (!moved_by_forces(data, id_.index)) return;
-    record.step_force = record.step_force + to_v2(force);
-    record.step_torque += cross(to_v2(world_point) - record.center, to_v2(force));
+    record.step_force = sum(record.step_force, to_v2(force));
+    record.step_torque =
+        bounded(record.step_torque + cross(to_v2(world_point) - record.center, to_v2(force)),
+                greatest_force);
 }
 
 void Body::apply_torque(float torque) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("torque", torque);
     if (!moved_by_forces(data, id_.index)) return;
-    record.step_torque += torque;
+    record.step_torque = bounded(record.step_torque + torque, greatest_force);
 }
 
 Vec2 Body::applied_force() const {
@@ -191,7 +214,7 @@ float Body::applied_torque() const {
 }
 
 void Body::apply_impulse(const Vec2& impulse) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
     data.wake_body(id_.index);
@@ -199,7 +222,7 @@ void Body::apply_impulse(const Vec2& impulse) {
 }
 
 void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     check_finite("world_point", world_point);
     data.read_mass(id_.index);
@@ -208,7 +231,7 @@ void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
 }
 
 void Body::apply_angular_impulse(float impulse) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
     data.wake_body(id_.index);
@@ -221,7 +244,7 @@ float Body::gravity_scale() const {
 }
 
 void Body::set_gravity_scale(float scale) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.gravity_scale = check_finite("gravity_scale", scale);
     data.wake_body(id_.index);
 }
@@ -232,7 +255,7 @@ float Body::linear_damping() const {
 }
 
 void Body::set_linear_damping(float damping) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.linear_damping = check_not_negative("linear_damping", damping);
     data.wake_body(id_.index);
 }
@@ -243,7 +266,7 @@ float Body::angular_damping() const {
 }
 
 void Body::set_angular_damping(float damping) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.angular_damping = check_not_negative("angular_damping", damping);
     data.wake_body(id_.index);
 }
@@ -255,7 +278,7 @@ bool Body::awake() const {
 }
 
 void Body::set_awake(bool awake) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     if (awake) {
         data.wake_body(id_.index);
     } else if (data.settings.sleeping) {
@@ -270,7 +293,7 @@ bool Body::can_sleep() const {
 }
 
 void Body::set_can_sleep(bool can_sleep) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.can_sleep = can_sleep;
     if (!can_sleep) data.wake_body(id_.index);
 }
@@ -281,7 +304,7 @@ bool Body::bullet() const {
 }
 
 void Body::set_bullet(bool bullet) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.bullet = bullet;
 }
 
@@ -300,7 +323,7 @@ bool Body::locked_x() const {
     return record.locked_x;
 }
 void Body::set_locked_x(bool locked) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     set_lock(data, id_.index, &BodyRecord::locked_x, locked);
 }
 bool Body::locked_y() const {
@@ -308,7 +331,7 @@ bool Body::locked_y() const {
     return record.locked_y;
 }
 void Body::set_locked_y(bool locked) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     set_lock(data, id_.index, &BodyRecord::locked_y, locked);
 }
 bool Body::locked_rotation() const {
@@ -316,7 +339,7 @@ bool Body::locked_rotation() const {
     return record.locked_rotation;
 }
 void Body::set_locked_rotation(bool locked) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     set_lock(data, id_.index, &BodyRecord::locked_rotation, locked);
 }
 
@@ -371,8 +394,8 @@ float Body::kinetic_energy() const {
 }
 
 Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
-    FETTLE_LIVE_BODY
-    const Shape shape = world_->create_shape(geometry, def);
+    FETTLE_EDIT_BODY
+    const Shape shape = link_->world->create_shape(geometry, def);
     data.attach_shape(shape.index(), id_.index);
     return shape;
 }
@@ -389,7 +412,7 @@ std::vector<Shape> Body::shapes() const {
     FETTLE_LIVE_BODY
     std::vector<Shape> all;
     for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next) {
-        if (data.shapes[s].owner == none) all.emplace_back(world_, data.shape_id(s));
+        if (data.shapes[s].owner == none) all.emplace_back(link_->world, data.shape_id(s));
     }
     return all;
 }
@@ -416,6 +439,7 @@ uint64_t Body::user_data() const {
 
 void Body::set_user_data(uint64_t value) {
     FETTLE_LIVE_BODY
+    data.self.may_edit("Body", __func__);
     record.user_data = value;
 }
 

@@ -21,7 +21,7 @@ float Body::mass() const {
 }
 
 void Body::set_mass(std::optional<float> mass) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.given_mass = check_inertial("mass", mass).value_or(not_given);
     data.wake_for_edit(id_.index);
     data.mark_mass(id_.index);
@@ -39,7 +39,7 @@ float Body::inertia() const {
 }
 
 void Body::set_inertia(std::optional<float> inertia) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.given_inertia = check_inertial("inertia", inertia).value_or(not_given);
     data.wake_body(id_.index);
     data.mark_mass(id_.index);
@@ -57,7 +57,7 @@ Vec2 Body::center() const {
 }
 
 void Body::set_center(std::optional<Vec2> center) {
-    FETTLE_LIVE_BODY
+    FETTLE_EDIT_BODY
     record.given_center =
         center ? to_v2(check_coordinates("center", *center)) : V2{not_given, not_given};
     data.wake_body(id_.index);

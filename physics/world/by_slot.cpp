@@ -26,11 +26,13 @@ bool stir(WorldData& data, uint32_t index) {
 }
 
 /// Almost every body that is written is like this: stirring it is one store.
-bool stirs(const BodyRecord& record) {
-    return record.solver_index != 0 && record.mobility == Mobility::dynamic && !record.listed;
+bool stirs(const WorldData& data, const BodyRecord& record) {
+    return record.solver_index != 0 && record.mobility == Mobility::dynamic && !record.listed &&
+           !data.self.locked();
 }
 
 [[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
+    data.self.may_edit("World", "set_velocity");
     if (!stir(data, index)) return false;
     data.states[index].velocity = velocity;
     return true;
@@ -51,9 +53,9 @@ bool same(const Vec2& a, const Vec2& b) {
 }
 
 template <class T>
-Written store(BodyRecord& record, T& cell, const T& value) {
+Written store(const WorldData& data, BodyRecord& record, T& cell, const T& value) {
     const bool held = same(cell, value);
-    if (held || !stirs(record)) [[unlikely]]
+    if (held || !stirs(data, record)) [[unlikely]]
         return not_written(record, held);
     record.sleep_time = 0.0f;
     cell = value;
@@ -64,14 +66,14 @@ Written store(BodyRecord& record, T& cell, const T& value) {
 template <float BodyRecord::*setting>
 Written set(WorldData& data, uint32_t index, float value) {
     BodyRecord& record = data.bodies[index];
-    return store(record, record.*setting, value);
+    return store(data, record, record.*setting, value);
 }
 
 }  // namespace
 
 bool World::set_velocity(uint32_t index, const Vec2& velocity) {
     BodyRecord& record = data_->bodies[index];
-    if (!stirs(record)) [[unlikely]]
+    if (!stirs(*data_, record)) [[unlikely]]
         return stir_and_set(*data_, index, velocity);
     record.sleep_time = 0.0f;
     data_->states[index].velocity = velocity;
@@ -79,12 +81,12 @@ bool World::set_velocity(uint32_t index, const Vec2& velocity) {
 }
 
 Written World::write_velocity(uint32_t index, const Vec2& velocity) {
-    return store(data_->bodies[index], data_->states[index].velocity, velocity);
+    return store(*data_, data_->bodies[index], data_->states[index].velocity, velocity);
 }
 
 template <>
 Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value) {
-    return store(data_->bodies[index], data_->states[index].angular_velocity, value);
+    return store(*data_, data_->bodies[index], data_->states[index].angular_velocity, value);
 }
 template <>
 Written World::write<BodyNumber::torque>(uint32_t index, float value) {

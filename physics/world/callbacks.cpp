@@ -35,17 +35,17 @@ class Consultation {
             c.disabled = false;
             if (!acts(c)) continue;
             world_.remix(c);  // what was changed before was for that step alone
-            if (!world_.callbacks.mix) continue;
+            if (!world_.self.mix) continue;
             ContactEdit edit = edit_of(c);
-            world_.callbacks.mix(edit);
-            accept(c, edit, nullptr);
+            if (world_.self.ask(in_mixing, [&] { world_.self.mix(edit); }))
+                accept(c, edit, nullptr);
         }
     }
 
     /// Two shapes are one contact for who is asked, however many parts of them touch: what is said
     /// where the first of the parts is holds for all.
     void before_solve_all() {
-        if (!world_.callbacks.before_solve) return;
+        if (!world_.self.before_solve) return;
         list_parts();
         for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
@@ -91,8 +91,8 @@ class Consultation {
     ContactEdit edit_of(const ContactRecord& c) const {
         const V2 point = world_.middle_of(c);
         ContactEdit edit;
-        edit.shape_a = {world_.callbacks.world, world_.shape_id(c.shape_a)};
-        edit.shape_b = {world_.callbacks.world, world_.shape_id(c.shape_b)};
+        edit.shape_a = {world_.self.link->world, world_.shape_id(c.shape_a)};
+        edit.shape_b = {world_.self.link->world, world_.shape_id(c.shape_b)};
         edit.point = to_vec2(point);
         edit.normal = to_vec2(c.manifold.normal);
         edit.speed = world_.approach_speed(c, point);
@@ -111,7 +111,7 @@ class Consultation {
     /// is taken as the nearest that has: a step does not throw.
     static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
         if (!before || edit.friction != before->friction)
-            c.friction = max(bounded(edit.friction, 1e6f), 0.0f);
+            c.friction = max(bounded(edit.friction, greatest_grip), 0.0f);
         if (!before || edit.restitution != before->restitution)
             c.restitution = clamp(bounded(edit.restitution, 1.0f), 0.0f, 1.0f);
         if (!before || edit.surface_speed != before->surface_speed)
@@ -130,7 +130,7 @@ class Consultation {
         }
         edit.impulse = impulse;
         const ContactEdit before = edit;
-        world_.callbacks.before_solve(edit);
+        if (!world_.self.ask(in_before_solve, [&] { world_.self.before_solve(edit); })) return;
         for (const Part& part : parts) {
             ContactRecord& c = record(part);
             accept(c, edit, &before);
@@ -152,7 +152,7 @@ class Consultation {
 }  // namespace
 
 void WorldData::consult_callbacks() {
-    if (!callbacks.see_contacts()) return;
+    if (!self.see_contacts()) return;
     Consultation consultation(*this);
     consultation.mix_all();
     consultation.before_solve_all();
@@ -170,9 +170,10 @@ void WorldData::tell_persisting() {
         float impulse = 0.0f;
         for (int k = 0; k < c.manifold.count; ++k)
             impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
-        events.contact_persist.push_back(
-            {shape_id(c.shape_a), shape_id(c.shape_b), body_id(c.body_a), body_id(c.body_b),
-             to_vec2(point), to_vec2(c.manifold.normal), approach_speed(c, point), impulse});
+        events.contact_persist.push_back({shape_id(c.shape_a), shape_id(c.shape_b),
+                                          body_id(c.body_a), body_id(c.body_b), to_vec2(point),
+                                          to_vec2(c.manifold.normal), approach_speed(c, point),
+                                          impulse, c.friction, c.restitution});
     }
 }
 
@@ -198,27 +199,30 @@ void remix_all(WorldData& data) {
 }  // namespace
 
 void World::set_friction_mix(MixRule rule) {
-    data_->settings.friction_mix = rule;
-    remix_all(*data_);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.friction_mix = check_enumerator("friction_mix", rule, MixRule::geometric);
+    remix_all(data);
+    data.wake_all();
 }
 void World::set_restitution_mix(MixRule rule) {
-    data_->settings.restitution_mix = rule;
-    remix_all(*data_);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.restitution_mix = check_enumerator("restitution_mix", rule, MixRule::geometric);
+    remix_all(data);
+    data.wake_all();
 }
 
 bool World::persist_events() const {
     return data_->settings.persist_events;
 }
 void World::set_persist_events(bool enabled) {
-    data_->settings.persist_events = enabled;
+    edit(__func__).settings.persist_events = enabled;
 }
 
 void World::set_filter(PairFilter filter) {
-    data_->callbacks.filter = std::move(filter);
-    WorldData& data = *data_;
+    WorldData& data = edit(__func__);
+    data.self.filter = std::move(filter);
     data.read_all();
+    WorldLock lock(data.self, WorldLock::During::change, in_edit);
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
         const ContactRecord& c = data.contacts[slot];
         if (c.shape_a == none || data.may_collide(c.shape_a, c.shape_b)) continue;
@@ -230,20 +234,23 @@ void World::set_filter(PairFilter filter) {
         if (data.shape_generations[shape] != 0 && data.forms[shape].body != none)
             data.mark_moved(shape);
     }
+    lock.finish();
 }
 void World::set_mixing(ContactCallback mix) {
-    data_->callbacks.mix = std::move(mix);
-    remix_all(*data_);
+    WorldData& data = edit(__func__);
+    data.self.mix = std::move(mix);
+    remix_all(data);
 }
 void World::on_refresh(RefreshCallback callback) {
-    data_->callbacks.refresh = std::move(callback);
+    edit(__func__).self.refresh = std::move(callback);
 }
 void World::refresh(const Refresh& wanted) {
-    data_->refresh(wanted);
+    edit(__func__).refresh(wanted);
 }
 void World::set_before_solve(ContactCallback callback) {
-    data_->callbacks.before_solve = std::move(callback);
-    remix_all(*data_);
+    WorldData& data = edit(__func__);
+    data.self.before_solve = std::move(callback);
+    remix_all(data);
 }
 
 }  // namespace fettle::physics

@@ -27,9 +27,15 @@ bool WorldData::may_collide(uint32_t a, uint32_t b) const {
            callback_agrees(a, b);
 }
 
+/// A filter that throws says nothing: yes.
 bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
-    return !callbacks.filter || callbacks.filter({callbacks.world, shape_id(std::min(a, b))},
-                                                 {callbacks.world, shape_id(std::max(a, b))});
+    if (!self.filter) return true;
+    bool agrees = true;
+    const bool answered = self.ask(in_filter, [&] {
+        World* const world = self.link->world;
+        agrees = self.filter({world, shape_id(std::min(a, b))}, {world, shape_id(std::max(a, b))});
+    });
+    return agrees || !answered;
 }
 
 namespace {
@@ -54,11 +60,13 @@ float mixed(MixRule rule, float a, float b) {
 void WorldData::remix(ContactRecord& c) const {
     const ShapeDef& a = shapes[c.shape_a].surface;
     const ShapeDef& b = shapes[c.shape_b].surface;
-    c.friction = mixed(settings.friction_mix, a.friction, b.friction);
+    // Bounded as what callbacks answer: two greatest numbers multiplied are none.
+    c.friction = bounded(mixed(settings.friction_mix, a.friction, b.friction), greatest_grip);
     c.restitution = mixed(settings.restitution_mix, a.restitution, b.restitution);
-    c.rolling_resistance = max(a.rolling_resistance * forms[c.shape_a].radius,
-                               b.rolling_resistance * forms[c.shape_b].radius);
-    c.surface_speed = a.surface_speed + b.surface_speed;
+    c.rolling_resistance = bounded(max(a.rolling_resistance * forms[c.shape_a].radius,
+                                       b.rolling_resistance * forms[c.shape_b].radius),
+                                   greatest_grip);
+    c.surface_speed = bounded(a.surface_speed + b.surface_speed, greatest_speed);
     c.hit_events = a.hit_events || b.hit_events;
     c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
 }

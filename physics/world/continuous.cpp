@@ -68,7 +68,7 @@ float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 ce
 
 /// By a callback. Where there is none the pairs may be ending meanwhile (finish_bodies).
 bool WorldData::is_disabled(uint32_t shape, uint32_t other) const {
-    if (!callbacks.see_contacts()) return false;
+    if (!self.see_contacts()) return false;
     const uint32_t contact = pairs.find(shape, other);
     return contact != PairSet::absent && contacts[contact].disabled;
 }
@@ -112,14 +112,15 @@ void WorldData::stop_body(const FastBody& fast, FinishedPiece& piece) {
     const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
     state.cosine = q.c;
     state.sine = q.s;
-    state.position = to_vec2(record.center - rotate(q, record.local_center));
+    state.position =
+        to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
     finish_shapes(fast.body, q, piece);
 }
 
 /// Only what is fixed stops it, which nobody moves meanwhile: that any thread may find out. What
 /// may meet a bullet or asks the caller has to wait.
 void WorldData::stop_or_list(const FastBody& fast, FinishedPiece& piece) {
-    if (bodies[fast.body].bullet || callbacks.filter)
+    if (bodies[fast.body].bullet || self.filter)
         piece.fast.push_back(fast);
     else
         stop_body(fast, piece);

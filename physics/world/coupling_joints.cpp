@@ -66,14 +66,14 @@ float RatchetJoint::reference_angle() const {
 void RatchetJoint::set_reference_angle(float angle) {
     (void)own<RatchetData>();
     const float checked = check_finite("reference_angle", angle);
-    edit<RatchetData>().reference_angle = checked;
+    edit<RatchetData>("RatchetJoint", __func__).reference_angle = checked;
     own<RatchetData>().impulses = {};  // the teeth are elsewhere: the pawl falls anew
 }
 bool RatchetJoint::backwards() const {
     return own<RatchetData>().backwards;
 }
 void RatchetJoint::set_backwards(bool backwards) {
-    edit<RatchetData>().backwards = backwards;
+    edit<RatchetData>("RatchetJoint", __func__).backwards = backwards;
     own<RatchetData>().impulses = {};
 }
 float RatchetJoint::angle() const {

@@ -8,14 +8,15 @@ using namespace detail;
 
 namespace {
 
+uint32_t slot_of(const World& world, const char* name, BodyId id) {
+    if (!world.is_valid(id)) foreign(name, "body", id.index, id.generation);
+    return id.index;
+}
+
 JointRecord checked(const World& world, const JointDef& def) {
     JointRecord record;
-    const BodyId ids[2] = {def.body_a, def.body_b};
-    for (int side = 0; side < 2; ++side) {
-        if (!ids[side]) continue;
-        if (!world.is_valid(ids[side])) dangling("body", ids[side].index, ids[side].generation);
-        record.bodies[side] = ids[side].index;
-    }
+    if (def.body_a != BodyId()) record.bodies[0] = slot_of(world, "body_a", def.body_a);
+    if (def.body_b != BodyId()) record.bodies[1] = slot_of(world, "body_b", def.body_b);
     if (record.bodies[0] == record.bodies[1])
         throw std::invalid_argument("body_a and body_b: expected two different bodies");
     record.anchors[0] = to_v2(check_coordinates("anchor_a", def.anchor_a));
@@ -29,9 +30,13 @@ JointRecord checked(const World& world, const JointDef& def) {
 }  // namespace
 
 MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
-    if (!is_valid(def.body)) dangling("body", def.body.index, def.body.generation);
+    WorldData& data = edit(__func__);
+    if (def.body == BodyId()) throw std::invalid_argument("body: a mouse joint drags a body");
     JointRecord record;
-    record.bodies[1] = def.body.index;
+    record.bodies[1] = slot_of(*this, "body", def.body);
+    if (record.bodies[1] == 0)
+        throw std::invalid_argument(
+            "body: a mouse joint drags a body, not the bounds of the world");
     record.anchors[0] = to_v2(check_coordinates("target", def.target));
     record.anchors[1] = to_v2(def.anchor ? check_coordinates("anchor", *def.anchor)
                                          : body(def.body).local_point(def.target));
@@ -41,8 +46,8 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
     mouse.hertz = check_not_negative("hertz", def.hertz);
     mouse.damping_ratio = check_not_negative("damping_ratio", def.damping_ratio);
     mouse.max_force = check_range("max_force", def.max_force, 0.0f, infinity);
-    const uint32_t slot = data_->create_joint(record, mouse);
-    return {this, {slot, data_->joint_generations[slot]}};
+    const uint32_t slot = data.create_joint(record, mouse);
+    return {this, {slot, data.joint_generations[slot]}};
 }
 
 namespace {
@@ -56,61 +61,61 @@ Any make(World& world, WorldData& data, const JointDef& def, const Data& setting
 }  // namespace
 
 DistanceJoint World::create_distance_joint(const JointDef& def) {
-    auto joint = make<DistanceJoint>(*this, *data_, def, DistanceData{});
+    auto joint = make<DistanceJoint>(*this, edit(__func__), def, DistanceData{});
     joint.set_length(joint.distance());
     return joint;
 }
 
 RevoluteJoint World::create_revolute_joint(const JointDef& def) {
-    auto joint = make<RevoluteJoint>(*this, *data_, def, RevoluteData{});
+    auto joint = make<RevoluteJoint>(*this, edit(__func__), def, RevoluteData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }
 
 PrismaticJoint World::create_prismatic_joint(const JointDef& def) {
-    auto joint = make<PrismaticJoint>(*this, *data_, def, PrismaticData{});
+    auto joint = make<PrismaticJoint>(*this, edit(__func__), def, PrismaticData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }
 
 WheelJoint World::create_wheel_joint(const JointDef& def) {
-    return make<WheelJoint>(*this, *data_, def, WheelData{});
+    return make<WheelJoint>(*this, edit(__func__), def, WheelData{});
 }
 
 WeldJoint World::create_weld_joint(const JointDef& def) {
-    auto joint = make<WeldJoint>(*this, *data_, def, WeldData{});
+    auto joint = make<WeldJoint>(*this, edit(__func__), def, WeldData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }
 
 MotorJoint World::create_motor_joint(const JointDef& def) {
-    auto joint = make<MotorJoint>(*this, *data_, def, MotorData{});
+    auto joint = make<MotorJoint>(*this, edit(__func__), def, MotorData{});
     joint.set_angular_offset(angle_between(joint));
     return joint;
 }
 
 PulleyJoint World::create_pulley_joint(const JointDef& def) {
-    auto joint = make<PulleyJoint>(*this, *data_, def, PulleyData{});
+    auto joint = make<PulleyJoint>(*this, edit(__func__), def, PulleyData{});
     joint.set_length(joint.length_now());
     return joint;
 }
 
 GearJoint World::create_gear_joint(const JointDef& def) {
-    auto joint = make<GearJoint>(*this, *data_, def, GearData{});
+    auto joint = make<GearJoint>(*this, edit(__func__), def, GearData{});
     joint.set_phase(joint.phase_now());
     return joint;
 }
 
 GrooveJoint World::create_groove_joint(const JointDef& def) {
-    return make<GrooveJoint>(*this, *data_, def, GrooveData{});
+    return make<GrooveJoint>(*this, edit(__func__), def, GrooveData{});
 }
 
 PinSlotJoint World::create_pin_slot_joint(const JointDef& def) {
-    return make<PinSlotJoint>(*this, *data_, def, PinSlotData{});
+    return make<PinSlotJoint>(*this, edit(__func__), def, PinSlotData{});
 }
 
 RatchetJoint World::create_ratchet_joint(const JointDef& def) {
-    auto joint = make<RatchetJoint>(*this, *data_, def, RatchetData{});
+    auto joint = make<RatchetJoint>(*this, edit(__func__), def, RatchetData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }

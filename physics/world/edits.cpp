@@ -85,7 +85,11 @@ void WorldData::refresh() {
 }
 
 void WorldData::read_edited(const Refresh& wanted) {
-    if (callbacks.refresh && !stepping) callbacks.refresh(wanted);
+    if (self.refresh && !self.locked()) {
+        WorldLock lock(self, WorldLock::During::query, in_refresh);
+        self.refresh(wanted);
+        lock.finish();
+    }
     refresh(wanted);
 }
 

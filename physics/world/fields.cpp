@@ -237,16 +237,16 @@ struct FieldCheck {
     }
 };
 
-void check(const FieldDef& def) {
+}  // namespace
+
+void detail::check(const FieldDef& def) {
     std::visit(FieldCheck{}, def.force);
     if (def.region) check_bounds(*def.region);
 }
 
-}  // namespace
-
 Field World::create_field(const FieldDef& def) {
+    WorldData& data = edit(__func__);
     check(def);
-    WorldData& data = *data_;
     uint32_t slot = data.free_field;
     if (slot != none) {
         data.free_field = data.fields[slot].next_free;
@@ -254,45 +254,63 @@ Field World::create_field(const FieldDef& def) {
         slot = uint32_t(data.fields.size());
         data.fields.emplace_back();
     }
-    data.fields[slot] = {def, data.next_generation++, none};
+    data.fields[slot] = {def, data.new_generation(), none};
     ++data.field_count;
     data.wake_all();
     return {this, {slot, data.fields[slot].generation}};
 }
 
-bool World::is_valid(FieldId id) const {
-    return id.generation != 0 && id.index < data_->fields.size() &&
-           data_->fields[id.index].generation == id.generation;
+namespace {
+
+bool lives(const WorldData& data, FieldId id) {
+    return id.generation != 0 && id.index < data.fields.size() &&
+           data.fields[id.index].generation == id.generation;
 }
 
-std::vector<Field> World::fields() {
+}  // namespace
+
+bool World::is_valid(FieldId id) const {
+    return lives(*data_, id);
+}
+
+std::vector<Field> World::fields() const {
     std::vector<Field> all;
     for (uint32_t i = 0; i < data_->fields.size(); ++i) {
         if (data_->fields[i].generation != 0)
-            all.emplace_back(this, FieldId{i, data_->fields[i].generation});
+            all.emplace_back(self(), FieldId{i, data_->fields[i].generation});
     }
     return all;
 }
 
 bool Field::is_valid() const {
-    return world_ != nullptr && world_->is_valid(id_);
+    return link_ != nullptr && link_->data != nullptr && lives(*link_->data, id_);
+}
+
+WorldData& Field::live() const {
+    if (!is_valid()) dangling("field", link_, id_.index, id_.generation);
+    return *link_->data;
+}
+
+World& Field::world() const {
+    live();
+    return *link_->world;
 }
 
 const FieldDef& Field::definition() const {
-    if (!is_valid()) dangling("field", id_.index, id_.generation);
-    return world_->data().fields[id_.index].def;
+    return live().fields[id_.index].def;
 }
 
 void Field::set(const FieldDef& wanted) {
-    (void)definition();
+    WorldData& data = live();
+    data.self.may_edit("Field", __func__);
     check(wanted);
-    world_->data().fields[id_.index].def = wanted;
-    world_->data().wake_all();
+    data.fields[id_.index].def = wanted;
+    data.wake_all();
 }
 
 void Field::destroy() {
-    (void)definition();
-    WorldData& data = world_->data();
+    WorldData& data = live();
+    data.self.may_edit("Field", __func__);
     data.fields[id_.index] = {{}, 0, data.free_field};
     data.free_field = id_.index;
     --data.field_count;

@@ -31,7 +31,7 @@ void WorldData::finish_body(size_t place, float dt, FinishedPiece& piece) {
     if (turn != 0.0f) {
         // The part of the turn that the angle is too coarse to hold is kept for the next step.
         const float sum = turn + record.angle_rest;
-        const float angle = state.angle + sum;
+        const float angle = bounded(state.angle + sum, greatest_coordinate);
         record.angle_rest = sum - (angle - state.angle);
         state.angle = angle;
         const Rotation q = rotation_of(double(angle) + double(record.angle_rest));
@@ -39,7 +39,8 @@ void WorldData::finish_body(size_t place, float dt, FinishedPiece& piece) {
         state.sine = q.s;
     }
     const Rotation q = {state.cosine, state.sine};
-    state.position = to_vec2(record.center - rotate(q, record.local_center));
+    state.position =
+        to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
     finish_shapes(slot, q, piece);
     // Slower ones cannot pass the reach of a speculative contact, or leave more than half of
     // them behind.
@@ -59,7 +60,7 @@ void WorldData::finish_bodies(float dt) {
     const size_t count = awake_bodies.size();
     finished.resize((count + piece_length - 1) / piece_length);
     // Where a callback may have disabled a contact, who is stopped asks for it by its pair.
-    if (callbacks.see_contacts()) end_pairs();
+    if (self.see_contacts()) end_pairs();
     share_out(threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
         if (block == 0) {
             end_pairs();

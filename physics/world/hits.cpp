@@ -41,7 +41,9 @@ std::optional<ContactHitEvent> WorldData::hit_of(uint32_t contact,
                            to_vec2(point),
                            to_vec2(record.manifold.normal),
                            speed,
-                           impulse};
+                           impulse,
+                           record.friction,
+                           record.restitution};
 }
 
 /// Of the wide contacts that are told of.

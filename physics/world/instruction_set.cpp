@@ -9,7 +9,7 @@ int simd_width() {
 }
 
 void World::limit_simd_width(int most) {
-    data_->most_lanes = most;
+    edit(__func__).most_lanes = most;
 }
 
 }  // namespace fettle::physics

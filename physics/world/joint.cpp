@@ -16,16 +16,28 @@ void wrong_joint(JointType expected, JointType is) {
 }  // namespace detail
 
 bool Joint::is_valid() const {
-    return world_ != nullptr && world_->is_valid(id_);
+    return link_ != nullptr && link_->data != nullptr && link_->data->is_valid(id_);
 }
 
 WorldData& Joint::live() const {
-    if (!is_valid()) dangling("joint", id_.index, id_.generation);
-    return *world_->data_;
+    if (!is_valid()) [[unlikely]]
+        dangling("joint", link_, id_.index, id_.generation);
+    return *link_->data;
+}
+
+WorldData& Joint::edited(const char* function) const {
+    WorldData& data = live();
+    data.self.may_edit("Joint", function);
+    return data;
+}
+
+World& Joint::world() const {
+    live();
+    return *link_->world;
 }
 
 void Joint::destroy() {
-    live().destroy_joint(id_.index);
+    edited(__func__).destroy_joint(id_.index);
 }
 
 JointType Joint::type() const {
@@ -35,21 +47,22 @@ JointType Joint::type() const {
 Body Joint::body_a() const {
     const WorldData& data = live();
     const uint32_t body = data.joints[id_.index].bodies[0];
-    return body == 0 ? Body() : Body(world_, data.body_id(body));
+    return body == 0 ? Body() : Body(link_->world, data.body_id(body));
 }
 
 Body Joint::body_b() const {
     const WorldData& data = live();
     const uint32_t body = data.joints[id_.index].bodies[1];
-    return body == 0 ? Body() : Body(world_, data.body_id(body));
+    return body == 0 ? Body() : Body(link_->world, data.body_id(body));
 }
 
-void Joint::set_body(uint32_t side, const Body& body) {
-    WorldData& data = live();
+void Joint::set_body(uint32_t side, const Body& body, const char* function) {
+    WorldData& data = edited(function);
     const char* name = side == 0 ? "body_a" : "body_b";
     const bool is_world = body == Body();
-    if (!is_world && !body.is_valid()) dangling("body", body.index(), body.id().generation);
-    if (!is_world && &body.world() != world_)
+    if (!is_world && !body.is_valid())
+        dangling("body", body.link_, body.index(), body.id().generation);
+    if (!is_world && body.link_ != link_)
         throw std::invalid_argument(std::string(name) + ": expected a body of the same world");
     const uint32_t slot = is_world ? 0 : body.index();
     if (slot == data.joints[id_.index].bodies[side ^ 1])
@@ -58,26 +71,28 @@ void Joint::set_body(uint32_t side, const Body& body) {
 }
 
 void Joint::set_body_a(const Body& body) {
-    set_body(0, body);
+    set_body(0, body, __func__);
 }
 void Joint::set_body_b(const Body& body) {
-    set_body(1, body);
+    set_body(1, body, __func__);
 }
 
 Vec2 Joint::anchor_a() const {
     return to_vec2(live().joints[id_.index].anchors[0]);
 }
 void Joint::set_anchor_a(const Vec2& anchor) {
-    live().joints[id_.index].anchors[0] = to_v2(check_coordinates("anchor_a", anchor));
-    live().wake_joint(id_.index);
+    WorldData& data = edited(__func__);
+    data.joints[id_.index].anchors[0] = to_v2(check_coordinates("anchor_a", anchor));
+    data.wake_joint(id_.index);
 }
 
 Vec2 Joint::anchor_b() const {
     return to_vec2(live().joints[id_.index].anchors[1]);
 }
 void Joint::set_anchor_b(const Vec2& anchor) {
-    live().joints[id_.index].anchors[1] = to_v2(check_coordinates("anchor_b", anchor));
-    live().wake_joint(id_.index);
+    WorldData& data = edited(__func__);
+    data.joints[id_.index].anchors[1] = to_v2(check_coordinates("anchor_b", anchor));
+    data.wake_joint(id_.index);
 }
 
 Vec2 Joint::world_anchor_a() const {
@@ -93,35 +108,37 @@ bool Joint::enabled() const {
     return live().joints[id_.index].enabled;
 }
 void Joint::set_enabled(bool enabled) {
-    live().set_joint_enabled(id_.index, enabled);
+    edited(__func__).set_joint_enabled(id_.index, enabled);
 }
 
 bool Joint::collide() const {
     return live().joints[id_.index].collide;
 }
 void Joint::set_collide(bool collide) {
-    live().set_joint_collide(id_.index, collide);
+    edited(__func__).set_joint_collide(id_.index, collide);
 }
 
 float Joint::break_force() const {
     return live().joints[id_.index].break_force;
 }
 void Joint::set_break_force(float force) {
-    live().joints[id_.index].break_force = check_strength("break_force", force);
-    live().wake_joint(id_.index);
+    WorldData& data = edited(__func__);
+    data.joints[id_.index].break_force = check_strength("break_force", force);
+    data.wake_joint(id_.index);
 }
 float Joint::break_torque() const {
     return live().joints[id_.index].break_torque;
 }
 void Joint::set_break_torque(float torque) {
-    live().joints[id_.index].break_torque = check_strength("break_torque", torque);
-    live().wake_joint(id_.index);
+    WorldData& data = edited(__func__);
+    data.joints[id_.index].break_torque = check_strength("break_torque", torque);
+    data.wake_joint(id_.index);
 }
 bool Joint::broken() const {
     return live().joints[id_.index].broken;
 }
 void Joint::set_broken(bool broken) {
-    live().set_joint_broken(id_.index, broken);
+    edited(__func__).set_joint_broken(id_.index, broken);
 }
 
 float Joint::per_substep(float impulse) const {
@@ -140,11 +157,12 @@ uint64_t Joint::user_data() const {
     return live().joints[id_.index].user_data;
 }
 void Joint::set_user_data(uint64_t value) {
-    live().joints[id_.index].user_data = value;
+    edited(__func__).joints[id_.index].user_data = value;
 }
 
 void MouseJoint::set_body(const Body& body) {
-    if (!body.is_valid()) dangling("body", body.index(), body.id().generation);
+    live();
+    if (body == Body()) throw std::invalid_argument("body: a mouse joint drags a body");
     set_body_b(body);
 }
 void MouseJoint::set_target(const Vec2& target) {

@@ -18,7 +18,7 @@ uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_
     joints[slot] = record;
     joints[slot].type = type;
     joints[slot].place = place;
-    joint_generations[slot] = next_generation++;
+    joint_generations[slot] = new_generation();
     ++joint_count;
     link_joint(slot, 0);
     link_joint(slot, 1);

@@ -222,17 +222,19 @@ void check_proxies(const WorldData& w, Findings& findings) {
         const Tree& in = shape.tree == Mobility::fixed ? w.fixed_tree : w.moving_tree;
         findings.require(shape.proxy == Tree::none || in.is_leaf(shape.proxy), "a proxy");
     }
-    // A step moves the proxies of whatever is awake, without looking for them.
-    std::vector<bool> edited(n);
-    for (const uint32_t s : w.edited_shapes)
-        if (s < n) edited[s] = w.shapes[s].listed;
-    for (const BodyRecord& body : w.bodies) {
-        if (body.solver_index == 0) continue;
+    // A step moves the proxies of whatever is awake, without looking for them. Those of a body that
+    // was edited are first made anew.
+    std::vector<bool> edited(w.bodies.size());
+    for (const uint32_t b : w.edited_bodies)
+        if (b < edited.size()) edited[b] = w.bodies[b].listed != 0 && w.bodies[b].placement_dirty;
+    for (size_t b = 0; b < w.bodies.size(); ++b) {
+        const BodyRecord& body = w.bodies[b];
+        if (body.solver_index == 0 || edited[b]) continue;
         for (uint32_t s = body.first_shape; s != none; s = w.shapes[s].next) {
             const ShapeRecord& shape = w.shapes[s];
-            findings.require(!w.is_solid(s) || edited[s] ||
-                                 (shape.proxy != Tree::none && shape.tree != Mobility::fixed),
-                             "the proxy of what is awake");
+            findings.require(
+                !w.is_solid(s) || (shape.proxy != Tree::none && shape.tree != Mobility::fixed),
+                "the proxy of what is awake");
         }
     }
 }

@@ -5,15 +5,29 @@
 
 namespace fettle::physics::detail {
 
-inline WorldData& live(World* world, WorldData* data, BodyId id) {
-    if (world == nullptr || !world->is_valid(id)) dangling("body", id.index, id.generation);
-    return *data;
+inline WorldData& live(WorldLink* link, BodyId id) {
+    if (link == nullptr || link->data == nullptr || !link->data->is_valid(id)) [[unlikely]]
+        dangling("body", link, id.index, id.generation);
+    return *link->data;
+}
+
+/// The body that carries the bounds of a world has nothing to edit.
+[[noreturn]] void refuse_border_body(const char* function);
+
+inline void may_edit_body(const WorldData& data, BodyId id, const char* function) {
+    data.self.may_edit("Body", function);
+    if (id.index == 0) [[unlikely]]
+        refuse_border_body(function);
 }
 
 }  // namespace fettle::physics::detail
 
 // The first line of every method of `Body` that needs a live one: `data`, and its records.
-#define FETTLE_LIVE_BODY                                                         \
-    WorldData& data = live(world_, world_ ? world_->data_.get() : nullptr, id_); \
-    [[maybe_unused]] BodyRecord& record = data.bodies[id_.index];                \
+#define FETTLE_LIVE_BODY                                          \
+    WorldData& data = live(link_, id_);                           \
+    [[maybe_unused]] BodyRecord& record = data.bodies[id_.index]; \
     [[maybe_unused]] BodyState& state = data.states[id_.index];
+// The same for one that edits it.
+#define FETTLE_EDIT_BODY \
+    FETTLE_LIVE_BODY     \
+    may_edit_body(data, id_, __func__);

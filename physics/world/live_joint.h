@@ -45,34 +45,36 @@ Data& Joint::own() const {
 }
 
 template <class Data>
-Data& Joint::edit() const {
+Data& Joint::edit(const char* of, const char* function) const {
     Data& own_data = own<Data>();
-    live().wake_joint(id_.index);
+    detail::WorldData& data = live();
+    data.self.may_edit(of, function);
+    data.wake_joint(id_.index);
     return own_data;
 }
 
 }  // namespace fettle::physics
 
 // A setting that is kept in `field`, read as it is, and written after a check.
-#define FETTLE_JOINT_FIELD(Class, Data, name, field, check) \
-    float Class::name() const {                             \
-        return own<detail::Data>().field;                   \
-    }                                                       \
-    void Class::set_##name(float value) {                   \
-        using namespace detail;                             \
-        (void)own<detail::Data>();                          \
-        const float checked = check;                        \
-        edit<detail::Data>().field = checked;               \
+#define FETTLE_JOINT_FIELD(Class, Data, name, field, check)   \
+    float Class::name() const {                               \
+        return own<detail::Data>().field;                     \
+    }                                                         \
+    void Class::set_##name(float value) {                     \
+        using namespace detail;                               \
+        (void)own<detail::Data>();                            \
+        const float checked = check;                          \
+        edit<detail::Data>(#Class, __func__).field = checked; \
     }
 #define FETTLE_JOINT_SETTING(Class, Data, name, check) \
     FETTLE_JOINT_FIELD(Class, Data, name, name, check)
-#define FETTLE_JOINT_VECTOR(Class, Data, name, field, check) \
-    Vec2 Class::name() const {                               \
-        return detail::to_vec2(own<detail::Data>().field);   \
-    }                                                        \
-    void Class::set_##name(const Vec2& value) {              \
-        using namespace detail;                              \
-        (void)own<detail::Data>();                           \
-        const Vec2 checked = check;                          \
-        edit<detail::Data>().field = to_v2(checked);         \
+#define FETTLE_JOINT_VECTOR(Class, Data, name, field, check)         \
+    Vec2 Class::name() const {                                       \
+        return detail::to_vec2(own<detail::Data>().field);           \
+    }                                                                \
+    void Class::set_##name(const Vec2& value) {                      \
+        using namespace detail;                                      \
+        (void)own<detail::Data>();                                   \
+        const Vec2 checked = check;                                  \
+        edit<detail::Data>(#Class, __func__).field = to_v2(checked); \
     }

@@ -5,15 +5,20 @@
 
 namespace fettle::physics::detail {
 
-inline WorldData& live(World* world, WorldData* data, ShapeId id) {
-    if (world == nullptr || !world->is_valid(id)) dangling("shape", id.index, id.generation);
-    return *data;
+inline WorldData& live(WorldLink* link, ShapeId id) {
+    if (link == nullptr || link->data == nullptr || !link->data->is_valid(id)) [[unlikely]]
+        dangling("shape", link, id.index, id.generation);
+    return *link->data;
 }
 
 }  // namespace fettle::physics::detail
 
 // The first line of every method of `Shape` that needs a live one: `data`, and its records.
-#define FETTLE_LIVE_SHAPE                                                        \
-    WorldData& data = live(world_, world_ ? world_->data_.get() : nullptr, id_); \
-    [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index];               \
+#define FETTLE_LIVE_SHAPE                                          \
+    WorldData& data = detail::live(link_, id_);                    \
+    [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index]; \
     [[maybe_unused]] ShapeForm& form = data.forms[id_.index];
+// The same for one that edits it.
+#define FETTLE_EDIT_SHAPE \
+    FETTLE_LIVE_SHAPE     \
+    data.self.may_edit("Shape", __func__);

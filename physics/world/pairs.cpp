@@ -122,7 +122,7 @@ void WorldData::order_pairs() {
     sort_pairs(new_pairs, spare_pairs, shapes.size());
     // A pair of which one is fixed is seen twice, if both moved.
     new_pairs.erase(std::unique(new_pairs.begin(), new_pairs.end()), new_pairs.end());
-    if (!callbacks.filter) return;
+    if (!self.filter) return;
     std::erase_if(new_pairs, [&](uint64_t pair) {
         return !callback_agrees(uint32_t(pair), uint32_t(pair >> 32));
     });

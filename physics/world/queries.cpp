@@ -1,6 +1,7 @@
 #include <collision/nearest.h>
 #include <collision/probe.h>
 #include <world/arguments.h>
+#include <world/asking.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
 /// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
 /// of the ray.
 template <typename Hit>
-void cast_all(WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& hit) {
+void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& hit) {
     const V2 d = to - from;
     float far = 1.0f;
     auto visit = [&](uint32_t shape, float) {
@@ -63,25 +64,30 @@ void cast_all(WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& 
 
 }  // namespace
 
-std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filter) {
+std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filter) const {
     check_coordinates("point", point);
-    data_->read_all();
+    WorldData& data = *data_;
+    data.read_all();
+    Asking asking(data, filter);
     std::vector<Shape> found;
     const V2 p = to_v2(point);
     auto visit = [&](uint32_t shape) {
-        if (data_->accepted(filter, shape) && data_->shape_contains(shape, p)) {
-            add_once(found, Shape(this, data_->shape_id(shape)));
+        if (data.accepted(filter, shape) && data.shape_contains(shape, p)) {
+            add_once(found, Shape(self(), data.shape_id(shape)));
         }
     };
-    data_->moving_tree.query({p, p}, visit);
-    data_->fixed_tree.query({p, p}, visit);
+    data.moving_tree.query({p, p}, visit);
+    data.fixed_tree.query({p, p}, visit);
+    asking.finish();
     return found;
 }
 
-std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) {
+std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) const {
     check_coordinates("box.min", box.min);
     check_coordinates("box.max", box.max);
-    data_->read_all();
+    WorldData& data = *data_;
+    data.read_all();
+    Asking asking(data, filter);
     std::vector<Shape> found;
     const Box4 area = {{min(box.min.x(), box.max.x()), min(box.min.y(), box.max.y())},
                        {max(box.min.x(), box.max.x()), max(box.min.y(), box.max.y())}};
@@ -92,46 +98,53 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     const float offsets[4] = {half.y, half.x, half.y, half.x};
     const Convex probe = {corners, normals, offsets, 4, 0.0f};
     auto visit = [&](uint32_t shape) {
-        if (!data_->accepted(filter, shape) || !overlap(data_->boxes[shape], area)) return;
-        const V2 offset = data_->bodies[data_->forms[shape].body].center - center;
-        if (nearest_points({probe}, data_->solid(shape), offset).distance <= 0.0f)
-            add_once(found, Shape(this, data_->shape_id(shape)));
+        if (!data.accepted(filter, shape) || !overlap(data.boxes[shape], area)) return;
+        const V2 offset = data.bodies[data.forms[shape].body].center - center;
+        if (nearest_points({probe}, data.solid(shape), offset).distance <= 0.0f)
+            add_once(found, Shape(self(), data.shape_id(shape)));
     };
-    data_->moving_tree.query(area, visit);
-    data_->fixed_tree.query(area, visit);
+    data.moving_tree.query(area, visit);
+    data.fixed_tree.query(area, visit);
+    asking.finish();
     return found;
 }
 
-std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to, const QueryFilter& filter) {
+std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to,
+                                      const QueryFilter& filter) const {
     check_coordinates("from", from);
     check_coordinates("to", to);
-    data_->read_all();
+    WorldData& data = *data_;
+    data.read_all();
+    Asking asking(data, filter);
     std::optional<RayHit> nearest;
-    cast_all(*data_, to_v2(from), to_v2(to), filter,
-             [&](uint32_t shape, const Probe& probe, float) {
-                 const Vec2 point = from + probe.fraction * (to - from);
-                 nearest = RayHit{Shape(this, data_->shape_id(shape)), point, to_vec2(probe.normal),
-                                  probe.fraction};
-                 return probe.fraction;
-             });
+    cast_all(data, to_v2(from), to_v2(to), filter, [&](uint32_t shape, const Probe& probe, float) {
+        const Vec2 point = from + probe.fraction * (to - from);
+        nearest = RayHit{Shape(self(), data.shape_id(shape)), point, to_vec2(probe.normal),
+                         probe.fraction};
+        return probe.fraction;
+    });
+    asking.finish();
     return nearest;
 }
 
 std::vector<RayHit> World::cast_ray_all(const Vec2& from, const Vec2& to,
-                                        const QueryFilter& filter) {
+                                        const QueryFilter& filter) const {
     check_coordinates("from", from);
     check_coordinates("to", to);
-    data_->read_all();
+    WorldData& data = *data_;
+    data.read_all();
+    Asking asking(data, filter);
     std::vector<RayHit> hits;
-    cast_all(*data_, to_v2(from), to_v2(to), filter,
+    cast_all(data, to_v2(from), to_v2(to), filter,
              [&](uint32_t shape, const Probe& probe, float far) {
                  const Vec2 point = from + probe.fraction * (to - from);
-                 hits.push_back({Shape(this, data_->shape_id(shape)), point, to_vec2(probe.normal),
+                 hits.push_back({Shape(self(), data.shape_id(shape)), point, to_vec2(probe.normal),
                                  probe.fraction});
                  return far;
              });
     std::stable_sort(hits.begin(), hits.end(),
                      [](const RayHit& a, const RayHit& b) { return a.fraction < b.fraction; });
+    asking.finish();
     return hits;
 }
 

@@ -18,19 +18,32 @@ void surface_changed(WorldData& data, uint32_t shape) {
     data.wake_for_edit(data.forms[shape].body);
 }
 
+/// A filter of the user may read the world: nothing may be out of date when it is called.
 void filter_changed(WorldData& data, uint32_t shape) {
     data.share_surface(shape);
+    if (data.self.filter) data.read_all();
+    WorldLock lock(data.self, WorldLock::During::change, in_edit);
     data.for_each_solid(shape, [&](uint32_t solid) { data.refilter(solid); });
+    lock.finish();
 }
 
 }  // namespace
 
 bool Shape::is_valid() const {
-    return world_ != nullptr && world_->is_valid(id_);
+    return link_ != nullptr && link_->data != nullptr && link_->data->is_valid(id_);
+}
+
+WorldData& Shape::live() const {
+    return detail::live(link_, id_);
+}
+
+World& Shape::world() const {
+    live();
+    return *link_->world;
 }
 
 void Shape::destroy() {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::border)
         throw std::invalid_argument("the border of the world: set its bounds instead");
     data.destroy_shape(id_.index);
@@ -43,22 +56,24 @@ ShapeType Shape::type() const {
 
 Body Shape::body() const {
     FETTLE_LIVE_SHAPE
-    return form.body == none ? Body(world_, {}) : Body(world_, data.body_id(form.body));
+    World* const world = link_->world;
+    return form.body == none ? Body(world, {}) : Body(world, data.body_id(form.body));
 }
 
 void Shape::attach(const Body& body) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::border)
         throw std::invalid_argument("the border of the world belongs to no body");
-    if (!world_->is_valid(body.id())) dangling("body", body.index(), body.id().generation);
-    if (&body.world() != world_)
-        throw std::invalid_argument("body: expected a body of the same world");
+    if (!body.is_valid()) dangling("body", body.link_, body.index(), body.id().generation);
+    if (body.link_ != link_) throw std::invalid_argument("body: expected a body of the same world");
+    if (body.index() == 0)
+        throw std::invalid_argument("body: the bounds of the world take no other shapes");
     if (form.body == body.index()) return;
     data.attach_shape(id_.index, body.index());
 }
 
 void Shape::detach() {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::border || form.body == none) return;
     data.detach_shape(id_.index);
 }
@@ -69,7 +84,7 @@ float Shape::density() const {
 }
 
 void Shape::set_density(float density) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.density = check_not_negative("density", density);
     if (form.body == none) return;
     data.wake_body(form.body);
@@ -82,7 +97,7 @@ float Shape::friction() const {
 }
 
 void Shape::set_friction(float friction) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.friction = check_not_negative("friction", friction);
     surface_changed(data, id_.index);
 }
@@ -93,7 +108,7 @@ float Shape::restitution() const {
 }
 
 void Shape::set_restitution(float restitution) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.restitution = check_range("restitution", restitution, 0.0f, 1.0f);
     surface_changed(data, id_.index);
 }
@@ -104,7 +119,7 @@ float Shape::rolling_resistance() const {
 }
 
 void Shape::set_rolling_resistance(float resistance) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.rolling_resistance = check_not_negative("rolling_resistance", resistance);
     surface_changed(data, id_.index);
 }
@@ -115,7 +130,7 @@ float Shape::surface_speed() const {
 }
 
 void Shape::set_surface_speed(float speed) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.surface_speed = check_finite("surface_speed", speed);
     surface_changed(data, id_.index);
 }
@@ -126,7 +141,7 @@ bool Shape::sensor() const {
 }
 
 void Shape::set_sensor(bool sensor) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.surface.sensor == sensor) return;
     if (form.body != none) {
         data.wake_for_edit(form.body);
@@ -147,7 +162,7 @@ bool Shape::hit_events() const {
 }
 
 void Shape::set_hit_events(bool enabled) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.hit_events = enabled;
     data.share_surface(id_.index);
     data.for_each_solid(id_.index, [&](uint32_t solid) { data.remix_shape(solid); });
@@ -159,7 +174,7 @@ uint64_t Shape::category() const {
 }
 
 void Shape::set_category(uint64_t category) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.category = category;
     filter_changed(data, id_.index);
 }
@@ -170,7 +185,7 @@ uint64_t Shape::mask() const {
 }
 
 void Shape::set_mask(uint64_t mask) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.mask = mask;
     filter_changed(data, id_.index);
 }
@@ -181,7 +196,7 @@ int32_t Shape::group() const {
 }
 
 void Shape::set_group(int32_t group) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.group = group;
     filter_changed(data, id_.index);
 }
@@ -260,7 +275,7 @@ uint64_t Shape::user_data() const {
 }
 
 void Shape::set_user_data(uint64_t value) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     record.surface.user_data = value;
 }
 

@@ -96,7 +96,7 @@ Geometry Shape::geometry() const {
 }
 
 void Shape::set_geometry(const Geometry& geometry) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::border) wrong_type("geometry", record.type);
     check(geometry);
     std::vector<Vec2> hull;
@@ -112,7 +112,7 @@ float Shape::radius() const {
 }
 
 void Shape::set_radius(float radius) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     set_measure(data, id_.index, "radius", &Circle::radius, radius);
 }
 
@@ -124,7 +124,7 @@ Vec2 Shape::center() const {
 }
 
 void Shape::set_center(const Vec2& center) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::circle)
         set_measure(data, id_.index, "center", &Circle::center, center);
     else if (record.type == ShapeType::box)
@@ -138,7 +138,7 @@ float Shape::radius_x() const {
     return measure(record, "radius_x", &Ellipse::radius_x);
 }
 void Shape::set_radius_x(float radius) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     set_measure(data, id_.index, "radius_x", &Ellipse::radius_x, radius);
 }
 float Shape::radius_y() const {
@@ -146,7 +146,7 @@ float Shape::radius_y() const {
     return measure(record, "radius_y", &Ellipse::radius_y);
 }
 void Shape::set_radius_y(float radius) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     set_measure(data, id_.index, "radius_y", &Ellipse::radius_y, radius);
 }
 
@@ -155,7 +155,7 @@ float Shape::width() const {
     return measure(record, "width", &Box::width);
 }
 void Shape::set_width(float width) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     set_measure(data, id_.index, "width", &Box::width, width);
 }
 float Shape::height() const {
@@ -163,7 +163,7 @@ float Shape::height() const {
     return measure(record, "height", &Box::height);
 }
 void Shape::set_height(float height) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     set_measure(data, id_.index, "height", &Box::height, height);
 }
 float Shape::angle() const {
@@ -172,7 +172,7 @@ float Shape::angle() const {
     return measure(record, "angle", &Box::angle);
 }
 void Shape::set_angle(float angle) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::ellipse)
         set_measure(data, id_.index, "angle", &Ellipse::angle, angle);
     else
@@ -187,7 +187,7 @@ float Shape::rounding() const {
 }
 
 void Shape::set_rounding(float rounding) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::box) {
         set_measure(data, id_.index, "rounding", &Box::rounding, rounding);
     } else if (record.type == ShapeType::polygon) {
@@ -203,7 +203,7 @@ Vec2 Shape::from() const {
     return measure(record, "from", &Segment::from);
 }
 void Shape::set_from(const Vec2& from) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     set_measure(data, id_.index, "from", &Segment::from, from);
 }
 
@@ -212,7 +212,7 @@ Vec2 Shape::to() const {
     return measure(record, "to", &Segment::to);
 }
 void Shape::set_to(const Vec2& to) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     set_measure(data, id_.index, "to", &Segment::to, to);
 }
 
@@ -226,19 +226,19 @@ std::span<const Vec2> Shape::vertices() const {
 }
 
 HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type != ShapeType::polygon) wrong_type("vertices", record.type);
     std::vector<Vec2> hull;
     const HullStatus status = convex_hull(points, hull);
     if (status != HullStatus::ok) return status;
-    for (const Vec2& v : hull) check_range("vertices", v.lpNorm<Eigen::Infinity>(), 0.0f, 1e6f);
+    for (const Vec2& v : hull) check_point("vertices", v);
     geometry_changed(data, id_.index);
     data.set_form(id_.index, Polygon{{}, polygon_rounding(record)}, hull);
     return status;
 }
 
 void Shape::set_vertices(std::span<const Vec2> points) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::concave || record.type == ShapeType::chain) {
         if (record.type == ShapeType::concave)
             check_outline(points);
@@ -260,8 +260,9 @@ bool Shape::closed() const {
 }
 
 void Shape::set_closed(bool closed) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type != ShapeType::chain) wrong_type("closed", record.type);
+    check_chain(as_vectors(data.outline_of(id_.index)), closed);
     record.closed = closed;
     geometry_changed(data, id_.index);
 }
@@ -278,7 +279,7 @@ std::vector<std::vector<Vec2>> Shape::pieces() const {
 }
 
 void Shape::add_vertex(const Vec2& point) {
-    FETTLE_LIVE_SHAPE
+    FETTLE_EDIT_SHAPE
     if (record.type != ShapeType::polygon) wrong_type("add_vertex", record.type);
     const auto corners = vertices();
     std::vector<Vec2> points(corners.begin(), corners.end());

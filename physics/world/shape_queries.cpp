@@ -2,6 +2,7 @@
 #include <collision/probe.h>
 #include <collision/sweep.h>
 #include <world/arguments.h>
+#include <world/asking.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -73,7 +74,10 @@ bool WorldData::accepted(const QueryFilter& filter, uint32_t shape) const {
     if (!same_group &&
         ((surface.mask & filter.category) == 0 || (surface.category & filter.mask) == 0))
         return false;
-    return !filter.accept || filter.accept(Shape(callbacks.world, shape_id(shape)));
+    if (!filter.accept) return true;
+    const bool accepts = filter.accept(Shape(self.link->world, shape_id(shape)));
+    if (self.orphaned()) self.throw_orphaned();
+    return accepts;
 }
 
 }  // namespace detail
@@ -81,8 +85,8 @@ bool WorldData::accepted(const QueryFilter& filter, uint32_t shape) const {
 Separation distance(const Shape& a, const Shape& b) {
     Separation nearest;
     nearest.distance = infinity;
-    for (const Placed& pa : placed(a.world().data(), a.index())) {
-        for (const Placed& pb : placed(b.world().data(), b.index())) {
+    for (const Placed& pa : placed(a.live(), a.index())) {
+        for (const Placed& pb : placed(b.live(), b.index())) {
             const Nearest found = nearest_points(pa.form, pb.form, pb.center - pa.center);
             if (found.distance >= nearest.distance) continue;
             nearest = {found.distance, to_vec2(pa.center + found.on_a),
@@ -92,49 +96,55 @@ Separation distance(const Shape& a, const Shape& b) {
     return nearest;
 }
 
-std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) {
-    const std::vector<Placed> probes = placed(shape.world().data(), shape.index());
-    const bool own = &shape.world() == this;
-    const uint32_t body = own ? data_->forms[shape.index()].body : none;
-    data_->read_all();
+std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) const {
+    const std::vector<Placed> probes = placed(shape.live(), shape.index());
+    WorldData& data = *data_;
+    const WorldData& from = shape.live();
+    const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
+    data.read_all();
+    Asking asking(data, filter), asking_for(from, filter);  // the form that asks is in its world
     std::vector<Shape> found;
     for (const Placed& probe : probes) {
         auto visit = [&](uint32_t other) {
-            const uint32_t owner = data_->forms[other].body;
-            if (owner == body || !data_->accepted(filter, other)) return;
-            const V2 offset = data_->bodies[owner].center - probe.center;
-            if (nearest_points(probe.form, data_->solid(other), offset).distance <= 0.0f)
-                add_once(found, Shape(this, data_->shape_id(other)));
+            const uint32_t owner = data.forms[other].body;
+            if (owner == body || !data.accepted(filter, other)) return;
+            const V2 offset = data.bodies[owner].center - probe.center;
+            if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f)
+                add_once(found, Shape(self(), data.shape_id(other)));
         };
-        data_->moving_tree.query(probe.box, visit);
-        data_->fixed_tree.query(probe.box, visit);
+        data.moving_tree.query(probe.box, visit);
+        data.fixed_tree.query(probe.box, visit);
     }
+    asking_for.finish();
+    asking.finish();
     return found;
 }
 
 std::vector<Shape> World::query_overlap(const Geometry& geometry, const Pose& pose,
-                                        const QueryFilter& filter) {
+                                        const QueryFilter& filter) const {
     World scratch;
     return query_overlap(make_probe(scratch, geometry, pose), filter);
 }
 
 std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
-                                        const QueryFilter& filter) {
+                                        const QueryFilter& filter) const {
     check_coordinates("motion", motion);
-    const std::vector<Placed> probes = placed(shape.world().data(), shape.index());
-    const bool own = &shape.world() == this;
-    const uint32_t body = own ? data_->forms[shape.index()].body : none;
-    data_->read_all();
+    const std::vector<Placed> probes = placed(shape.live(), shape.index());
+    WorldData& data = *data_;
+    const WorldData& from = shape.live();
+    const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
+    data.read_all();
+    Asking asking(data, filter), asking_for(from, filter);  // the form that asks is in its world
     const V2 d = to_v2(motion);
     std::optional<RayHit> first;
     float nearest = 1.0f;
     for (const Placed& probe : probes) {
         const Box4 swept = unite(probe.box, {probe.box.low + d, probe.box.high + d});
         auto visit = [&](uint32_t other) {
-            const uint32_t owner = data_->forms[other].body;
-            if (owner == body || !data_->accepted(filter, other)) return;
-            const V2 center = data_->bodies[owner].center;
-            const Solid obstacle = data_->solid(other);
+            const uint32_t owner = data.forms[other].body;
+            if (owner == body || !data.accepted(filter, other)) return;
+            const V2 center = data.bodies[owner].center;
+            const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
             const Sweep sweep = {probe.form, probe.center, d, 0.0f, 0.0f};
             const float t = time_of_impact(sweep, obstacle, center, gap);
@@ -143,35 +153,40 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
             const Nearest touch =
                 nearest_points(probe.form, obstacle, center - (probe.center + t * d));
             const V2 normal = length(touch.normal) > 0.0f ? -touch.normal : -normalized(d);
-            first = RayHit{Shape(this, data_->shape_id(other)),
+            first = RayHit{Shape(self(), data.shape_id(other)),
                            to_vec2(probe.center + t * d + touch.on_b), to_vec2(normal), t};
         };
-        data_->fixed_tree.query(swept, visit);
-        data_->moving_tree.query(swept, visit);
-        for (uint32_t side = 0; data_->settings.bounds && side < 4; ++side) {
-            const BorderPlane plane = data_->border_plane(side);
+        data.fixed_tree.query(swept, visit);
+        data.moving_tree.query(swept, visit);
+        for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
+            const BorderPlane plane = data.border_plane(side);
             const float t = meets_border(probe, d, plane);
-            if (t >= nearest || !data_->accepted(filter, side)) continue;
+            if (t >= nearest || !data.accepted(filter, side)) continue;
             nearest = t;
             const V2 center = probe.center + t * d;
             const V2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
-            first = RayHit{Shape(this, data_->shape_id(side)), to_vec2(point),
+            first = RayHit{Shape(self(), data.shape_id(side)), to_vec2(point),
                            to_vec2(plane.normal), t};
         }
     }
+    asking_for.finish();
+    asking.finish();
     return first;
 }
 
 std::optional<RayHit> World::cast_shape(const Geometry& geometry, const Pose& pose,
-                                        const Vec2& motion, const QueryFilter& filter) {
+                                        const Vec2& motion, const QueryFilter& filter) const {
     World scratch;
     return cast_shape(make_probe(scratch, geometry, pose), motion, filter);
 }
 
-std::optional<PointHit> World::closest(const Vec2& point, float reach, const QueryFilter& filter) {
+std::optional<PointHit> World::closest(const Vec2& point, float reach,
+                                       const QueryFilter& filter) const {
     check_coordinates("point", point);
     check_range("reach", reach, 0.0f, infinity);
-    data_->read_all();
+    WorldData& data = *data_;
+    data.read_all();
+    Asking asking(data, filter);
     const V2 p = to_v2(point);
     const Point asks;
     std::optional<PointHit> best;
@@ -179,25 +194,28 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach, const Que
     const float farthest = min(reach, 4.0f * greatest_coordinate);
     for (float half = min(1.0f, farthest);; half = min(4.0f * half, farthest)) {
         auto visit = [&](uint32_t shape) {
-            if (!data_->accepted(filter, shape)) return;
-            const V2 offset = data_->bodies[data_->forms[shape].body].center - p;
-            const Nearest near = nearest_points(asks.form(), data_->solid(shape), offset);
+            if (!data.accepted(filter, shape)) return;
+            const V2 offset = data.bodies[data.forms[shape].body].center - p;
+            const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
             if (near.distance > farthest || (best && near.distance >= best->distance)) return;
-            best = PointHit{Shape(this, data_->shape_id(shape)), to_vec2(p + near.on_b),
+            best = PointHit{Shape(self(), data.shape_id(shape)), to_vec2(p + near.on_b),
                             to_vec2(-near.normal), near.distance};
         };
         const Box4 box = {{p.x - half, p.y - half}, {p.x + half, p.y + half}};
-        data_->fixed_tree.query(box, visit);
-        data_->moving_tree.query(box, visit);
-        if ((best && best->distance <= half) || half >= farthest) return best;
+        data.fixed_tree.query(box, visit);
+        data.moving_tree.query(box, visit);
+        if ((best && best->distance <= half) || half >= farthest) break;
     }
+    asking.finish();
+    return best;
 }
 
 void World::explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter) {
+    WorldData& data = edit(__func__);
     check_coordinates("point", point);
     check_range("radius", radius, 0.0f, greatest_coordinate);
     check_finite("impulse", impulse);
-    data_->read_all();
+    data.read_all();
     struct Hit {
         uint32_t body;
         float distance;
@@ -207,14 +225,14 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
     const Point asks;
     std::vector<Hit> hits;
     auto visit = [&](uint32_t shape) {
-        const uint32_t body = data_->forms[shape].body;
-        if (data_->bodies[body].mobility != Mobility::dynamic || !data_->accepted(filter, shape))
+        const uint32_t body = data.forms[shape].body;
+        if (data.bodies[body].mobility != Mobility::dynamic || !data.accepted(filter, shape))
             return;
-        const V2 offset = data_->bodies[body].center - p;
-        const Nearest near = nearest_points(asks.form(), data_->solid(shape), offset);
+        const V2 offset = data.bodies[body].center - p;
+        const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
         if (near.distance >= radius) return;
         // Inside of a shape it pushes at the center of mass.
-        const V2 at = near.distance > 0.0f ? p + near.on_b : data_->bodies[body].center;
+        const V2 at = near.distance > 0.0f ? p + near.on_b : data.bodies[body].center;
         for (Hit& hit : hits) {
             if (hit.body != body) continue;
             if (near.distance < hit.distance) hit = {body, near.distance, at};
@@ -222,13 +240,14 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
         }
         hits.push_back({body, near.distance, at});
     };
-    data_->moving_tree.query({{p.x - radius, p.y - radius}, {p.x + radius, p.y + radius}}, visit);
+    Asking asking(data, filter);
+    data.moving_tree.query({{p.x - radius, p.y - radius}, {p.x + radius, p.y + radius}}, visit);
+    asking.finish();
     for (const Hit& hit : hits) {
         V2 direction = normalized(hit.at - p);
         if (length(direction) == 0.0f) direction = {0.0f, 1.0f};
         const float strength = impulse * (1.0f - hit.distance / radius);
-        body(data_->body_id(hit.body))
-            .apply_impulse(to_vec2(strength * direction), to_vec2(hit.at));
+        body(data.body_id(hit.body)).apply_impulse(to_vec2(strength * direction), to_vec2(hit.at));
     }
 }
 

@@ -22,7 +22,7 @@ void WorldData::make_border() {
         boxes.emplace_back();
         fat_boxes.emplace_back();
         paired_boxes.push_back(no_box);
-        shape_generations.push_back(next_generation++);
+        shape_generations.push_back(new_generation());
         forms[side] = {side, 0, FormKind::border, 0.0f, 0, {}};
         shapes[side].type = ShapeType::border;
     }
@@ -83,7 +83,7 @@ uint32_t WorldData::create_body(const BodyDef& def) {
         previous.emplace_back();
         body_generations.push_back(0);
     }
-    body_generations[slot] = next_generation++;
+    body_generations[slot] = new_generation();
     ++body_count;
 
     BodyRecord& record = bodies[slot];
@@ -177,7 +177,7 @@ uint32_t WorldData::new_shape() {
         paired_boxes.push_back(no_box);
         shape_generations.push_back(0);
     }
-    shape_generations[slot] = next_generation++;
+    shape_generations[slot] = new_generation();
     return slot;
 }
 

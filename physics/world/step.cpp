@@ -170,7 +170,6 @@ void WorldData::follow_curved_contacts() {
 }
 
 void WorldData::step(float dt) {
-    if (!(dt > 0.0f) || !(dt < infinity)) return;
     StageClock total, clock;
     refresh();
     std::swap(events, pending);

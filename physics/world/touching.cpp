@@ -86,7 +86,7 @@ void WorldData::tell_touching(const ContactRecord& c, bool touching) {
         const float speed = approach_speed(c, point);
         sink.contact_begin.push_back({a, b, body_a, body_b, to_vec2(point),
                                       to_vec2(c.manifold.normal), speed,
-                                      speed * impact_mass(c, point)});
+                                      speed * impact_mass(c, point), c.friction, c.restitution});
     } else {
         sink.contact_end.push_back({a, b, body_a, body_b});
     }

@@ -20,17 +20,8 @@ Fault check_memberships(const WorldData& data) {
     return data.memberships_problem();
 }
 
-Fault check_states(const WorldData& data) {
-    for (uint32_t body = 1; body < data.bodies.size(); ++body) {
-        if (data.body_generations[body] == 0) continue;
-        const BodyState& s = data.states[body];
-        for (float v : {s.position.x(), s.position.y(), s.angle, s.velocity.x(), s.velocity.y(),
-                        s.angular_velocity}) {
-            if (!std::isfinite(v))
-                return "body " + number(body) + " has a state that is not finite";
-        }
-    }
-    return {};
+Fault check_numbers(const WorldData& data) {
+    return data.numbers_problem();
 }
 
 Fault check_trees(const WorldData& data) {
@@ -80,14 +71,19 @@ Fault check_pairs(const WorldData& data) {
 }  // namespace
 
 std::optional<std::string> detail::WorldData::validate() const {
-    for (auto check : {check_memberships, check_states, check_trees, check_pairs}) {
+    for (auto check : {check_memberships, check_numbers, check_trees, check_pairs}) {
         if (Fault fault = check(*this)) return fault;
     }
     return {};
 }
 
 std::optional<std::string> World::validate() const {
-    return data_->validate();
+    const WorldData& data = *data_;
+    data.self.may_copy("World::validate");
+    WorldLock lock(data.self, WorldLock::During::change, in_edit);  // it asks the filter
+    Fault fault = data.validate();
+    lock.finish();
+    return fault;
 }
 
 }  // namespace fettle::physics

@@ -11,200 +11,246 @@ using namespace detail;
 World::World(const WorldDef& def) {
     check(def);
     data_ = std::make_unique<WorldData>();
-    columns_ = data_.get();
+    data_->self.link = &take_link();  // it is given back with the data
     data_->settings = def;
-    data_->callbacks.world = this;
     data_->make_border();
+    begin();
 }
 
-World::~World() = default;
+/// Handles find the data from now on.
+void World::begin() {
+    columns_ = data_.get();
+    link_ = data_->self.link;
+    link_->world = this;
+    link_->data = data_.get();
+}
 
-World::World(const World& other)
-    : data_(std::make_unique<WorldData>(*other.data_)), columns_(data_.get()) {
-    data_->callbacks = {.world = this, .filter = {}, .mix = {}, .before_solve = {}, .refresh = {}};
+World::~World() {
+    link_->world = nullptr;
+    link_->data = nullptr;
+    WorldSelf& self = data_->self;
+    if (self.locked()) self.keep(std::move(data_));
+}
+
+World::World(const World& other) {
+    other.data_->self.may_copy("copying a World");
+    data_ = std::make_unique<WorldData>(*other.data_);
     data_->threads = nullptr;
+    data_->self.link = &take_link();
+    data_->skip_generations();
+    begin();
 }
 
 World& World::operator=(const World& other) {
-    if (this != &other) data_->take(WorldData(*other.data_));
+    if (this == &other) return *this;
+    WorldData& data = edit(__func__);
+    other.data_->self.may_copy("copying a World");
+    data.take(WorldData(*other.data_));
     return *this;
 }
 
+WorldData& World::edit(const char* function) const {
+    data_->self.may_edit("World", function);
+    return *data_;
+}
+
 void World::step(float dt) {
-    data_->step(dt);
+    WorldData& data = edit(__func__);
+    if (!(dt > 0.0f) || !(dt < infinity)) return;
+    WorldLock lock(data.self, WorldLock::During::change, in_step);
+    data.step(dt);
+    lock.finish();
 }
 
 Vec2 World::gravity() const {
     return data_->settings.gravity;
 }
 void World::set_gravity(const Vec2& gravity) {
-    data_->settings.gravity = check_finite("gravity", gravity);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.gravity = check_finite("gravity", gravity);
+    data.wake_all();
 }
 
 int World::substeps() const {
     return data_->settings.substeps;
 }
 void World::set_substeps(int substeps) {
-    data_->settings.substeps = int(check_range("substeps", float(substeps), 1.0f, 64.0f));
+    WorldData& data = edit(__func__);
+    data.settings.substeps = int(check_range("substeps", float(substeps), 1.0f, 64.0f));
 }
 
 const std::optional<Aabb>& World::bounds() const {
     return data_->settings.bounds;
 }
 void World::set_bounds(const std::optional<Aabb>& bounds) {
+    WorldData& data = edit(__func__);
     if (bounds) check_bounds(*bounds);
-    data_->settings.bounds = bounds;
-    data_->apply_bounds();
+    data.settings.bounds = bounds;
+    data.apply_bounds();
 }
 
 float World::bounds_friction() const {
     return data_->settings.bounds_friction;
 }
 void World::set_bounds_friction(float friction) {
-    data_->settings.bounds_friction = check_not_negative("bounds_friction", friction);
-    data_->apply_bounds();
+    WorldData& data = edit(__func__);
+    data.settings.bounds_friction = check_not_negative("bounds_friction", friction);
+    data.apply_bounds();
 }
 
 float World::bounds_restitution() const {
     return data_->settings.bounds_restitution;
 }
 void World::set_bounds_restitution(float restitution) {
-    data_->settings.bounds_restitution = check_range("bounds_restitution", restitution, 0.0f, 1.0f);
-    data_->apply_bounds();
+    WorldData& data = edit(__func__);
+    data.settings.bounds_restitution = check_range("bounds_restitution", restitution, 0.0f, 1.0f);
+    data.apply_bounds();
 }
 
 bool World::sleeping() const {
     return data_->settings.sleeping;
 }
 void World::set_sleeping(bool enabled) {
-    data_->settings.sleeping = enabled;
-    if (!enabled) data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.sleeping = enabled;
+    if (!enabled) data.wake_all();
 }
 
 bool World::continuous() const {
     return data_->settings.continuous;
 }
 void World::set_continuous(bool enabled) {
-    data_->settings.continuous = enabled;
+    WorldData& data = edit(__func__);
+    data.settings.continuous = enabled;
 }
 
 float World::restitution_threshold() const {
     return data_->settings.restitution_threshold;
 }
 void World::set_restitution_threshold(float speed) {
-    data_->settings.restitution_threshold = check_not_negative("restitution_threshold", speed);
+    WorldData& data = edit(__func__);
+    data.settings.restitution_threshold = check_not_negative("restitution_threshold", speed);
 }
 
 float World::hit_threshold() const {
     return data_->settings.hit_threshold;
 }
 void World::set_hit_threshold(float speed) {
-    data_->settings.hit_threshold = check_not_negative("hit_threshold", speed);
+    WorldData& data = edit(__func__);
+    data.settings.hit_threshold = check_not_negative("hit_threshold", speed);
 }
 
 float World::sleep_speed() const {
     return data_->settings.sleep_speed;
 }
 void World::set_sleep_speed(float speed) {
-    data_->settings.sleep_speed = check_not_negative("sleep_speed", speed);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.sleep_speed = check_not_negative("sleep_speed", speed);
+    data.wake_all();
 }
 
 float World::sleep_delay() const {
     return data_->settings.sleep_delay;
 }
 void World::set_sleep_delay(float seconds) {
-    data_->settings.sleep_delay = check_not_negative("sleep_delay", seconds);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.sleep_delay = check_not_negative("sleep_delay", seconds);
+    data.wake_all();
 }
 
 float World::contact_hertz() const {
     return data_->settings.contact_hertz;
 }
 void World::set_contact_hertz(float hertz) {
-    data_->settings.contact_hertz = check_not_negative("contact_hertz", hertz);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.contact_hertz = check_not_negative("contact_hertz", hertz);
+    data.wake_all();
 }
 
 float World::contact_damping() const {
     return data_->settings.contact_damping;
 }
 void World::set_contact_damping(float ratio) {
-    data_->settings.contact_damping = check_not_negative("contact_damping", ratio);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.contact_damping = check_not_negative("contact_damping", ratio);
+    data.wake_all();
 }
 
 Solver World::solver() const {
     return data_->settings.solver;
 }
 void World::set_solver(Solver solver) {
-    data_->settings.solver = solver;
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.solver = check_enumerator("solver", solver, Solver::direct);
+    data.wake_all();
 }
 
 float World::push_speed() const {
     return data_->settings.push_speed;
 }
 void World::set_push_speed(float speed) {
-    data_->settings.push_speed = check_not_negative("push_speed", speed);
-    data_->wake_all();
+    WorldData& data = edit(__func__);
+    data.settings.push_speed = check_not_negative("push_speed", speed);
+    data.wake_all();
 }
 
 int World::threads() const {
-    return pool_ ? pool_->threads() : 1;
+    return data_->self.pool ? data_->self.pool->threads() : 1;
 }
 void World::set_threads(int threads) {
+    WorldData& data = edit(__func__);
     check_range("threads", float(threads), 1.0f, 64.0f);
     if (threads == this->threads()) return;
-    auto pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
-    pool_ = std::move(pool);
-    data_->threads = pool_.get();
+    data.self.pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
+    data.threads = data.self.pool.get();
 }
 
 void World::wake_all() {
-    data_->wake_all();
+    edit(__func__).wake_all();
 }
 
 Body World::create_body(const BodyDef& def) {
+    WorldData& data = edit(__func__);
     check(def);
-    return {this, data_->body_id(data_->create_body(def))};
+    return {this, data.body_id(data.create_body(def))};
 }
 
 Shape World::create_shape(const Geometry& geometry, const ShapeDef& def) {
+    WorldData& data = edit(__func__);
     check(def);
     check(geometry);
-    return {this, data_->shape_id(data_->create_shape(def, geometry))};
+    return {this, data.shape_id(data.create_shape(def, geometry))};
 }
 
 void World::clear() {
+    edit(__func__);
     for (Body b : bodies()) b.destroy();
     for (Shape s : shapes()) s.destroy();
     for (Field f : fields()) f.destroy();
 }
 
-std::vector<Body> World::bodies() {
+std::vector<Body> World::bodies() const {
     std::vector<Body> all;
     for (uint32_t i = 1; i < data_->bodies.size(); ++i) {
-        if (data_->body_generations[i] != 0) all.emplace_back(this, data_->body_id(i));
+        if (data_->body_generations[i] != 0) all.emplace_back(self(), data_->body_id(i));
     }
     return all;
 }
 
-std::vector<Shape> World::shapes() {
+std::vector<Shape> World::shapes() const {
     std::vector<Shape> all;
     for (uint32_t i = 4; i < data_->shapes.size(); ++i) {
         if (data_->shape_generations[i] != 0 && data_->shapes[i].owner == none)
-            all.emplace_back(this, data_->shape_id(i));
+            all.emplace_back(self(), data_->shape_id(i));
     }
     return all;
 }
 
-std::vector<Joint> World::joints() {
+std::vector<Joint> World::joints() const {
     std::vector<Joint> all;
     for (uint32_t i = 0; i < data_->joints.size(); ++i) {
         if (data_->joint_generations[i] != 0)
-            all.emplace_back(this, JointId{i, data_->joint_generations[i]});
+            all.emplace_back(self(), JointId{i, data_->joint_generations[i]});
     }
     return all;
 }

@@ -12,11 +12,11 @@
 #include <solver/rolling_contact.h>
 #include <solver/stiffness.h>
 #include <solver/strips.h>
-#include <threads/pool.h>
 #include <wide/kernels.h>
 #include <world/joint_types.h>
 #include <world/records.h>
 #include <world/step_notes.h>
+#include <world/world_self.h>
 
 #include <array>
 #include <span>
@@ -34,6 +34,8 @@ inline constexpr float touch_distance = 0.005f;
 /// near enough that no square of them overflows.
 inline constexpr float greatest_coordinate = 1e8f;
 inline constexpr float greatest_speed = 1e4f;
+/// Friction, and lever of rolling resistance (m), of a contact.
+inline constexpr float greatest_grip = 1e6f;
 /// Turning in one sub-step, rad.
 inline constexpr float greatest_turn = 3.0f;
 
@@ -46,16 +48,6 @@ inline constexpr int color_count = 64;
 struct BorderPlane {
     V2 normal;
     float depth = 0.0f;
-};
-
-/// Functions of the caller that run in a step. They belong to the world, not to its state.
-struct Callbacks {
-    World* world = nullptr;  ///< whose they are
-    PairFilter filter;
-    ContactCallback mix, before_solve;
-    RefreshCallback refresh;
-
-    bool see_contacts() const { return mix || before_solve; }
 };
 
 /// Everything of a world: arrays addressed by slot, lists of what is awake, lists of what an edit
@@ -75,7 +67,6 @@ struct WorldData : Columns {
     uint32_t free_body = none, free_shape = none, free_contact = none, free_joint = none,
              free_island = none;
     uint32_t body_count = 0, shape_count = 0, contact_count = 0, joint_count = 0, island_count = 0;
-    uint32_t next_generation = 1;  ///< one sequence for all slots: an identity never comes back
 
     // By shape slot.
     std::vector<ShapeForm> forms;
@@ -150,11 +141,14 @@ struct WorldData : Columns {
     Events events;   ///< of the last step
     Events pending;  ///< made by edits since
     bool stepping = false;
-    Callbacks callbacks;
-    ThreadPool* threads = nullptr;  ///< of the world, not of its state
+    WorldSelf self;                 ///< of the world, not of its state
+    ThreadPool* threads = nullptr;  ///< of `self`
     StepStatistics statistics;
 
     Events& event_sink() { return stepping ? events : pending; }
+    /// One sequence for all slots: an identity never comes back.
+    uint32_t new_generation() { return self.link->new_generation(); }
+    void skip_generations();
     BodyId body_id(uint32_t slot) const { return {slot, body_generations[slot]}; }
     /// The shape that stands for a slot outside: a part is its owner.
     uint32_t named_shape(uint32_t slot) const {
@@ -484,10 +478,11 @@ struct WorldData : Columns {
     // memory.cpp
     void trim();
 
-    // archive.cpp, links.cpp, memberships.cpp: saved worlds
+    // archive.cpp, links.cpp, memberships.cpp, numbers.cpp: saved worlds
     void take(WorldData&& other);
     std::optional<std::string> links_problem() const;
     std::optional<std::string> memberships_problem() const;
+    std::optional<std::string> numbers_problem() const;
 
     // fields.cpp
     void apply_fields(float h, float dt);

@@ -71,19 +71,20 @@ local rim, spoke, lamp = color("#b9bec9"), color("#6d7280"), color("#ffe9a8")
 
 function car.draw(pen, self)
     local chassis = self.chassis
-    local function at(x, y) return chassis:to_world(vec(x, y)) end
+    local function at(x, y) return chassis:to_drawn(vec(x, y)) end
     pen.polygon({ at(-0.88, 0.27), at(-0.28, 0.27), at(-0.28, 0.6), at(-0.64, 0.6) }, glass)
     pen.polygon({ at(-0.18, 0.27), at(0.52, 0.26), at(0.13, 0.6), at(-0.18, 0.6) }, glass)
     pen.line(at(-1.5, 0.1), at(1.5, 0.06), shine, 2)
     pen.polygon({ at(1.44, 0.14), at(1.36, 0.02), at(1.6, -0.02) }, lamp)
     for _, name in ipairs({ "back", "front" }) do
         local wheel = self[name]
-        pen.circle(wheel.position, 0.25, rim)
+        local hub, turned = wheel:drawn_position(), wheel:drawn_angle()
+        pen.circle(hub, 0.25, rim)
         for i = 0, 4 do
-            local angle = wheel.angle + i * 2 * math.pi / 5
-            pen.line(wheel.position, wheel.position + vec(0.23, 0):rotated(angle), spoke, 2.5)
+            local angle = turned + i * 2 * math.pi / 5
+            pen.line(hub, hub + vec(0.23, 0):rotated(angle), spoke, 2.5)
         end
-        pen.circle(wheel.position, 0.07, spoke)
+        pen.circle(hub, 0.07, spoke)
     end
 end
 

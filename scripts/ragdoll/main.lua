@@ -152,11 +152,11 @@ local rows = {
 function draw(pen)
     for _, self in ipairs(dolls) do
         local head = self.head
-        local turned = function(x, y) return head:to_world(vec(x, y) * ragdoll.scale) end
+        local turned = function(x, y) return head:to_drawn(vec(x, y) * ragdoll.scale) end
         pen.point(turned(0.04, 0.015), "#20242c", 6)
     end
     if world:has("drag") and world.drag.body then
-        local grip = world.drag.body:to_world(world.drag.anchor)
+        local grip = world.drag.body:to_drawn(world.drag.anchor)
         pen.line(grip, world.drag.target, "#ffd60a", 2)
         pen.point(world.drag.target, "#ffd60a", 7)
     end

@@ -149,7 +149,7 @@ function tools.draw(pen)
     end
     if world:has("drag") and world.drag.body then
         local joint = world.drag
-        pen.line(joint.body:to_world(joint.anchor), joint.target, color("#ffd60a"), 2)
+        pen.line(joint.body:to_drawn(joint.anchor), joint.target, color("#ffd60a"), 2)
         pen.point(joint.target, color("#ffd60a"), 7)
     end
 end

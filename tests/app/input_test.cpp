@@ -1,5 +1,7 @@
 #include <catch.h>
 
+#include <limits>
+
 #include <fettle/app/error_screen.h>
 #include <fettle/app/layer.h>
 
@@ -276,6 +278,112 @@ TEST_CASE("gamepads are properties") {
     CHECK_FALSE(game.get("input.gamepad_1.button_3").boolean());
     game.runtime.run("print(input.gamepads[2].left.y)", "test");
     CHECK(game.heard() == "0.5");
+}
+
+TEST_CASE("a script that moves a stick or pulls a trigger is heard like the gamepad") {
+    Game game(listener);
+    game.runtime.run("input.gamepad_1.left = vec(0.5, -1)", "test");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "pad 1 left_x 0.5 pad 1 left_y -1.0");
+    game.runtime.run("input.gamepads[3].right.y = 0.25 input.gamepad_3.pad = vec(1, 0)", "test");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "pad 3 right_y 0.25 pad 3 pad_x 1.0");
+    game.runtime.run("input.gamepad_4.left_trigger = 1 input.gamepad_4.right_trigger = 0.5",
+                     "test");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "pad 4 left_trigger 1.0 pad 4 right_trigger 0.5");
+    game.runtime.run("input.gamepad_1.left = vec(0.5, -1) input.gamepad_4.left_trigger = 1",
+                     "test");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "");  // they are there already
+}
+
+TEST_CASE("every axis of a gamepad has the same name as an event and as a callback") {
+    Game game(listener);
+    for (const std::string name : {"left_x", "left_y", "right_x", "right_y", "pad_x", "pad_y"}) {
+        InputEvent axis = event(EventKind::gamepad_axis);
+        axis.gamepad = 1;
+        axis.name = name;
+        axis.delta = -0.5f;
+        game.loop.handle(axis);
+        game.loop.frame(tick);
+        CHECK(game.heard() == "pad 1 " + name + " -0.5");
+        const Vec2 stick = game.get("input.gamepad_1." + name.substr(0, name.size() - 2)).vec2();
+        CHECK(stick[name.back() == 'x' ? 0 : 1] == -0.5);
+    }
+    for (const std::string name : {"left_trigger", "right_trigger"}) {
+        InputEvent axis = event(EventKind::gamepad_axis);
+        axis.gamepad = 1;
+        axis.name = name;
+        axis.delta = 0;  // the device tells -1 to 1
+        game.loop.handle(axis);
+        game.loop.frame(tick);
+        CHECK(game.heard() == "pad 1 " + name + " 0.5");
+        CHECK(game.get("input.gamepad_1." + name).number() == 0.5);
+    }
+}
+
+TEST_CASE("what no gamepad can do is refused and not heard") {
+    Game game(listener);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH(game.set("input.gamepad_1.left", Vec2(2, 0)), contains("gamepad_1.left"));
+    CHECK_THROWS(game.set("input.gamepad_1.left", Vec2(nan, 0)));
+    CHECK_THROWS(game.set("input.gamepad_1.left_trigger", -0.5));
+    CHECK_THROWS(game.set("input.gamepad_1.button_17", true));
+    CHECK_THROWS_WITH(game.set("input.gamepad_5.left", Vec2(1, 0)), contains("gamepad_"));
+    CHECK_THROWS(game.set("input.mouse.world", Vec2(1e308, 0)));
+    InputEvent wrong = event(EventKind::gamepad_axis);
+    wrong.gamepad = 9;
+    wrong.name = "left_x";
+    wrong.delta = 1;
+    game.loop.handle(wrong);
+    wrong.gamepad = 1;
+    wrong.name = "left_z";
+    game.loop.handle(wrong);
+    wrong.name = "left_x";
+    wrong.delta = std::numeric_limits<float>::quiet_NaN();
+    game.loop.handle(wrong);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "");
+    CHECK(game.get("input.gamepad_1.left").vec2() == Vec2(0, 0));
+}
+
+TEST_CASE("a gamepad that is unplugged lets go of what it held") {
+    Game game(listener);
+    game.runtime.run("input.gamepad_2.left = vec(1, 0) input.gamepad_2.button_3 = true", "test");
+    game.loop.frame(tick);
+    game.heard();
+    InputEvent gone = event(EventKind::gamepad_disconnected);
+    gone.gamepad = 2;
+    SECTION("by the player") {
+        InputEvent here = event(EventKind::gamepad_connected);
+        here.gamepad = 2;
+        game.loop.handle(here);
+        game.loop.handle(gone);
+    }
+    SECTION("by a script") {
+        game.runtime.run("input.gamepad_2.connected = true input.gamepad_2.connected = false",
+                         "test");
+    }
+    game.loop.frame(tick);
+    CHECK(game.heard() == "pad 2 left_x 0.0 pad 2 -3");
+    CHECK_FALSE(game.get("input.gamepad_2.connected").boolean());
+    CHECK_FALSE(game.get("input.gamepad_2.button_3").boolean());
+}
+
+TEST_CASE("going back in time presses no key again") {
+    Game game(listener);
+    game.loop.frame(tick);
+    game.press("a");
+    game.loop.frame(tick);
+    game.release("a");
+    for (int i = 0; i < 30; ++i) game.loop.frame(tick);
+    game.heard();
+    game.runtime.run("input.keys.b = true rewind(0.2)", "test");
+    for (int i = 0; i < 3; ++i) game.loop.frame(tick);
+    CHECK(game.heard() == "+b");
+    CHECK(game.get("input.keys.b").boolean());
+    CHECK_FALSE(game.get("input.keys.a").boolean());
 }
 
 TEST_CASE("a callback that fails ends the delivery of the frame") {

@@ -94,6 +94,56 @@ TEST_CASE("an outline of nothing much is finite") {
             CHECK((std::isfinite(p.x) && std::isfinite(p.y)));
 }
 
+TEST_CASE("a border at a sharp corner keeps its width on both sides") {
+    const Points corners{{0, 0}, {100, -10}, {100, 10}};
+    Outline outline;
+    outline.set(corners, 0);
+    const float depth = 3;
+    REQUIRE(outline.depth_limit() > depth);
+    for (const sf::Vector2f p : ring(outline, depth))
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const sf::Vector2f from = corners[i], edge = corners[(i + 1) % 3] - from;
+            const float distance = std::abs(edge.x * (p.y - from.y) - edge.y * (p.x - from.x)) /
+                                   std::hypot(edge.x, edge.y);
+            CHECK(distance > depth - 1e-3f);
+        }
+}
+
+TEST_CASE("an outline is convex when it bulges everywhere and goes round once") {
+    CHECK(is_convex(Points{{0, 0}, {10, 0}, {10, 6}, {0, 6}}));
+    CHECK(is_convex(Points{{0, 6}, {10, 6}, {10, 0}, {0, 0}}));
+    CHECK(is_convex(Points{{0, 0}, {5, 0}, {10, 0}, {10, 6}, {5, 6.0001f}, {0, 6}}));
+    CHECK_FALSE(is_convex(Points{{0, 0}, {10, 0}, {5, 3}, {10, 6}, {0, 6}}));  // a notch
+    CHECK_FALSE(is_convex(Points{{0, 0}, {10, 6}, {10, 0}, {0, 6}}));          // a bow tie
+    Points star;
+    for (int i = 0; i < 5; ++i)
+        star.push_back({100 * std::cos(2.5132741f * static_cast<float>(i)),
+                        100 * std::sin(2.5132741f * static_cast<float>(i))});
+    CHECK_FALSE(is_convex(star));  // turns left everywhere, twice round
+    Points circle;
+    for (int i = 0; i < 5000; ++i)
+        circle.push_back({300 * std::cos(0.001256637f * static_cast<float>(i)),
+                          300 * std::sin(0.001256637f * static_cast<float>(i))});
+    thin(circle);
+    CHECK(circle.size() < 5000);
+    CHECK(is_convex(circle));
+}
+
+TEST_CASE("an outline that crosses itself is told from one that does not") {
+    Outline outline;
+    outline.set_any(Points{{0, 0}, {10, 0}, {5, 3}, {10, 6}, {0, 6}});
+    CHECK(outline.goes_round_once());
+    outline.set_any(Points{{0, 0}, {10, 6}, {10, 0}, {0, 6}});
+    CHECK_FALSE(outline.goes_round_once());
+}
+
+TEST_CASE("a side along the rows of pixels is crisp and a slanted one fades over a whole pixel") {
+    CHECK(Side({0, 0}, {40, 0}).halo == 0.5f);
+    CHECK(Side({0, 0}, {0, 40}).halo == 0.5f);
+    CHECK(Side({0, 0}, {40, 0.01f}).halo == 0.5f);
+    CHECK(Side({0, 0}, {40, 3}).halo == 1);
+}
+
 TEST_CASE("a sharp corner does not stick out far") {
     Outline outline;
     outline.set(Points{{0, 0}, {100, -1}, {100, 1}}, 0);

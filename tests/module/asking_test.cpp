@@ -81,7 +81,8 @@ TEST_CASE("a function handed to a method of a module says which instances count"
     };
     CHECK(listed().size() == 3);
     {
-        const property::Acceptance acceptance([&](Handle ship) { return ship != ships[1]; });
+        const property::Acceptance acceptance(game.tree, "ships",
+                                              [&](Handle ship) { return ship != ships[1]; });
         CHECK(listed() == property::List{Value(ships[0]), Value(ships[2])});
     }
     CHECK(listed().size() == 3);

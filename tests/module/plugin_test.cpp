@@ -1,10 +1,17 @@
 // Modules in shared objects: what a game sees of one that is as it should be.
 
 #include <catch.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
 
 #include "weather.h"
 
 using namespace fettle;
+namespace fs = std::filesystem;
 using namespace fettle::module::testing;
 using property::Handle;
 using property::Value;
@@ -169,9 +176,72 @@ TEST_CASE("a file that is no module is refused with what it is") {
     says("fail_in_check", "the barometer is stuck");
     says("forgetful", "class Harbor leaves its rows to `save` and `restore`");
     CHECK(refusal(FETTLE_TEST_MODULES).find("found a folder") != std::string::npos);
-    CHECK(refusal("README.md").find("found a file of another kind") != std::string::npos);
     CHECK(refusal(built("weather")) == "");
     CHECK(refusal(built("older_minor")) == "");
+}
+
+TEST_CASE("a module that ends the process in its trial is refused whatever status it gives") {
+    const auto says = [](const char* name, const std::string& text) {
+        const std::string told = refusal(built(name));
+        INFO(name << ": " << told);
+        CHECK(told.find(built(name).string() + ": ") == 0);
+        CHECK(told.find(text) != std::string::npos);
+    };
+    says("exit_well_in_check", "ended the process with status 0 in its own test");
+    says("exit_in_constructor", "ended the process with status 0 while it was opened");
+    says("exit_when_opened", "ended the process with status 0 while it was opened");
+    says("exit_in_attach", "ended the process with status 0 while it registered its classes");
+    says("exit_in_step", "ended the process with status 0 in a step");
+    says("silent_in_step", "did not come to an end in a step within 10 s");
+}
+
+TEST_CASE("what is no file is no module and nothing waits for it") {
+    const ModuleFile module("weather");
+    const fs::path folder = module.path().parent_path();
+    const auto says = [&](const fs::path& file, const std::string& found) {
+        const std::string told = refusal(file);
+        INFO(told);
+        CHECK(told == file.string() + ": expected a shared object, found " + found);
+    };
+    REQUIRE(::mkfifo((folder / "pipe.so").c_str(), 0600) == 0);
+    says(folder / "pipe.so", "a pipe");
+    fs::create_symlink("/dev/zero", folder / "device.so");
+    says(folder / "device.so", "a device");
+    fs::create_directory(folder / "folder.so");
+    says(folder / "folder.so", "a folder");
+    std::ofstream(folder / "huge.so") << "\x7f"
+                                         "ELF";
+    fs::resize_file(folder / "huge.so", std::uintmax_t{10} << 30);
+    says(folder / "huge.so", "a file larger than 1024 MB");
+    std::ofstream(folder / "text.so") << "no shared object";
+    says(folder / "text.so", "a file of another kind");
+    std::ofstream(folder / "empty.so");
+    says(folder / "empty.so", "a file of another kind");
+}
+
+TEST_CASE("no copy of a module stays behind") {
+    const auto others = [](const fs::path& file) {
+        std::size_t count = 0;
+        for (const auto& each : fs::directory_iterator(file.parent_path()))
+            count += each.path() != file;
+        return count;
+    };
+    for (const char* const name : {"weather", "exit_in_constructor", "crash_when_opened",
+                                   "exit_in_step", "missing_symbol", "without_entry"}) {
+        const ModuleFile module(name);
+        // Left by a process that was killed; of one that lives; and nobody's.
+        const fs::path folder = module.path().parent_path();
+        std::ofstream(folder / ".weather.fettle-1-1.so") << "left";
+        std::ofstream(folder / ".weather.so") << "mine";
+        const int held =
+            ::open((folder / ".weather.fettle-2-1.so").c_str(), O_RDWR | O_CREAT, 0600);
+        REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);
+        (void)refusal(module.path());
+        INFO(name);
+        CHECK(others(module.path()) == 2);
+        CHECK_FALSE(fs::exists(folder / ".weather.fettle-1-1.so"));
+        ::close(held);
+    }
 }
 
 TEST_CASE("a module is not loaded twice") {

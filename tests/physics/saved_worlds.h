@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+#include <world/seal.h>
+
 #include <cstring>
 #include <vector>
 
@@ -35,8 +37,9 @@ inline size_t place_of(uint64_t number, const std::vector<std::byte>& bytes) {
     return found;
 }
 
-/// Three bits flipped behind the header, `trials` times: refused, or restored to a world that can
-/// be stepped and looked at with `look(world)`. Both happen.
+/// Three bits flipped behind the header, `trials` times, and sealed again, so that the checksum
+/// holds: refused, or restored to a world that can be stepped and looked at with `look(world)`.
+/// Both happen.
 template <class Look>
 void check_flipped_bits(const std::vector<std::byte>& bytes, uint64_t seed, int trials, Look look) {
     uint64_t state = seed;
@@ -46,9 +49,11 @@ void check_flipped_bits(const std::vector<std::byte>& bytes, uint64_t seed, int 
     int refused = 0;
     for (int trial = 0; trial < trials; ++trial) {
         auto damaged = bytes;
+        constexpr size_t header = sizeof(detail::SavedHeader);
         for (int flips = 0; flips < 3; ++flips)
-            damaged[16 + (next() >> 20) % (bytes.size() - 16)] ^=
+            damaged[header + (next() >> 20) % (bytes.size() - header)] ^=
                 std::byte(1 << (next() >> 60) % 8);
+        detail::seal(damaged);
         World target;
         try {
             target.restore(damaged);

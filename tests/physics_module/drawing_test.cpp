@@ -1,5 +1,9 @@
 // What is drawn.
 
+#include <cmath>
+
+#include <fettle/property/drawing.h>
+
 #include "catch.h"
 #include "game.h"
 #include "picture.h"
@@ -61,6 +65,40 @@ TEST_CASE_METHOD(Drawn, "every shape is drawn as what it is") {
     CHECK(picture.figures[2].points.size() == 2);
     CHECK(picture.figures[2].size == Approx(0.25));
     CHECK(picture.figures[3].points.size() == 3);
+}
+
+TEST_CASE_METHOD(Drawn, "round and concave shapes are drawn as what they are") {
+    const Handle egg = make("Body", world(), {{"position", Vec2(1, 2)}, {"angle", 0.5}});
+    make("Ellipse", egg, {{"radius_x", 3}, {"radius_y", 1}, {"angle", 0.25}});
+    const Handle star = make("Body", world(), {{"position", Vec2(20, 0)}});
+    const Handle form = make("Concave", star);
+    set(form, "vertices", List{Vec2(-1, -1), Vec2(1, -1), Vec2(0, 0), Vec2(1, 1), Vec2(-1, 1)});
+    const Picture picture = draw();
+    REQUIRE(picture.figures.size() == 3);
+    CHECK(picture.figures[0].kind == "ellipse");
+    CHECK(picture.figures[0].points[0] == Vec2(1, 2));
+    CHECK(picture.figures[0].points[1] == Vec2(3, 1));
+    CHECK(picture.figures[0].size == Approx(0.75));
+    CHECK(picture.figures[1].kind == "line");
+    CHECK(picture.figures[2].kind == "polygon");
+    CHECK(picture.figures[2].points.size() == 5);
+}
+
+TEST_CASE_METHOD(Drawn, "the shapes of one body are parts of one thing") {
+    const Handle alone = body("Circle", {0, 0});
+    const Handle pair = body("Circle", {5, 0});
+    make("Box", pair);
+    const Handle other = body("Box", {9, 0});
+    make("Box", other);
+    const Picture picture = draw();
+    std::vector<std::uint64_t> wholes;
+    for (const Figure& figure : picture.figures) wholes.push_back(figure.whole);
+    // The mark of a lone circle is a line of its own.
+    REQUIRE(wholes.size() == 6);
+    CHECK((wholes[0] == 0 && wholes[1] == 0));
+    CHECK((wholes[2] != 0 && wholes[2] == wholes[3]));
+    CHECK((wholes[4] != wholes[3] && wholes[4] == wholes[5]));
+    CHECK(tree.alive(alone));
 }
 
 TEST_CASE_METHOD(Drawn, "a polygon of many corners is drawn whole") {
@@ -154,4 +192,196 @@ TEST_CASE_METHOD(Drawn, "a sensor is drawn so that one sees what is in it") {
     const float before = draw().figures.at(0).paint.fill.a;
     set(shape_of(gate), "sensor", true);
     CHECK(draw().figures.at(0).paint.fill.a < 0.5f * before);
+}
+
+// --- Where it is drawn ---------------------------------------------------------------------------
+
+namespace {
+
+/// A body that has moved by a metre and turned in the last step, and one that will not move.
+struct Moving : Drawn {
+    Handle ship = body("Box", {0, 0});
+
+    Moving() {
+        set(ship, "gravity_scale", 0);
+        set(ship, "velocity", Vec2(60, 0));
+        set(ship, "angular_velocity", 30);
+        step();
+    }
+    Value drawn(Handle which, const char* method, std::initializer_list<Value> arguments = {}) {
+        return std::get<Value>(tree.call(which, method, arguments));
+    }
+    /// What an overlay draws over the rest.
+    Picture overlay(property::Overlay which, double alpha) {
+        const std::size_t plain = draw(alpha).figures.size();
+        Picture picture;
+        picture.overlays = {which};
+        tree.draw(tree.root(), picture, alpha);
+        picture.figures.erase(picture.figures.begin(),
+                              picture.figures.begin() + static_cast<std::ptrdiff_t>(plain));
+        return picture;
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Moving, "while a picture is drawn a body tells where it is drawn") {
+    const double alpha = GENERATE(0.0, 0.25, 1.0);
+    const property::Drawing drawing(alpha);
+    const double angle = 0.5 * alpha;
+    CHECK(drawn(ship, "drawn_position").vec2().isApprox(Vec2(alpha, 0), 1e-5));
+    CHECK(drawn(ship, "drawn_angle").number() == Approx(angle).margin(1e-5));
+    const Vec2 nose = drawn(ship, "to_drawn", {Vec2(2, 0)}).vec2();
+    CHECK(nose.x() == Approx(alpha + 2 * std::cos(angle)).margin(1e-5));
+    CHECK(nose.y() == Approx(2 * std::sin(angle)).margin(1e-5));
+    // That is where its corner is.
+    CHECK(draw(alpha).figures.at(0).points[2].isApprox(
+        drawn(ship, "to_drawn", {Vec2(0.5, 0.5)}).vec2(), 1e-5));
+}
+
+TEST_CASE_METHOD(Moving, "while no picture is drawn a body is drawn where it is") {
+    { const property::Drawing over(0.25); }
+    CHECK(drawn(ship, "drawn_position").vec2() == get(ship, "position").vec2());
+    CHECK(drawn(ship, "drawn_angle").number() == get(ship, "angle").number());
+    CHECK(drawn(ship, "to_drawn", {Vec2(1, 1)})
+              .vec2()
+              .isApprox(std::get<Value>(tree.call(ship, "to_world", {Vec2(1, 1)})).vec2(), 1e-6));
+}
+
+TEST_CASE_METHOD(Moving, "what has no way behind it is drawn where it is") {
+    const property::Drawing drawing(0.25);
+    SECTION("put elsewhere") {
+        set(ship, "position", Vec2(50, 50));
+        CHECK(drawn(ship, "drawn_position").vec2() == Vec2(50, 50));
+    }
+    SECTION("turned by hand") {
+        set(ship, "angle", 3);
+        CHECK(drawn(ship, "drawn_angle").number() == Approx(3));
+    }
+    SECTION("made since the last step") {
+        CHECK(drawn(body("Circle", {7, 7}), "drawn_position").vec2() == Vec2(7, 7));
+    }
+    SECTION("static") {
+        set(ship, "type", "static");
+        CHECK(drawn(ship, "drawn_position").vec2().isApprox(Vec2(1, 0), 1e-5));
+    }
+    SECTION("in no world") {
+        tree.move(ship, {});
+        CHECK(drawn(ship, "drawn_position").vec2().isApprox(Vec2(1, 0), 1e-5));
+    }
+    SECTION("asleep") {
+        set(ship, "awake", false);
+        CHECK(drawn(ship, "drawn_position").vec2().isApprox(Vec2(1, 0), 1e-5));
+    }
+    SECTION("deleted") {
+        tree.destroy(ship);
+        CHECK_THROWS(drawn(ship, "drawn_position"));
+    }
+}
+
+TEST_CASE_METHOD(Moving, "a kinematic body and one inside another are drawn on their way as well") {
+    const Handle lift = body("Box", {0, 20});
+    set(lift, "type", "kinematic");
+    set(lift, "velocity", Vec2(0, 60));
+    const Handle child = make("Body", ship, {{"position", Vec2(5, 5)}, {"velocity", Vec2(60, 0)}});
+    make("Circle", child);
+    set(child, "gravity_scale", 0);
+    step();
+    const property::Drawing drawing(0.5);
+    CHECK(drawn(lift, "drawn_position").vec2().isApprox(Vec2(0, 20.5), 1e-4));
+    CHECK(drawn(child, "drawn_position").vec2().x() == Approx(5.5).epsilon(1e-3));
+}
+
+TEST_CASE_METHOD(Moving, "a body that turned past half a turn is not drawn turning back") {
+    set(ship, "angle", 3.1);
+    set(ship, "angular_velocity", 30);
+    step();
+    const property::Drawing drawing(0.5);
+    CHECK(std::remainder(drawn(ship, "drawn_angle").number() - 3.35, 6.283185307) ==
+          Approx(0).margin(1e-3));
+}
+
+TEST_CASE_METHOD(Moving, "a snapshot that is restored is drawn as it was") {
+    const property::Snapshot then = tree.snapshot();
+    step(5);
+    tree.restore(then);
+    const property::Drawing drawing(0.25);
+    CHECK(drawn(ship, "drawn_position").vec2().isApprox(Vec2(0.25, 0), 1e-5));
+}
+
+TEST_CASE_METHOD(Moving, "every overlay is drawn where the shapes are drawn") {
+    const double alpha = 0.25;
+    const Picture shapes = draw(alpha);
+    SECTION("boxes") {
+        const Picture boxes = overlay(property::Overlay::aabbs, alpha);
+        REQUIRE(boxes.figures.size() == 1);
+        Vec2 lower = shapes.figures[0].points[0], upper = lower;
+        for (const Vec2& corner : shapes.figures[0].points) {
+            lower = lower.cwiseMin(corner);
+            upper = upper.cwiseMax(corner);
+        }
+        CHECK(boxes.figures[0].points[0].isApprox(lower, 1e-6));
+        CHECK(boxes.figures[0].points[2].isApprox(upper, 1e-6));
+    }
+    SECTION("centers and velocities") {
+        CHECK(overlay(property::Overlay::centers, alpha)
+                  .figures.at(0)
+                  .points[0]
+                  .isApprox(Vec2(0.25, 0), 1e-5));
+        CHECK(overlay(property::Overlay::velocities, alpha)
+                  .figures.at(0)
+                  .points[0]
+                  .isApprox(Vec2(0.25, 0), 1e-5));
+    }
+    SECTION("names") {
+        const Picture names = overlay(property::Overlay::names, alpha);
+        REQUIRE(names.figures.size() == 1);
+        CHECK(names.figures[0].text == tree.name(ship));
+        CHECK(names.figures[0].points[0].isApprox(Vec2(0.25, 0), 1e-5));
+    }
+    SECTION("joints") {
+        make("MouseJoint", world(), {{"body", ship}, {"target", Vec2(1, 0)}});
+        step();
+        const Picture joints = overlay(property::Overlay::joints, alpha);
+        REQUIRE(joints.count("line") == 1);
+        const property::Drawing drawing(alpha);
+        const Vec2 grip = drawn(ship, "to_drawn", {Vec2(0, 0)}).vec2();
+        CHECK((joints.figures[0].points[1] - grip).norm() < 0.3);
+    }
+}
+
+TEST_CASE_METHOD(Drawn, "a contact is drawn where what moves is drawn") {
+    floor();
+    const Handle crate = body("Box", {0, 0.5});
+    step(10);
+    set(crate, "velocity", Vec2(6, 0));
+    step(2);
+    const double alpha = 0.25;
+    Picture picture;
+    picture.overlays = {property::Overlay::contacts};
+    tree.draw(tree.root(), picture, alpha);
+    const property::Drawing drawing(alpha);
+    const double middle = std::get<Value>(tree.call(crate, "drawn_position", {})).vec2().x();
+    double sum = 0;
+    int points = 0;
+    for (const Figure& figure : picture.figures)
+        if (figure.kind == "point") sum += figure.points[0].x(), ++points;
+    REQUIRE(points == 2);
+    CHECK(sum / 2 == Approx(middle).margin(0.01));
+}
+
+TEST_CASE_METHOD(Drawn, "the box of each kind of shape is the box round what is drawn") {
+    const char* kind =
+        GENERATE("Circle", "Ellipse", "Box", "Capsule", "Segment", "Polygon", "Concave", "Chain");
+    const Handle thing = make("Body", world(), {{"position", Vec2(3, 4)}, {"angle", 0.7}});
+    const Handle shape = make(kind, thing);
+    if (std::string(kind) == "Ellipse") set(shape, "radius_x", 2);
+    if (std::string(kind) == "Box") set(shape, "rounding", 0.2);
+    Picture picture;
+    picture.overlays = {property::Overlay::aabbs};
+    tree.draw(tree.root(), picture, 1.0);
+    const List box = get(shape, "aabb").list();
+    INFO(kind);
+    CHECK((picture.figures.back().points[0] - box[0].vec2()).norm() < 0.02);
+    CHECK((picture.figures.back().points[2] - box[1].vec2()).norm() < 0.02);
 }

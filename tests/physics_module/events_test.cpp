@@ -181,3 +181,65 @@ TEST_CASE_METHOD(Listening, "worlds that are stepped without being reported keep
     tree.barrier();
     CHECK(seen.empty());  // that was two steps before the one reported
 }
+
+TEST_CASE_METHOD(Listening, "a touch tells its surface even when it is over already") {
+    const Handle ground = floor();
+    const Handle ball = body("Circle", {0, 0.5});
+    set(shape_of(ball), "friction", 0.15);
+    set(shape_of(ball), "restitution", 0.25);
+    listen(ground, "contact_begin");
+    physics.step(1.0 / 60);
+    set(shape_of(ball), "mask", 0);
+    physics.report(tree);
+    tree.barrier();
+    REQUIRE(seen.size() == 1);
+    CHECK(seen[0].record.get("friction").number() == Approx(0.3));
+    CHECK(seen[0].record.get("restitution").number() == Approx(0.25));
+}
+
+TEST_CASE_METHOD(Listening, "thousands of boxes on one floor are each told of every touch") {
+    const Handle ground = floor();
+    set(shape_of(ground), "width", 8000);
+    set(world(), "sleeping", false);
+    constexpr int boxes = 4000;
+    for (int i = 0; i < boxes; ++i) body("Box", {1.5 * (i - boxes / 2), 0.5});
+    int told = 0;
+    tree.on(tree.class_named("Body"), *tree.class_named("Body").event("contact_persist"),
+            [&](const Occurrence& o) {
+                told += o.record.get("friction").number() == Approx(0.6) ? 1 : -1000000;
+            });
+    step(5);
+    told = 0;
+    step(20);  // each of which took four seconds when every event looked for its contact
+    CHECK(told == 20 * 2 * boxes);
+}
+
+TEST_CASE_METHOD(Listening, "what breaks in a step is told to the one that is left and only once") {
+    // Two balls come upon a brick and a sensor in the same step; the first handler ends both.
+    set(world(), "gravity", Vec2(0, 0));
+    const Handle brick = body("Box", {0, 0}, "static"), gate = body("Box", {0, 1}, "static");
+    set(shape_of(brick), "width", 6);
+    set(shape_of(gate), "width", 6);
+    set(shape_of(gate), "sensor", true);
+    int counted[2] = {0, 0};
+    Handle balls[2];
+    for (int i = 0; i < 2; ++i) {
+        balls[i] = body("Circle", {4.0 * i - 2, 3});
+        set(balls[i], "velocity", Vec2(0, -5));
+        for (const char* name : {"sensor_begin", "sensor_end", "contact_begin", "contact_end"}) {
+            const int by = std::string_view(name).ends_with("begin") ? 1 : -1;
+            tree.on(balls[i], *tree.class_of(balls[i]).event(name),
+                    [&, i, by](const Occurrence& o) {
+                        const Value other = o.record.get("other");
+                        log.push_back(o.event->name);
+                        counted[i] += by;
+                        if (by == 1) tree.destroy(other.reference());
+                    });
+        }
+    }
+    step(90);
+    CHECK(log == Log{"sensor_begin", "sensor_end", "contact_begin", "contact_end"});
+    CHECK(counted[0] == 0);
+    CHECK(counted[1] == 0);
+    CHECK_FALSE(physics.world(world()).validate());
+}

@@ -110,3 +110,44 @@ TEST_CASE_METHOD(Game, "a joint that breaks tells its force and is broken in the
     CHECK(y(crate) > 4.9);
     CHECK(heard.size() == 1);
 }
+
+TEST_CASE_METHOD(Game, "a joint refuses the same whether it acts or not") {
+    const Handle crate = body("Box", {0, 1});
+    const Handle wheel = make("WheelJoint", world(), {{"body_b", crate}});
+    const Handle waiting = make("WheelJoint", Handle{});
+    step();
+    const auto refusal = [&](Handle joint, const char* property, const Value& value) {
+        try {
+            set(joint, property, value);
+        } catch (const property::Error& error) {
+            const std::string text = error.what();
+            return text.substr(text.find(": "));
+        }
+        return std::string("accepted");
+    };
+    CHECK(refusal(wheel, "axis", Vec2(0, 0)) == ": axis: expected a direction, got no length");
+    CHECK(refusal(waiting, "axis", Vec2(0, 0)) == ": axis: expected a direction, got no length");
+    CHECK_THAT(refusal(waiting, "anchor_a", Vec2(1e9, 0)),
+               contains("expected a vec2 from -100000000 to 100000000 m, got vec(1"));
+    CHECK(get(waiting, "axis") == Value(Vec2(0, 1)));
+    CHECK(refusal(waiting, "axis", Vec2(3, 4)) == "accepted");
+    CHECK(get(waiting, "axis") == Value(Vec2(3, 4)));
+    // What one joint is set to says nothing about another of its type.
+    CHECK(get(make("WheelJoint", Handle{}), "axis") == Value(Vec2(0, 1)));
+}
+
+TEST_CASE_METHOD(Game, "a body that was carried far away and turned often moves to another world") {
+    const Handle other = make("World", tree.root());
+    const Handle crate = body("Box", {1e8, 0});
+    set(crate, "center", Vec2(-5e7, 3));
+    set(crate, "angle", 1e8);
+    set(crate, "velocity", Vec2(9000, 0));
+    set(crate, "angular_velocity", 900);
+    step(30);
+    for (const Handle to : {other, Handle{}, world()}) {
+        REQUIRE_NOTHROW(tree.move(crate, to));
+        CHECK(get(crate, "center") == Value(Vec2(-5e7, 3)));
+        step();
+    }
+    CHECK_FALSE(physics.world(world()).validate());
+}

@@ -234,6 +234,56 @@ TEST_CASE_METHOD(Fixture, "the history forgets its oldest edits when it grows to
     CHECK(tree.create(*module.type, world, "last").index < 100);
 }
 
+TEST_CASE_METHOD(Fixture, "the history is listed with the latest edit first") {
+    for (int i = 1; i <= 4; ++i) console([&] { tree.set(ball, "mass", 1 + i); });
+    tree.undo();
+    tree.undo();
+    std::string listed;
+    for (const HistoryEntry& entry : tree.history())
+        listed += entry.name.substr(entry.name.rfind(' ') + 1) + (entry.undone ? "-" : "+");
+    CHECK(listed == "5-4-3+2+");
+}
+
+TEST_CASE_METHOD(Fixture, "an image of a long history costs nothing and stays what it was") {
+    for (int i = 0; i < 2000; ++i) console([&] { tree.set(ball, "mass", 1 + i % 7); });
+    const Snapshot snapshot = tree.snapshot();
+    for (int i = 0; i < 50; ++i) tree.undo();
+    console([&] { tree.set(ball, "mass", 3); });
+    const auto size = [&] { return tree.history().size(); };
+    CHECK(size() < 1990);
+    tree.restore(snapshot);
+    const std::size_t then = size();
+    CHECK(then > 1990);
+    while (tree.undo().done) {
+    }
+    CHECK(mass() == 1);
+    tree.restore(snapshot);
+    CHECK(size() == then);
+}
+
+TEST_CASE_METHOD(Fixture, "an edit that takes more than the history may is listed and not undone") {
+    tree.set_history_limit(10000);
+    console([&] { tree.set(ball, "mass", 2); });
+    const std::string text(20000, 'x');
+    tree.begin_edit("large");
+    tree.set_or_add(ball, "text", text);
+    tree.set(ball, "mass", 3);
+    const Handle brief = tree.create(*module.type, world, "brief");
+    tree.destroy(brief);
+    tree.end_edit();
+    CHECK(tree.history_bytes() < 10000);
+    REQUIRE(tree.history().size() == 2);
+    CHECK(tree.history()[0].too_large);
+    const UndoResult result = tree.undo();
+    CHECK(result.name == "large");
+    REQUIRE(result.notes.size() == 1);
+    CHECK_THAT(result.notes[0], contains("more memory"));
+    CHECK(mass() == 3);
+    tree.undo();
+    CHECK(mass() == 1);
+    CHECK(tree.create(*module.type, world, "next").index == brief.index);
+}
+
 TEST_CASE_METHOD(Fixture, "who wrote last is known by writer and step and for edits by place") {
     const Property& p = tree.property(ball, "mass");
     CHECK_FALSE(tree.who(ball, p).known);

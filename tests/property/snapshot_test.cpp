@@ -350,7 +350,6 @@ TEST_CASE("damaged bytes are refused and nothing changes") {
     for (std::size_t size = 0; size < bytes.size(); ++size)
         REQUIRE_THROWS_AS(Snapshot::from_bytes(std::span(bytes).first(size)), Error);
     for (std::size_t at = 0; at < bytes.size(); ++at) {
-        if (at >= 12 && at < 16) continue;  // room in the header that nothing uses
         auto damaged = bytes;
         damaged[at] ^= std::byte{1} << (at % 8);
         REQUIRE_THROWS_AS(Snapshot::from_bytes(damaged), Error);

@@ -1,5 +1,7 @@
 // Classes made in scripts, events, watchers, timers, coroutines.
 
+#include <fettle/property/storage/scene.h>
+
 #include "stage.h"
 
 using stage::Stage;
@@ -281,7 +283,7 @@ TEST_CASE("the game is loaded from a folder and its modules from beside it") {
     CHECK(stage::joined(s.printed) == "started\tBob");
     CHECK_THAT(s.fails("print(leftover)"), contains("no such name"));
     std::filesystem::remove_all(folder);
-    CHECK_THROWS_AS(s.runtime->load(folder / "none.lua"), std::filesystem::filesystem_error);
+    CHECK_THROWS_AS(s.runtime->load(folder / "none.lua"), fettle::property::FileError);
 }
 
 TEST_CASE("a class can be loaded again with new functions but not with other properties") {

@@ -144,6 +144,78 @@ TEST_CASE("a wrong structure is told with line and column") {
     }
 }
 
+TEST_CASE("what stands in the wrong place is told with the place it belongs to") {
+    SceneWorld w;
+    const auto scene = [](const std::string& members) {
+        return "{\n  \"fettle_scene\": 1,\n  \"class\": \"Thing\",\n  " + members +
+               ",\n  \"name\": \"ball\"\n}\n";
+    };
+    const std::string inside = "belongs inside \"properties\"";
+    const std::vector<Refused> all = {
+        {scene("\"position\": [1, 2]"),
+         "level.json:4:3: world.ball: an instance has no key \"position\"; it is a property of "
+         "Thing "
+         "and " +
+             inside},
+        {scene("\"flag\": true"),
+         "level.json:4:3: world.ball: an instance has no key \"flag\"; it"},
+        {scene("\"postion\": [1, 2]"),
+         "level.json:4:3: world.ball: an instance has no key \"postion\" (did you mean "
+         "\"position\"? "
+         "It is a property of Thing and " +
+             inside},
+        {scene("\"Density\": 3"), "level.json:4:3: world.ball: an instance has no key \"Density\""},
+        {scene("\"weight\": 3"),
+         "level.json:4:3: world.ball: an instance has no key \"weight\"; it is a property of "
+         "Thing, "
+         "which no scene tells"},
+        {scene("\"children\": [{\"class\": \"Thing\", \"fettle_scene\": 1}]"),
+         "level.json:4:35: world.ball.thing: an instance has no key \"fettle_scene\": it stands "
+         "once"},
+        {scene("\"children\": [{\"class\": \"Thing\", \"name\": \"b\", \"mass\": 1}]"),
+         "level.json:4:48: world.ball.b: an instance has no key \"mass\"; it is a property"},
+        {scene("\"properties\": {\"children\": [{\"class\": \"Note\"}]}"),
+         "level.json:4:18: world.ball: \"children\" stands inside \"properties\" and belongs "
+         "beside it"},
+        {scene("\"properties\": {\"ad_hoc\": {\"x\": 1}}"),
+         "level.json:4:18: world.ball: \"ad_hoc\" stands inside \"properties\" and belongs beside "
+         "it"},
+        {scene("\"properties\": {\"properties\": {\"mass\": 1}}"),
+         "level.json:4:18: world.ball: \"properties\" stands inside \"properties\""},
+        {scene("\"properties\": {\"class\": \"Note\"}"),
+         "level.json:4:27: world.ball.class: is told by the keys of the instance"},
+        {scene("\"properties\": {\"circle\": {\"class\": \"Note\"}}"),
+         "level.json:4:18: world.ball: \"circle\" stands inside \"properties\" and belongs into "
+         "the "
+         "list \"children\""},
+        {scene("\"ad_hoc\": {\"circle\": {\"class\": \"Note\", \"name\": \"c\"}}"),
+         "level.json:4:14: world.ball: \"circle\" stands inside \"ad_hoc\" and belongs into the "
+         "list"},
+        {scene("\"ad_hoc\": {\"children\": [{\"class\": \"Note\"}]}"),
+         "level.json:4:14: world.ball: \"children\" stands inside \"ad_hoc\" and belongs beside "
+         "it"},
+        {"{\"fettle_scen\": 1, \"class\": \"Thing\"}",
+         "level.json:1:1: not a scene: the key \"fettle_scene\" with the version of the format is "
+         "missing, there is only \"fettle_scen\""},
+    };
+    for (const Refused& each : all) {
+        CAPTURE(each.text, each.message);
+        CHECK(w.refusal(each.text).substr(0, each.message.size()) == each.message);
+    }
+}
+
+TEST_CASE("a key that may be a slip is told and kept and any other is kept in silence") {
+    SceneWorld w;
+    const std::string head = "{\"fettle_scene\": 1, \"class\": \"Thing\", \"name\": \"ball\",\n";
+    w.load(head + "\"propreties_\": {\"mass\": 1}}");
+    REQUIRE(w.warnings.size() == 1);
+    CHECK(w.warnings[0] ==
+          "level.json:2:1: world.ball: an instance has no key \"propreties_\" (did you mean "
+          "\"properties\"?); kept as it is");
+    w.load(head + "\"editor\": {\"zoom\": 2}}");
+    CHECK(w.warnings.empty());
+}
+
 TEST_CASE("an error carries its kind and place") {
     SceneWorld w;
     try {

@@ -54,6 +54,72 @@ TEST_CASE("a saved tree comes back in another run and in the same one") {
     CHECK(other.everything() == then);
 }
 
+TEST_CASE(
+    "a slot that is saved again before the barrier is saved once and as the last call wants") {
+    const GameFolder folder;
+    Game game(folder);
+    const Handle a = game.add("Thing", "a");
+    game.tree.set(a, "number", 1.0);
+    game.saves->save("old");
+    game.tree.barrier();
+    game.tree.set(a, "number", 2.0);
+    // Between its two saves another game is loaded: the second one is of that.
+    game.saves->save("one");
+    game.saves->save("two");
+    game.saves->load("old");
+    game.saves->save("one");
+    game.tree.barrier();
+    CHECK(game.told.empty());
+    const auto number = [&](const std::string& slot) {
+        Game other(folder);
+        other.saves->load(slot);
+        other.tree.barrier();
+        return other.tree.get(a, "number").number();
+    };
+    CHECK(number("one") == 1.0);
+    CHECK(number("two") == 2.0);
+    CHECK(game.saves->slots().list().size() == 3);
+}
+
+TEST_CASE("a loop of saves ends in an error and not in a queue without end") {
+    const GameFolder folder;
+    Game game(folder);
+    game.add("Thing", "a");
+    std::size_t asked = 0;
+    std::string refused;
+    try {
+        for (;; ++asked) game.saves->save("x");
+    } catch (const Error& error) {
+        refused = error.what();
+    }
+    CHECK(asked == GameSaves::most_requests);
+    CHECK(refused.find("more than 1000 times at one barrier") != std::string::npos);
+    game.tree.barrier();
+    CHECK(game.told.empty());
+    CHECK(game.saves->slots().list().size() == 1);
+    for (int i = 0; i < 5; ++i) game.saves->save("slot " + std::to_string(i % 3));
+    game.tree.barrier();
+    CHECK(game.saves->slots().list().size() == 4);
+}
+
+TEST_CASE("saves that wait for a picture are one a slot") {
+    const GameFolder folder;
+    Game game(folder, true);
+    const Handle a = game.add("Thing", "a");
+    for (const double value : {1.0, 2.0, 3.0}) {
+        game.tree.set(a, "number", value);
+        game.saves->save("one");
+        game.tree.barrier();
+    }
+    CHECK(game.saves->waits());
+    game.saves->finish({});
+    CHECK_FALSE(game.saves->waits());
+    Game other(folder);
+    other.saves->load("one");
+    other.tree.barrier();
+    CHECK(other.tree.get(a, "number") == Value(3.0));
+}
+
 TEST_CASE("a load that is refused leaves the running game as it was") {
     const GameFolder folder;
     Game game(folder);
@@ -84,6 +150,90 @@ TEST_CASE("a save waits for its picture where there is one and is made without a
         game.tree.barrier();
     }
     CHECK(Game(folder).saves->slots().load("two").thumbnail.empty());
+}
+
+namespace {
+
+/// A part of snapshots that cannot read what it writes.
+struct Forgetful : SnapshotPart {
+    std::string_view part_name() const override { return "forgetful"; }
+    Memory save(ByteWriter& to) const override {
+        to.put(std::uint64_t{1});
+        return {};
+    }
+    std::function<void()> restore(ByteReader& from, const Memory&) override {
+        from.require(!refuses, "it was forgotten");
+        from.get<std::uint64_t>();
+        return [] {};
+    }
+    bool refuses = true;
+};
+
+}  // namespace
+
+TEST_CASE("a save that could not be loaded is told and does not replace one that can") {
+    const GameFolder folder;
+    Game game(folder);
+    Forgetful part;
+    part.refuses = false;
+    game.tree.add_part(part);
+    game.saves->save("one");
+    game.tree.barrier();
+    REQUIRE(game.saves->list().front().problem.empty());
+    const auto before = game.saves->slots().load("one").state;
+    part.refuses = true;
+    game.add("Thing", "a");
+    game.saves->save("one");
+    game.saves->save("two");
+    game.tree.barrier();
+    REQUIRE(game.told.size() == 2);
+    CHECK(game.told[0].find("the game was not saved: ") == 0);
+    CHECK(game.told[0].find("it was forgotten") != std::string::npos);
+    CHECK(game.saves->slots().load("one").state == before);
+    const auto listed = game.saves->list();
+    REQUIRE(listed.size() == 1);
+    CHECK(listed.front().problem.find("it was forgotten") != std::string::npos);
+    game.tree.remove_part(part);
+}
+
+TEST_CASE("a save that the game cannot restore is listed with its problem") {
+    const GameFolder folder;
+    {
+        Game game(folder);
+        ClassDescriptor lamp;
+        lamp.name = "Lamp";
+        game.tree.define(std::move(lamp));
+        game.saves->save("lit");
+        game.tree.barrier();
+    }
+    Game game(folder);
+    const auto listed = game.saves->list();
+    REQUIRE(listed.size() == 1);
+    CHECK(listed.front().problem.find("Lamp") != std::string::npos);
+}
+
+TEST_CASE("a load finds the save that is still to be made or to be written") {
+    const GameFolder folder;
+    Game game(folder, true);
+    const Handle a = game.add("Thing", "a");
+    game.tree.set(a, "number", 1.0);
+    game.saves->save("one");
+    game.saves->load("one");
+    game.tree.set(a, "number", 2.0);
+    game.tree.barrier();  // saved with 2, loaded with it
+    CHECK(game.tree.get(a, "number") == Value(2.0));
+    game.tree.set(a, "number", 3.0);
+    game.saves->load("one");  // waits for its picture
+    game.tree.barrier();
+    CHECK(game.tree.get(a, "number") == Value(2.0));
+    CHECK(game.told.empty());
+    game.saves->save("two");
+    game.tree.barrier();
+    game.saves->remove("two");
+    CHECK_THROWS_AS(game.saves->load("two"), Error);
+    CHECK_THROWS_AS(game.saves->remove("two"), Error);
+    game.saves->finish({});
+    CHECK(game.saves->slots().list().size() == 1);
 }
 
 TEST_CASE("a save that cannot be written is told and the game goes on") {

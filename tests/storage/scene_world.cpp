@@ -1,5 +1,7 @@
 #include "scene_world.h"
 
+#include "../../framework/property/storage/scene_check.h"
+
 #include <cstddef>
 
 namespace scene_test {
@@ -172,6 +174,19 @@ SceneWorld::SceneWorld() {
     define_thing();
     define_stored();
     world = tree.create(tree.object_class(), tree.root(), "world");
+}
+
+Handle SceneWorld::load(std::string_view text, std::string_view name) {
+    std::string refused;
+    try {
+        check_scene(tree, Document(std::string(text), "level.json"), world, name);
+    } catch (const Error& e) {
+        refused = e.what();
+    }
+    warnings.clear();
+    const Handle loaded = load_scene_text(tree, text, "level.json", world, name, &warnings);
+    if (!refused.empty()) throw std::logic_error("it loads, but the check says: " + refused);
+    return loaded;
 }
 
 std::string SceneWorld::refusal(std::string_view text) {

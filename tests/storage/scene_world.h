@@ -42,10 +42,8 @@ class SceneWorld {
     }
     Handle add(std::string_view of, std::string_view name = {}) { return add(of, world, name); }
     std::string text(Handle node) const { return scene_text(tree, node); }
-    Handle load(std::string_view text, std::string_view name = {}) {
-        warnings.clear();
-        return load_scene_text(tree, text, "level.json", world, name, &warnings);
-    }
+    /// What loads must pass the check without loading, too: std::logic_error else.
+    Handle load(std::string_view text, std::string_view name = {});
     /// Loads `text` and returns the message of the error; "" when there is none.
     std::string refusal(std::string_view text);
     /// Writes, loads under another name, and returns the copy.

@@ -4,7 +4,9 @@
 #include <fettle/app/loop.h>
 #include <fettle/physics_module/physics_module.h>
 #include <fettle/property/path.h>
+#include <fettle/property/storage/game_saves.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,14 +18,23 @@ struct Playing {
     physics_module::PhysicsModule physics;
     property::Tree tree;
     Services services{tree};
+    std::unique_ptr<property::GameSaves> saves;
     std::unique_ptr<script::Runtime> runtime;
     std::unique_ptr<Loop> loop;
     std::vector<std::string> printed, errors;
     std::vector<std::uint64_t> hashes{0};
 
-    explicit Playing(std::string_view script) {
+    /// `slots`: where saved games go; "": nowhere.
+    explicit Playing(std::string_view script, const std::filesystem::path& slots = {}) {
         physics.attach(tree);
-        runtime = std::make_unique<script::Runtime>(tree, options());
+        if (!slots.empty())
+            saves = std::make_unique<property::GameSaves>(
+                tree, property::Saves(slots, "game", "test"),
+                property::GameSaves::Options{
+                    .warn = [this](const std::string& text) { errors.push_back(text); }});
+        script::Options with = options();
+        with.saves = saves.get();
+        runtime = std::make_unique<script::Runtime>(tree, with);
         loop = std::make_unique<Loop>(tree, *runtime, services);
         loop->add({.name = "physics",
                    .step = [this](double dt) { physics.step(dt); },

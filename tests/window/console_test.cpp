@@ -130,6 +130,22 @@ TEST_CASE("the showcase runs in a window") {
     CHECK(game.running());
 }
 
+TEST_CASE("a game in a window that a signal asks to end is told and ends in order") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    // Also while a script lets nothing else happen.
+    const bool runaway = GENERATE(false, true);
+    if (runaway) {
+        game.key("l");
+        REQUIRE(game.prints("for ever"));
+    }
+    CHECK(game.asked_to_end() == 143);
+    INFO(game.printed());
+    CHECK(contains(game.printed(), "closing"));
+    CHECK(contains(game.printed(), "stopped: the run is to end") == runaway);
+}
+
 TEST_CASE("a game saved in a window has a picture of it") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");

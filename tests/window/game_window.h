@@ -37,6 +37,8 @@ class GameWindow {
     /// Waits until nothing changes in the picture for a while, but not for ever.
     Picture settled();
     bool running() { return program_.running(); }
+    /// Sends SIGTERM; the exit status, -1 when it does not end in order.
+    int asked_to_end() { return program_.asked_to_end(); }
 
   private:
     void start_display();

@@ -73,6 +73,12 @@ int Process::wait(double seconds) {
     return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
 }
 
+int Process::asked_to_end() {
+    if (!running()) return -1;
+    ::kill(id_, SIGTERM);
+    return wait(30);
+}
+
 void Process::end() {
     if (!running()) return;
     ::kill(id_, SIGTERM);

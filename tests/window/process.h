@@ -25,6 +25,9 @@ class Process {
     bool running();
     /// Waits until it ends by itself; -1 when it does not in time or is killed by a signal.
     int wait(double seconds);
+    /// Asks it to end and waits; its exit status, -1 when it does not end in half a minute or a
+    /// signal kills it.
+    int asked_to_end();
     /// Asks it to end, then makes it.
     void end();
 

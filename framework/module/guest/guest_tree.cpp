@@ -279,7 +279,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     for (std::size_t i = changeable; i < values.size(); ++i) values[i] = received(told[i]);
 }
 
-bool Acceptance::accepts(Handle instance) {
+bool Acceptance::accepts(Handle instance) noexcept {
     const fettle_host* host = module::program();
     return host == nullptr || host->accepts(host->self, sent(instance)) != 0;
 }

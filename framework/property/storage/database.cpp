@@ -1,24 +1,59 @@
 #include "database.h"
 
 #include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "file_access.h"
 
 namespace fettle::property {
 
 namespace {
 
 std::string words(sqlite3* database, int code) {
+    const int primary = code & 0xff;
+    if (primary == SQLITE_FULL) return system_reason(ENOSPC);
+    if (primary == SQLITE_INTERRUPT) return "reading it takes too long";
     // The message of the connection says more than the code alone, when it is about this code.
-    const bool told = database != nullptr && sqlite3_errcode(database) == (code & 0xff);
+    const bool told = database != nullptr && sqlite3_errcode(database) == primary;
     std::string text = told ? sqlite3_errmsg(database) : sqlite3_errstr(code);
-    if ((code & 0xff) == SQLITE_IOERR) text += " (" + std::to_string(code) + ")";
+    if (primary != SQLITE_IOERR && primary != SQLITE_CANTOPEN) return text;
+    // SQLite does not keep the reason of a failed commit.
+    const int last = errno;
+    const int system = database != nullptr ? sqlite3_system_errno(database) : 0;
+    if (system != 0 || last != 0) return system_reason(system != 0 ? system : last);
+    if (primary == SQLITE_IOERR) text += " (" + std::to_string(code) + ")";
     return text;
 }
+
+/// SQLite opens files that lie beside the one that was named, too.
+void require_regular_files(const std::filesystem::path& file) {
+    for (const char* const suffix : {"", "-wal", "-shm", "-journal"}) {
+        const std::string name = file.string() + suffix;
+        struct stat status {};
+        if (::lstat(name.c_str(), &status) != 0) continue;
+        const std::string whose = *suffix == 0 ? "" : file.filename().string() + suffix + ": ";
+        if (const std::string why = why_no_file(status.st_mode); !why.empty())
+            throw std::runtime_error(whose + why);
+        if (static_cast<std::uintmax_t>(status.st_size) > Database::size_limit)
+            throw std::runtime_error(whose + "it is larger than " +
+                                     std::to_string(Database::size_limit >> 20) + " MB");
+    }
+}
+
+#ifdef SQLITE_OPEN_NOFOLLOW
+constexpr int no_links = SQLITE_OPEN_NOFOLLOW;
+#else
+constexpr int no_links = 0;
+#endif
 
 /// As SQLite's URIs want it.
 std::string uri(const std::filesystem::path& file, bool immutable) {
     static constexpr std::string_view digits = "0123456789ABCDEF";
     std::string out = "file:";
-    for (const char c : std::filesystem::absolute(file).string()) {
+    for (const char c : file.string()) {
         const auto byte = static_cast<unsigned char>(c);
         if (c == '%' || c == '?' || c == '#')
             out += {'%', digits[byte >> 4], digits[byte & 15]};
@@ -75,6 +110,7 @@ Statement& Statement::bind_bytes(int parameter, std::string_view bytes) {
 }
 
 bool Statement::step() {
+    errno = 0;
     const int code = sqlite3_step(statement_);
     if (code == SQLITE_ROW) return true;
     if (code == SQLITE_DONE) return false;
@@ -110,20 +146,46 @@ std::size_t Statement::size(int column) const {
 
 // --- Connections ---------------------------------------------------------------------------------
 
-Database::Database(const std::filesystem::path& file, Access access) {
+Database::Database(const std::filesystem::path& named, Access access) : Database() {
+    require_regular_files(named);
+    errno = 0;
+    // Links may lead to the folder, where the user has put it; not from there to somewhere else.
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::absolute(named);
+    const std::filesystem::path file =
+        std::filesystem::weakly_canonical(whole.parent_path(), ignored) / whole.filename();
     const int rights = access == Access::create     ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                        : access == Access::existing ? SQLITE_OPEN_READWRITE
                                                     : SQLITE_OPEN_READONLY;
     // Without a log beside it nothing but the file itself needs to be read, and nothing is written.
-    std::error_code ignored;
     const bool immutable =
         access == Access::reading && !std::filesystem::exists(file.string() + "-wal", ignored);
-    const int code = sqlite3_open_v2(uri(file, immutable).c_str(), &database_,
-                                     rights | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
-    if (code == SQLITE_OK) return;
-    const DatabaseError error(code, words(database_, code));
-    sqlite3_close(database_);
-    throw error;
+    const int code =
+        sqlite3_open_v2(uri(file, immutable).c_str(), &database_,
+                        rights | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX | no_links, nullptr);
+    if (code != SQLITE_OK) throw DatabaseError(code, words(database_, code));
+    distrust();
+}
+
+/// What a file of another's making could do to whoever reads it: run its own views, triggers and
+/// functions, make SQLite compute for ever, or use damage as a lever.
+void Database::distrust() {
+    for (const auto& [option, value] :
+         {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+          std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0}, std::pair{SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
+          std::pair{SQLITE_DBCONFIG_DQS_DDL, 0}, std::pair{SQLITE_DBCONFIG_DQS_DML, 0}})
+        sqlite3_db_config(database_, option, value, nullptr);
+    for (const auto& [limit, value] :
+         {std::pair{SQLITE_LIMIT_SQL_LENGTH, 100'000}, std::pair{SQLITE_LIMIT_COLUMN, 100},
+          std::pair{SQLITE_LIMIT_EXPR_DEPTH, 20}, std::pair{SQLITE_LIMIT_COMPOUND_SELECT, 3},
+          std::pair{SQLITE_LIMIT_VDBE_OP, 25'000}, std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8},
+          std::pair{SQLITE_LIMIT_ATTACHED, 0}, std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1}})
+        sqlite3_limit(database_, limit, value);
+    // What our own statements do is a matter of thousands; each is counted by itself.
+    constexpr int most_operations = 200'000'000;
+    sqlite3_progress_handler(
+        database_, most_operations, [](void*) { return 1; }, nullptr);
+    run("PRAGMA cell_size_check = ON");
 }
 
 Database Database::in_memory() {
@@ -131,6 +193,18 @@ Database Database::in_memory() {
     const int code = sqlite3_open_v2(":memory:", &made.database_,
                                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
     if (code != SQLITE_OK) throw DatabaseError(code, words(made.database_, code));
+    return made;
+}
+
+Database Database::of_bytes(std::string_view file) {
+    Database made = in_memory();
+    // SQLite takes no bytes that are const; it does not write to those that are for reading.
+    auto* const bytes = reinterpret_cast<unsigned char*>(const_cast<char*>(file.data()));
+    const auto size = static_cast<sqlite3_int64>(file.size());
+    const int code =
+        sqlite3_deserialize(made.database_, "main", bytes, size, size, SQLITE_DESERIALIZE_READONLY);
+    if (code != SQLITE_OK) throw DatabaseError(code, words(made.database_, code));
+    made.distrust();
     return made;
 }
 
@@ -192,22 +266,58 @@ void Transaction::commit() {
 }
 
 void set_format(Database& database, const FileFormat& format) {
+    for (const std::string_view table : format.tables) database.run(std::string(table).c_str());
     database.run(("PRAGMA application_id = " + std::to_string(format.application)).c_str());
     database.run(("PRAGMA user_version = " + std::to_string(format.version)).c_str());
 }
 
-bool check_format(Database& database, const FileFormat& format) {
-    const std::int64_t application = database.integer("PRAGMA application_id");
-    const std::int64_t version = database.integer("PRAGMA user_version");
-    if (application == 0 && version == 0 &&
-        database.integer("SELECT count(*) FROM sqlite_schema") == 0)
-        return false;
+namespace {
+
+void check_identity(std::int64_t application, std::int64_t version, const FileFormat& format) {
     if (application != format.application)
         throw std::runtime_error("it is a file of another program");
     if (version > format.version)
         throw std::runtime_error("it was written by a newer Fettle (version " +
                                  std::to_string(version) + " of the format, this one reads up to " +
                                  std::to_string(format.version) + ")");
+}
+
+}  // namespace
+
+void check_header(std::string_view file, const FileFormat& format) {
+    // https://sqlite.org/fileformat.html: numbers have their highest byte first.
+    constexpr std::string_view magic{"SQLite format 3", 16};  // with its zero byte
+    constexpr std::size_t size = 100, version_at = 60, application_at = 68;
+    if (file.size() < size || !file.starts_with(magic))
+        throw std::runtime_error("it is no database");
+    const auto number = [file](std::size_t at) {
+        std::uint32_t value = 0;
+        for (const char c : file.substr(at, sizeof value))
+            value = value << 8 | static_cast<unsigned char>(c);
+        return static_cast<std::int32_t>(value);
+    };
+    check_identity(number(application_at), number(version_at), format);
+    if (number(version_at) < format.version)
+        throw std::runtime_error(
+            "it was written by an older Fettle (version " + std::to_string(number(version_at)) +
+            " of the format, this one reads version " + std::to_string(format.version) + ")");
+}
+
+bool check_format(Database& database, const FileFormat& format) {
+    const std::int64_t application = database.integer("PRAGMA application_id");
+    const std::int64_t version = database.integer("PRAGMA user_version");
+    const std::int64_t things = database.integer("SELECT count(*) FROM sqlite_schema");
+    if (application == 0 && version == 0 && things == 0) return false;
+    check_identity(application, version, format);
+    std::size_t tables = 0;
+    for (Statement each = database.statement("SELECT type, name, sql FROM sqlite_schema");
+         each.step(); ++tables)
+        if (each.text(0) != "table" || std::find(format.tables.begin(), format.tables.end(),
+                                                 each.text(2)) == format.tables.end())
+            throw std::runtime_error("it holds the " + each.text(0) + " \"" + each.text(1) +
+                                     "\", which such a file does not have");
+    if (tables != format.tables.size())
+        throw std::runtime_error("it lacks a table that such a file has");
     if (const std::string found = database.text("PRAGMA quick_check(1)"); found != "ok")
         throw std::runtime_error("it is damaged (" + found + ")");
     return true;

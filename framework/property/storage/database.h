@@ -1,6 +1,7 @@
 #pragma once
 // SQLite, as far as the journal of tweaks and the saves need it: connections and statements that
-// end with their owners, and failures as exceptions.
+// end with their owners, and failures as exceptions. A file may come from anywhere, so none is
+// trusted: whatever it defines besides tables is off, and no statement runs for ever.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -22,6 +24,10 @@ class DatabaseError : public std::runtime_error {
     bool busy() const;
     /// The file is no database, or a damaged one.
     bool damaged() const;
+    /// The same with `where` in front of what it says.
+    DatabaseError at(const std::filesystem::path& where) const {
+        return {code_, where.string() + ": " + what()};
+    }
 
   private:
     int code_;
@@ -62,8 +68,14 @@ enum class Access : std::uint8_t { create, existing, reading };
 
 class Database {
   public:
+    /// Throws DatabaseError, and std::runtime_error with the reason in words for what is no regular
+    /// file, or larger than `size_limit`: the file itself, or one of those that SQLite keeps beside
+    /// it.
     Database(const std::filesystem::path& file, Access access);
     static Database in_memory();
+    static constexpr std::uintmax_t size_limit = std::uintmax_t{1} << 30;  // bytes
+    /// What `serialized` gave, to be read. The bytes must outlive it.
+    static Database of_bytes(std::string_view file);
     Database(Database&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
     ~Database();
     Database(const Database&) = delete;
@@ -84,6 +96,7 @@ class Database {
 
   private:
     Database() = default;
+    void distrust();
     sqlite3* database_ = nullptr;
 };
 
@@ -101,16 +114,24 @@ class Transaction {
     bool open_ = true;
 };
 
-/// What a file of ours says of itself: whose it is (`application_id`) and in which version.
+/// What a file of ours says of itself: whose it is (`application_id`), in which version, and the
+/// statements that have made its tables.
 struct FileFormat {
     std::int32_t application = 0;
     int version = 0;
+    std::vector<std::string_view> tables{};
 };
 
+/// Makes an empty file one of that format.
 void set_format(Database& database, const FileFormat& format);
 
-/// Checks that an open file is of that format, whole, and not newer. True: it is; false: it is new
-/// and empty. Throws std::runtime_error with the reason in words.
+/// Checks whose a file is and its version, by its first bytes: that it is neither newer nor older.
+/// Throws std::runtime_error with the reason in words.
+void check_header(std::string_view file, const FileFormat& format);
+
+/// Checks that an open file is of that format, whole, and not newer, and that there is nothing in
+/// it but those tables. True: it is; false: it is new and empty. Throws std::runtime_error with the
+/// reason in words.
 bool check_format(Database& database, const FileFormat& format);
 
 }  // namespace fettle::property

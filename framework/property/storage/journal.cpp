@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "checkpoints.h"
+#include "file_access.h"
 
 namespace fettle::property {
 
@@ -15,11 +16,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr FileFormat format{.application = 0x4654574b, .version = 1};  // "FTWK"
+const FileFormat format{
+    .application = 0x4654574b,  // "FTWK"
+    .version = 1,
+    .tables = {"CREATE TABLE runs (id INTEGER PRIMARY KEY, started INTEGER, process INTEGER)",
+               "CREATE TABLE tweaks (run INTEGER, number INTEGER, kind INTEGER, state INTEGER, "
+               "instance TEXT, property TEXT, was TEXT, now TEXT, was_text TEXT, now_text TEXT, "
+               "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, PRIMARY KEY "
+               "(run, number)) WITHOUT ROWID"}};
 constexpr int most_files = 9;
-constexpr int io_error = 10;  // a code of SQLite: not the fault of the file
-// A frame must not wait; opening a file may.
-constexpr int commit_patience = 20, open_patience = 2000;  // ms
+constexpr int io_error = 10;         // a code of SQLite: not the fault of the file
+constexpr int long_patience = 2000;  // ms: opening a file may wait, and so may the last commit
 
 std::uint64_t identity_of(const fs::path& file) {
     struct stat status {};
@@ -33,15 +40,8 @@ bool may_write(const fs::path& file) {
 
 void make_tables(Database& database) {
     Transaction transaction(database);
-    database.run(
-        "CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY, started INTEGER, process "
-        "INTEGER)");
-    database.run(
-        "CREATE TABLE IF NOT EXISTS tweaks (run INTEGER, number INTEGER, kind INTEGER, state "
-        "INTEGER, instance TEXT, property TEXT, was TEXT, now TEXT, was_text TEXT, now_text TEXT, "
-        "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, "
-        "PRIMARY KEY (run, number)) WITHOUT ROWID");
-    set_format(database, format);
+    // Another run may have made them since they were looked for.
+    if (database.integer("SELECT count(*) FROM sqlite_schema") == 0) set_format(database, format);
     transaction.commit();
 }
 
@@ -53,6 +53,7 @@ class Journal::Checkpoints : public CheckpointThread {
 
 Journal::Journal(std::vector<fs::path> folders, std::string name, Warn warn)
     : folders_(std::move(folders)), name_(std::move(name)), warn_(std::move(warn)) {
+    leave_out_odd_folders();
     find_existing();
 }
 
@@ -71,7 +72,7 @@ fs::path Journal::candidate(const fs::path& folder, int number) const {
 std::string Journal::open(const fs::path& file, Access access) {
     try {
         auto database = std::make_unique<Database>(file, access);
-        database->wait_for_others(open_patience);
+        database->wait_for_others(long_patience);
         const bool made = check_format(*database, format);
         if (database->read_only()) throw std::runtime_error("it can only be read");
         database->run("PRAGMA synchronous = OFF");
@@ -79,7 +80,7 @@ std::string Journal::open(const fs::path& file, Access access) {
             throw DatabaseError(io_error, "its file system allows no write-ahead log");
         if (!made) make_tables(*database);
         database->run("PRAGMA wal_autocheckpoint = 0");
-        database->wait_for_others(commit_patience);
+        database->wait_for_others(patience_);
         database_ = std::move(database);
         file_ = file;
         identity_ = identity_of(file);
@@ -105,6 +106,18 @@ bool Journal::can_be_read(const fs::path& file) {
     if (may_write(file) && may_write(file.parent_path())) return false;
     unwritable_.push_back(file);
     return true;
+}
+
+void Journal::leave_out_odd_folders() {
+    std::erase_if(folders_, [this](const fs::path& folder) {
+        struct stat status {};
+        if (::lstat(folder.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return false;
+        const std::string why =
+            S_ISREG(status.st_mode) ? "it is a file" : why_no_file(status.st_mode);
+        warn_(folder.string() + ": expected a folder for the journal of tweaks, but " +
+              why.substr(0, why.find(',')) + "; it is left as it is");
+        return true;
+    });
 }
 
 void Journal::find_existing() {
@@ -165,7 +178,8 @@ void Journal::read_rows(Database& from, std::vector<JournalRow>& rows) {
         JournalRow& row = rows.emplace_back();
         row.run = query.integer(0);
         row.number = query.integer(1);
-        row.kind = static_cast<JournalRow::Kind>(query.integer(2));
+        const std::int64_t kind = query.integer(2);
+        row.kind = static_cast<JournalRow::Kind>(kind >= 0 && kind <= 3 ? kind : UINT8_MAX);
         row.state = static_cast<JournalRow::State>(query.integer(3));
         row.instance = query.text(4);
         row.property = query.text(5);
@@ -205,6 +219,39 @@ std::vector<JournalRow> Journal::earlier() {
     return rows;
 }
 
+void Journal::refresh(std::vector<JournalRow>& rows) {
+    if (!database_) return;
+    try {
+        Statement query = database_->statement(
+            "SELECT state, was, now, was_text, now_text, step, time, file, inside, kept_in FROM "
+            "tweaks "
+            "WHERE run = ? AND number = ?");
+        for (JournalRow& row : rows) {
+            if (row.run == JournalRow::elsewhere || row.state != JournalRow::State::open) continue;
+            query.bind(1, row.run).bind(2, row.number);
+            JournalRow now = row;
+            if (query.step()) {
+                now.state =
+                    query.integer(0) == 0 ? JournalRow::State::open : JournalRow::State::kept;
+                now.was = query.text(1);
+                now.now = query.text(2);
+                now.was_text = query.text(3);
+                now.now_text = query.text(4);
+                now.step = query.integer(5);
+                now.time = query.integer(6);
+                now.file = query.text(7);
+                now.inside = query.text(8);
+                now.kept_in = query.text(9);
+            } else {
+                now.state = JournalRow::State::dropped;  // undone by its own run
+            }
+            query.reset();
+            row = std::move(now);
+        }
+    } catch (const DatabaseError&) {  // as they were, then
+    }
+}
+
 bool Journal::commit(const Changes& changes) {
     try {
         if (!database_) create();
@@ -216,7 +263,7 @@ bool Journal::commit(const Changes& changes) {
             Statement put = database_->statement(
                 "INSERT OR REPLACE INTO tweaks VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
             for (const JournalRow* row : changes.put) {
-                put.bind(1, row->run != 0 ? row->run : run_)
+                put.bind(1, run_)
                     .bind(2, row->number)
                     .bind(3, static_cast<std::int64_t>(row->kind))
                     .bind(4, static_cast<std::int64_t>(row->state))
@@ -237,6 +284,17 @@ bool Journal::commit(const Changes& changes) {
                 database_->statement("DELETE FROM tweaks WHERE run = ? AND number = ?");
             for (const std::int64_t number : changes.withdrawn)
                 withdraw.bind(1, run_).bind(2, number).run();
+            // Not what has become of the row since it was read: its run may still be there.
+            Statement settle = database_->statement(
+                "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = "
+                "?");
+            for (const JournalRow* row : changes.settled)
+                settle.bind(1, static_cast<std::int64_t>(row->state))
+                    .bind(2, row->kept_in)
+                    .bind(3, row->run)
+                    .bind(4, row->number)
+                    .bind(5, row->now)
+                    .run();
             transaction.commit();
         } catch (...) {
             run_ = known;
@@ -244,10 +302,15 @@ bool Journal::commit(const Changes& changes) {
         }
     } catch (const DatabaseError& error) {
         if (error.busy()) return false;
-        throw;
+        throw error.at(file_);
     }
     checkpoints_->notify();
     return true;
+}
+
+void Journal::be_patient() {
+    patience_ = long_patience;
+    if (database_) database_->wait_for_others(patience_);
 }
 
 bool Journal::vanished() {

@@ -44,7 +44,8 @@ class Journal {
 
     /// The file is `name`.sqlite in the first of the folders it can be written in; nothing is
     /// created before the first commit. A file that cannot be used is left as it is, `warn` is
-    /// told, and another one (`name`.2.sqlite) is taken.
+    /// told, and another one (`name`.2.sqlite) is taken. A link in the place of one of the folders
+    /// is not followed.
     Journal(std::vector<std::filesystem::path> folders, std::string name, Warn warn);
     ~Journal();
     Journal(const Journal&) = delete;
@@ -53,12 +54,20 @@ class Journal {
     /// Rows of earlier runs that are still open, oldest first.
     std::vector<JournalRow> earlier();
 
+    /// Brings rows of earlier runs up to what the journal says now: a run that is still there, or
+    /// another one, may have changed them since.
+    void refresh(std::vector<JournalRow>& rows);
+
     struct Changes {
-        std::vector<const JournalRow*> put;   // new ones, or new contents of old ones
-        std::vector<std::int64_t> withdrawn;  // rows of this run, by number
+        std::vector<const JournalRow*> put;      // rows of this run, new ones or new contents
+        std::vector<std::int64_t> withdrawn;     // rows of this run, by number
+        std::vector<const JournalRow*> settled;  // rows of other runs that are not open any more
     };
     /// All of it or nothing. False when another program is writing just now. Throws DatabaseError.
     bool commit(const Changes& changes);
+    /// From now on a commit waits some seconds for another program that is writing: there may be no
+    /// next one.
+    void be_patient();
     /// True when the file was removed behind our back: rows of this run must be put again.
     bool vanished();
     std::int64_t run() const { return run_; }
@@ -70,6 +79,7 @@ class Journal {
     std::filesystem::path candidate(const std::filesystem::path& folder, int number) const;
     std::string open(const std::filesystem::path& file, Access access);
     bool can_be_read(const std::filesystem::path& file);
+    void leave_out_odd_folders();
     void find_existing();
     void create();
     void begin_run();
@@ -85,6 +95,7 @@ class Journal {
     std::set<std::filesystem::path> unusable_;
     std::vector<std::filesystem::path> unwritable_;  // journals that can only be read
     std::int64_t run_ = 0;
+    int patience_ = 20;  // ms; a frame must not wait
 };
 
 }  // namespace fettle::property

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
+#include <utility>
 
+#include "scene_check.h"
 #include "scene_edit.h"
 #include "tweaks_state.h"
 
@@ -19,6 +22,7 @@ using RowState = JournalRow::State;
 /// The parent's path of a path of an instance, and its last name.
 std::pair<std::string, std::string> split_path(const std::string& path) {
     std::vector<Segment> segments = parse_path(path);
+    if (segments.empty()) throw Error(ErrorKind::bad_path, "game is the root of everything");
     const std::string name = std::get<std::string>(segments.back().key);
     const std::string suffix = path_suffix(name);
     if (segments.size() == 1) return {"game", name};
@@ -32,36 +36,46 @@ Handle instance_at(const Tree& tree, const std::string& path) {
     return place.instance;
 }
 
-/// Files that are being changed: read when first needed, written together at the end.
+/// Keeps rows in files, each of which is read, changed and written once.
 class Keeping {
   public:
-    Keeping(Tweaks::State& state, TweakReport& report) : state_(state), report_(report) {}
-
-    void keep(JournalRow& row) {
-        try {
-            const fs::path file = scene_file(row);
-            if (file.empty())
-                into_kept(row);
-            else
-                into_scene(row, file);
-        } catch (const Error& error) {
-            report_.problems.push_back(path_of(row) + ": " + error.what());
-        }
+    Keeping(Tweaks::State& state, TweakReport& report) : state_(state), report_(report) {
+        state_.kept.read_again();
     }
 
-    void write() {
-        for (auto& [file, scene] : scenes_)
-            finish(file, scene.rows, [&, &path = file, &edit = scene.edit] {
-                if (edit) state_.files.write(path, edit->text());
-            });
-        finish(state_.kept.file(), kept_rows_, [&] { state_.kept.write(); });
+    void keep(const std::vector<JournalRow*>& rows) {
+        for (JournalRow* row : rows) {
+            const fs::path file = scene_file(*row);
+            // A scene that goes as a whole is loaded by somebody: a script.
+            const bool whole = row->kind == Kind::deleted && row->inside.empty();
+            if (!file.empty() && !whole)
+                scenes_[file].push_back(row);
+            else if (tried(*row, [&] { into_kept(*row); }))
+                kept_rows_.push_back(row);
+        }
+        for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
+        write(state_.kept.file(), kept_rows_, [&] { state_.kept.write(); });
     }
 
   private:
-    struct Scene {
-        std::optional<SceneEdit> edit;
-        std::vector<JournalRow*> rows;
-    };
+    template <class Keep>
+    bool tried(const JournalRow& row, Keep keep_it) {
+        try {
+            keep_it();
+            return true;
+        } catch (const SceneError& error) {
+            tell(row, error.reason());  // the place is one in a text that nobody will see
+        } catch (const Error& error) {
+            tell(row, error.what());
+        }
+        return false;
+    }
+    void tell(const JournalRow& row, const std::string& reason) {
+        // What a file says of an instance begins at the top of its scene: "ball.mass: expected ..."
+        const std::string path = path_of(row), about = reason.substr(0, reason.find(": "));
+        const bool same = about.size() < reason.size() && path.ends_with(about);
+        report_.problems.push_back(path + (same ? reason.substr(about.size()) : ": " + reason));
+    }
 
     /// Empty when it is none of the game's own: what was loaded from elsewhere is not ours to
     /// write.
@@ -75,42 +89,86 @@ class Keeping {
         return file;
     }
 
-    SceneEdit& scene(const fs::path& file) {
-        Scene& scene = scenes_[file];
-        if (!scene.edit) scene.edit.emplace(state_.tree, state_.files.read(file), file.string());
-        return *scene.edit;
-    }
-
-    Handle scene_top(const JournalRow& row) const {
+    bool loadable(const SceneEdit& edit) const {
         try {
-            const auto origin = state_.origins.find(instance_at(state_.tree, row.instance));
-            return origin ? origin->top : Handle{};
+            check_scene(state_.tree, edit.document());
+            return true;
         } catch (const Error&) {
-            return {};
+            return false;
         }
     }
 
-    void into_scene(JournalRow& row, const fs::path& file) {
+    /// A row may say anything: an earlier run, whose classes were other ones, has left it. What
+    /// would make the scene one that cannot be loaded is not kept in it.
+    void keep_in_scene(const fs::path& file, const std::vector<JournalRow*>& rows) {
+        try {
+            const std::string text = state_.files.read(file);
+            std::optional<SceneEdit> edit(std::in_place, state_.tree, text, file.string());
+            const bool was_loadable = loadable(*edit);
+            const std::size_t told_before = report_.problems.size();
+            std::vector<JournalRow*> done = edited(edit, rows, false);
+            if (was_loadable && !loadable(*edit)) {
+                report_.problems.resize(told_before);
+                edit.emplace(state_.tree, text, file.string());
+                done = edited(edit, rows, true);
+            }
+            write(file, done, [&] { state_.files.write(file, edit->text()); });
+        } catch (const Error& error) {
+            report_.problems.emplace_back(error.what());
+        }
+    }
+
+    /// Those that are in the text now. `each`: the scene is checked after each of them.
+    std::vector<JournalRow*> edited(std::optional<SceneEdit>& edit,
+                                    const std::vector<JournalRow*>& rows, bool each) {
+        std::vector<JournalRow*> done;
+        for (JournalRow* row : rows) {
+            const std::string before = edit->text(), name = edit->document().file_name();
+            const bool kept = tried(*row, [&] {
+                edit_scene(*row, *edit);
+                if (each) check_scene(state_.tree, edit->document());
+            });
+            if (kept)
+                done.push_back(row);
+            else
+                edit.emplace(state_.tree, before, name);
+        }
+        return done;
+    }
+
+    Handle scene_top(const JournalRow& row) const {
+        const auto origin = state_.origins.find(found(row.instance));
+        return origin ? origin->top : Handle{};
+    }
+
+    void edit_scene(const JournalRow& row, SceneEdit& edit) {
         const SceneSteps steps = read_steps(row.inside);
         switch (row.kind) {
             case Kind::value:
-                scene(file).set(steps, row.property, told(row), scene_top(row));
-                break;
-            case Kind::created:
-                scene(file).add_child(steps, row.now);
-                break;
+                return edit.set(steps, row.property, told(row), scene_top(row));
+            case Kind::created: {
+                const Document made(row.now, "its scene");
+                const auto [parent, name] = split_path(row.instance);
+                check_scene(state_.tree, made, found(parent), name);
+                return edit.add_child(steps, row.now);
+            }
             case Kind::deleted:
-                if (steps.empty()) return into_kept(row);
-                scene(file).remove(steps);
-                break;
+                return edit.remove(steps);
             case Kind::moved:
                 if (split_path(row.instance).first != split_path(row.now).first)
                     throw Error(ErrorKind::rejected,
                                 "another parent cannot be kept: move it in the file");
-                scene(file).rename(steps, split_path(row.now).second);
-                break;
+                return edit.rename(steps, split_path(row.now).second);
         }
-        scenes_[file].rows.push_back(&row);
+    }
+
+    /// Null where there is none now.
+    Handle found(const std::string& path) const {
+        try {
+            return instance_at(state_.tree, path);
+        } catch (const Error&) {
+            return {};
+        }
     }
 
     void into_kept(JournalRow& row) {
@@ -118,9 +176,13 @@ class Keeping {
             case Kind::value:
                 state_.kept.set(row.instance, row.property, told(row));
                 break;
-            case Kind::created:
+            case Kind::created: {
+                const Document made(row.now, "its scene");
+                const auto [parent, name] = split_path(row.instance);
+                check_scene(state_.tree, made, found(parent), name);
                 state_.kept.add(row.instance, row.now);
                 break;
+            }
             case Kind::deleted:
                 state_.kept.remove(row.instance);
                 break;
@@ -129,7 +191,6 @@ class Keeping {
                     ErrorKind::rejected,
                     "a name or parent that a script gives cannot be kept: change the script");
         }
-        kept_rows_.push_back(&row);
     }
 
     Image told(const JournalRow& row) const {
@@ -143,10 +204,10 @@ class Keeping {
     }
 
     template <class Write>
-    void finish(const fs::path& file, const std::vector<JournalRow*>& rows, Write write) {
+    void write(const fs::path& file, const std::vector<JournalRow*>& rows, Write write_it) {
         if (rows.empty()) return;
         try {
-            write();
+            write_it();
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
             return;
@@ -161,7 +222,7 @@ class Keeping {
 
     Tweaks::State& state_;
     TweakReport& report_;
-    std::map<fs::path, Scene> scenes_;
+    std::map<fs::path, std::vector<JournalRow*>> scenes_;
     std::vector<JournalRow*> kept_rows_;
 };
 
@@ -179,6 +240,13 @@ std::vector<JournalRow*> Tweaks::State::matching(std::string_view text, bool ear
     return rows;
 }
 
+void Tweaks::State::refresh_earlier() {
+    if (!journal) return;
+    journal->refresh(earlier);
+    for (JournalRow& row : earlier)
+        if (row.state == RowState::open && !problem_of(row).empty()) row.state = RowState::dropped;
+}
+
 void Tweaks::State::set_state(JournalRow& row, RowState state) {
     row.state = state;
     rest = 0;
@@ -194,9 +262,15 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
     TweakReport report;
     rest = 0;
     barrier();  // whatever was edited just now counts as well
-    Keeping keeping(*this, report);
-    for (JournalRow* row : matching(pattern, false)) keeping.keep(*row);
-    keeping.write();
+    try {
+        // What other runs of the game have kept meanwhile stays: nobody writes between reading and
+        // writing.
+        const std::shared_ptr<void> locked = files.lock();
+        refresh_earlier();
+        Keeping(*this, report).keep(matching(pattern, false));
+    } catch (const FileError& error) {
+        report.problems.emplace_back(error.what());
+    }
     barrier();
     return report;
 }
@@ -204,6 +278,7 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
 TweakReport Tweaks::State::drop(std::string_view pattern) {
     TweakReport report;
     barrier();
+    refresh_earlier();
     for (JournalRow* row : matching(pattern, false)) {
         set_state(*row, RowState::dropped);
         ++report.count;
@@ -229,6 +304,7 @@ class EditScope {
 
 TweakReport Tweaks::State::reapply(std::string_view pattern) {
     TweakReport report;
+    refresh_earlier();
     const std::vector<JournalRow*> rows = matching(pattern, true);
     const EditScope edit(tree, "reapply tweaks of " + std::string(pattern));
     for (JournalRow* row : rows) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include <fettle/property/coercion.h>
 #include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
 #include "scene_reference.h"
@@ -35,15 +37,21 @@ bool all_names(const std::vector<Segment>& segments) {
 
 KeptTweaks::KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn)
     : tree_(tree), files_(files), file_(std::move(file)), warn_(std::move(warn)) {
+    read_again();
+    if (!problem_.empty()) warn_(problem_ + "; the tweaks kept in this file are not applied");
+}
+
+void KeptTweaks::read_again() {
+    edit_.reset();
+    document_.reset();
+    contents_ = {};
+    problem_.clear();
     if (!files_.exists(file_)) return;
     try {
         read();
     } catch (const Error& error) {
         problem_ = error.what();
-        values_.clear();
-        created_.clear();
-        deleted_.clear();
-        warn_(problem_ + "; the tweaks kept in this file are not applied");
+        contents_ = {};
     }
 }
 
@@ -59,10 +67,18 @@ void KeptTweaks::read() {
         document_->fail(ErrorKind::bad_structure, version->begin,
                         "was written by a newer Fettle (version " +
                             std::to_string(version->integer) + " of the format)");
-    index(*document_);
+    static const std::vector<std::string> known = {std::string(version_of_tweaks), "values",
+                                                   "created", "deleted"};
+    for (const Node* node = document_->first(root); node; node = document_->next(*node))
+        if (const std::string& key = document_->key(*node);
+            std::find(known.begin(), known.end(), key) == known.end())
+            warn(node->key_begin, "a file of kept tweaks has no key " + value_text(Value(key)) +
+                                      suggestion(key, known) + "; what it holds has no effect");
+    contents_ = contents_of(*document_);
 }
 
-void KeptTweaks::index(const Document& document) {
+KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
+    Contents contents;
     const auto section = [&](const char* name, Document::Kind kind) {
         const Node* node = document.member(document.root(), name);
         if (node != nullptr && node->kind != kind)
@@ -83,22 +99,23 @@ void KeptTweaks::index(const Document& document) {
             const std::string& key = document.key(*node);
             const std::vector<Segment> path = names(key, node->key_begin);
             const std::string instance = path.size() == 1 ? "game" : joined(path, path.size() - 1);
-            values_[instance].push_back({std::get<std::string>(path.back().key), key});
+            contents.values[instance].push_back({std::get<std::string>(path.back().key), key});
         }
     if (const Node* created = section("created", Document::Kind::object))
         for (const Node* node = document.first(*created); node; node = document.next(*node)) {
             const std::string& key = document.key(*node);
             if (names(key, node->key_begin).size() < 2)
                 document.fail(ErrorKind::bad_path, node->key_begin, "no place for an instance");
-            created_.push_back(key);
+            contents.created.push_back(key);
         }
     if (const Node* deleted = section("deleted", Document::Kind::array))
         for (const Node* node = document.first(*deleted); node; node = document.next(*node)) {
             if (node->kind != Document::Kind::text)
                 document.fail(ErrorKind::bad_structure, node->begin, "expected a path");
             const std::vector<Segment> path = names(document.text(*node), node->begin);
-            deleted_.push_back(joined(path, path.size()));
+            contents.deleted.push_back(joined(path, path.size()));
         }
+    return contents;
 }
 
 // --- Applying ------------------------------------------------------------------------------------
@@ -153,11 +170,11 @@ void KeptTweaks::apply_value(Handle instance, const Kept& kept) {
 }
 
 void KeptTweaks::apply_values(Handle top) {
-    if (values_.empty() || !tree_.alive(top)) return;
+    if (contents_.values.empty() || !tree_.alive(top)) return;
     if (top != tree_.root() && !tree_.is_below(top, tree_.root())) return;
     std::vector<std::pair<Handle, const std::vector<Kept>*>> found;
     tree_.each_below(top, [&](Handle handle) {
-        if (const auto it = values_.find(tree_.path(handle)); it != values_.end())
+        if (const auto it = contents_.values.find(tree_.path(handle)); it != contents_.values.end())
             found.emplace_back(handle, &it->second);
     });
     for (const auto& [handle, kept] : found)
@@ -184,7 +201,7 @@ void KeptTweaks::create(const std::string& path) {
 }
 
 void KeptTweaks::apply_all() {
-    for (const std::string& path : deleted_) {
+    for (const std::string& path : contents_.deleted) {
         try {
             const Place place = resolve(tree_, path);
             const Tree::CauseScope cause(tree_, Writer::load);
@@ -192,7 +209,7 @@ void KeptTweaks::apply_all() {
         } catch (const Error&) {  // it is not there
         }
     }
-    for (const std::string& path : created_) create(path);
+    for (const std::string& path : contents_.created) create(path);
     apply_values(tree_.root());
 }
 
@@ -251,7 +268,21 @@ void KeptTweaks::set(const std::string& instance, const std::string& property, c
         if (place.property == nullptr) declared = tree_.class_of(place.instance).property(property);
     } catch (const Error&) {  // not there now: the value says its own type
     }
+    check_value(path, declared, image);
     put("values", path, image_in_file(tree_, {}, declared, image));
+}
+
+/// What a run has left may be of other classes than those there are now, or of nobody's making.
+void KeptTweaks::check_value(const std::string& path, const Property* declared,
+                             const Image& image) const {
+    const Value value = image_value(tree_, image);
+    if (declared != nullptr) {
+        require_told_as_property(*declared);
+        if (declared->read_only) throw Error(ErrorKind::read_only, path + ": it is read-only");
+        (void)coerced(tree_, *declared, value, path);
+    }
+    if (image.kind == Image::Kind::formula && image.not_saved.empty())
+        (void)make_formula(tree_, image.source, value);
 }
 
 void KeptTweaks::add(const std::string& path, const std::string& scene) {
@@ -262,7 +293,8 @@ void KeptTweaks::add(const std::string& path, const std::string& scene) {
 }
 
 void KeptTweaks::remove(const std::string& path) {
-    const auto was_created = std::find(created_.begin(), created_.end(), path) != created_.end();
+    const std::vector<std::string>& created = contents_.created;
+    const auto was_created = std::find(created.begin(), created.end(), path) != created.end();
     drop("created", path);
     std::string quoted;
     append_quoted(quoted, path);
@@ -271,13 +303,13 @@ void KeptTweaks::remove(const std::string& path) {
 
 void KeptTweaks::write() {
     if (edit_ == nullptr) return;
-    std::unique_ptr<JsonEdit> edit = std::move(edit_);
+    const std::unique_ptr<JsonEdit> edit = std::move(edit_);
+    // What could not be read must not become the file.
+    auto document = std::make_unique<Document>(edit->text(), file_.string());
+    Contents contents = contents_of(*document);
     files_.write(file_, edit->text());
-    document_ = std::make_unique<Document>(edit->text(), file_.string());
-    values_.clear();
-    created_.clear();
-    deleted_.clear();
-    index(*document_);
+    document_ = std::move(document);
+    contents_ = std::move(contents);
 }
 
 }  // namespace fettle::property

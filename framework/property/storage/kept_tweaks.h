@@ -33,7 +33,8 @@ class KeptTweaks {
     KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn);
 
     const std::filesystem::path& file() const { return file_; }
-    bool empty() const { return values_.empty() && created_.empty() && deleted_.empty(); }
+    /// What the file says now: another run of the game may have kept something since.
+    void read_again();
 
     /// Values of the instance and of everything below it.
     void apply_values(Handle top);
@@ -52,8 +53,13 @@ class KeptTweaks {
         std::string property;
         std::string key;
     };
+    struct Contents {
+        std::unordered_map<std::string, std::vector<Kept>> values{};  // by path of the instance
+        std::vector<std::string> created{}, deleted{};                // paths
+    };
     void read();
-    void index(const Document& document);
+    static Contents contents_of(const Document& document);
+    void check_value(const std::string& path, const Property* declared, const Image& image) const;
     void apply_value(Handle instance, const Kept& kept);
     void create(const std::string& path);
     void warn(std::size_t offset, const std::string& reason);
@@ -65,12 +71,11 @@ class KeptTweaks {
     GameFiles& files_;
     std::filesystem::path file_;
     Warn warn_;
-    std::string problem_;                                        // why the file is not used
-    std::unique_ptr<Document> document_;                         // as it was read
-    std::unique_ptr<JsonEdit> edit_;                             // as it will be written
-    std::unordered_map<std::string, std::vector<Kept>> values_;  // by path of the instance
-    std::vector<std::string> created_, deleted_;                 // paths
-    std::unordered_set<std::string> told_;                       // warnings
+    std::string problem_;                 // why the file is not used
+    std::unique_ptr<Document> document_;  // as it was read
+    std::unique_ptr<JsonEdit> edit_;      // as it will be written
+    Contents contents_;
+    std::unordered_set<std::string> told_;  // warnings
 };
 
 }  // namespace fettle::property

@@ -1,9 +1,14 @@
 #include <fettle/property/storage/saves.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
 
+#include <fettle/property/bytes.h>
 #include <fettle/property/spelling.h>
 
 #include "database.h"
@@ -15,42 +20,43 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr FileFormat format{.application = 0x46534156, .version = 1};  // "FSAV"
+const FileFormat format{
+    .application = 0x46534156,  // "FSAV"
+    .version = 2,
+    .tables = {"CREATE TABLE save (game TEXT, program TEXT, step INTEGER, time INTEGER, width "
+               "INTEGER, height INTEGER, thumbnail BLOB, state BLOB)"}};
 constexpr std::string_view ending = ".sqlite";
 constexpr std::size_t largest_thumbnail = std::size_t{16} << 20;  // bytes
+constexpr std::size_t largest_file = std::size_t{Database::size_limit};
 
-/// FNV-1a with 64 bits, over everything a save holds: it finds damage, not forgery.
-class Checksum {
-  public:
-    Checksum& add(std::string_view bytes) {
-        for (const char c : bytes) add_byte(static_cast<unsigned char>(c));
-        return add_byte(0xff);  // so that bytes cannot wander from one part into the next
-    }
-    std::int64_t value() const { return static_cast<std::int64_t>(hash_); }
-
-  private:
-    Checksum& add_byte(unsigned char byte) {
-        hash_ = (hash_ ^ byte) * 1099511628211u;
-        return *this;
-    }
-    std::uint64_t hash_ = 14695981039346656037u;
+/// Stands behind the database, which SQLite does not mind: the checksum of every byte before it.
+struct Seal {
+    std::array<char, 8> magic = {'F', 'e', 't', 't', 'l', 'e', 'S', '2'};
+    std::uint64_t checksum = 0;
 };
 
-template <class Bytes>
-std::string_view view_of(const Bytes& bytes) {
+std::string_view view_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::int64_t checksum_of(const SaveInfo& info, const std::string& game, std::string_view state,
-                         const Thumbnail& thumbnail) {
-    return Checksum()
-        .add(game)
-        .add(info.program)
-        .add(std::to_string(info.step) + " " + std::to_string(info.time))
-        .add(std::to_string(thumbnail.width) + " " + std::to_string(thumbnail.height))
-        .add(view_of(thumbnail.pixels))
-        .add(state)
-        .value();
+std::string sealed(std::string database) {
+    const Seal seal{.checksum = checksum(std::as_bytes(std::span(database)))};
+    database.append(reinterpret_cast<const char*>(&seal), sizeof seal);
+    return database;
+}
+
+/// The database of a file that is whole. Throws std::runtime_error with what is wrong: whose file
+/// it is and its version are looked at first, since a newer one may be sealed in another way.
+std::string_view unsealed(std::string_view file) {
+    check_header(file, format);
+    Seal seal;
+    const auto bytes = file.substr(0, file.size() - std::min(file.size(), sizeof seal));
+    std::string_view end = file.substr(bytes.size());
+    if (end.size() == sizeof seal) std::memcpy(&seal, end.data(), sizeof seal);
+    if (end.size() != sizeof seal || seal.magic != Seal{}.magic ||
+        seal.checksum != checksum(std::as_bytes(std::span(bytes))))
+        throw std::runtime_error("it is damaged (its checksum does not fit)");
+    return bytes;
 }
 
 }  // namespace
@@ -114,32 +120,25 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw FileError(folder_, "could not be made: " + error.message());
-    SaveInfo info;
-    info.step = step;
-    info.program = program_;
-    info.time = std::chrono::duration_cast<std::chrono::seconds>(
-                    std::chrono::system_clock::now().time_since_epoch())
-                    .count();
+    const std::int64_t now = std::chrono::duration_cast<std::chrono::seconds>(
+                                 std::chrono::system_clock::now().time_since_epoch())
+                                 .count();
     std::string bytes;
     try {
         // Made in memory and put into place whole, so that there is never half a save.
         Database database = Database::in_memory();
         set_format(database, format);
-        database.run(
-            "CREATE TABLE save (game TEXT, program TEXT, step INTEGER, time INTEGER, checksum "
-            "INTEGER, width INTEGER, height INTEGER, thumbnail BLOB, state BLOB)");
-        database.statement("INSERT INTO save VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        database.statement("INSERT INTO save VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
             .bind(1, game_)
             .bind(2, program_)
             .bind(3, static_cast<std::int64_t>(step))
-            .bind(4, info.time)
-            .bind(5, checksum_of(info, game_, view_of(state), thumbnail))
-            .bind(6, std::int64_t{thumbnail.width})
-            .bind(7, std::int64_t{thumbnail.height})
-            .bind_bytes(8, view_of(thumbnail.pixels))
-            .bind_bytes(9, view_of(state))
+            .bind(4, now)
+            .bind(5, std::int64_t{thumbnail.width})
+            .bind(6, std::int64_t{thumbnail.height})
+            .bind_bytes(7, view_of(std::as_bytes(std::span(thumbnail.pixels))))
+            .bind_bytes(8, view_of(state))
             .run();
-        bytes = database.serialized();
+        bytes = sealed(database.serialized());
     } catch (const DatabaseError& problem) {
         throw FileError(target, std::string("could not be made: ") + problem.what());
     }
@@ -151,44 +150,52 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
 SavedGame Saves::read(const fs::path& file) const {
     SavedGame saved;
     saved.info.slot = file.stem().string();
-    std::error_code ignored;
-    saved.info.bytes = static_cast<std::size_t>(fs::file_size(file, ignored));
     try {
-        Database database(file, Access::reading);
+        const std::string bytes = read_file(file, largest_file);
+        saved.info.bytes = bytes.size();
+        Database database = Database::of_bytes(unsealed(bytes));
         if (!check_format(database, format)) throw std::runtime_error("it is empty");
-        Statement row = database.statement(
-            "SELECT game, program, step, time, checksum, width, height, thumbnail, state FROM "
-            "save");
-        if (!row.step()) throw std::runtime_error("it is empty");
-        const std::string game = row.text(0);
-        saved.info.program = row.text(1);
-        saved.info.step = static_cast<std::uint64_t>(row.integer(2));
-        saved.info.time = row.integer(3);
-        const std::int64_t width = row.integer(5), height = row.integer(6);
-        const std::string pixels = row.text(7), state = row.text(8);
-        const bool fits = width >= 0 && height >= 0 && width < 65536 && height < 65536 &&
-                          pixels.size() <= largest_thumbnail &&
-                          pixels.size() == static_cast<std::size_t>(width * height * 4);
-        if (!fits) throw std::runtime_error("it is damaged (its picture)");
-        saved.thumbnail = {static_cast<std::uint32_t>(width),
-                           static_cast<std::uint32_t>(height),
-                           {pixels.begin(), pixels.end()}};
-        saved.info.thumbnail = !saved.thumbnail.empty();
-        if (checksum_of(saved.info, game, state, saved.thumbnail) != row.integer(4))
-            throw std::runtime_error("it is damaged (its checksum does not fit)");
-        if (game != game_) throw std::runtime_error("it is of another game, " + game);
-        const auto bytes = std::as_bytes(std::span(state));
-        saved.state.assign(bytes.begin(), bytes.end());
+        read(database, saved);
+    } catch (const FileError& problem) {  // which names the file first, as whoever loads it does
+        saved.info.problem = std::string(problem.what()).substr(file.string().size() + 2);
     } catch (const std::runtime_error& problem) {
         saved.info.problem = problem.what();
     }
     return saved;
 }
 
-fs::path Saves::existing(const std::string& slot) const {
-    fs::path path = file(slot);
+void Saves::read(Database& database, SavedGame& into) const {
+    Statement row = database.statement(
+        "SELECT game, program, step, time, width, height, thumbnail, state FROM save");
+    if (!row.step()) throw std::runtime_error("it is empty");
+    const std::string game = row.text(0);
+    into.info.program = row.text(1);
+    const std::int64_t step = row.integer(2);
+    into.info.time = row.integer(3);
+    if (step < 0) throw std::runtime_error("it is damaged (its step)");
+    into.info.step = static_cast<std::uint64_t>(step);
+    const std::int64_t width = row.integer(4), height = row.integer(5);
+    const std::string pixels = row.text(6), state = row.text(7);
+    const bool fits = width >= 0 && height >= 0 && width < 65536 && height < 65536 &&
+                      pixels.size() <= largest_thumbnail &&
+                      pixels.size() == static_cast<std::size_t>(width * height * 4);
+    if (!fits) throw std::runtime_error("it is damaged (its picture)");
+    into.thumbnail = {static_cast<std::uint32_t>(width),
+                      static_cast<std::uint32_t>(height),
+                      {pixels.begin(), pixels.end()}};
+    into.info.thumbnail = !into.thumbnail.empty();
+    if (game != game_) throw std::runtime_error("it is of another game, " + game);
+    const auto bytes = std::as_bytes(std::span(state));
+    into.state.assign(bytes.begin(), bytes.end());
+}
+
+bool Saves::exists(const std::string& slot) const {
     std::error_code ignored;
-    if (fs::exists(path, ignored)) return path;
+    return fs::exists(file(slot), ignored);
+}
+
+fs::path Saves::existing(const std::string& slot) const {
+    if (exists(slot)) return file(slot);
     std::vector<std::string> slots;
     for (const SaveInfo& each : list()) slots.push_back(each.slot);
     throw Error(ErrorKind::unknown_name,
@@ -203,13 +210,15 @@ SavedGame Saves::load(const std::string& slot) const {
     return saved;
 }
 
-std::vector<SaveInfo> Saves::list() const {
+std::vector<SaveInfo> Saves::list(const Check& problem_of) const {
     std::vector<SaveInfo> all;
     std::error_code error;
     for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
         const fs::path& path = it->path();
         if (path.extension() != ending || path.filename().string().starts_with('.')) continue;
-        all.push_back(read(path).info);
+        SavedGame saved = read(path);
+        if (problem_of && saved.info.problem.empty()) saved.info.problem = problem_of(saved);
+        all.push_back(std::move(saved.info));
     }
     std::sort(all.begin(), all.end(),
               [](const SaveInfo& a, const SaveInfo& b) { return a.slot < b.slot; });

@@ -45,10 +45,9 @@ void SceneEdit::set(const SceneSteps& steps, const std::string& property, const 
                     Handle top) {
     const Node& instance = find(steps);
     const Node* class_name = document().member(instance, "class");
-    const Class* of = class_name != nullptr && class_name->kind == Document::Kind::text
-                          ? tree_.find_class(document().text(*class_name))
-                          : nullptr;
-    const Property* declared = of != nullptr ? of->property(property) : nullptr;
+    if (class_name == nullptr || class_name->kind != Document::Kind::text)
+        document().fail(ErrorKind::bad_structure, instance.begin, "not an instance with a class");
+    const Property* declared = tree_.class_named(document().text(*class_name)).property(property);
     if (image.kind == Image::Kind::absent || image.kind == Image::Kind::by_default) {
         remove_member(steps, "properties", property);
         remove_member(steps, "ad_hoc", property);

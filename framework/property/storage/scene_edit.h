@@ -16,6 +16,7 @@ class SceneEdit {
     /// Throws SceneError for a text that is no scene.
     SceneEdit(const Tree& tree, std::string text, std::string file_name);
     const std::string& text() const { return json_.text(); }
+    const Document& document() const { return json_.document(); }
 
     // Each throws Error when the file has no such instance (any more).
 
@@ -29,7 +30,6 @@ class SceneEdit {
 
   private:
     using Node = Document::Node;
-    const Document& document() const { return json_.document(); }
     const Node& find(const SceneSteps& steps) const;
     const Node* child(const Node& instance, const SceneStep& step) const;
     void set_member(const SceneSteps& steps, const Property* declared, const std::string& property,

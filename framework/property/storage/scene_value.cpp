@@ -379,6 +379,22 @@ Formula make_formula(const Tree& tree, const std::string& source, const Value& v
     return {.function = [value](const Tree&) { return value; }, .source = source};
 }
 
+Formula made_formula(const Tree& tree, const Document& document, const FormulaText& formula,
+                     const Value& value) {
+    try {
+        return make_formula(tree, document.text(*formula.is), value);
+    } catch (const Error& e) {
+        document.fail(e.kind(), formula.is->begin, e.what());
+    }
+}
+
+void require_told_as_property(const Property& property) {
+    if (property.binding.kind == BindingKind::node && property.transient)
+        throw Error(ErrorKind::read_only,
+                    "is told by the keys of the instance and by where it stands, not as a "
+                    "property");
+}
+
 Value read_value(const Document& document, const Node& node, Type type, Type element,
                  const ReferenceResolver& resolve) {
     return ValueReader(document, resolve).read(node, type, element);

@@ -68,6 +68,13 @@ FormulaText formula_text(const Document& document, const Document::Node& node);
 /// Throws Error for a text that does not compile.
 Formula make_formula(const Tree& tree, const std::string& source, const Value& value);
 
+/// The same for a formula in a file; a text that does not compile is a SceneError at its place.
+Formula made_formula(const Tree& tree, const Document& document, const FormulaText& formula,
+                     const Value& value);
+
+/// Throws Error for what a scene tells by the keys of an instance: its name, its parent.
+void require_told_as_property(const Property& property);
+
 /// What a value in a file says, read as one of `type` whose elements, if it is a list, are of type
 /// `element`. A value that says something else is returned as what it is, for the property to
 /// refuse or convert. Throws SceneError for what is no value.

@@ -1,12 +1,14 @@
 // Tweaks of earlier runs in words, which a recording of a run holds: what may come of them in that
-// run is part of what came into it.
+// run is part of what came into it. And whether they are tweaks: they were in a file.
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string_view>
 
 #include <fettle/property/error.h>
 
+#include "document.h"
 #include "tweaks_state.h"
 
 namespace fettle::property {
@@ -59,6 +61,47 @@ JournalRow row_of(const TweakWords& words) {
     row.time = number(words[2], words);
     for (std::size_t i = 0; i < texts.size(); ++i) row.*texts[i] = words[before_texts + i];
     return row;
+}
+
+namespace {
+
+void require_names(const std::string& path, bool root_too) {
+    const std::vector<Segment> segments = parse_path(path);
+    const bool names = std::none_of(segments.begin(), segments.end(),
+                                    [](const Segment& each) { return each.is_index(); });
+    if (!names || (segments.empty() && !root_too))
+        throw Error(ErrorKind::bad_path, value_text(Value(path)) + " is no path of an instance");
+}
+
+}  // namespace
+
+std::string problem_of(const JournalRow& row) {
+    constexpr std::size_t longest = 10'000;  // bytes, of a path and of what is shown to people
+    for (const auto text : {&JournalRow::instance, &JournalRow::property, &JournalRow::was_text,
+                            &JournalRow::now_text, &JournalRow::file})
+        if ((row.*text).size() > longest) return "a text in it is too long";
+    try {
+        require_names(row.instance, row.kind == Kind::value);
+        (void)read_steps(row.inside);
+        switch (row.kind) {
+            case Kind::value:
+                if (row.property.empty()) return row.instance + ": the name of a property is empty";
+                (void)read_image(row.was);
+                (void)read_image(row.now);
+                return {};
+            case Kind::created:
+                (void)Document(row.now, row.instance);
+                return {};
+            case Kind::deleted:
+                return {};
+            case Kind::moved:
+                require_names(row.now, false);
+                return {};
+        }
+        return row.instance + ": nobody knows what was done to it";
+    } catch (const Error& error) {
+        return row.instance + ": " + error.what();
+    }
 }
 
 }  // namespace fettle::property

@@ -1,6 +1,7 @@
 // Tweaks: from edits to entries. An entry is about a property, or about an instance that a person
 // created, deleted or moved; what happens to the same thing again changes its entry.
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/storage/tweaks.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <tuple>
 
 #include "places.h"
+#include "temporary_file.h"
 #include "tweaks_state.h"
 
 namespace fettle::property {
@@ -26,6 +28,12 @@ std::vector<std::string> names_in(const std::string& path) {
 bool is_at_or_below(const std::string& path, const std::string& top) {
     return path.starts_with(top) &&
            (path.size() == top.size() || path[top.size()] == '.' || path[top.size()] == '[');
+}
+
+/// Before the first file is read.
+GameFiles& kept_below(GameFiles& files, const std::filesystem::path& folder) {
+    files.stay_below(folder);
+    return files;
 }
 
 std::int64_t seconds_now() {
@@ -63,22 +71,44 @@ bool TweakPattern::matches(const JournalRow& row) const {
 Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn,
                      TweakOptions options)
     : tree(its_tree),
+      tree_life(its_tree.lifetime()),
       folder(game_folder(game)),
       warn(std::move(its_warn)),
-      files(options.files != nullptr ? *options.files : own_files),
+      files(options.files != nullptr ? *options.files : kept_below(own_files, folder)),
       kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
     if (options.earlier) {
-        for (const TweakWords& words : *options.earlier) earlier.push_back(row_of(words));
+        std::vector<JournalRow> rows;
+        for (const TweakWords& words : *options.earlier) rows.push_back(row_of(words));
+        take_earlier(std::move(rows));
     } else {
         journal =
             std::make_unique<Journal>(journal_folders(game), game_name(game) + ".tweaks", warn);
-        earlier = journal->earlier();
+        take_earlier(journal->earlier());
+        remove_leftovers(folder);
     }
     tree.observe_edits(this);
 }
 
+/// Those that say what a tweak is. The others stay in the journal as they are.
+void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
+    std::size_t odd = 0;
+    std::string first;
+    for (JournalRow& row : rows) {
+        const std::string problem = problem_of(row);
+        if (problem.empty()) {
+            earlier.push_back(std::move(row));
+        } else if (++odd == 1) {
+            first = problem;
+        }
+    }
+    if (odd > 0)
+        warn((odd == 1 ? "1 row that an earlier run has left is no tweak"
+                       : std::to_string(odd) + " rows that earlier runs have left are no tweaks") +
+             ", and is left aside: " + first);
+}
+
 Tweaks::State::~State() {
-    tree.observe_edits(nullptr);
+    if (!tree_life.expired()) tree.observe_edits(nullptr);
 }
 
 // --- Edits
@@ -269,15 +299,18 @@ Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
                std::function<void(const std::string&)> warn, TweakOptions options)
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
+    if (state_->tree_life.expired()) return;  // the paths of what was edited are gone
     state_->rest = 0;
+    if (state_->journal) state_->journal->be_patient();
     barrier();
+    state_->tell_lost();
 }
 
 void Tweaks::barrier() {
     try {
         state_->barrier();
     } catch (const std::exception& error) {
-        state_->warn(std::string("tweaks cannot be journaled: ") + error.what());
+        state_->warn("tweaks cannot be journaled: " + exception_text(error));
     }
 }
 TweakReport Tweaks::keep(std::string_view pattern) {

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include <fettle/property/exception_text.h>
+
 #include "scene_edit.h"
 #include "scene_text.h"
 #include "tweaks_state.h"
@@ -133,15 +135,17 @@ void Tweaks::State::commit() {
         else if (entry->committed)
             changes.withdrawn.push_back(entry->row.number);
     }
-    changes.put.insert(changes.put.end(), changed.begin(), changed.end());
+    changes.settled.assign(changed.begin(), changed.end());
     try {
-        const bool nothing = changes.put.empty() && changes.withdrawn.empty();
+        const bool nothing =
+            changes.put.empty() && changes.withdrawn.empty() && changes.settled.empty();
         if (journal && !nothing && !journal->commit(changes))
             return;  // another run is writing; the next barrier tries again
     } catch (const std::exception& error) {
         rest = barriers_of_rest;
-        if (last_failure == error.what()) return;
-        last_failure = error.what();
+        const std::string reason = exception_text(error);
+        if (last_failure == reason) return;
+        last_failure = reason;
         return warn("tweaks cannot be journaled: " + last_failure + "; " +
                     std::to_string(changes.put.size()) +
                     " wait for it and are lost if the game ends before");
@@ -153,6 +157,18 @@ void Tweaks::State::commit() {
     dirty.clear();
     changed.clear();
     if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
+}
+
+/// The run ends: there is no next barrier.
+void Tweaks::State::tell_lost() const {
+    if (!journal) return;
+    const auto lost = std::count_if(dirty.begin(), dirty.end(),
+                                    [this](const Entry* entry) { return visible(*entry); });
+    if (lost > 0)
+        warn(std::to_string(lost) +
+             (lost == 1 ? " tweak is lost, since it" : " tweaks are lost, since they") +
+             " could not be journaled: " +
+             (last_failure.empty() ? "another run of the game is writing" : last_failure));
 }
 
 }  // namespace fettle::property

@@ -43,6 +43,8 @@ struct Tweaks::State : EditObserver {
 
     State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
     ~State() override;
+    void take_earlier(std::vector<JournalRow> rows);
+    void refresh_earlier();
 
     // tweaks.cpp: what is edited
     void edited(Handle instance, const Property& property, const CellState& before) override;
@@ -67,6 +69,7 @@ struct Tweaks::State : EditObserver {
     void refresh_created(Entry& entry);
     bool visible(const Entry& entry) const;
     void commit();
+    void tell_lost() const;
 
     // tweaks.cpp, keep.cpp: what is done to them
     std::vector<JournalRow*> matching(std::string_view pattern, bool earlier_only);
@@ -76,6 +79,7 @@ struct Tweaks::State : EditObserver {
     void set_state(JournalRow& row, RowState state);
 
     Tree& tree;
+    std::weak_ptr<const Tree*> tree_life;
     std::filesystem::path folder;  // of the game
     Journal::Warn warn;
     GameFiles own_files;
@@ -112,6 +116,11 @@ class TweakPattern {
 TweakWords words_of(const JournalRow& row);
 /// Throws Error for words that no row has.
 JournalRow row_of(const TweakWords& words);
+
+/// Why a row, of whoever's making, is not what a tweak is: a path that is none, a value that is
+/// none
+/// ...; "" when it is one.
+std::string problem_of(const JournalRow& row);
 
 /// "world.ball.mass", or the path of the instance.
 std::string path_of(const JournalRow& row);

@@ -1,5 +1,5 @@
-/* A module in plain C: clouds that gather water and rain. Built several times, each time with one of
- * the macros below, it is also everything that can be wrong with a module. */
+/* A module in plain C: clouds that gather water and rain. Built several times, each time with one
+ * of the macros below, it is also everything that can be wrong with a module. */
 
 #include <math.h>
 #include <signal.h>
@@ -21,6 +21,12 @@
 
 enum { most = 64 };
 static const double dry = 0.0;
+
+#ifdef EXIT_IN_CONSTRUCTOR
+__attribute__((constructor)) static void before_all(void) {
+    _exit(0);
+}
+#endif
 
 /* As another compilation may have laid it out: nothing of it may go over by bytes. */
 typedef struct Cloud {
@@ -203,7 +209,10 @@ static const fettle_field left[] = {{.name = "left", .type = FETTLE_NUMBER, .uni
 static const fettle_field figures[] = {{.name = "what", .type = FETTLE_TEXT},
                                        {.name = "value", .type = FETTLE_NUMBER}};
 static const fettle_method methods[] = {
-    {.name = "rain", .parameters = FETTLE_ARRAY(amount), .returns = FETTLE_ARRAY(left), .call = rain},
+    {.name = "rain",
+     .parameters = FETTLE_ARRAY(amount),
+     .returns = FETTLE_ARRAY(left),
+     .call = rain},
     {.name = "survey", .returns = FETTLE_ARRAY(figures), .call = survey}};
 static const fettle_event events[] = {
     {.name = "rained", .fields = FETTLE_ARRAY(amount), .tag = &rained}};
@@ -212,6 +221,9 @@ static fettle_status attach(void* context) {
     fettle_class cloud;
     fettle_handle made;
     (void)context;
+#ifdef EXIT_IN_ATTACH
+    exit(0);
+#endif
     memset(&cloud, 0, sizeof cloud);
     cloud.struct_size = sizeof cloud;
     cloud.name = CLASS_NAME;
@@ -231,6 +243,12 @@ static fettle_status attach(void* context) {
 
 static void step(void* context, double dt) {
     (void)context;
+#ifdef EXIT_IN_STEP
+    _exit(0);
+#elif defined SILENT_IN_STEP
+    for (int i = 3; i < 1024; ++i) close(i); /* whoever waits for a word waits for ever */
+    for (;;) pause();
+#endif
     for (int i = 0; i < most; ++i)
         if (clouds[i].used) clouds[i].water += dt;
 }
@@ -254,7 +272,7 @@ static fettle_status check(void* context) {
 #elif defined ABORT_IN_CHECK
     abort();
 #elif defined EXIT_IN_CHECK
-    _exit(3);
+    _exit(EXIT_IN_CHECK);
 #elif defined FAIL_IN_CHECK
     host->fail(host->self, "the barometer is stuck");
     return FETTLE_ERR_FAILED;
@@ -273,6 +291,9 @@ FETTLE_MODULE_EXPORT fettle_status fettle_module_open(const fettle_host* given,
     if (given->abi >> 16 != FETTLE_ABI_MAJOR) return FETTLE_ERR_WRONG_VERSION;
 #ifdef CRASH_WHEN_OPENED
     raise(SIGSEGV);
+#endif
+#ifdef EXIT_WHEN_OPENED
+    _exit(0);
 #endif
 #ifdef NEEDS_MISSING_SYMBOL
     function_of_another_program();

@@ -10,6 +10,10 @@ world:watch("gravity", function(new) print("gravity is", new) end)
 world.crate:watch("mass", function(new) print("mass is", new) end)
 world.crate:watch("gravity_scale", function(new) print("gravity_scale is", new) end)
 
-function key_pressed(key) print("game got", key) end
+function key_pressed(key)
+    print("game got", key)
+    if key == "l" then print("for ever") while true do end end
+end
+function closing() print("closing") end
 function mouse_pressed() print("game got a click") end
 function start() print("ready") end

@@ -66,6 +66,7 @@ class ClockPart : public property::SnapshotPart {
                                   const property::Memory& memory) override;
     property::Memory changes() override;
     void redo(const property::Memory& changes) override;
+    std::size_t size_of(const property::Memory& changes) const override;
 
   private:
     struct FETTLE_APP_PRIVATE State;

@@ -41,10 +41,14 @@ class Timeline {
     void end_step();
 
     // --- Travelling, between steps
-    /// Nothing of the past is forgotten until a step is made from here: then what came later is.
     /// Throws Error(out_of_range) outside `oldest` and `newest`.
+    void require(std::int64_t step) const;
+    /// Nothing of the past is forgotten until a step is made from here: then what came later is.
+    /// Throws as `require` does.
     void go_to(std::int64_t step);
-    /// By simulation time from now, as far back as the past is kept.
+    /// The same, or the nearest step that is kept; nowhere while nothing is.
+    void go_near(std::int64_t step);
+    /// By simulation time from now, as far back as the past is kept; nowhere while nothing is.
     void rewind(double seconds);
 
     /// Keyframes may take this share of the time the game's steps take, 0.01 unless told; the less,
@@ -54,7 +58,9 @@ class Timeline {
     bool keeps() const { return !keyframes_.empty(); }
     std::int64_t oldest() const;
     std::int64_t newest() const;
-    /// Bytes it takes, about.
+    /// Bytes it takes, about: keyframes, what was written in between, and the memory to make the
+    /// next keyframe in. At the end of a step that and the history of edits are no more than
+    /// `time.rewind_memory`, of which the history has a quarter at most.
     std::size_t memory() const;
     /// How many whole states are kept.
     std::size_t keyframes() const { return keyframes_.size(); }
@@ -67,26 +73,40 @@ class Timeline {
         std::vector<property::LoggedWrites> before;  // the modules stepped
         property::LoggedWrites after;
         std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
+        std::size_t bytes = 0;  // of all that
     };
     struct Keyframe {
         std::int64_t step = 0;
         std::shared_ptr<PackedBytes> payload;
         property::Snapshot::Memories memories;
+        std::size_t held = 0;  // bytes of those
+        // Of the history: what it holds, and what it had forgotten by then.
+        std::size_t history = 0, forgotten = 0;
+        std::size_t memory() const;
     };
     class FETTLE_APP_PRIVATE Jumps;
 
     bool on() const;
+    bool there_is_room() const;
+    void share_room();
+    void begin_log();
     void take_keyframe();
-    std::vector<std::byte> memory_of_packed();
+    struct FETTLE_APP_PRIVATE Room;
+    Room room_of_packed();
     bool keyframe_is_due() const;
-    static bool too_much(const Step& step);
+    bool too_much(const Step& step) const;
     void begin_anew();
     void note_jump();
+    void settle();
+    void travel(std::int64_t step);
+    void drop(std::deque<Step>::iterator step);
     void drop_after(std::int64_t step);
     void drop_oldest();
     void trim();
     void thin_out();
+    void note_writes(Step& of, property::LoggedWrites& where);
     void note_changes(Step& of);
+    std::size_t forgotten() const;
     void redo(const Step& step);
     void redo_writes(const Step& step);
 
@@ -101,9 +121,14 @@ class Timeline {
     Step tail_;  // done since the newest step, while one is earlier; `before` and `changes` only
     Step open_;
     bool stepping_ = false;
-    std::int64_t here_ = 0;     // the step that the tree is at
-    std::int64_t spacing_ = 0;  // steps from one keyframe to the next
-    std::size_t logged_ = 0;    // bytes of `steps_`
+    std::int64_t here_ = 0;         // the step that the tree is at
+    std::int64_t spacing_ = 0;      // steps from one keyframe to the next
+    std::size_t logged_ = 0;        // bytes of `steps_`
+    std::size_t logged_since_ = 0;  // of those, since the last keyframe
+    std::size_t room_ = 0;          // bytes that the past and the history may take
+    std::size_t history_room_ = 0;  // of these, the history
+    std::int64_t no_room_at_ = -1;  // step at which not even one keyframe fitted; -1: none
+    std::size_t no_room_ = 0;       // and how much there was
     double share_ = 0.01;
     double begun_ = 0;   // s, when the step began
     double worked_ = 0;  // s, that steps took since the last keyframe

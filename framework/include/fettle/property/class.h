@@ -231,12 +231,19 @@ struct Method {
     const Class* owner = nullptr;
 };
 
+/// Told while all the instances that it names live: what was deleted since it happened, by another
+/// handler say, is no longer touched or come upon. An event called `..._end` whose class has a
+/// `..._begin` with the same fields in front is told all the same, to those who were told of the
+/// beginning.
 struct Event {
     std::string name;
     std::vector<Field> fields{};
     std::string doc{};
+    // Filled in by registration.
     Symbol symbol{};
     const Class* owner = nullptr;
+    const Event* begin = nullptr;  // of an end
+    const Event* end = nullptr;    // of a beginning
     mutable std::uint32_t listeners = 0;
 };
 

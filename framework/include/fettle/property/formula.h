@@ -1,6 +1,7 @@
 #pragma once
 // Formulas: functions that are the value of a property.
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,7 +23,15 @@ struct Formula {
     /// Why the text alone does not make the same formula again ("uses the local variable \"speed\"
     /// of main.lua:12"), so that files hold its value instead; "" when it does.
     std::string not_saved{};
+    /// Bytes that the function alone keeps in memory, about.
+    std::size_t holds = 0;
 };
+
+/// Memory a formula takes, about.
+inline std::size_t bytes_of(const Formula& formula) {
+    return sizeof formula + formula.source.capacity() + formula.not_saved.capacity() +
+           formula.holds;
+}
 
 /// Makes a formula of its text. Throws Error(formula) with what is wrong with the text.
 using FormulaCompiler = std::function<Formula(const std::string& source)>;

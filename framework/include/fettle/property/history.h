@@ -16,7 +16,8 @@ struct HistoryEntry {
     std::string name;
     Cause cause;
     std::size_t edits = 0;
-    bool undone = false;  // can be done again
+    bool undone = false;     // can be done again
+    bool too_large = false;  // it took more memory than the history may, and cannot be undone
 };
 
 struct UndoResult {

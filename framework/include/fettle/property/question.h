@@ -1,10 +1,11 @@
 #pragma once
 // Events that ask: what a module tells inside a step, where waiting for the barrier would be too
 // late. Handlers are called at once, in the order they were registered, and may change some of the
-// values they are told; of the tree they may read everything and write nothing.
+// values they are told; of the tree they may read everything and change nothing (`Inquiry`).
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <fettle/property/change.h>
@@ -15,6 +16,25 @@ FETTLE_PROPERTY_BEGIN
 namespace fettle::property {
 
 class Tree;
+
+/// While one lives, a function of a game is asked something in the middle of a step or of a search:
+/// the memory of modules must stay as it is. The function may read the tree. Whatever would change
+/// the tree throws Error(rejected), and formulas keep the values they have.
+class Inquiry {
+  public:
+    /// Errors read "`subject` `rule` delete an instance"; both must outlive the inquiry.
+    Inquiry(Tree& tree, std::string_view subject, std::string_view rule);
+    ~Inquiry();
+    Inquiry(const Inquiry&) = delete;
+    Inquiry& operator=(const Inquiry&) = delete;
+
+    [[noreturn]] void refuse(const char* what) const;
+
+  private:
+    Tree& tree_;
+    std::string_view subject_, rule_;
+    const Inquiry* outer_;
+};
 
 /// What a handler is being asked.
 class Question {

@@ -40,6 +40,8 @@ class SnapshotPart {
     /// A timeline keeps it for every step and gives it to `redo` when it goes that way again.
     virtual Memory changes() { return {}; }
     virtual void redo(const Memory& /*changes*/) {}
+    /// Bytes that is, of what `save` or `changes` returned, about: whoever keeps many has a limit.
+    virtual std::size_t size_of(const Memory& /*memory*/) const { return 0; }
     /// Brings up to date what a reader once asked for, as told by `Tree::refreshing`, if it is
     /// still there. A timeline asks for it when it goes that way again, since readers are not.
     virtual void refresh(std::uint64_t /*what*/) {}
@@ -51,18 +53,20 @@ class Snapshot {
     using Memories = std::vector<std::pair<std::string, Memory>>;
 
     Snapshot() = default;
-    Snapshot(std::vector<std::byte> payload, Memories memories);
+    /// `held`: bytes that the memories take, about.
+    Snapshot(std::vector<std::byte> payload, Memories memories, std::size_t held = 0);
     bool empty() const { return data_ == nullptr; }
     /// The step it was taken at.
     std::uint64_t step() const;
     /// The state itself, without what protects a file.
     std::span<const std::byte> payload() const;
     const Memories& memories() const { return data_->memories; }
+    std::size_t held() const { return data_->held; }
     /// The state itself, out of a snapshot that ends here; a copy of it while others share it.
     std::vector<std::byte> take_payload() &&;
 
-    /// For a file: self-contained, with version and checksum. Functions are not in it: formulas
-    /// come back by their text, timers and tweens do not.
+    /// For a file: self-contained, with a version and a checksum of every byte. Functions are not
+    /// in it: formulas come back by their text, timers and tweens do not.
     std::vector<std::byte> to_bytes() const;
     /// Throws Error(damaged) for what is cut off, changed, another version's or no snapshot at all.
     static Snapshot from_bytes(std::span<const std::byte> bytes);
@@ -71,6 +75,7 @@ class Snapshot {
     struct Data {
         std::vector<std::byte> payload;
         Memories memories;
+        std::size_t held;
     };
     std::shared_ptr<Data> data_;
 };

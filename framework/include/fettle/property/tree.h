@@ -15,6 +15,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,18 +37,38 @@ namespace fettle::property {
 class EditObserver;
 class Observer;
 
+/// Of an instance that was deleted.
+struct Remains {
+    const Class& of;
+    std::string name;
+};
+
+/// **Lifetimes.** Handles are numbers: after the tree they mean nothing and do no harm.
+/// Connections, values, records and snapshots may outlive it. Classes, properties, methods and
+/// events live as long as the tree that they were registered with, and are refused by any other.
+/// Modules, parts of snapshots and observers are not owned: they live until the tree is gone, or
+/// until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may outlive the
+/// tree, and are of no use then. A handler, a function given to `at_barrier` or a method may
+/// destroy the tree that calls it: `barrier` or `call` throws Error(deleted) when it has returned.
+/// Formulas, lifecycle functions, bindings and observers must not.
 class Tree {
   public:
     Tree();
     ~Tree();
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
+    /// For objects that hold a reference to the tree and may outlive it: expired from the beginning
+    /// of its destruction on.
+    std::weak_ptr<const Tree*> lifetime() const;
 
     // --- Classes
     // ----------------------------------------------------------------------------------------------------
 
-    /// Throws Error(bad_name) for a name taken, Error(unknown_name) for an unknown base,
-    /// Error(wrong_type) for a default that its own property would refuse.
+    /// Throws Error, which names class and member, for what a class cannot be: a name that is taken
+    /// or is none, within the class too; an unknown base; an accessor without `get`, a column
+    /// without `base` or of another type, a method without `call`; a range that ends before it
+    /// begins; a default that its own property would refuse. What a base class declares may be
+    /// declared again with another default or doc alone.
     const Class& define(ClassDescriptor descriptor);
     const Class* find_class(std::string_view name) const;
     /// Throws Error(unknown_name) with the nearest spelling.
@@ -71,6 +92,9 @@ class Tree {
     /// Throws Error(deleted) "world.ball was deleted at step 412 by console" unless alive.
     void require(Handle instance) const;
     const Class& class_of(Handle instance) const;
+    /// What is still known of an instance that was deleted, so that who kept its handle can tell
+    /// what it was; nothing while it lives, and of those that were deleted long ago.
+    std::optional<Remains> remains(Handle instance) const;
     Row row(Handle instance) const;
     /// For modules whose object moved to another row outside `Lifecycle::place`.
     void set_row(Handle instance, Row row);
@@ -95,8 +119,15 @@ class Tree {
     void rename(Handle instance, std::string_view name);
     /// Gives the instance another parent (null: detaches it). `name` empty: keeps its own, numbered
     /// when taken. Throws Error(bad_structure) for a parent below the instance itself.
+    /// All of it, or nothing: a module may refuse (Error(rejected)).
     void move(Handle instance, Handle new_parent, std::string_view name = {},
               bool first_plain = false);
+    /// Deletes `old` and gives its name and its parent to `by`, which is detached. All of it, or
+    /// nothing; throws as `move` does.
+    void replace(Handle old, Handle by);
+    /// For who may have to take a move back: puts the instance where it hangs now, under the name
+    /// it has. Does nothing when it, or what it hung under, is gone; throws nothing.
+    std::function<void()> way_back(Handle instance);
 
     // --- Properties
     // -------------------------------------------------------------------------------------------------
@@ -117,7 +148,8 @@ class Tree {
     Value peek(Handle instance, const Property& property) const;
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
-    /// The typed ways, for numbers and vec2s in ordinary circumstances; false when `get` or `set`
+    /// The typed ways, for numbers and vec2s in ordinary circumstances, of a property that the
+    /// instance has: here that is not checked. False when `get` or `set`
     /// has to do it (another type, a formula, a dead instance, somebody to be told, a value that is
     /// not finite or out of range). Observers hear of what was written this way before they hear of
     /// anything else, and before the writer or the step changes, but not at once.
@@ -181,8 +213,12 @@ class Tree {
     Explanation why(Handle instance, const Property& property) const;
     /// Of how many properties a formula is the value.
     std::size_t formula_count() const;
-    /// True while a formula runs: nothing may be written then.
+    /// True while a formula runs: nothing may be changed then.
     bool in_formula() const;
+    /// Throws Error "..., it cannot `what`" while a formula runs or a function is asked something
+    /// (`Inquiry`). What changes the tree does so by itself; this is for what changes a game
+    /// otherwise.
+    void require_changeable(const char* what) const;
     /// Whoever knows the language formulas are written in says how they are made of their text, so
     /// that files can hold them. Empty: nobody does.
     void compile_formulas_with(FormulaCompiler compiler);
@@ -201,9 +237,15 @@ class Tree {
     /// of an edit.
     UndoResult undo();
     UndoResult redo();
+    /// The latest first.
     std::vector<HistoryEntry> history() const;
-    /// What the history may hold, 64 MiB unless told; the oldest entries go first.
+    /// What the history may hold, 64 MiB unless told; the oldest entries go first. One that takes
+    /// more than three quarters of it by itself stays in the list by its name only.
     void set_history_limit(std::size_t bytes);
+    /// What the history takes, about, and what it ever took: snapshots hold what it has forgotten
+    /// since they were taken.
+    std::size_t history_bytes() const;
+    std::size_t history_bytes_ever() const;
     Provenance who(Handle instance, const Property& property) const;
 
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
@@ -288,8 +330,11 @@ class Tree {
     /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler or a
     /// formula: see `at_barrier`.
     void restore(const Snapshot& snapshot);
-    /// The same; `go_on` then redoes what happened since, with a `Replay`, before anybody is told.
+    /// The same; `go_on` then redoes what happened since, before anybody is told.
     void restore(const Snapshot& snapshot, const std::function<void()>& go_on);
+    /// Reads all of it as `restore` does, and changes nothing: throws Error(damaged, unknown_name)
+    /// where `restore` would.
+    void check(const Snapshot& snapshot) const;
 
     // --- Time and cause
     // ---------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 // costs a few instructions.
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -73,10 +74,13 @@ class Value {
     }
     Value(Color v) : type_(Type::color) { data_.color = v; }
     Value(Handle v) : type_(Type::reference) { data_.reference = v; }
-    Value(const char* v) : Value(std::string_view(v)) {}
+    /// Throws Error(wrong_type) for a null pointer.
+    Value(const char* v);
     Value(const std::string& v) : Value(std::string_view(v)) {}
     Value(std::string_view v);
+    /// Throws Error(out_of_range) where lists are in lists more than 64 deep.
     Value(List v);
+    Value(std::nullptr_t) = delete;
     Value(const void*) = delete;
 
     Value(const Value& other) : data_(other.data_), type_(other.type_) { retain(); }
@@ -106,19 +110,23 @@ class Value {
     /// integer or number
     bool is_numeric() const { return type_ == Type::integer || type_ == Type::number; }
 
-    // Each needs the value to be of its type (asserted in debug builds).
-    bool boolean() const { return data_.boolean; }
-    std::int64_t integer() const { return data_.integer; }
-    double number() const { return data_.number; }
-    Vec2 vec2() const { return {data_.vec[0], data_.vec[1]}; }
-    Color color() const { return data_.color; }
-    Handle reference() const { return data_.reference; }
+    // Each throws Error(wrong_type), which names both types, where the value is of another.
+    bool boolean() const { return as(Type::boolean).boolean; }
+    std::int64_t integer() const { return as(Type::integer).integer; }
+    double number() const { return as(Type::number).number; }
+    Vec2 vec2() const {
+        const Data& data = as(Type::vec2);
+        return {data.vec[0], data.vec[1]};
+    }
+    Color color() const { return as(Type::color).color; }
+    Handle reference() const { return as(Type::reference).reference; }
     const std::string& text() const;
     const List& list() const;
 
     /// integer or number, as a double (an integer beyond 2^53 is rounded).
     double as_double() const {
-        return type_ == Type::integer ? static_cast<double>(data_.integer) : data_.number;
+        return type_ == Type::integer ? static_cast<double>(data_.integer)
+                                      : as(Type::number).number;
     }
 
     friend bool operator==(const Value& a, const Value& b);
@@ -135,6 +143,12 @@ class Value {
         Handle reference;
         Shared* shared;
     };
+    const Data& as(Type type) const {
+        if (type_ != type) [[unlikely]]
+            refuse(type);
+        return data_;
+    }
+    [[noreturn]] void refuse(Type asked) const;
     bool shared() const { return type_ == Type::text || type_ == Type::list; }
     void retain() const;
     void release();

@@ -26,6 +26,8 @@ class Tweaks;
 
 namespace fettle::script {
 
+struct FETTLE_SCRIPT_PRIVATE Machine;
+
 struct Options {
     std::uint64_t seed = 0;
     std::size_t memory_limit = std::size_t{512} << 20;    // bytes, whole Lua state
@@ -74,15 +76,23 @@ struct Completion {
     std::size_t replace_from = 0;  // byte offset
 };
 
+/// **Lifetimes.** A tree has one runtime at a time: a second throws Error(bad_structure); when the
+/// first is destroyed, another may follow. Watchers, timers and handlers of the scripts end with
+/// the runtime; formulas that they defined are in error from then on. The runtime may outlive the
+/// tree: whatever would run a script throws Error(deleted) then. Functions given to `on_error`,
+/// `on_print` and the others may destroy the runtime that calls them; what runs goes on to its end
+/// without it.
 class Runtime {
   public:
     Runtime(property::Tree& tree, Options options);
     ~Runtime();
     Runtime(const Runtime&) = delete;
+    Runtime& operator=(const Runtime&) = delete;
 
     /// Runs main.lua of a folder, or one .lua file; then its `start()`. False when it raised; the
-    /// error goes to the sink. Throws std::filesystem::filesystem_error when the file cannot be
-    /// read.
+    /// error goes to the sink. The folder is where the game's files are, and none of them lies
+    /// elsewhere: links that lead out of it are not followed. Throws property::FileError when the
+    /// file cannot be read, and Error(bad_structure) while a script of this runtime runs.
     bool load(const std::filesystem::path& game);
     /// Runs a chunk as part of the game (`--eval`). False when it raised.
     bool run(std::string_view chunk, const std::string& name);
@@ -121,6 +131,13 @@ class Runtime {
     void on_rewind(std::function<void(double seconds)> rewind);
     /// Told of every console command before it runs.
     void on_command(std::function<void(std::string_view)> sink);
+    /// Stops the script that runs, wherever it is, and every other one until `go_on`; each tells
+    /// its error as usual. A signal handler of the thread that runs scripts may call this, and
+    /// nothing else of a runtime.
+    void interrupt() noexcept;
+    /// Scripts run again. Between calls into the runtime.
+    void go_on();
+    bool interrupted() const;
     /// Status given to quit(), once it was called.
     std::optional<int> quit_status() const;
     /// Whether the game defines a global function of that name.
@@ -131,6 +148,8 @@ class Runtime {
 
   private:
     struct FETTLE_SCRIPT_PRIVATE State;
+    Machine& live() const;
+
     std::unique_ptr<State> state_;
 };
 

@@ -13,21 +13,28 @@ namespace fettle::physics {
 class Shape;
 class World;
 
-/// A light handle (pointer and id): copy it freely. All methods but `is_valid`, `id` and comparison
-/// throw `std::invalid_argument` when the body was destroyed. Setters throw
-/// `std::invalid_argument`, with a message that says what was expected, for values without meaning
-/// (NaN, a negative damping...) and then change nothing. Every setter takes effect in the next step
-/// and wakes whom it concerns.
+namespace detail {
+struct FETTLE_PHYSICS_PRIVATE WorldLink;
+}
+
+/// A light handle (pointer and id): copy it freely. It may outlive its body and its world. All
+/// methods but `is_valid`, `id`, `index` and comparison throw `std::invalid_argument` when it names
+/// no body, or when the body or its world was destroyed. Setters throw `std::invalid_argument`,
+/// with a message that says what was expected, for values without meaning (NaN, a negative
+/// damping...), and `Locked` inside a function that the world is calling (callbacks.h); they change
+/// nothing then. Every setter takes effect in the next step and wakes whom it concerns. The body
+/// that carries the bounds of a world can be read like any other; of its setters it has
+/// `set_user_data` alone.
 class Body {
   public:
     Body() = default;
-    Body(World* world, BodyId id) : world_(world), id_(id) {}
+    inline Body(World* world, BodyId id);
 
     bool is_valid() const;
     explicit operator bool() const { return is_valid(); }
     BodyId id() const { return id_; }
     uint32_t index() const { return id_.index; }
-    World& world() const { return *world_; }
+    World& world() const;
     friend bool operator==(const Body&, const Body&) = default;
     void destroy();  ///< with its shapes and the joints on it
 
@@ -119,7 +126,10 @@ class Body {
     void set_user_data(uint64_t value);
 
   private:
-    World* world_ = nullptr;
+    friend class Shape;
+    friend class Joint;
+
+    detail::WorldLink* link_ = nullptr;
     BodyId id_;
 };
 

@@ -5,10 +5,29 @@
 
 #include <functional>
 
-// Functions of the caller that run inside a step, one after the other on its thread, between the
-// narrow phase and the solver, in the order of the contacts. They may read the world and write what
-// they are given, and nothing else, and must not throw. What they write holds for the step. One of
-// the shapes may be of the world's border.
+// Functions of the user that the library calls: `PairFilter` and `ContactCallback` inside a step,
+// between the narrow phase and the solver, in the order of the contacts; a filter also inside an
+// edit that asks it anew; `QueryFilter::accept` (query.h) inside a query; `RefreshCallback` inside
+// a read. All run on the caller's thread, one after the other. One of the shapes that they are told
+// of may be of the world's border.
+//
+// **What such a function may do with the world that calls it:** call whatever is `const` (read
+// bodies, shapes, joints and contacts, ask queries) and write the members of the `ContactEdit` that
+// it is given, which hold for the step. In a step, positions and velocities are those before it.
+//
+// **What it may not do:** whatever edits, steps, restores, assigns or clears the world, and
+// whatever replaces a callback. It throws `Locked`, which says what was called where, and changes
+// nothing. Inside a step the state is incomplete: `World::save`, `World::validate` and copying
+// throw `Locked` there too. What is to be changed is noted, and changed when the step or the query
+// has returned. Other worlds are free: one may be edited, stepped and copied while another calls.
+//
+// **A function that throws** leaves a valid world. A query is left at once, and has changed
+// nothing. A step or an edit goes on to its end as if the function had not been there for that pair
+// or that contact (a filter that throws says yes), asks on, and then throws the first of what was
+// thrown: the step has been made.
+//
+// **A function that destroys the World that calls it:** the call goes on without it to its end,
+// calls back no more and throws `Locked`. From then on handles say that their world was destroyed.
 
 FETTLE_PHYSICS_BEGIN
 

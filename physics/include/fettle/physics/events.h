@@ -21,6 +21,8 @@ struct ContactBeginEvent {
     Vec2 normal = Vec2::Zero();  ///< from a to b
     float speed = 0.0f;          ///< m/s, approach along the normal before the step
     float impulse = 0.0f;        ///< N s, what it takes to end that approach and to bounce off
+    float friction = 0.0f;       ///< mixed
+    float restitution = 0.0f;    ///< mixed
 };
 
 struct ContactEndEvent {
@@ -40,6 +42,8 @@ struct ContactPersistEvent {
     Vec2 normal = Vec2::Zero();  ///< from a to b
     float speed = 0.0f;          ///< m/s, approach along the normal
     float impulse = 0.0f;        ///< N s, normal, of the last step
+    float friction = 0.0f;       ///< mixed
+    float restitution = 0.0f;    ///< mixed
 };
 
 /// An impact, for shapes with `hit_events`.
@@ -52,6 +56,8 @@ struct ContactHitEvent {
     Vec2 normal = Vec2::Zero();  ///< from a to b
     float speed = 0.0f;          ///< m/s, approach along the normal
     float impulse = 0.0f;        ///< N s, that stopped the approach
+    float friction = 0.0f;       ///< mixed
+    float restitution = 0.0f;    ///< mixed
 };
 
 struct SensorEvent {

@@ -12,6 +12,11 @@ namespace fettle::physics {
 
 class World;
 
+namespace detail {
+struct FETTLE_PHYSICS_PRIVATE WorldData;
+struct FETTLE_PHYSICS_PRIVATE WorldLink;
+}  // namespace detail
+
 struct FieldId {
     uint32_t index = 0;
     uint32_t generation = 0;
@@ -66,11 +71,12 @@ struct FieldDef {
 class Field {
   public:
     Field() = default;
-    Field(World* world, FieldId id) : world_(world), id_(id) {}
+    inline Field(World* world, FieldId id);
 
     bool is_valid() const;
     explicit operator bool() const { return is_valid(); }
     FieldId id() const { return id_; }
+    World& world() const;
     friend bool operator==(const Field&, const Field&) = default;
     void destroy();
 
@@ -78,7 +84,9 @@ class Field {
     void set(const FieldDef& definition);  ///< all at once; what has no meaning is refused
 
   private:
-    World* world_ = nullptr;
+    detail::WorldData& live() const;
+
+    detail::WorldLink* link_ = nullptr;
     FieldId id_;
 };
 

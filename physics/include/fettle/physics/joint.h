@@ -13,16 +13,16 @@ struct FETTLE_PHYSICS_PRIVATE WorldData;
 
 /// A light handle to what ties two bodies together, or one to the world. Errors as for `Body`.
 /// Every setter wakes both bodies and takes effect in the next step. Destroying a body destroys its
-/// joints. Where a body is expected, an invalid one is the world; where one is returned, too.
+/// joints. Where a body is expected, `Body()` is the world; where one is returned, too.
 class Joint {
   public:
     Joint() = default;
-    Joint(World* world, JointId id) : world_(world), id_(id) {}
+    inline Joint(World* world, JointId id);
 
     bool is_valid() const;
     explicit operator bool() const { return is_valid(); }
     JointId id() const { return id_; }
-    World& world() const { return *world_; }
+    World& world() const;
     friend bool operator==(const Joint&, const Joint&) = default;
     void destroy();
 
@@ -59,14 +59,16 @@ class Joint {
     detail::WorldData& live() const;
     template <class Data>
     Data& own() const;
+    /// The same, to be edited: wakes the bodies. `of` and `function` are what was called.
     template <class Data>
-    Data& edit() const;                      ///< the same, waking the bodies
+    Data& edit(const char* of, const char* function) const;
     float per_substep(float impulse) const;  ///< as a force, or a torque
 
   private:
-    void set_body(uint32_t side, const Body& body);
+    detail::WorldData& edited(const char* function) const;
+    void set_body(uint32_t side, const Body& body, const char* function);
 
-    World* world_ = nullptr;
+    detail::WorldLink* link_ = nullptr;
     JointId id_;
 };
 

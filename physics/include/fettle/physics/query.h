@@ -16,8 +16,10 @@ struct QueryFilter {
     uint64_t mask =
         ~uint64_t{0};   ///< what it looks for: one of a shape's category bits must be in here
     int32_t group = 0;  ///< a shape of the same non-zero group: positive is seen, negative is not
-    bool sensors = false;                           ///< see sensors too
-    std::function<bool(const Shape&)> accept = {};  ///< empty: all
+    bool sensors = false;  ///< see sensors too
+    /// Asked of each shape that the rest of the filter lets through; empty: all. It may read the
+    /// world and ask other queries of it, but edit nothing in it: callbacks.h.
+    std::function<bool(const Shape&)> accept = {};
 };
 
 struct RayHit {
@@ -42,6 +44,7 @@ struct Separation {
     Vec2 point_b = Vec2::Zero();  ///< nearest to a
     Vec2 normal = Vec2::Zero();   ///< from a to b; of no length where they overlap
 };
+/// Either may be of any world, or of no body: then its coordinates are those of the world.
 Separation distance(const Shape& a, const Shape& b);
 
 }  // namespace fettle::physics

@@ -10,19 +10,25 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
+struct Separation;
+
+namespace detail {
+struct FETTLE_PHYSICS_PRIVATE WorldData;
+}
+
 /// A light handle to a shape: part of a body, or detached and waiting for one. Errors as for
 /// `Body`; a property that the type of shape does not have (the radius of a box) throws
 /// `std::invalid_argument`.
 class Shape {
   public:
     Shape() = default;
-    Shape(World* world, ShapeId id) : world_(world), id_(id) {}
+    inline Shape(World* world, ShapeId id);
 
     bool is_valid() const;
     explicit operator bool() const { return is_valid(); }
     ShapeId id() const { return id_; }
     uint32_t index() const { return id_.index; }
-    World& world() const { return *world_; }
+    World& world() const;
     friend bool operator==(const Shape&, const Shape&) = default;
     void destroy();
 
@@ -106,7 +112,11 @@ class Shape {
     void set_user_data(uint64_t value);
 
   private:
-    World* world_ = nullptr;
+    friend class World;
+    friend Separation distance(const Shape& a, const Shape& b);
+    detail::WorldData& live() const;
+
+    detail::WorldLink* link_ = nullptr;
     ShapeId id_;
 };
 

@@ -14,12 +14,13 @@ namespace fettle::physics {
 /// in radians.
 using Vec2 = Eigen::Vector2f;
 
-/// A handle made of a slot and the generation of what lives there. A default-made id names nothing;
-/// an id whose object was destroyed is detected by its generation and never reaches a later object
-/// in the same slot.
+/// A handle made of a slot and the generation of what lives there. A default-made id names nothing.
+/// An id is good in the world that gave it and in copies of that world: no two worlds of a process
+/// give the same generations, so an id of another world is detected, as one is whose object was
+/// destroyed. It never reaches a later object in the same slot.
 struct BodyId {
     uint32_t index = 0;
-    uint32_t generation = 0;  ///< 0 names nothing; live generations start at 1
+    uint32_t generation = 0;  ///< 0 names nothing
     friend bool operator==(const BodyId&, const BodyId&) = default;
     explicit operator bool() const { return generation != 0; }
 };

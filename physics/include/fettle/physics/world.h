@@ -6,6 +6,7 @@
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
 #include <fettle/physics/field.h>
+#include <fettle/physics/locked.h>
 #include <fettle/physics/query.h>
 #include <fettle/physics/shape.h>
 #include <fettle/physics/sliding_joints.h>
@@ -24,7 +25,7 @@ namespace fettle::physics {
 
 namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldData;
-class ThreadPool;
+struct FETTLE_PHYSICS_PRIVATE WorldLink;
 struct WorldInside;  ///< of the library's own tests
 
 /// The part of a world that is read too often for a call: arrays addressed by `BodyId::index`.
@@ -34,13 +35,23 @@ struct Columns {
     std::vector<uint32_t> body_generations;   ///< 0 where a slot is free
     std::vector<uint32_t> shape_generations;  ///< by `ShapeId::index`
     std::vector<uint32_t> joint_generations;  ///< by `JointId::index`
+
+    bool is_valid(BodyId id) const { return lives(body_generations, id.index, id.generation); }
+    bool is_valid(ShapeId id) const { return lives(shape_generations, id.index, id.generation); }
+    bool is_valid(JointId id) const { return lives(joint_generations, id.index, id.generation); }
+
+  private:
+    static bool lives(const std::vector<uint32_t>& generations, uint32_t index,
+                      uint32_t generation) {
+        return generation != 0 && index < generations.size() && generations[index] == generation;
+    }
 };
 }  // namespace detail
 
 /// What became of a number or a velocity written by slot: it was there already; it is there now; or
 /// it is for the setter of `Body`, and nothing was done: the body sleeps, does not move by itself,
-/// or its mass or shapes were edited since the last step. Writing calls nobody and allocates
-/// nothing.
+/// its mass or shapes were edited since the last step, or the world is locked (callbacks.h).
+/// Writing calls no callback and allocates nothing.
 enum class Written : uint8_t { same, done, refused };
 
 /// Numbers of a body that hosts write by slot, as the setters of `Body` of the same names do; those
@@ -53,9 +64,15 @@ enum class BodyNumber : uint8_t {
     angular_damping
 };
 
-/// A world of rigid bodies. It owns everything; `Body`, `Shape` and `Joint` are handles into
-/// it, so it neither moves nor must it die before they are last used. Not thread-safe; different
-/// worlds are independent.
+/// A world of rigid bodies. It owns everything; `Body`, `Shape`, `Joint` and `Field` are handles
+/// into it, and say so when they outlive it. It does not move: `World b = std::move(a)` copies.
+///
+/// Different worlds are independent, in several threads too. One world belongs to one thread at a
+/// time; but several threads may call what is `const` at once while no other method of the world or
+/// of its bodies runs, if nothing was edited since the last step or since `refresh({})`.
+///
+/// Methods that are not `const` throw `Locked` inside a function that the world is calling, and so
+/// do copying, saving and `validate` inside a step: callbacks.h says what such a function may do.
 ///
 ///     World world;
 ///     Body ground = world.create_body({.type = BodyType::static_body});
@@ -67,22 +84,27 @@ enum class BodyNumber : uint8_t {
 class World {
   public:
     explicit World(const WorldDef& def = {});
+    /// Inside a function that the world is calling: the step or the query goes on to its end and
+    /// throws `Locked` then, and handles say that their world was destroyed.
     ~World();
-    /// A copy is a snapshot: same ids, same future, bit for bit. Handles keep pointing into the
-    /// world they came from. Assigning one restores: handles that were valid then are valid again,
-    /// and what was made since stays invalid for ever.
+    /// A copy is a snapshot: same ids, same future, bit for bit; what either makes from then on has
+    /// ids of its own. Handles keep pointing into the world they came from. Assigning one restores:
+    /// handles that were valid then are valid again, and what was made since stays invalid for
+    /// ever.
     World(const World& other);
     World& operator=(const World& other);
 
-    /// Appends everything the world is to `out`, in the byte order and layout of this build.
+    /// Appends everything the world is to `out`, in the byte order and layout of this build, with a
+    /// checksum.
     void save(std::vector<std::byte>& out) const;
-    /// The state `save` wrote, in place: as an assignment. Throws std::invalid_argument when the
-    /// bytes are damaged or another version's, and then changes nothing.
+    /// The state `save` wrote, in place: as an assignment. Throws std::invalid_argument when a byte
+    /// was changed, cut off or added, or when another version wrote them, and changes nothing then.
     void restore(std::span<const std::byte> bytes);
-    /// The state of `other`, in place, as `restore`; `other` is to be thrown away.
+    /// The state of `other`, in place, as `restore`; `other` is an empty world afterwards.
     void take(World&& other);
 
-    /// Advances by `dt` seconds (0 < dt, else nothing happens). Never throws on any state.
+    /// Advances by `dt` seconds (0 < dt, else nothing happens). Throws on no state, and nothing but
+    /// what a callback throws: when the step is over, see callbacks.h.
     void step(float dt);
 
     Vec2 gravity() const;
@@ -134,10 +156,12 @@ class World {
     void set_threads(int threads);
 
     // Callbacks; empty: none, which costs nothing. They are no part of a snapshot: copying, saving
-    // and restoring leave those of the world as they are, a new copy has none.
+    // and restoring leave those of the world as they are, a new copy has none. What they may do is
+    // told in callbacks.h.
 
-    /// Asked of every pair of shapes that comes near; setting it asks of all pairs again. What
-    /// sleeps hears of the next two when it wakes.
+    /// Asked of every pair of shapes that comes near, in a step or when an edit of a shape's filter
+    /// asks anew; setting it asks of all pairs again. What sleeps hears of the next two when it
+    /// wakes.
     void set_filter(PairFilter filter);
     /// Mixes the surfaces of every contact in every step, after the rules have. May write friction,
     /// restitution and surface speed. Asked for each part of an outline that touches.
@@ -148,7 +172,7 @@ class World {
 
     /// Called before a read brings up to date what edits have left behind. When that happens is
     /// part of what comes later, to the last bit: who wants to do edits again exactly does this
-    /// again between them, by `refresh`. Reads within a step are no news.
+    /// again between them, by `refresh`. Reads within a step or within the callback are no news.
     void on_refresh(RefreshCallback callback);
     /// As a read would do; nothing where nothing is out of date, or nobody is in the slot.
     void refresh(const Refresh& wanted);
@@ -169,28 +193,19 @@ class World {
     RatchetJoint create_ratchet_joint(const JointDef& def);  ///< the angle now counts as 0
     Field create_field(const FieldDef& def);
     bool is_valid(FieldId id) const;
-    Field field(FieldId id) { return {this, id}; }
-    std::vector<Field> fields();  ///< in slot order
-    void clear();                 ///< destroys every body, shape, joint and field
+    Field field(FieldId id) const { return {self(), id}; }
+    std::vector<Field> fields() const;  ///< in slot order
+    void clear();                       ///< destroys every body, shape, joint and field
 
-    bool is_valid(BodyId id) const {
-        return id.generation != 0 && id.index < columns_->body_generations.size() &&
-               columns_->body_generations[id.index] == id.generation;
-    }
-    bool is_valid(ShapeId id) const {
-        return id.generation != 0 && id.index < columns_->shape_generations.size() &&
-               columns_->shape_generations[id.index] == id.generation;
-    }
-    bool is_valid(JointId id) const {
-        return id.generation != 0 && id.index < columns_->joint_generations.size() &&
-               columns_->joint_generations[id.index] == id.generation;
-    }
-    Body body(BodyId id) { return {this, id}; }
-    Shape shape(ShapeId id) { return {this, id}; }
+    bool is_valid(BodyId id) const { return columns_->is_valid(id); }
+    bool is_valid(ShapeId id) const { return columns_->is_valid(id); }
+    bool is_valid(JointId id) const { return columns_->is_valid(id); }
+    Body body(BodyId id) const { return {self(), id}; }
+    Shape shape(ShapeId id) const { return {self(), id}; }
     /// As the type it is, or as any joint: `joint<WheelJoint>(id)`.
     template <class Any = Joint>
-    Any joint(JointId id) {
-        return {this, id};
+    Any joint(JointId id) const {
+        return {self(), id};
     }
 
     // Unchecked, for hosts that keep slots: `index` must be that of a live body. A reference holds
@@ -213,9 +228,9 @@ class World {
     uint32_t shape_slots() const { return uint32_t(columns_->shape_generations.size()); }
 
     // Everything alive, in slot order. The border of the world is not listed.
-    std::vector<Body> bodies();
-    std::vector<Shape> shapes();
-    std::vector<Joint> joints();
+    std::vector<Body> bodies() const;
+    std::vector<Shape> shapes() const;
+    std::vector<Joint> joints() const;
     std::vector<Contact> contacts() const;  ///< touching ones, sleeping ones too
     uint32_t body_count() const;
     uint32_t shape_count() const;
@@ -229,26 +244,27 @@ class World {
     /// Of position, angle and velocities of all bodies, in slot order: equal for equal histories.
     uint64_t hash() const;
 
-    // Queries see every edit made before them. Shapes come in a repeatable order.
-    std::vector<Shape> query_point(const Vec2& point, const QueryFilter& filter = {});
-    std::vector<Shape> query_aabb(const Aabb& box,
-                                  const QueryFilter& filter = {});  ///< shapes that overlap the box
+    // Queries see every edit made before them. Shapes come in a repeatable order. What
+    // `QueryFilter::accept` throws leaves the query at once; the world is as it was.
+    std::vector<Shape> query_point(const Vec2& point, const QueryFilter& filter = {}) const;
+    std::vector<Shape> query_aabb(
+        const Aabb& box, const QueryFilter& filter = {}) const;  ///< shapes that overlap the box
     std::optional<RayHit> cast_ray(const Vec2& from, const Vec2& to,
-                                   const QueryFilter& filter = {});
+                                   const QueryFilter& filter = {}) const;
     std::vector<RayHit> cast_ray_all(const Vec2& from, const Vec2& to,
-                                     const QueryFilter& filter = {});  ///< nearest first
+                                     const QueryFilter& filter = {}) const;  ///< nearest first
     /// Shapes that overlap one, which may be of another world; those of its own body do not count.
-    std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {});
+    std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {}) const;
     std::vector<Shape> query_overlap(const Geometry& geometry, const Pose& pose = {},
-                                     const QueryFilter& filter = {});
+                                     const QueryFilter& filter = {}) const;
     /// The first shape that one meets on its way; at fraction 0 where they overlap already.
     std::optional<RayHit> cast_shape(const Shape& shape, const Vec2& motion,
-                                     const QueryFilter& filter = {});
+                                     const QueryFilter& filter = {}) const;
     std::optional<RayHit> cast_shape(const Geometry& geometry, const Pose& pose, const Vec2& motion,
-                                     const QueryFilter& filter = {});
+                                     const QueryFilter& filter = {}) const;
     /// The shape nearest to a point, no farther than `reach` (m). The border does not count.
     std::optional<PointHit> closest(const Vec2& point, float reach = infinity,
-                                    const QueryFilter& filter = {});
+                                    const QueryFilter& filter = {}) const;
     /// Pushes dynamic bodies away from a point: by `impulse` (N s) at it, falling linearly to
     /// nothing at `radius` (m), at the point of the body that is nearest.
     void explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter = {});
@@ -263,13 +279,24 @@ class World {
     friend class Joint;
     friend class Field;
     friend struct detail::WorldInside;
-    friend Separation distance(const Shape& a, const Shape& b);
-    detail::WorldData& data() const { return *data_; }
+    void begin();
+    World* self() const { return const_cast<World*>(this); }  ///< handles are not const
+    /// For what edits: throws Locked where nothing may be edited.
+    detail::WorldData& edit(const char* function) const;
 
     std::unique_ptr<detail::WorldData> data_;
     detail::Columns* columns_ = nullptr;  ///< base of `*data_`
-    std::unique_ptr<detail::ThreadPool> pool_;
+    detail::WorldLink* link_ = nullptr;   ///< what handles hold
 };
+
+inline Body::Body(World* world, BodyId id)
+    : link_(world != nullptr ? world->link_ : nullptr), id_(id) {}
+inline Shape::Shape(World* world, ShapeId id)
+    : link_(world != nullptr ? world->link_ : nullptr), id_(id) {}
+inline Joint::Joint(World* world, JointId id)
+    : link_(world != nullptr ? world->link_ : nullptr), id_(id) {}
+inline Field::Field(World* world, FieldId id)
+    : link_(world != nullptr ? world->link_ : nullptr), id_(id) {}
 
 template <>
 Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value);

@@ -15,8 +15,8 @@ namespace fettle::physics_module {
 
 class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
-/// Registers the classes World, Body, Shape (Circle, Box, Segment, Capsule, Polygon) and Joint
-/// (MouseJoint), creates `game.world`, and steps every world that hangs below the root.
+/// Registers the classes World, Body, Shape, Joint and Field with all that derive from them,
+/// creates `game.world`, and steps every world that hangs below the root.
 class PhysicsModule : public module::Module {
   public:
     PhysicsModule();
@@ -29,7 +29,8 @@ class PhysicsModule : public module::Module {
     void attach(property::Tree& tree) override;
     void step(double dt) override;
     void report(property::Tree& tree) override;
-    /// That of the world when there is one, else the worlds' combined in the order they were made.
+    /// Of the worlds below the root: that of the only one, else all combined in the order of their
+    /// numbers, which are given again when a world is deleted.
     std::uint64_t hash() const override;
     void refresh(std::uint64_t what) override;
 
@@ -39,11 +40,11 @@ class PhysicsModule : public module::Module {
                                   const property::Memory& memory) override;
 
     // From an instance to what it stands for, for C++ that wants to go on without the tree. What is
-    // returned is good until the instance is deleted or moved to another world. Throws
-    // property::Error for a deleted instance or one of another class.
+    // returned is good until the instance is deleted or moved to another world, or a snapshot is
+    // restored. Throws property::Error for a deleted instance or one of another class.
 
-    /// The world of a World instance; of a body, shape or anything else below one: the world it is
-    /// in.
+    /// The world of a World instance; for any other the nearest above it, and where there is none
+    /// the one of all that is in no world.
     physics::World& world(property::Handle instance);
     physics::Body body(property::Handle instance);
     physics::Shape shape(property::Handle instance);

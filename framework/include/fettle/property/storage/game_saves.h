@@ -34,11 +34,21 @@ class GameSaves {
     GameSaves(const GameSaves&) = delete;
     GameSaves& operator=(const GameSaves&) = delete;
 
-    /// At the next barrier. Throws Error(bad_name) for a slot that cannot be.
+    /// At the next barrier. A slot that is saved several times before it is saved once, as the last
+    /// call wants it. What is saved is read back as `load` would before it is written. Throws
+    /// Error(bad_name) for a slot that cannot be, Error(rejected) after `most_requests` calls
+    /// between two barriers.
     void save(const std::string& slot);
-    /// Reads and checks at once, restores at the next barrier. Throws as `Saves::load` does, and
-    /// Error(damaged) for a state that is none; the game goes on as it was.
+    static constexpr std::size_t most_requests = 1000;
+    /// Restores at the next barrier what was saved last in that slot: by a `save` that still waits
+    /// for that barrier or for its picture, else what stands in the file, which is read and
+    /// checked at once. Throws as `Saves::load` does, and Error(damaged) for a state that is none;
+    /// the game goes on as it was.
     void load(const std::string& slot);
+    /// Of the file and of a save that still waits. Throws as `Saves::remove` does.
+    void remove(const std::string& slot);
+    /// As `Saves::list`; a save that this game could not restore has a problem too.
+    std::vector<SaveInfo> list() const;
     const Saves& slots() const { return saves_; }
 
     /// A save waits for a picture.
@@ -49,13 +59,20 @@ class GameSaves {
     struct Waiting {
         std::string slot;
         std::uint64_t step;
-        std::vector<std::byte> state;
+        std::shared_ptr<const std::vector<std::byte>> state;
     };
-    void take(const std::string& slot);
+    void take(const std::string& slot, std::size_t request);
+    Snapshot saved(const std::string& slot) const;
+    void warn(const std::string& what) const;
+
     Tree& tree_;
     Saves saves_;
     Options options_;
-    std::vector<Waiting> waiting_;
+    std::size_t requests_ = 0;  // since the last barrier that made one come true
+    std::map<std::string, std::size_t> requested_;  // the last one of each slot
+    std::map<std::size_t, std::string>
+        loaded_;                    // those that are loaded before the next of its slot
+    std::vector<Waiting> waiting_;  // for a picture
     std::map<std::string, std::vector<std::byte>> unwritten_;  // by slot
     /// What was asked for at a barrier may come when this is gone.
     std::shared_ptr<GameSaves*> alive_;

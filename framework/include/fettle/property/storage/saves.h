@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@
 FETTLE_STORAGE_BEGIN
 
 namespace fettle::property {
+
+class FETTLE_STORAGE_PRIVATE Database;
 
 /// A small picture of the game: rows from the top, four bytes a pixel (red, green, blue, opacity).
 struct Thumbnail {
@@ -53,14 +56,19 @@ class Saves {
     /// or last.
     static void check_slot(std::string_view slot);
 
-    /// Whatever goes wrong, an older save of that slot stays. Throws FileError, Error(bad_name).
+    /// Read back and compared before it takes the place of an older save of that slot, which stays
+    /// whatever goes wrong. Throws FileError, Error(bad_name).
     void save(const std::string& slot, std::uint64_t step, std::span<const std::byte> state,
               const Thumbnail& thumbnail = {}) const;
     /// Throws FileError with the reason why it cannot be used, Error(unknown_name) with the nearest
     /// spelling when there is no such slot.
     SavedGame load(const std::string& slot) const;
-    /// By name; those that cannot be loaded tell why.
-    std::vector<SaveInfo> list() const;
+    /// By name; those that cannot be loaded tell why. `problem_of` may know more of a save that is
+    /// whole: why the game cannot restore it; "" where it can.
+    using Check = std::function<std::string(const SavedGame&)>;
+    std::vector<SaveInfo> list(const Check& problem_of = {}) const;
+    /// Whether there is a file of that slot, sound or not. Throws Error(bad_name).
+    bool exists(const std::string& slot) const;
     /// Throws as `load` does for a slot there is not, FileError when it cannot be removed.
     void remove(const std::string& slot) const;
 
@@ -70,6 +78,7 @@ class Saves {
     std::filesystem::path file(const std::string& slot) const;
     std::filesystem::path existing(const std::string& slot) const;
     SavedGame read(const std::filesystem::path& file) const;
+    void read(Database& database, SavedGame& into) const;
 
     std::filesystem::path folder_;
     std::string game_;

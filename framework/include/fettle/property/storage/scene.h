@@ -21,11 +21,16 @@ namespace fettle::property {
 class FileError : public Error {
   public:
     FileError(const std::filesystem::path& file, const std::string& what_happened)
-        : Error(ErrorKind::rejected, file.string() + ": " + what_happened), file_(file) {}
+        : Error(ErrorKind::rejected, file.string() + ": " + what_happened),
+          file_(file),
+          what_happened_(what_happened) {}
     const std::filesystem::path& file() const { return file_; }
+    /// The same about a file that is called by another of its names.
+    FileError of(const std::filesystem::path& file) const { return {file, what_happened_}; }
 
   private:
     std::filesystem::path file_;
+    std::string what_happened_;
 };
 
 /// What a scene file says cannot be. The message is `file:line:column: path: reason`.
@@ -37,8 +42,15 @@ class SceneError : public Error {
                 file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + reason),
           file_(std::move(file)),
           line_(line),
-          column_(column) {}
+          column_(column),
+          reason_(reason) {}
     const std::string& file() const { return file_; }
+    /// The message without the place.
+    const std::string& reason() const { return reason_; }
+    /// The same with the path it is about in front of the reason.
+    SceneError about(const std::string& path) const {
+        return {kind(), file_, line_, column_, path + ": " + reason_};
+    }
     /// From 1; columns count characters, not bytes.
     std::size_t line() const { return line_; }
     std::size_t column() const { return column_; }
@@ -47,6 +59,7 @@ class SceneError : public Error {
     std::string file_;
     std::size_t line_;
     std::size_t column_;
+    std::string reason_;
 };
 
 /// The version of the format this program writes, and the newest it reads.

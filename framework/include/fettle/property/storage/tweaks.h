@@ -67,6 +67,7 @@ class Tweaks {
     /// one.
     Tweaks(Tree& tree, const std::filesystem::path& game,
            std::function<void(const std::string&)> warn, TweakOptions options = {});
+    /// May come after the tree's; what was not journaled by then is lost.
     ~Tweaks();
     Tweaks(const Tweaks&) = delete;
     Tweaks& operator=(const Tweaks&) = delete;

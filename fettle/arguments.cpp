@@ -1,0 +1,69 @@
+#include "arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <functional>
+#include <vector>
+
+#include <fettle/property/spelling.h>
+
+#include "terminal.h"
+
+namespace fettle::program {
+
+namespace {
+
+/// As much of an argument as a message should hold.
+std::string shown(std::string_view text) {
+    constexpr std::size_t most = 60;
+    std::string whole = on_one_line(text.substr(0, most));
+    return "\"" + whole + (text.size() > most ? "...\"" : "\"");
+}
+
+}  // namespace
+
+std::uint64_t whole_number(const std::string& option, std::string_view text, std::uint64_t least,
+                           std::uint64_t most) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, number);
+    if (!text.empty() && error == std::errc() && stopped == end && number >= least &&
+        number <= most)
+        return number;
+    throw CLI::ValidationError(option, "expected a whole number from " + std::to_string(least) +
+                                           " to " + std::to_string(most) + ", got " + shown(text));
+}
+
+std::string given(const std::string& option, const std::string& text, const char* expected) {
+    if (!text.empty()) return text;
+    throw CLI::ValidationError(option, std::string("expected ") + expected + ", got an empty text");
+}
+
+std::string why_no_command(const CLI::App& app, std::string_view first) {
+    if (first.starts_with('-')) return {};
+    std::vector<std::string> names;
+    const std::function<bool(const CLI::App*)> every;
+    for (const CLI::App* command : app.get_subcommands(every)) {
+        if (command->get_name() == first) return {};
+        names.push_back(command->get_name());
+    }
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    return shown(first) + " is no command; there are " + all + property::suggestion(first, names);
+}
+
+std::string why_left_over(const CLI::App& command) {
+    const std::vector<std::string> left = command.remaining();
+    if (left.empty()) return {};
+    const std::string& first = left.front();
+    if (!first.starts_with("-") || first.size() == 1)
+        return shown(first) + " is one argument too many";
+    const std::string name = first.substr(0, first.find('='));
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& each : option->get_lnames()) names.push_back("--" + each);
+    return shown(name) + " is no option of " + command.get_name() +
+           property::suggestion(name, names);
+}
+
+}  // namespace fettle::program

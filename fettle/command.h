@@ -1,0 +1,18 @@
+#pragma once
+// A subcommand of the program.
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace fettle::program {
+
+struct Command {
+    const CLI::App* app;
+    /// To be called when it was given. Returns the exit status.
+    std::function<int()> run;
+};
+
+}  // namespace fettle::program

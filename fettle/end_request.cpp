@@ -1,0 +1,77 @@
+#include "end_request.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+
+#include <fettle/script/runtime.h>
+
+namespace fettle::program {
+
+namespace {
+
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+
+volatile std::sig_atomic_t asked_by = 0;
+std::atomic<script::Runtime*> stopped{nullptr};
+static_assert(std::atomic<script::Runtime*>::is_always_lock_free, "a signal handler reads it");
+std::array<struct sigaction, signals.size() + 1> before;
+
+void on_signal(int number) {
+    if (asked_by != 0) {
+        std::signal(number, SIG_DFL);
+        std::raise(number);  // delivered as soon as this handler returns
+        return;
+    }
+    asked_by = number;
+    ::alarm(1);
+}
+
+void on_alarm(int) {
+    if (script::Runtime* runtime = stopped.load()) runtime->interrupt();
+    ::alarm(1);
+}
+
+void install(int number, void (*handler)(int), struct sigaction& was) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    ::sigaction(number, nullptr, &was);
+    if (was.sa_handler != SIG_IGN) ::sigaction(number, &action, nullptr);
+}
+
+}  // namespace
+
+EndRequest::EndRequest() {
+    asked_by = 0;
+    for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], on_signal, before[i]);
+    install(SIGALRM, on_alarm, before.back());
+}
+
+EndRequest::~EndRequest() {
+    ::alarm(0);
+    stopped = nullptr;
+    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before[i], nullptr);
+    ::sigaction(SIGALRM, &before.back(), nullptr);
+}
+
+int EndRequest::asked() {
+    return asked_by;
+}
+
+void EndRequest::allow(unsigned seconds) {
+    ::alarm(seconds);
+}
+
+EndRequest::Scripts::Scripts(script::Runtime& runtime) {
+    stopped = &runtime;
+}
+
+EndRequest::Scripts::~Scripts() {
+    stopped = nullptr;
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,100 @@
+#include "terminal.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace fettle::program {
+
+namespace {
+
+/// How many bytes a character of UTF-8 at the beginning of `text` has; 0: there is none.
+std::size_t length_of_character(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    const std::size_t length = first < 0x80    ? 1
+                               : first < 0xC2  ? 0
+                               : first < 0xE0  ? 2
+                               : first < 0xF0  ? 3
+                               : first <= 0xF4 ? 4
+                                               : 0;
+    if (length == 0 || length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    // Longer than need be, half of a pair, or beyond the last.
+    if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) >= 0xA0) ||
+        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) >= 0x90))
+        return 0;
+    return length;
+}
+
+std::string escaped(std::string_view text, bool lines) {
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const auto first = static_cast<unsigned char>(text[0]);
+        std::size_t length = length_of_character(text);
+        // Control characters: 0 to 31, 127, and those of two bytes, U+0080 to U+009F.
+        const bool control =
+            first < 0x20 || first == 0x7F ||
+            (length == 2 && first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0);
+        const bool wanted = first == '\t' || (lines && first == '\n');
+        if (wanted || (length > 0 && !control)) {
+            out += text.substr(0, length);
+        } else {
+            if (length == 0) length = 1;
+            for (std::size_t i = 0; i < length; ++i) {
+                char escape[5];
+                std::snprintf(escape, sizeof escape, "\\x%02x",
+                              static_cast<unsigned char>(text[i]));
+                out += first == '\n' ? "\\n" : escape;
+            }
+        }
+        text.remove_prefix(length);
+    }
+    return out;
+}
+
+bool is_terminal(std::FILE* file) {
+    return ::isatty(::fileno(file)) == 1;
+}
+
+}  // namespace
+
+std::string without_controls(std::string_view text) {
+    return escaped(text, true);
+}
+
+std::string on_one_line(std::string_view text) {
+    return escaped(text, false);
+}
+
+void tell(std::string_view message) {
+    std::fflush(stdout);
+    std::fprintf(stderr, "fettle: %s\n", on_one_line(message).c_str());
+}
+
+void tell_lines(std::string_view text) {
+    std::fflush(stdout);
+    std::fputs(without_controls(text).c_str(), stderr);
+}
+
+void print_line(std::string_view text) {
+    static const bool terminal = is_terminal(stdout);
+    const std::string shown = terminal ? without_controls(text) : std::string();
+    if (terminal) text = shown;
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fputc('\n', stdout);
+}
+
+bool all_printed() {
+    const int problem = std::fflush(stdout) != 0 ? errno : 0;
+    if (problem == 0 && std::ferror(stdout) == 0) return true;
+    tell("not all of what was printed could be written" +
+         (problem != 0 ? std::string(": ") + std::strerror(problem) : std::string()));
+    return false;
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,24 @@
+#pragma once
+// Whether a value could be one of a property, before there is an instance to give it to.
+
+#include <string>
+
+#include <fettle/property/class.h>
+#include <fettle/property/export.h>
+#include <fettle/property/value.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+class Tree;
+
+/// What `value` becomes as a value of the property: the rules of `Tree::set`, except for what the
+/// owner of the property has to say. Throws Error(wrong_type, out_of_range, not_finite) with `path`
+/// in front of the message.
+Value coerced(const Tree& tree, const Property& property, const Value& value,
+              const std::string& path);
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

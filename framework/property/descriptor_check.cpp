@@ -1,0 +1,255 @@
+#include "descriptor_check.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+
+namespace fettle::property {
+namespace {
+
+/// What a column of this native type holds.
+Type type_of(Native native) {
+    switch (native) {
+        case Native::f32:
+        case Native::f64:
+            return Type::number;
+        case Native::i32:
+        case Native::i64:
+            return Type::integer;
+        case Native::boolean:
+            return Type::boolean;
+        case Native::vec2f:
+        case Native::vec2d:
+            return Type::vec2;
+        case Native::color:
+            return Type::color;
+        case Native::enumeration:
+            return Type::text;
+    }
+    return Type::nil;
+}
+
+std::string in_quotes(std::string_view name) {
+    return "\"" + std::string(name) + "\"";
+}
+
+class DescriptorCheck {
+  public:
+    DescriptorCheck(const ClassDescriptor& descriptor, const Class* base)
+        : of_(descriptor), base_(base) {}
+
+    void run() {
+        if (!of_.stem.empty() && !is_word(of_.stem))
+            refuse(ErrorKind::bad_name, "stem " + in_quotes(of_.stem),
+                   "expected letters, digits and underscores");
+        for (const Property& property : of_.properties) check(property);
+        for (const Method& method : of_.methods) check(method);
+        for (const Event& event : of_.events) check(event);
+    }
+
+  private:
+    [[noreturn]] void refuse(ErrorKind kind, const std::string& member,
+                             const std::string& reason) const {
+        throw Error(kind, "class " + of_.name + ": " + member + ": " + reason);
+    }
+
+    // --- Names
+
+    /// `kind`: "property". What a class and its bases have is told apart by name alone.
+    void take_name(const char* kind, const std::string& name, bool word) {
+        const std::string member = std::string(kind) + " " + in_quotes(name);
+        if (name.empty()) refuse(ErrorKind::bad_name, member, "it has no name");
+        if (word ? !is_word(name) : !is_identifier(name))
+            refuse(ErrorKind::bad_name, member,
+                   word ? "expected letters, digits and underscores"
+                        : "expected a name as Lua has them, and no word of Lua");
+        const auto [taken, first] = names_.emplace(name, kind);
+        if (!first) {
+            if (taken->second == std::string_view(kind))
+                refuse(ErrorKind::bad_name, member, "it is declared twice");
+            refuse(ErrorKind::bad_name, member,
+                   "the class has " + article(taken->second) + " of that name");
+        }
+        if (base_ == nullptr) return;
+        const auto inherits = [&](const char* what) {
+            if (what != std::string_view(kind))
+                refuse(ErrorKind::bad_name, member,
+                       base_->name() + ", from which it derives, has " + article(what) +
+                           " of that name");
+        };
+        if (base_->property(name) != nullptr) inherits("property");
+        if (base_->method(name) != nullptr) inherits("method");
+        if (base_->event(name) != nullptr) inherits("event");
+    }
+    static std::string article(std::string_view kind) {
+        return (kind == "event" ? "an " : "a ") + std::string(kind);
+    }
+
+    void check_fields(const std::string& member, const char* what, const std::vector<Field>& fields,
+                      bool may_be_one_without_name) const {
+        std::set<std::string_view> seen;
+        for (const Field& field : fields) {
+            if (field.name.empty() && may_be_one_without_name && fields.size() == 1) continue;
+            if (field.name.empty())
+                refuse(ErrorKind::bad_name, member, std::string("a ") + what + " has no name");
+            if (!seen.insert(field.name).second)
+                refuse(
+                    ErrorKind::bad_name, member,
+                    std::string("the ") + what + " " + in_quotes(field.name) + " is there twice");
+        }
+    }
+
+    // --- Members
+
+    void check(const Property& property) {
+        take_name("property", property.name, true);
+        const std::string member = "property " + in_quotes(property.name);
+        const Property* inherited = base_ == nullptr ? nullptr : base_->property(property.name);
+        if (inherited != nullptr) {
+            check_again(member, property, *inherited);
+            return;
+        }
+        check_type(member, property);
+        check_range(member, property);
+        check_binding(member, property);
+    }
+
+    /// Declared by a base class, and here once more.
+    void check_again(const std::string& member, const Property& again,
+                     const Property& inherited) const {
+        const bool other_type = again.type != inherited.type && again.type != Type::number;
+        if (other_type || again.range.bounded() || !again.unit.empty() ||
+            !again.enumerators.empty() || !again.derives_from.empty() ||
+            !again.reference_class.empty() || again.element != Type::nil ||
+            again.binding.kind != BindingKind::stored)
+            refuse(ErrorKind::wrong_type, member,
+                   inherited.owner->name() +
+                       " declares it: a derived class may give it another default and another "
+                       "text of help, and nothing else");
+        if (inherited.read_only || inherited.binding.kind == BindingKind::node)
+            refuse(ErrorKind::read_only, member,
+                   inherited.owner->name() + " declares it as a value that has no default");
+    }
+
+    void check_type(const std::string& member, const Property& property) const {
+        const bool is_list = property.type == Type::list;
+        if (!property.enumerators.empty() && property.type != Type::text)
+            refuse(ErrorKind::wrong_type, member,
+                   "enumerators are for a text, and it is of type " +
+                       std::string(type_name(property.type)));
+        std::set<std::string_view> seen;
+        for (const std::string& enumerator : property.enumerators)
+            if (enumerator.empty() || !seen.insert(enumerator).second)
+                refuse(ErrorKind::bad_name, member,
+                       "the enumerator " + in_quotes(enumerator) +
+                           (enumerator.empty() ? " has no name" : " is there twice"));
+        if (property.element != Type::nil && !is_list)
+            refuse(ErrorKind::wrong_type, member,
+                   "elements are of a list, and it is of type " +
+                       std::string(type_name(property.type)));
+        const bool refers = property.type == Type::reference ||
+                            property.element == Type::reference || property.any_type;
+        if (!property.reference_class.empty() && !refers)
+            refuse(ErrorKind::wrong_type, member,
+                   "a class of references is given, and it is of type " +
+                       std::string(type_name(property.type)));
+        if (property.type == Type::nil && !property.any_type)
+            refuse(ErrorKind::wrong_type, member, "it is of no type, and does not take any");
+    }
+
+    void check_range(const std::string& member, const Property& property) const {
+        const Range& range = property.range;
+        if (!(range.min <= range.max))
+            refuse(ErrorKind::out_of_range, member,
+                   "its range begins at " + number_text(range.min) + " and ends at " +
+                       number_text(range.max));
+        const bool numbers = property.type == Type::number || property.type == Type::integer ||
+                             property.type == Type::vec2 || property.type == Type::color ||
+                             property.type == Type::list || property.any_type;
+        if (range.bounded() && !numbers)
+            refuse(ErrorKind::out_of_range, member,
+                   "a range is for numbers, and it is of type " +
+                       std::string(type_name(property.type)));
+    }
+
+    void check_binding(const std::string& member, const Property& property) const {
+        const Binding& binding = property.binding;
+        switch (binding.kind) {
+            case BindingKind::stored:
+                return;
+            case BindingKind::column:
+                return check_column(member, property);
+            case BindingKind::accessor:
+                if (binding.get == nullptr)
+                    refuse(ErrorKind::bad_structure, member, "its accessor has no `get`");
+                return;
+            case BindingKind::node:
+                if (binding.node_get == nullptr)
+                    refuse(ErrorKind::bad_structure, member, "its binding has no `node_get`");
+                return;
+            case BindingKind::ad_hoc:
+                break;
+        }
+        refuse(ErrorKind::bad_structure, member, "a class cannot declare what users add");
+    }
+
+    void check_column(const std::string& member, const Property& property) const {
+        const Binding& binding = property.binding;
+        if (binding.base == nullptr)
+            refuse(ErrorKind::bad_structure, member, "its column has no `base`");
+        if (property.type != type_of(binding.native) || property.any_type)
+            refuse(ErrorKind::wrong_type, member,
+                   "its column holds values of type " +
+                       std::string(type_name(type_of(binding.native))) + ", and it is of type " +
+                       std::string(property.any_type ? "any" : type_name(property.type)));
+        if (property.nullable) refuse(ErrorKind::wrong_type, member, "a column cannot hold nil");
+        if (binding.native != Native::enumeration) return;
+        if (property.enumerators.empty() || property.enumerators.size() > 256)
+            refuse(ErrorKind::wrong_type, member,
+                   "an enumeration needs 1 to 256 enumerators, and has " +
+                       std::to_string(property.enumerators.size()));
+    }
+
+    void check(const Method& method) {
+        take_name("method", method.name, false);
+        const std::string member = "method " + in_quotes(method.name);
+        if (method.call == nullptr) refuse(ErrorKind::bad_structure, member, "it has no `call`");
+        if (method.required > method.parameters.size())
+            refuse(ErrorKind::bad_structure, member,
+                   std::to_string(method.required) + " of its " +
+                       std::to_string(method.parameters.size()) + " parameters are required");
+        check_fields(member, "parameter", method.parameters, false);
+        check_fields(member, "field of what it returns", method.returns, true);
+    }
+
+    void check(const Event& event) {
+        take_name("event", event.name, false);
+        const std::string member = "event " + in_quotes(event.name);
+        if (base_ != nullptr && base_->event(event.name) != nullptr)
+            refuse(ErrorKind::bad_name, member,
+                   base_->name() + ", from which it derives, has that event already");
+        check_fields(member, "field", event.fields, false);
+    }
+
+    const ClassDescriptor& of_;
+    const Class* base_;
+    std::map<std::string, const char*, std::less<>> names_;
+};
+
+}  // namespace
+
+bool is_word(std::string_view name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+               (c >= 'A' && c <= 'Z');
+    });
+}
+
+void check_descriptor(const ClassDescriptor& descriptor, const Class* base) {
+    DescriptorCheck(descriptor, base).run();
+}
+
+}  // namespace fettle::property

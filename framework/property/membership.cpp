@@ -1,0 +1,56 @@
+// Callers in C++ give classes, properties, events and methods by reference. A property of another
+// class, or of another tree, would be read from memory that does not belong to it.
+
+#include <fettle/property/spelling.h>
+#include <fettle/property/tree.h>
+
+#include "state.h"
+
+namespace fettle::property {
+
+bool Tree::State::inherits(const Class& of, const Property& property) {
+    if (property.owner == nullptr) return property.binding.kind == BindingKind::ad_hoc;
+    return of.is_a(*property.owner);
+}
+
+void Tree::State::refuse_foreign(Handle handle, const Property& property) const {
+    const Class& of = tree.class_of(handle);
+    const std::string owner =
+        property.owner == nullptr ? "of no class" : "of " + property.owner->name();
+    throw Error(
+        ErrorKind::unknown_name,
+        tree.path(handle) + ": the property \"" + property.name + "\" is " + owner +
+            (property.owner != nullptr && classes.find(property.owner->name()) != property.owner
+                 ? " of another tree"
+                 : "") +
+            ", and the instance a " + of.name());
+}
+
+void Tree::State::require_own(const Class& of) const {
+    if (classes.find(of.name()) != &of)
+        throw Error(ErrorKind::unknown_name, "class " + of.name() + " is of another tree");
+}
+
+void Tree::State::require_event(const Class& of, const Event& event) const {
+    require_own(of);
+    if (event.owner == nullptr || !of.is_a(*event.owner))
+        throw Error(ErrorKind::unknown_name,
+                    of.name() + " has no such event: \"" + event.name + "\" is of " +
+                        (event.owner == nullptr ? "no class" : event.owner->name()));
+}
+
+void Tree::State::require_method(Handle handle, const Method& method) const {
+    const Class& of = tree.class_of(handle);
+    if (method.owner == nullptr || !of.is_a(*method.owner))
+        throw Error(ErrorKind::unknown_name,
+                    tree.path(handle) + " has no such method: \"" + method.name + "\" is of " +
+                        (method.owner == nullptr ? "no class" : method.owner->name()) +
+                        ", and the instance a " + of.name());
+}
+
+void Tree::State::Use::finish() const {
+    if (state_.ending)
+        throw Error(ErrorKind::deleted, "the tree was destroyed by what it was calling");
+}
+
+}  // namespace fettle::property

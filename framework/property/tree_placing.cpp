@@ -1,0 +1,180 @@
+// Instances of a tree get other names and other parents: all of what hangs below them, or nothing.
+
+#include <optional>
+#include <stdexcept>
+
+#include <fettle/property/path.h>
+#include <fettle/property/tree.h>
+
+#include "state.h"
+
+namespace fettle::property {
+
+/// What only a module or the framework can make has the place that it was made for: a file could
+/// not put it anywhere else.
+void Tree::State::require_movable(Handle instance) const {
+    const Class& of = classes[require(instance).class_id];
+    if (!of.creatable())
+        throw Error(ErrorKind::bad_structure,
+                    tree.path(instance) + ": the " + of.name() + " cannot be moved or renamed");
+}
+
+void Tree::rename(Handle instance, std::string_view name) {
+    State& s = *state_;
+    Node& node = s.require(instance);
+    s.forbid_in_formula("rename an instance");
+    if (node.name.text() == name) return;
+    if (instance == s.root)
+        throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
+    s.require_movable(instance);
+    const std::uint32_t parent = node.parent;
+    s.check_child_name(s.nodes.handle(parent), name);
+    std::optional<History::Position> before;
+    if (s.history.recording()) before = s.history.position(instance);
+    const NodeName was = node.name;
+    const NodeName made = NodeName::make(name);
+    if (parent == 0) {
+        node.name = made;
+    } else {
+        // Renaming keeps the place among the siblings.
+        const bool first = s.nodes[parent].first_child == instance.index;
+        const std::uint32_t in_front = first ? 0 : node.previous;
+        s.nodes.unlink(instance.index);
+        s.nodes.link(instance.index, parent, made);
+        s.nodes.reorder(instance.index, in_front);
+    }
+    s.nodes[instance.index].named = true;
+    s.structure_changed(parent, was);
+    s.structure_changed(parent, made);
+    if (before) s.history.moved(instance, *before);
+    s.tell([&](Observer& o) { o.moved(instance); });
+    if (s.watchers.any_broad()) s.refresh_shadows_below(instance.index);
+}
+
+void Tree::State::place_subtree(Handle top) {
+    tree.each_below(top, [this](Handle handle) {
+        const Class& of = tree.class_of(handle);
+        if (!of.lifecycle().place) return;
+        const Row row =
+            of.lifecycle().place(of.lifecycle().context, tree, handle, nodes[handle.index].row);
+        if (Node* node = nodes.find(handle)) node->row = row;
+    });
+}
+
+/// Links alone; modules are to be told.
+void Tree::State::hang(Handle instance, const Position& at) {
+    Node& node = nodes[instance.index];
+    const std::uint32_t left = node.parent;
+    const NodeName was = node.name;
+    nodes.unlink(instance.index);
+    nodes.link(instance.index, at.parent.index, at.name);
+    nodes[instance.index].named = at.named;
+    edited = true;
+    structure_changed(left, was);
+    structure_changed(at.parent.index, at.name);
+}
+
+/// A module refused a place: those that had taken theirs go back, and nothing has happened.
+void Tree::State::hang_back(Handle instance, const Position& was) {
+    hang(instance, was);
+    if (was.parent) nodes.reorder(instance.index, was.before.index);
+    try {
+        place_subtree(instance);
+    } catch (const std::exception&) {
+        // It has just been there. What cannot go back stays in its module where it was put.
+    }
+}
+
+/// Hangs it there with all that is below it, or leaves it where it is. Nobody is told.
+void Tree::State::hang_or_leave(Handle instance, const Position& at) {
+    const Position was = history.position(instance);
+    hang(instance, at);
+    try {
+        place_subtree(instance);
+    } catch (const std::invalid_argument& refusal) {
+        hang_back(instance, was);
+        throw Error(ErrorKind::rejected, tree.path(instance) + ": " + refusal.what());
+    } catch (...) {
+        hang_back(instance, was);
+        throw;
+    }
+}
+
+void Tree::State::told_of_move(Handle instance) {
+    tell([&](Observer& o) { o.moved(instance); });
+    if (watchers.any_broad()) refresh_shadows_below(instance.index);
+}
+
+std::function<void()> Tree::way_back(Handle instance) {
+    const Position was = state_->history.position(instance);
+    return [this, instance, was] {
+        State& s = *state_;
+        if (!alive(instance) || (was.parent && !alive(was.parent))) return;
+        const Position left = s.history.position(instance);
+        s.hang_back(instance, was);
+        if (s.history.recording()) s.history.moved(instance, left);
+        s.told_of_move(instance);
+    };
+}
+
+void Tree::replace(Handle old, Handle by) {
+    State& s = *state_;
+    s.require(old);
+    s.require(by);
+    s.forbid_in_formula("replace an instance");
+    const Position at = s.history.position(old), was = s.history.position(by);
+    s.require_movable(old);
+    if (!at.parent || was.parent || by == s.root || old == by || is_below(old, by))
+        throw Error(ErrorKind::bad_structure, path(by) + " cannot take the place of " + path(old));
+    // First to a place of its own: modules can refuse it while the other still has its.
+    static const Symbol beside("\x1b replacing");
+    s.hang_or_leave(by, {.parent = at.parent, .before = {}, .name = {beside, 0}, .named = true});
+    s.told_of_move(by);
+    destroy(old);
+    s.hang(by, {.parent = at.parent, .before = {}, .name = at.name, .named = true});
+    if (s.history.recording()) s.history.moved(by, was);
+    s.told_of_move(by);
+}
+
+void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
+    State& s = *state_;
+    const Node& node = s.require(instance);
+    s.forbid_in_formula("move an instance");
+    if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
+    s.require_movable(instance);
+    if (new_parent) {
+        s.require(new_parent);
+        if (new_parent == instance || is_below(new_parent, instance))
+            throw Error(
+                ErrorKind::bad_structure,
+                path(instance) + " cannot be moved below itself (" + path(new_parent) + ")");
+    }
+    NodeName chosen = node.name;
+    if (!name.empty()) {
+        if (s.nodes.child(new_parent.index, NodeName::look_up(name)) != instance.index ||
+            !new_parent)
+            s.check_child_name(new_parent, name);
+        chosen = NodeName::make(name);
+    } else if (new_parent && node.parent != new_parent.index) {
+        const bool taken = !node.named || s.nodes.child(new_parent.index, node.name) != 0 ||
+                           find(new_parent, node.name.text()) != nullptr ||
+                           class_of(new_parent).method(node.name.text()) != nullptr;
+        if (taken) {
+            const std::string_view stem =
+                node.named ? node.name.base.text() : class_of(instance).stem();
+            const bool plain =
+                find(new_parent, stem) == nullptr && class_of(new_parent).method(stem) == nullptr;
+            chosen = first_plain ? s.nodes.plain_name(new_parent.index, stem, plain)
+                                 : s.nodes.free_name(new_parent.index, stem);
+        }
+    } else if (node.parent == new_parent.index) {
+        return;
+    }
+    const bool named = node.named || !name.empty();
+    const Position was = s.history.position(instance);
+    s.hang_or_leave(instance, {.parent = new_parent, .before = {}, .name = chosen, .named = named});
+    if (s.history.recording()) s.history.moved(instance, was);
+    s.told_of_move(instance);
+}
+
+}  // namespace fettle::property

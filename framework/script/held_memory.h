@@ -1,0 +1,18 @@
+#pragma once
+// How much memory a function keeps: for those who keep functions of the past and have a limit.
+
+#include <cstddef>
+
+#include "lua_api.h"
+
+namespace fettle::script {
+
+struct Machine;
+
+/// Bytes, about, that the function at `index` keeps by itself: its own, and those of tables,
+/// functions and long texts among its local variables of outer functions. What was counted for
+/// another function before is not counted again, nor is what the game's globals hold. Looks at some
+/// thousand values at most.
+std::size_t held_memory(lua_State* L, Machine& machine, int index);
+
+}  // namespace fettle::script

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <fettle/physics/query.h>
+#include <world/world_data.h>
+
+#include <optional>
+
+namespace fettle::physics::detail {
+
+/// The world is locked while a query may call `QueryFilter::accept`.
+class Asking {
+  public:
+    Asking(const WorldData& data, const QueryFilter& filter) {
+        if (filter.accept) lock_.emplace(data.self, WorldLock::During::query, in_accept);
+    }
+    void finish() {
+        if (lock_) lock_->finish();
+    }
+
+  private:
+    std::optional<WorldLock> lock_;
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,304 @@
+#include <world/arguments.h>
+#include <world/world_data.h>
+
+#include <cmath>
+#include <stdexcept>
+
+// Whether the numbers of a world that came as bytes are such as somebody could have written, or as
+// could have followed from those: setters check what they are given, and this checks the same.
+// Every index must be in range, and what is walked must end (links.cpp).
+
+namespace fettle::physics::detail {
+namespace {
+
+using detail::check;  // of definitions and geometries
+
+template <class... Number>
+bool are_finite(Number... numbers) {
+    return (std::isfinite(numbers) && ...);
+}
+bool is_finite(V2 v) {
+    return are_finite(v.x, v.y);
+}
+bool is_finite(const Box4& box) {
+    return is_finite(box.low) && is_finite(box.high);
+}
+/// Infinite where something weighs so much that nothing moves it.
+bool is_weight(float value) {
+    return value >= 0.0f;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw std::invalid_argument(what);
+}
+
+void require(bool holds, const char* what, size_t slot) {
+    if (!holds) refuse(what + (" " + std::to_string(slot)));
+}
+
+// --- Bodies
+
+void check(const BodyRecord& body, size_t slot) {
+    const bool given = (!is_given(body.given_mass) || body.given_mass > 0.0f) &&
+                       (!is_given(body.given_inertia) || body.given_inertia > 0.0f) &&
+                       is_given(body.given_center.x) == is_given(body.given_center.y) &&
+                       (!is_given(body.given_center.x) || is_finite(body.given_center));
+    require(given && is_weight(body.mass) && is_weight(body.inertia), "the mass of body", slot);
+    require(is_finite(body.center) && is_finite(body.local_center) &&
+                are_finite(body.inverse_mass, body.inverse_inertia, body.angle_rest, body.extent,
+                           body.thickness, body.sleep_time) &&
+                body.inverse_mass >= 0.0f && body.inverse_inertia >= 0.0f,
+            "the state of body", slot);
+    check_finite("gravity_scale", body.gravity_scale);
+    check_not_negative("linear_damping", body.linear_damping);
+    check_not_negative("angular_damping", body.angular_damping);
+    require(is_finite(body.force) && is_finite(body.step_force) &&
+                are_finite(body.torque, body.step_torque),
+            "the forces on body", slot);
+}
+
+void check(const BodyState& state, const Pose& previous, size_t slot) {
+    constexpr float off_unit = 1e-3f;
+    check_coordinates("position", state.position);
+    check_coordinates("position", previous.position);
+    check_range("angle", state.angle, -greatest_coordinate, greatest_coordinate);
+    check_range("angle", previous.angle, -greatest_coordinate, greatest_coordinate);
+    const float length = state.cosine * state.cosine + state.sine * state.sine;
+    require(is_finite(to_v2(state.velocity)) && are_finite(state.angular_velocity) &&
+                std::fabs(length - 1.0f) < off_unit,
+            "the state of body", slot);
+}
+
+// --- Shapes
+
+std::span<const Vec2> points_of(const WorldData& w, size_t shape, size_t count) {
+    static_assert(sizeof(Vec2) == sizeof(V2) && alignof(Vec2) <= alignof(V2));
+    return {reinterpret_cast<const Vec2*>(&w.pool.local[w.forms[shape].begin]), count};
+}
+
+void check_polygon(const WorldData& w, size_t shape) {
+    check_range("rounding", w.shapes[shape].figure.as<PolygonFigure>().rounding, 0.0f, 1e6f);
+    const auto points = points_of(w, shape, w.forms[shape].count);
+    std::vector<Vec2> hull;
+    const HullStatus status = convex_hull(points, hull);
+    if (status != HullStatus::ok || hull.size() != points.size())
+        refuse("vertices: not those of a convex polygon");
+    for (const Vec2& v : points) check_range("vertices", v.lpNorm<Eigen::Infinity>(), 0.0f, 1e6f);
+}
+
+void check_figure(const WorldData& w, size_t shape) {
+    const ShapeRecord& record = w.shapes[shape];
+    switch (record.type) {
+        case ShapeType::circle:
+            return check(Geometry(record.figure.as<Circle>()));
+        case ShapeType::box:
+            return check(Geometry(record.figure.as<Box>()));
+        case ShapeType::segment:
+            return check(Geometry(record.figure.as<Segment>()));
+        case ShapeType::ellipse:
+            return check(Geometry(record.figure.as<Ellipse>()));
+        case ShapeType::polygon:
+            return check_polygon(w, shape);
+        case ShapeType::concave:
+            return check_outline(points_of(w, shape, record.outline));
+        case ShapeType::chain:
+            return check_chain(points_of(w, shape, record.outline), record.closed);
+        case ShapeType::border:
+            return;
+    }
+}
+
+void check_shape(const WorldData& w, size_t shape) {
+    const ShapeRecord& record = w.shapes[shape];
+    const ShapeForm& form = w.forms[shape];
+    check(record.surface);
+    if (record.owner == none) check_figure(w, shape);  // a part has its owner's
+    require(are_finite(record.area, record.moment, form.radius) && form.radius >= 0.0f &&
+                is_finite(record.centroid) && is_finite(form.center) && is_finite(w.boxes[shape]) &&
+                is_finite(w.fat_boxes[shape]) && is_finite(w.paired_boxes[shape]),
+            "what follows from shape", shape);
+    if (form.kind == FormKind::border || form.count == 0) return;
+    const size_t stored = form.count * (form.kind == FormKind::piece ? size_t{3} : 1);
+    for (size_t i = form.begin; i < form.begin + stored; ++i)
+        require(is_finite(w.pool.local[i]), "the vertices of shape", shape);
+    for (size_t i = form.begin; i < form.begin + form.count; ++i)
+        require(is_finite(w.pool.normals[i]) && is_finite(w.pool.directions[i]) &&
+                    are_finite(w.pool.offsets[i]),
+                "the vertices of shape", shape);
+}
+
+// --- Contacts
+
+void check(const ContactRecord& contact, size_t slot) {
+    const Manifold& m = contact.manifold;
+    bool sound = is_finite(m.normal) && are_finite(m.corner, contact.rolling_impulse);
+    for (int i = 0; i < m.count; ++i) {
+        const ManifoldPoint& p = m.points[i];
+        sound &= is_finite(p.anchor_a) && is_finite(p.anchor_b) &&
+                 are_finite(p.separation, p.normal_impulse, p.tangent_impulse);
+    }
+    require(sound, "contact", slot);
+    check_not_negative("friction", contact.friction);
+    check_range("restitution", contact.restitution, 0.0f, 1.0f);
+    check_not_negative("rolling_resistance", contact.rolling_resistance);
+    check_finite("surface_speed", contact.surface_speed);
+}
+
+// --- Joints: as their setters do
+
+void check_strength(const char* what, float value) {
+    check_range(what, value, 0.0f, infinity);
+}
+void check_limit(const char* what, float value) {
+    check_range(what, value, -infinity, infinity);
+}
+
+void check(const JointRecord& joint) {
+    check_coordinates("anchor_a", to_vec2(joint.anchors[0]));
+    check_coordinates("anchor_b", to_vec2(joint.anchors[1]));
+    check_finite("force", to_vec2(joint.force));
+    check_finite("torque", joint.torque);
+    check_strength("break_force", joint.break_force);
+    check_strength("break_torque", joint.break_torque);
+}
+
+void check(const RailSettings& rail) {
+    check_direction("axis", to_vec2(rail.axis));
+    check_limit("lower_translation", rail.lower);
+    check_limit("upper_translation", rail.upper);
+    check_finite("motor_speed", rail.motor_speed);
+    check_strength("max_motor_force", rail.max_motor_force);
+    check_not_negative("hertz", rail.hertz);
+    check_not_negative("damping_ratio", rail.damping_ratio);
+    check_finite("target_translation", rail.target);
+}
+
+void check(const MouseData& d) {
+    check_not_negative("hertz", d.hertz);
+    check_not_negative("damping_ratio", d.damping_ratio);
+    check_strength("max_force", d.max_force);
+}
+void check(const DistanceData& d) {
+    check_not_negative("length", d.length);
+    check_not_negative("min_length", d.min_length);
+    check_strength("max_length", d.max_length);
+    check_strength("hertz", d.hertz);
+    check_not_negative("damping_ratio", d.damping_ratio);
+}
+void check(const RevoluteData& d) {
+    check_finite("reference_angle", d.reference_angle);
+    check_limit("lower_angle", d.lower_angle);
+    check_limit("upper_angle", d.upper_angle);
+    check_finite("motor_speed", d.motor_speed);
+    check_strength("max_motor_torque", d.max_motor_torque);
+    check_not_negative("hertz", d.hertz);
+    check_not_negative("damping_ratio", d.damping_ratio);
+    check_finite("target_angle", d.target_angle);
+}
+void check(const PrismaticData& d) {
+    check(d.rail);
+    check_finite("reference_angle", d.reference_angle);
+}
+void check(const WheelData& d) {
+    check(d.rail);
+    check_finite("motor_speed", d.motor_speed);
+    check_strength("max_motor_torque", d.max_motor_torque);
+}
+void check(const WeldData& d) {
+    check_finite("reference_angle", d.reference_angle);
+    check_strength("hertz", d.hertz);
+    check_not_negative("damping_ratio", d.damping_ratio);
+    check_strength("angular_hertz", d.angular_hertz);
+    check_not_negative("angular_damping_ratio", d.angular_damping_ratio);
+}
+void check(const MotorData& d) {
+    check_finite("linear_velocity", to_vec2(d.linear_velocity));
+    check_finite("angular_velocity", d.angular_velocity);
+    check_strength("max_force", d.max_force);
+    check_strength("max_torque", d.max_torque);
+    check_coordinates("linear_offset", to_vec2(d.linear_offset));
+    check_finite("angular_offset", d.angular_offset);
+    check_not_negative("hertz", d.hertz);
+    check_not_negative("damping_ratio", d.damping_ratio);
+}
+void check(const PulleyData& d) {
+    check_coordinates("ground_a", to_vec2(d.ground_a));
+    check_coordinates("ground_b", to_vec2(d.ground_b));
+    check_range("ratio", d.ratio, 1e-3f, 1e3f);
+    check_not_negative("length", d.length);
+}
+void check(const GearData& d) {
+    check_finite("ratio", d.ratio);
+    check_finite("phase", d.phase);
+}
+void check(const GrooveData& d) {
+    check_coordinates("end", to_vec2(d.end));
+}
+void check(const PinSlotData& d) {
+    check(d.rail);
+}
+void check(const RatchetData& d) {
+    check_not_negative("tooth", d.tooth);
+    check_finite("reference_angle", d.reference_angle);
+    check_finite("caught_angle", d.impulses.caught);
+}
+
+/// What an impulse of warm starting holds is numbers, and nothing else that counts.
+template <class Data>
+void check_impulses(const Data& data, size_t slot) {
+    if constexpr (std::is_same_v<Data, RatchetData>) {
+        require(are_finite(data.impulses.pawl), "the impulses of joint", slot);
+    } else {
+        float numbers[sizeof data.impulses / sizeof(float)];
+        static_assert(sizeof numbers == sizeof data.impulses);
+        std::memcpy(numbers, static_cast<const void*>(&data.impulses), sizeof numbers);
+        for (const float number : numbers)
+            require(are_finite(number), "the impulses of joint", slot);
+    }
+}
+
+// --- All of it
+
+void check_joints(const WorldData& w) {
+    for (size_t i = 0; i < w.joints.size(); ++i)
+        if (w.joint_generations[i] != 0) check(w.joints[i]);
+    const auto check_list = [](const auto& list) {
+        for (const auto& data : list) {
+            check(data);
+            check_impulses(data, data.joint);
+        }
+    };
+    std::apply([&](const auto&... lists) { (check_list(lists), ...); }, w.joint_lists);
+}
+
+void check_all(const WorldData& w) {
+    check(w.settings);
+    for (size_t i = 0; i < w.bodies.size(); ++i) {
+        check(w.bodies[i], i);
+        check(w.states[i], w.previous[i], i);
+    }
+    for (size_t i = 0; i < w.shapes.size(); ++i)
+        if (w.shape_generations[i] != 0) check_shape(w, i);
+    for (size_t i = 0; i < w.contacts.size(); ++i)
+        if (w.contacts[i].shape_a != none) check(w.contacts[i], i);
+    check_joints(w);
+    for (const FieldRecord& field : w.fields) check(field.def);
+    const StepStatistics& s = w.statistics;
+    require(are_finite(w.last_substep, s.edits_ms, s.pairs_ms, s.narrow_ms, s.solve_ms, s.finish_ms,
+                       s.sleep_ms, s.total_ms) &&
+                w.last_substep >= 0.0f,
+            "the last step", 0);
+}
+
+}  // namespace
+
+std::optional<std::string> WorldData::numbers_problem() const {
+    try {
+        check_all(*this);
+    } catch (const std::invalid_argument& problem) {
+        return problem.what();
+    }
+    return {};
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,60 @@
+#include <world/seal.h>
+
+#include <cstring>
+
+namespace fettle::physics::detail {
+namespace {
+
+constexpr size_t words = 8;  // of a block: so many sums go on side by side, in vectors
+
+/// What goes on over the blocks. `mixed` is one to one in the word and in what was before, so that
+/// a word that differs always leaves a difference; only the next word of the same sum could take it
+/// away again, and `sum` remembers it then.
+struct Sums {
+    uint64_t mixed[words] = {1, 2, 3, 4, 5, 6, 7, 8};
+    uint64_t sum[words] = {};
+
+    void add(const uint64_t (&block)[words]) {
+        for (size_t i = 0; i < words; ++i) mixed[i] ^= block[i];
+        for (size_t i = 0; i < words; ++i) mixed[i] += mixed[i] << 29;
+        for (size_t i = 0; i < words; ++i) mixed[i] ^= mixed[i] >> 32;
+        for (size_t i = 0; i < words; ++i) sum[i] += mixed[i];
+    }
+};
+
+uint64_t combine(uint64_t before, uint64_t word) {
+    const uint64_t product = (before ^ word) * 0x9e3779b97f4a7c15u;
+    return product ^ (product >> 32);
+}
+
+}  // namespace
+
+uint64_t checksum(std::span<const std::byte> bytes) {
+    Sums sums;
+    uint64_t block[words];
+    const std::byte* at = bytes.data();
+    size_t left = bytes.size();
+    for (; left >= sizeof block; left -= sizeof block, at += sizeof block) {
+        std::memcpy(block, at, sizeof block);
+        sums.add(block);
+    }
+    if (left > 0) {
+        std::memset(block, 0, sizeof block);
+        std::memcpy(block, at, left);
+        sums.add(block);
+    }
+    uint64_t all = combine(0, bytes.size());
+    for (size_t i = 0; i < words; ++i) all = combine(combine(all, sums.mixed[i]), sums.sum[i]);
+    return all;
+}
+
+void seal(std::span<std::byte> saved) {
+    SavedHeader header;
+    if (saved.size() < sizeof header) return;
+    std::memcpy(&header, saved.data(), sizeof header);
+    header.size = saved.size();
+    header.checksum = checksum(saved.subspan(sizeof header));
+    std::memcpy(saved.data(), &header, sizeof header);
+}
+
+}  // namespace fettle::physics::detail

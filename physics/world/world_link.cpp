@@ -1,0 +1,64 @@
+#include <world/world_link.h>
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Multiples of the golden ratio of 2³² lie far apart, however many there are.
+constexpr uint32_t apart = 2654435769u;
+/// Far more than a world makes between two looks at a foreign state, far fewer than lie between the
+/// numbers that two links begin with.
+constexpr uint32_t soon = 1u << 24;
+
+struct Links {
+    std::mutex mutex;
+    std::vector<std::unique_ptr<WorldLink>> all;
+    std::vector<WorldLink*> unused;
+};
+
+/// Never destroyed: a world or a handle may be a global variable.
+Links& links() {
+    static Links& all = *new Links;
+    return all;
+}
+
+}  // namespace
+
+void WorldLink::skip(std::span<const uint32_t> generations) {
+    uint32_t ahead = 0;
+    for (const uint32_t generation : generations) {
+        const uint32_t distance = generation - next_generation;
+        if (generation != 0 && distance < soon && distance + 1 > ahead) ahead = distance + 1;
+    }
+    next_generation += ahead;
+    if (next_generation == 0) next_generation = 1;
+}
+
+WorldLink& take_link() {
+    Links& known = links();
+    const std::lock_guard lock(known.mutex);
+    if (!known.unused.empty()) {
+        WorldLink& link = *known.unused.back();
+        known.unused.pop_back();
+        return link;
+    }
+    known.unused.reserve(known.all.size() + 1);  // giving back must not throw
+    const auto number = uint32_t(known.all.size());
+    WorldLink& link = *known.all.emplace_back(std::make_unique<WorldLink>());
+    link.next_generation = number * apart + 1;
+    if (link.next_generation == 0) link.next_generation = 1;
+    return link;
+}
+
+void return_link(WorldLink& link) {
+    Links& known = links();
+    const std::lock_guard lock(known.mutex);
+    link.world = nullptr;
+    link.data = nullptr;
+    known.unused.push_back(&link);
+}
+
+}  // namespace fettle::physics::detail

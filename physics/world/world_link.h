@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace fettle::physics {
+class World;
+}
+
+namespace fettle::physics::detail {
+
+struct WorldData;
+
+/// What handles hold of their world: the world and its data, or that it was destroyed.
+/// Links are used again by later worlds and never freed, so a handle may outlive its world. They
+/// give the generations too: one link never gives a number twice, and two links begin far apart.
+/// Therefore an id names nothing in any other world, and nothing in a later world of the same link.
+struct WorldLink {
+    World* world = nullptr;     ///< null: destroyed
+    WorldData* data = nullptr;  ///< null: destroyed
+    uint32_t next_generation = 1;
+
+    uint32_t new_generation() {
+        const uint32_t given = next_generation++;
+        if (next_generation == 0) next_generation = 1;
+        return given;
+    }
+    /// Generations that are in a state which came from elsewhere: none that would soon be given
+    /// here is given again.
+    void skip(std::span<const uint32_t> generations);
+};
+
+/// Of a new world.
+WorldLink& take_link();
+/// Its world was destroyed.
+void return_link(WorldLink& link);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,73 @@
+#include <fettle/physics/locked.h>
+#include <world/world_data.h>
+
+#include <string>
+#include <utility>
+
+// Functions of the user run in the middle of the library's own: what they may not do is refused
+// here, and what they do nevertheless (throw, destroy the world) leaves a whole world.
+
+namespace fettle::physics::detail {
+
+WorldSelf::WorldSelf() = default;
+
+WorldSelf::WorldSelf(const WorldSelf&) {}
+
+WorldSelf& WorldSelf::operator=(const WorldSelf&) {
+    return *this;
+}
+
+WorldSelf::~WorldSelf() {
+    if (link != nullptr) return_link(*link);
+}
+
+void WorldSelf::refuse_edit(const char* of, const char* function) const {
+    throw Locked(std::string(of) + "::" + function + " is not allowed inside " + place() +
+                 ": it may only read the world that calls it. Note what is to be changed, and "
+                 "change it when that call has returned");
+}
+
+void WorldSelf::refuse_copy(const char* what) const {
+    throw Locked(std::string(what) + " is not allowed inside " + place() +
+                 ": the state of the world is incomplete there. Do it when that call has returned");
+}
+
+void WorldSelf::keep(std::unique_ptr<WorldData> data) {
+    destroyed_inside_ = place();
+    orphan_ = std::move(data);
+}
+
+void WorldSelf::throw_orphaned() const {
+    throw Locked(std::string("the world was destroyed inside ") + destroyed_inside_ +
+                 ": a world has to outlive the call that calls back");
+}
+
+WorldLock::WorldLock(const WorldSelf& self, During during, const char* inside)
+    : self_(&self),
+      weight_(during == During::query ? 1 : WorldSelf::middle),
+      outer_(self.enter(inside)) {
+    self.work_.fetch_add(weight_, std::memory_order_relaxed);
+}
+
+WorldLock::~WorldLock() {
+    unlock();
+}
+
+void WorldLock::unlock() {
+    if (self_ == nullptr) return;
+    const WorldSelf& self = *std::exchange(self_, nullptr);
+    self.leave_to(outer_);
+    if (self.work_.fetch_sub(weight_, std::memory_order_acq_rel) != weight_) return;
+    // This was the last use of the data of a world that is gone.
+    const std::unique_ptr<WorldData> dead = std::move(self.orphan_);
+}
+
+void WorldLock::finish() {
+    const WorldSelf& self = *self_;
+    if (weight_ == WorldSelf::middle && self.thrown_)
+        std::rethrow_exception(std::exchange(self.thrown_, nullptr));
+    if (self.orphaned()) self.throw_orphaned();
+    unlock();
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <fettle/physics/callbacks.h>
+#include <threads/pool.h>
+#include <world/world_link.h>
+
+#include <atomic>
+#include <exception>
+#include <memory>
+
+namespace fettle::physics::detail {
+
+// How messages call the functions of the user.
+inline constexpr const char in_filter[] = "the filter (World::set_filter)";
+inline constexpr const char in_mixing[] = "the mixing callback (World::set_mixing)";
+inline constexpr const char in_before_solve[] =
+    "the before-solve callback (World::set_before_solve)";
+inline constexpr const char in_accept[] = "QueryFilter::accept";
+inline constexpr const char in_refresh[] = "the refresh callback (World::on_refresh)";
+inline constexpr const char in_step[] = "a step";
+inline constexpr const char in_edit[] = "an edit";
+
+/// What a world is besides its state: its identity, the functions of its user, its threads, and its
+/// lock. Copying or restoring a state does not change it.
+struct WorldSelf {
+    WorldLink* link = nullptr;  ///< null: a state that is in no world
+    PairFilter filter;
+    ContactCallback mix, before_solve;
+    RefreshCallback refresh;
+    std::unique_ptr<ThreadPool> pool;
+
+    WorldSelf();
+    ~WorldSelf();
+    WorldSelf(const WorldSelf&);
+    WorldSelf& operator=(const WorldSelf&);
+
+    bool see_contacts() const { return mix || before_solve; }
+
+    /// While functions of the user may be called, nothing is edited.
+    bool locked() const { return work_.load(std::memory_order_relaxed) != 0; }
+    /// In the middle of a step or an edit, the state is nothing to be copied either.
+    bool in_the_middle() const { return work_.load(std::memory_order_relaxed) >= middle; }
+    /// The World was destroyed by a function that it was calling.
+    bool orphaned() const { return orphan_ != nullptr; }
+
+    /// Throws Locked if nothing may be edited: `of` and `function` are what was called.
+    void may_edit(const char* of, const char* function) const {
+        if (locked()) [[unlikely]]
+            refuse_edit(of, function);
+    }
+    void may_copy(const char* what) const {
+        if (in_the_middle()) [[unlikely]]
+            refuse_copy(what);
+    }
+
+    /// Calls a function of the user in a step or an edit, which is not left by an exception: the
+    /// first is kept until `WorldLock::finish`. False when it threw, or may not be called any more.
+    template <class Call>
+    bool ask(const char* callback, Call&& call) const {
+        if (orphaned()) return false;
+        const char* const outer = enter(callback);
+        bool answered = true;
+        try {
+            call();
+        } catch (...) {
+            if (!thrown_) thrown_ = std::current_exception();
+            answered = false;
+        }
+        leave_to(outer);
+        return answered && !orphaned();
+    }
+    /// The World is being destroyed by a function that it is calling: the data live on until that
+    /// call is over.
+    void keep(std::unique_ptr<WorldData> data);
+    [[noreturn]] void throw_orphaned() const;
+
+  private:
+    friend class WorldLock;
+    static constexpr uint32_t middle = 1u << 16;
+    [[noreturn]] void refuse_edit(const char* of, const char* function) const;
+    [[noreturn]] void refuse_copy(const char* what) const;
+    const char* place() const { return inside_.load(std::memory_order_relaxed); }
+    const char* enter(const char* callback) const {
+        const char* const outer = place();
+        leave_to(callback);
+        return outer;
+    }
+    void leave_to(const char* outer) const { inside_.store(outer, std::memory_order_relaxed); }
+
+    /// Queries count one, and may be made by several threads; a step or an edit counts `middle`.
+    mutable std::atomic<uint32_t> work_ = 0;
+    mutable std::atomic<const char*> inside_ = in_step;  ///< what runs, for messages
+    mutable std::exception_ptr thrown_;                  ///< first, by what a step or an edit asked
+    mutable std::unique_ptr<WorldData> orphan_;
+    const char* destroyed_inside_ = nullptr;
+};
+
+/// While it lives, functions of the user may be called: the world cannot be edited, and its data
+/// live on when one of those functions destroys it.
+class WorldLock {
+  public:
+    enum class During { query, change };
+    WorldLock(const WorldSelf& self, During during, const char* inside);
+    ~WorldLock();
+    WorldLock(const WorldLock&) = delete;
+    WorldLock& operator=(const WorldLock&) = delete;
+
+    /// At the end of a change: throws on what a function of the user has thrown. At the end of
+    /// either: throws Locked if one destroyed the world.
+    void finish();
+
+  private:
+    void unlock();
+
+    const WorldSelf* self_;  ///< null: unlocked
+    uint32_t weight_;
+    const char* outer_;
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,174 @@
+// Events as games in Lua hear them: of what another handler has just deleted, of the bounds.
+
+#include <catch.h>
+
+#include "program.h"
+
+using namespace program_test;
+
+namespace {
+
+Outcome run(const std::string& script, int steps = 120) {
+    const Folder folder;
+    const std::string game = folder.write("main.lua", script);
+    return fettle(folder, {"run", game, "--headless", "--steps", std::to_string(steps)});
+}
+
+}  // namespace
+
+TEST_CASE("two balls that hit a brick in the same step break it once") {
+    const Outcome done = run(R"lua(
+        world.gravity = vec(0, 0)
+        Brick = class("Brick", Body) {}
+        Ball = class("Ball", Body) {}
+        touching = 0
+        function Ball:contact_begin(e)
+            touching = touching + 1
+            print("hit", e.other.name)
+            if e.other:is_a("Brick") then e.other:delete() end
+        end
+        function Ball:contact_hit(e) e.other.friction = e.other.mass end
+        function Ball:contact_persist(e) e.other_shape.friction = 1 end
+        function Ball:contact_end(e)
+            touching = touching - 1
+            print("end", e.other:alive(), e.other.name, e.other.class, e.other:is_a(Brick),
+                  e.other:is_a("Circle"), e.other_shape.class, e.shape:is_a("Circle"))
+        end
+        world.brick = Brick { type = "static", Box { width = 6, height = 1 } }
+        world:add(Ball { position = vec(-2, 3), velocity = vec(0, -5), Circle {} })
+        world:add(Ball { position = vec(2, 3), velocity = vec(0, -5), Circle {} })
+        after(1.5, function() print(touching) end)
+    )lua");
+    CHECK(done.err.empty());
+    CHECK(done.status == 0);
+    CHECK(done.out == "hit\tbrick\nend\tfalse\tbrick\tBrick\ttrue\tfalse\tBox\ttrue\n0\n");
+}
+
+TEST_CASE("two shots that come upon a foe in the same step take it once") {
+    const Outcome done = run(R"lua(
+        world.gravity = vec(0, 0)
+        Foe = class("Foe", Body) {}
+        Shot = class("Shot", Body) {}
+        inside = 0
+        function Shot:sensor_begin(e)
+            inside = inside + 1
+            print("hit", e.other.name)
+            e.other:delete()
+        end
+        function Shot:sensor_end(e) inside = inside - 1 print("end", e.other.name, inside) end
+        world.foe = Foe { Box { width = 6, height = 1 } }
+        world:add(Shot { position = vec(-2, 3), velocity = vec(0, -5), Circle { sensor = true } })
+        world:add(Shot { position = vec(2, 3), velocity = vec(0, -5), Circle { sensor = true } })
+    )lua");
+    CHECK(done.err.empty());
+    CHECK(done.out == "hit\tfoe\nend\tfoe\t0\n");
+}
+
+TEST_CASE("a handler that loads another level hears of no coin of the last one") {
+    const Outcome done = run(R"lua(
+        world.level = Object {}
+        Coin = class("Coin", Body) { type = "static" }
+        function Coin:sensor_begin(e)
+            print(self.name, e.other.name)
+            world.level = nil
+            world.level = Object {}
+        end
+        world.level:add(Coin { Circle { sensor = true } })
+        world.level:add(Coin { position = vec(0.2, 0), Circle { sensor = true } })
+        world.player = Body { position = vec(0, 2), Circle {} }
+    )lua");
+    CHECK(done.err.empty());
+    CHECK(contains(done.out, "player\n"));
+    CHECK(done.out.find('\n') == done.out.size() - 1);
+}
+
+TEST_CASE("whoever handles an event after what it names was deleted is not called") {
+    const Outcome done = run(R"lua(
+        world.floor = Body { type = "static", Box { width = 9 } }
+        world.ball = Body { position = vec(0, 2), Circle {}, Circle { center = vec(0, 1) } }
+        for _, name in ipairs { "contact_begin", "contact_persist", "contact_hit", "contact_end" } do
+            world.ball:on(name, function(e)
+                print(name, e.other:alive(), e.shape:alive())
+                if name == "contact_begin" then e.shape:delete() end
+            end)
+            world.ball:on(name, function(e) print("second", name, e.shape.radius) end)
+        end
+    )lua",
+                             200);
+    CHECK(done.status ==
+          1);  // only an end names what was deleted, and a deleted circle has no radius
+    CHECK(contains(done.out, "contact_begin\ttrue\ttrue\n"));
+    CHECK_FALSE(contains(done.out, "second\tcontact_begin"));
+    CHECK(contains(done.out, "contact_end\ttrue\tfalse\n"));
+    CHECK(contains(done.err, "circle was deleted at step"));
+}
+
+TEST_CASE("using what an end names says who deleted it") {
+    const Outcome done = run(R"lua(
+        world.floor = Body { type = "static", Box { width = 9 } }
+        world.ball = Body { position = vec(0, 0.9), Circle {} }
+        world.ball:on("contact_end", function(e)
+            print(e.other == floor, e.other:alive(), e.other.name, e.other_shape.name)
+            local seen = { [e.other] = "known" }
+            print(seen[floor])
+            print(select(2, pcall(function() return e.other.position end)):match("floor was deleted at step %d+ by main.lua:%d+"))
+            print(select(2, pcall(function() e.other.name = "new" end)):match("floor was deleted"))
+            print(select(2, pcall(function() e.other:delete() end)):match("floor was deleted"))
+        end)
+        floor = world.floor
+        after(0.5, function() world.floor:delete() end)
+    )lua");
+    CHECK(done.err.empty());
+    CHECK(contains(done.out, "true\tfalse\tfloor\tbox\nknown\nfloor was deleted at step "));
+    CHECK(contains(done.out, "\nfloor was deleted\nfloor was deleted\n"));
+}
+
+TEST_CASE("every event and question of contacts with the bounds can be read and answered") {
+    const Outcome done = run(R"lua(
+        world.bounds = { vec(-25, 0), vec(25, 40) }
+        world.ball = Body { position = vec(0, 2), Circle { restitution = 0.5 } }
+        local told = {}
+        local function note(e)
+            for _, field in ipairs { "other", "shape", "other_shape" } do
+                assert(e[field] == (field == "other" and world or field == "shape" and world.ball[1] or nil))
+            end
+            local kind = e
+            return kind
+        end
+        for _, name in ipairs { "contact_begin", "contact_persist", "contact_end", "contact_hit", "before_solve" } do
+            told[name] = 0
+            world.ball:on(name, function(e) note(e) told[name] = told[name] + 1 end)
+            world.ball[1]:on(name, note)
+        end
+        for _, name in ipairs { "mix_surfaces", "filter_pair" } do
+            told[name] = 0
+            world:on(name, function(e)
+                assert(e.body == world and e.shape == nil and e.other == world.ball and e.other_shape == world.ball[1])
+                told[name] = told[name] + 1
+            end)
+        end
+        after(1, function() world.ball.position.y = 5 end)
+        after(1.9, function()
+            for name, count in pairs(told) do print(name, count > 0) end
+            world.ball:on("before_solve", function(e) e.friction = 0 e.enabled = false end)
+        end)
+        after(3.5, function() print(world.ball.position.y < -1) end)
+    )lua",
+                             220);
+    CHECK(done.err.empty());
+    CHECK(done.status == 0);
+    CHECK(done.out ==
+          "before_solve\ttrue\ncontact_begin\ttrue\ncontact_end\ttrue\ncontact_hit\ttrue\n"
+          "contact_persist\ttrue\nfilter_pair\ttrue\nmix_surfaces\ttrue\ntrue\n");
+}
+
+TEST_CASE("only the fields that a question declares so can be answered with the bounds") {
+    const Outcome done = run(R"lua(
+        world.bounds = { vec(-25, 0), vec(25, 40) }
+        world.ball = Body { position = vec(0, 0.4), Circle {} }
+        world.ball:on("before_solve", function(e) e.other_shape = world.ball[1] end)
+    )lua",
+                             5);
+    CHECK(done.status == 1);
+    CHECK(contains(done.err, "other_shape is only told, and cannot be changed"));
+}

@@ -1,0 +1,46 @@
+// Several programs on one game at once: none loses what another one has kept.
+
+#include <catch.h>
+
+#include "program.h"
+
+using namespace program_test;
+
+TEST_CASE("programs that keep at the same time lose nothing of each other") {
+    const Folder folder;
+    folder.write("main.lua", R"(
+        game.o = Object {}
+        scene.load("level.json", game.o)
+        function keep_as(i)
+            edit("own", function()
+                game.o["p" .. i] = i
+                game.o.level["q" .. i] = i
+            end)
+            keep("game.o.p" .. i)
+            keep("game.o.level.q" .. i)
+            quit()
+        end)");
+    folder.write("level.json",
+                 "{\n  \"fettle_scene\": 1,\n  \"class\": \"Object\",\n  \"name\": \"level\"\n}\n");
+    constexpr int programs = 40;
+    std::string command;
+    for (int i = 1; i <= programs; ++i) {
+        command += "env -u DISPLAY timeout 60 " + quoted(FETTLE_PROGRAM) + " run " +
+                   quoted((folder / "main.lua").string()) + " --headless --steps 2 --eval " +
+                   quoted("keep_as(" + std::to_string(i) + ")") + " >>" +
+                   quoted((folder / "out").string()) + " 2>&1 </dev/null & ";
+        if (i % 4 == 0) command += "wait; ";  // so many at a time
+    }
+    CHECK(std::system((command + "wait").c_str()) == 0);
+    const std::string kept = folder.text("main.tweaks.json"), level = folder.text("level.json");
+    INFO(folder.text("out") << kept << level);
+    for (int i = 1; i <= programs; ++i) {
+        const std::string number = std::to_string(i);
+        CHECK(contains(kept, "\"o.p" + number + "\": " + number));
+        CHECK(contains(level, "\"q" + number + "\": " + number));
+    }
+    const Outcome next = fettle(folder, {"run", (folder / "main.lua").string(), "--headless",
+                                         "--steps", "1", "--eval", "tweaks() quit()"});
+    CHECK(next.out == "nothing was tweaked\n");
+    CHECK(next.err.empty());
+}

@@ -1,0 +1,119 @@
+#include "every_method.h"
+#include "saved_worlds.h"
+
+// Saved worlds are sealed: no byte of one can change, be missing or be added unnoticed.
+
+using namespace scenes;
+
+namespace {
+
+/// Small worlds of all that there is.
+std::vector<std::vector<std::byte>> several() {
+    std::vector<std::vector<std::byte>> all;
+    World empty({.gravity = {0, 0}});
+    all.push_back(saved(empty));
+    World one;
+    add_ball(one, {0, 1});
+    all.push_back(saved(one));
+    World shapes({.bounds = Aabb{{-9, -9}, {9, 9}}});
+    Body body = shapes.create_body();
+    for (const Geometry& geometry : {Geometry(Circle{}), Geometry(Box{}), Geometry(Segment{}),
+                                     Geometry(Ellipse{}), Geometry(Polygon{.vertices = triangle()}),
+                                     Geometry(Concave{{{0, 0}, {2, 0}, {2, 2}, {1, 0.5f}}}),
+                                     Geometry(Chain{.points = {{-3, 0}, {0, 1}, {3, 0}}})})
+        body.add(geometry);
+    shapes.step(frame);
+    all.push_back(saved(shapes));
+    World things;
+    make_things(things);
+    things.step(frame);
+    all.push_back(saved(things));
+    return all;
+}
+
+bool is_refused(World& target, std::span<const std::byte> bytes) {
+    try {
+        target.restore(bytes);
+    } catch (const std::invalid_argument&) {
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("a saved world with any byte changed is refused and the world stays as it was") {
+    World target;
+    add_ball(target, {3, 4});
+    const uint64_t before = target.hash();
+    const auto all = several();
+    REQUIRE(all.back().size() > 20000);
+    for (const auto& bytes : all) {
+        auto damaged = bytes;
+        size_t unnoticed = 0;
+        for (size_t at = 0; at < bytes.size(); ++at) {
+            for (const unsigned flip : {0xffu, 1u << (at % 8)}) {
+                damaged[at] ^= std::byte(flip);
+                unnoticed += !is_refused(target, damaged);
+                damaged[at] = bytes[at];
+            }
+        }
+        REQUIRE(unnoticed == 0);
+        for (size_t at = 0; at < 64; ++at)  // every bit of the header, and of what follows
+            for (int bit = 0; bit < 8; ++bit) {
+                damaged[at] ^= std::byte(1 << bit);
+                REQUIRE(is_refused(target, damaged));
+                damaged[at] = bytes[at];
+            }
+        REQUIRE(target.hash() == before);
+        REQUIRE(target.body_count() == 1);
+        World whole;
+        REQUIRE_FALSE(is_refused(whole, damaged));
+    }
+    REQUIRE_FALSE(target.validate());
+}
+
+TEST_CASE("a saved world that is cut off or goes on is refused") {
+    World target;
+    for (const auto& bytes : several()) {
+        const std::span all(bytes);
+        for (size_t size = 0; size < bytes.size(); ++size)
+            if (!is_refused(target, all.first(size))) FAIL("cut off at " << size);
+        auto longer = bytes;
+        for (const size_t more : {size_t{1}, size_t{7}, size_t{8}, size_t{32}, bytes.size()}) {
+            longer.resize(bytes.size() + more);
+            REQUIRE(is_refused(target, longer));
+        }
+    }
+}
+
+TEST_CASE("the seal covers how many bytes there are and where each stands") {
+    std::vector<std::byte> zeros;
+    std::vector<uint64_t> seen;
+    for (size_t size = 0; size < 100; ++size) {
+        zeros.assign(size, std::byte{0});
+        seen.push_back(detail::checksum(zeros));
+        for (size_t at = 0; at < size; ++at) {
+            zeros[at] = std::byte{1};
+            seen.push_back(detail::checksum(zeros));
+            zeros[at] = std::byte{0};
+        }
+    }
+    std::sort(seen.begin(), seen.end());
+    REQUIRE(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
+    const auto bytes = several().back();
+    auto exchanged = bytes;
+    std::swap_ranges(exchanged.begin() + 100, exchanged.begin() + 108, exchanged.begin() + 132);
+    REQUIRE((exchanged == bytes || detail::checksum(exchanged) != detail::checksum(bytes)));
+}
+
+TEST_CASE("what was saved again behind other bytes is sealed by itself") {
+    World world;
+    add_ball(world, {0, 5});
+    std::vector<std::byte> bytes(13, std::byte{7});
+    world.save(bytes);
+    World target;
+    REQUIRE(is_refused(target, bytes));
+    REQUIRE_FALSE(is_refused(target, std::span(bytes).subspan(13)));
+    REQUIRE(target.hash() == world.hash());
+}

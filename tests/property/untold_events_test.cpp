@@ -1,0 +1,122 @@
+// Events that name what was deleted before their turn came.
+
+#include "catch.h"
+#include "fixture.h"
+
+using namespace fettle::property;
+using namespace fettle::property::testing;
+
+namespace {
+
+struct Meeting {
+    Tree tree;
+    const Class* type = nullptr;
+    std::vector<std::string> log;
+    Handle first, second, brick;
+
+    Meeting() {
+        const std::vector<Field> of_end = {{.name = "other", .type = Type::reference}};
+        std::vector<Field> of_begin = of_end;
+        of_begin.push_back({.name = "speed", .type = Type::number});
+        ClassDescriptor d;
+        d.name = "Thing";
+        d.events = {{.name = "meeting_end", .fields = of_end},
+                    {.name = "meeting_begin", .fields = of_begin},
+                    {.name = "hit", .fields = of_begin},
+                    {.name = "group_seen", .fields = {{.name = "all", .type = Type::list}}}};
+        type = &tree.define(std::move(d));
+        first = tree.create(*type, tree.root(), "first");
+        second = tree.create(*type, tree.root(), "second");
+        brick = tree.create(*type, tree.root(), "brick");
+    }
+    const Event& event(const char* name) const { return *type->event(name); }
+    void emit(Handle to, const char* name, Value other) {
+        std::vector<Value> values = {std::move(other)};
+        if (event(name).fields.size() == 2) values.emplace_back(3.0);
+        tree.emit(to, event(name), std::move(values));
+    }
+    void note(const char* name, bool deletes = false) {
+        tree.on(*type, event(name), [this, deletes](const Occurrence& o) {
+            log.push_back(tree.name(o.instance) + " " + o.event->name);
+            const Handle other = o.record.values[0].reference();
+            if (deletes) tree.destroy(other);
+        });
+    }
+};
+using Log = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE_METHOD(Meeting, "an event that names what was deleted is not told") {
+    note("hit", true);
+    note("hit");
+    emit(first, "hit", brick);
+    emit(second, "hit", brick);
+    tree.barrier();
+    // Neither to the second handler of the first event, nor to anyone of the second.
+    CHECK(log == Log{"first hit"});
+}
+
+TEST_CASE_METHOD(Meeting, "a list that names what was deleted is not told either") {
+    tree.on(*type, event("group_seen"),
+            [this](const Occurrence& o) { log.push_back(tree.name(o.instance)); });
+    emit(first, "group_seen", List{first, brick});
+    emit(second, "group_seen", List{first, second});
+    tree.destroy(brick);
+    tree.barrier();
+    CHECK(log == Log{"second"});
+}
+
+TEST_CASE_METHOD(Meeting,
+                 "the end of what was deleted is told to those who know of the beginning") {
+    note("meeting_begin", true);
+    note("meeting_end");
+    emit(first, "meeting_begin", brick);
+    emit(second, "meeting_begin", brick);
+    tree.barrier();
+    CHECK(log == Log{"first meeting_begin"});
+    emit(first, "meeting_end", brick);
+    emit(second, "meeting_end", brick);
+    tree.barrier();
+    CHECK(log == Log{"first meeting_begin", "first meeting_end"});
+    // That end is over; another has a beginning of its own.
+    emit(second, "meeting_end", brick);
+    tree.barrier();
+    CHECK(log.back() == "second meeting_end");
+}
+
+TEST_CASE_METHOD(Meeting, "an end whose beginning nobody wanted to hear of is told") {
+    note("meeting_end");
+    emit(first, "meeting_begin", brick);
+    tree.destroy(brick);
+    tree.barrier();
+    emit(first, "meeting_end", brick);
+    tree.barrier();
+    CHECK(log == Log{"first meeting_end"});
+}
+
+TEST_CASE_METHOD(Meeting, "nobody hears of events of an instance that a handler before deleted") {
+    tree.on(*type, event("hit"), [this](const Occurrence& o) {
+        log.push_back(tree.name(o.instance));
+        tree.destroy(o.instance);
+    });
+    tree.on(*type, event("hit"), [this](const Occurrence&) { log.emplace_back("again"); });
+    emit(first, "hit", brick);
+    tree.barrier();
+    CHECK(log == Log{"first"});
+}
+
+TEST_CASE_METHOD(Meeting, "of what was deleted class and name are still known") {
+    CHECK_FALSE(tree.remains(brick));
+    tree.destroy(brick);
+    REQUIRE(tree.remains(brick));
+    CHECK(&tree.remains(brick)->of == type);
+    CHECK(tree.remains(brick)->name == "brick");
+    const Snapshot before = tree.snapshot();
+    const Handle late = tree.create(*type, tree.root(), "late");
+    tree.restore(before);
+    REQUIRE_FALSE(tree.alive(late));
+    REQUIRE(tree.remains(late));
+    CHECK(tree.remains(late)->name == "late");
+    CHECK_FALSE(tree.remains(Handle{}));
+}

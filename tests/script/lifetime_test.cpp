@@ -1,0 +1,172 @@
+#include <fettle/property/error.h>
+
+#include "stage.h"
+
+// Runtimes that end before, after and while what they are bound to is used.
+
+using namespace stage;
+using fettle::property::Error;
+using fettle::script::Options;
+using fettle::script::Runtime;
+
+namespace {
+
+std::string error_of(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a tree has one runtime at a time and another one after it") {
+    Stage stage;
+    const Handle ball = stage.tree->create(stage.tree->class_named("Body"), stage.world, "ball");
+    stage.run("world.ball.mass = formula(function() return 2 end)");
+    CHECK(stage.tree->get(ball, "mass") == Value(2.0));
+    CHECK(error_of([&] { Runtime second(*stage.tree, {}); }) ==
+          "the tree has a runtime already: it has one at a time");
+    stage.run("world.ball.friction = 0.25");  // the first goes on
+    stage.runtime = nullptr;
+    CHECK(error_of([&] { (void)stage.tree->get(ball, "mass"); }).find("its script has ended") !=
+          std::string::npos);
+    Runtime second(*stage.tree, {});
+    CHECK(second.run("world.ball.mass = 3", "main.lua"));
+    CHECK(stage.tree->get(ball, "mass") == Value(3.0));
+}
+
+TEST_CASE("a runtime that outlives its tree says so and ends without harm") {
+    auto tree = std::make_unique<Tree>();
+    Runtime runtime(*tree, {});
+    runtime.on_print([](std::string_view) {});
+    REQUIRE(
+        runtime.run("kept = snapshot() node = Object {} game.node = node\n"
+                    "node:watch('speed', print) game.f = formula(function() return 1 end)\n"
+                    "every(1, print) Ball = class('Ball', Object) { lives = 3 }\n"
+                    "function Ball:step() end game.ball = Ball {}",
+                    "main.lua"));
+    tree.reset();
+    struct NoPainter final : fettle::property::Painter {};
+    const std::vector<std::function<void()>> calls = {
+        [&] { runtime.run("print(1)", "main.lua"); },
+        [&] { runtime.call("update", {0.1}); },
+        [&] { runtime.step(1, 1); },
+        [&] { runtime.evaluate("game"); },
+        [&] { runtime.complete("gam", 3); },
+        [&] { (void)runtime.defines("update"); },
+        [&] { runtime.load("nowhere.lua"); },
+    };
+    for (const auto& call : calls)
+        CHECK_THAT(error_of(call), contains("the tree of this runtime was destroyed"));
+    CHECK(runtime.memory() > 0);
+    CHECK_FALSE(runtime.quit_status());
+}
+
+TEST_CASE("what a runtime calls may end it") {
+    for (const std::string way :
+         {"print", "error", "command", "print in a handler", "print in a timer", "method",
+          "print in a class", "print in a formula"}) {
+        INFO(way);
+        Stage stage;
+        int calls = 0;
+        const auto end = [&] {
+            ++calls;
+            stage.runtime.reset();
+        };
+        stage.runtime->on_print([&](std::string_view) { end(); });
+        stage.runtime->on_error([&](const ScriptError&) { end(); });
+        Runtime& runtime = *stage.runtime;
+        if (way == "print") {
+            CHECK(
+                runtime.run("print(1) local t = {} for i = 1, 1000 do t[i] = {} end", "main.lua"));
+        } else if (way == "error") {
+            CHECK_FALSE(runtime.run("error('no')", "main.lua"));
+        } else if (way == "command") {
+            runtime.on_command([&](std::string_view) { end(); });
+            CHECK(runtime.evaluate("1 + 1").lines.size() == 1);
+        } else if (way == "print in a handler") {
+            runtime.run("game:watch('speed', function() print(1) end)", "main.lua");
+            stage.tree->set_or_add(stage.tree->root(), "speed", 3);
+            stage.tree->barrier();
+        } else if (way == "print in a timer") {
+            runtime.run("every(0, function() print(1) end) every(0, function() print(2) end)",
+                        "main.lua");
+            runtime.step(1, 1);
+        } else if (way == "print in a class") {
+            runtime.run(
+                "Ball = class('Ball', Object) {}\n"
+                "function Ball:step() print(1) end function Ball:speed() end\n"
+                "for i = 1, 3 do game['ball' .. i] = Ball {} end",
+                "main.lua");
+            runtime.step(1, 1);
+        } else if (way == "print in a formula") {
+            runtime.run("game.f = formula(function() print(1) return 5 end)", "main.lua");
+            (void)error_of([&] { (void)stage.tree->get(stage.tree->root(), "f"); });
+        } else {
+            static std::function<void()> to_call;
+            to_call = end;
+            stage.tree->define(
+                {.name = "Bomb",
+                 .methods = {{.name = "explode",
+                              .call = [](void*, Tree&, Handle, fettle::property::Row,
+                                         std::span<const Value>) -> fettle::property::Result {
+                                  to_call();
+                                  return Value(1);
+                              }}}});
+            CHECK(runtime.run("game.bomb = Bomb {} local n = game.bomb:explode() game.n = n + 1",
+                              "main.lua"));
+            CHECK(stage.tree->get(stage.tree->root(), "n") == Value(2));
+        }
+        CHECK(calls == 1);
+        CHECK(stage.runtime == nullptr);
+        stage.tree->barrier();
+        Runtime next(*stage.tree, {});
+        CHECK(next.run("local n = 1", "main.lua"));
+    }
+}
+
+TEST_CASE("what a runtime calls may replace what it calls") {
+    Stage stage;
+    std::string said;
+    stage.runtime->on_print([&, kept = std::string(100, 'a')](std::string_view) {
+        stage.runtime->on_print([&](std::string_view text) { said += text; });
+        said += kept.substr(0, 3);
+    });
+    stage.runtime->on_error([&, kept = std::string(100, 'e')](const ScriptError&) {
+        stage.runtime->on_error([&](const ScriptError&) { said += "later"; });
+        said += kept.substr(0, 3);
+    });
+    CHECK(stage.runtime->run("print('first') print('second')", "main.lua"));
+    CHECK_FALSE(stage.runtime->run("error('no')", "main.lua"));
+    CHECK_FALSE(stage.runtime->run("error('no')", "main.lua"));
+    CHECK(said == "aaasecondeeelater");
+}
+
+TEST_CASE("no game is loaded while a script of the runtime runs") {
+    Stage stage;
+    std::string said;
+    stage.runtime->on_print(
+        [&](std::string_view) { said = error_of([&] { stage.runtime->load("main.lua"); }); });
+    CHECK(stage.runtime->run("print(1)", "main.lua"));
+    CHECK_THAT(said, contains("no game can be loaded while a script"));
+}
+
+TEST_CASE("a runtime with too little memory is refused and leaves the tree as it was") {
+    Tree tree;
+    int refused = 0;
+    for (const std::size_t limit : {0u, 1'000u, 10'000u, 50'000u, 100'000u, 150'000u}) {
+        INFO(limit);
+        Options options;
+        options.memory_limit = limit;
+        const std::string message = error_of([&] { Runtime runtime(tree, options); });
+        refused += message != "no error";
+        CHECK(tree.parts().empty());
+        CHECK(tree.watcher_count() == 0);
+    }
+    CHECK(refused > 3);
+    Runtime runtime(tree, {});
+    CHECK(runtime.run("game.n = 1", "main.lua"));
+}

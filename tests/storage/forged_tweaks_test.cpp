@@ -1,0 +1,211 @@
+// Tweaks that an earlier run, a damaged disk or a stranger has left in the journal: what is none is
+// told and left aside, and nothing of it makes a file one that cannot be read.
+
+#include <filesystem>
+
+#include <sqlite3.h>
+
+#include "catch.h"
+#include "tweak_run.h"
+
+using namespace scene_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* const journal = ".fettle/main.tweaks.sqlite";
+
+const char* const level =
+    "{\n"
+    "  \"fettle_scene\": 1,\n"
+    "  \"class\": \"Object\",\n"
+    "  \"name\": \"level\",\n"
+    "  \"children\": [\n"
+    "    {\n"
+    "      \"class\": \"Thing\",\n"
+    "      \"name\": \"a\",\n"
+    "      \"properties\": {\n"
+    "        \"density\": 2\n"
+    "      }\n"
+    "    },\n"
+    "    { \"class\": \"Note\", \"name\": \"n\" }\n"
+    "  ]\n"
+    "}\n";
+
+/// A run that has left one tweak of a thing in a scene file, with its row changed as `sql` says.
+void leave(const GameFolder& folder, const std::string& sql) {
+    folder.write("level.json", level);
+    {
+        Run run(folder);
+        run.load(folder, "level.json");
+        run.person([&] { run.tree.set(run.at("world.level.a"), "density", 3.0); });
+    }
+    sqlite3* database = nullptr;
+    REQUIRE(sqlite3_open((folder / journal).c_str(), &database) == SQLITE_OK);
+    INFO(sql);
+    CHECK(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
+    sqlite3_close(database);
+}
+
+std::string value(const std::string& property, const std::string& json) {
+    return "UPDATE tweaks SET property = '" + property + "', now = '{\"value\": " + json + "}'";
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+bool loads(const GameFolder& folder) {
+    SceneWorld world;
+    try {
+        load_scene(world.tree, folder / "level.json", world.world);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+struct Forged {
+    std::string sql;
+    std::string told;  // in what keeping says
+};
+
+}  // namespace
+
+TEST_CASE("a value that the class refuses is not kept in a scene file and stays open") {
+    const std::vector<Forged> all = {
+        {value("density", "\"abc\""), "world.level.a.density: expected a number from 0 to 1000"},
+        {value("density", "-2"), "expected a number from 0"},
+        {value("density", "1e9"), "expected a number from 0"},
+        {value("density", "[1, 2]"), "expected a number from 0"},
+        {value("kind", "\"statc\""), "expected one of"},
+        {value("weight", "5"), "world.level.a.weight: it is read-only"},
+        {value("name", "\"other\""), "is told by the keys of the instance"},
+        {value("tint", "\"no such color\""), "no color is called"},
+        {value("lives", "{\"vec2\": [1]}"), "expected a vec2"},
+        {value("lives", "{\"reference\": \"world.nobody\"}"), "does not exist"},
+        {"UPDATE tweaks SET kind = 3, property = '', now = 'world.level.n'",
+         "has two children called \"n\""},
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now "
+         "= "
+         "'{\"fettle_scene\": 1, \"class\": \"Nobody\"}'",
+         "no class is called \"Nobody\""},
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now "
+         "= "
+         "'{\"fettle_scene\": 1, \"class\": \"Thing\", \"name\": \"b\", \"properties\": "
+         "{\"density\": \"abc\"}}'",
+         "expected a number from 0"},
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.b', inside = '', now "
+         "= "
+         "'{\"fettle_scene\": 1, \"class\": \"Note\", \"name\": \"b\", \"properties\": "
+         "{\"target\": \"world.nobody\"}}'",
+         "refers to \"world.nobody\""},
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.n', inside = '', now "
+         "= "
+         "'{\"fettle_scene\": 1, \"class\": \"Thing\", \"name\": \"n\"}'",
+         "has two children called \"n\""},
+        {"UPDATE tweaks SET kind = 1, property = '', instance = 'world.level.a.mass', inside = "
+         "'[[\"a\", 0]]', now = '{\"fettle_scene\": 1, \"class\": \"Note\", \"name\": \"mass\"}'",
+         "the name is one of a property"},
+    };
+    for (const Forged& forged : all) {
+        const GameFolder folder;
+        leave(folder, forged.sql);
+        Run run(folder);
+        run.load(folder, "level.json");
+        CAPTURE(forged.sql, forged.told);
+        REQUIRE(run.tweaks->open_earlier() == 1);
+        const TweakReport report = run.tweaks->keep("**");
+        REQUIRE(report.problems.size() == 1);
+        CHECK(has(report.problems[0], forged.told));
+        CHECK(report.count == 0);
+        CHECK(folder.text("level.json") == level);
+        CHECK(run.tweaks->open_earlier() == 1);
+        CHECK(run.tweaks->drop("**").count == 1);
+    }
+}
+
+TEST_CASE("what is right is kept beside what is not") {
+    const GameFolder folder;
+    folder.write("level.json", level);
+    {
+        Run run(folder);
+        run.load(folder, "level.json");
+        for (const char* property : {"number", "density", "gain"})
+            run.person([&] { run.tree.set(run.at("world.level.a"), property, 5.0); });
+    }
+    sqlite3* database = nullptr;
+    REQUIRE(sqlite3_open((folder / journal).c_str(), &database) == SQLITE_OK);
+    sqlite3_exec(database,
+                 "UPDATE tweaks SET now = '{\"value\": \"abc\"}' WHERE property = 'density'",
+                 nullptr, nullptr, nullptr);
+    sqlite3_close(database);
+    Run run(folder);
+    run.load(folder, "level.json");
+    const TweakReport report = run.tweaks->keep("**");
+    CHECK(report.count == 2);
+    REQUIRE(report.problems.size() == 1);
+    CHECK(has(report.problems[0], "world.level.a.density: expected a number"));
+    CHECK(has(folder.text("level.json"), "\"number\": 5"));
+    CHECK(has(folder.text("level.json"), "\"density\": 2"));
+    CHECK(loads(folder));
+}
+
+TEST_CASE("a value that the class refuses is not kept in the file of tweaks") {
+    const GameFolder folder;
+    leave(folder, "UPDATE tweaks SET file = '', inside = '', now = '{\"value\": \"abc\"}'");
+    Run run(folder);
+    run.load(folder, "level.json");
+    const TweakReport report = run.tweaks->keep("**");
+    REQUIRE(report.problems.size() == 1);
+    CHECK(has(report.problems[0], "world.level.a.density: expected a number"));
+    CHECK_FALSE(fs::exists(folder / "main.tweaks.json"));
+}
+
+TEST_CASE("a row that is no tweak is told and left aside and the others are as they were") {
+    const std::string sql = GENERATE(
+        as<std::string>{}, "UPDATE tweaks SET kind = 77", "UPDATE tweaks SET kind = -1",
+        "UPDATE tweaks SET instance = 'world..a'", "UPDATE tweaks SET instance = 'world[3]'",
+        "UPDATE tweaks SET instance = x'00ff'", "UPDATE tweaks SET property = ''",
+        "UPDATE tweaks SET now = 'rubbish'", "UPDATE tweaks SET now = '{\"value\": '",
+        "UPDATE tweaks SET now = '{}'", "UPDATE tweaks SET inside = '[[3, \"a\"]]'",
+        "UPDATE tweaks SET inside = '{'",
+        "UPDATE tweaks SET kind = 1, now = '{\"fettle_scene\": 1'",
+        "UPDATE tweaks SET kind = 2, instance = 'game'", "UPDATE tweaks SET kind = 3, now = 'game'",
+        "UPDATE tweaks SET kind = 3, now = '..'",
+        "UPDATE tweaks SET was_text = replace(hex(zeroblob(100000)), '0', 'x')");
+    const GameFolder folder;
+    leave(folder, sql);
+    Run run(folder);
+    INFO(sql);
+    REQUIRE(run.told.size() == 1);
+    INFO(run.told[0]);
+    CHECK(has(run.told[0], "1 row that an earlier run has left is no tweak, and is left aside: "));
+    CHECK(run.tweaks->open_earlier() == 0);
+    const Handle b = run.add("Thing", "b");
+    run.person([&] { run.tree.set(b, "number", 4.0); });
+    CHECK(run.tweaks->keep("**").count == 1);
+    CHECK(has(folder.text("main.tweaks.json"), "\"world.b.number\": 4"));
+}
+
+TEST_CASE("a row names no file that is not the game's own") {
+    const GameFolder folder;
+    const fs::path outside = folder.path().parent_path() / "outside.json";
+    leave(folder, "UPDATE tweaks SET file = '" + outside.string() + "'");
+    fs::copy_file(folder / "level.json", outside);
+    Run run(folder);
+    run.load(folder, "level.json");
+    CHECK(run.tweaks->keep("**").files ==
+          std::vector<std::string>{(folder / "main.tweaks.json").string()});
+    CHECK(fs::file_size(outside) == std::string(level).size());
+}
+
+TEST_CASE("a key that a file of kept tweaks does not have is told with the nearest") {
+    const GameFolder folder;
+    folder.write("main.tweaks.json",
+                 "{\n  \"fettle_tweaks\": 1,\n  \"valeus\": {\"world.a.number\": 3}\n}\n");
+    Run run(folder);
+    REQUIRE(run.told.size() == 1);
+    CHECK(has(run.told[0], "main.tweaks.json:3:3: "));
+    CHECK(has(run.told[0], "no key \"valeus\" (did you mean \"values\"?)"));
+}

@@ -1,0 +1,150 @@
+// What moves a game through time, in one frame and in any order: the game goes on, and can be saved
+// afterwards.
+
+#include "catch.h"
+
+#include "folder.h"
+#include "playing.h"
+
+using namespace fettle;
+using namespace fettle::app;
+
+namespace {
+
+constexpr const char* game = R"(
+    world.floor = Body { type = "static", position = vec(0, -1), Box { width = 60, height = 2 } }
+    for i = 1, 6 do world:add(Body { position = vec(i * 1.1 - 2, 1 + i), Box {} }) end
+    Coin = class("Coin", Body) { worth = 1 }
+    function Coin:step(dt) self.worth = self.worth + 1 end
+    world.coin = Coin { position = vec(3, 5), Circle {} }
+    world.note = Object {}
+    world.note.twice = formula(function() return world.coin.worth * 2 end)
+    every(0.05, function() world.body_2:apply_impulse(vec(random(-1, 1), 1)) end)
+    made, held = 0, false
+    actions = {
+        snapshot = function() held = snapshot() end,
+        restore = function() restore(early) end,
+        restore_new = function() restore(held or early) end,
+        rewind = function() rewind(0.1) end,
+        rewind_far = function() rewind(100) end,
+        forth = function() time:go_to(time.newest) end,
+        save = function() save_game("one") end,
+        load = function() load_game("one") end,
+        delete_save = function() pcall(delete_save, "two") save_game("two") delete_save("two") end,
+        undo = function() undo() end,
+        redo = function() redo() end,
+        edit = function() edit("e", function() world.gravity = vec(random(), -9) end) end,
+        clone = function() made = made + 1 world["copy" .. made] = world.body_1:clone() end,
+        delete = function() local b = world:find("Body")[3] if b then edit("d", function() b:delete() end) end end,
+        step_once = function() time.step_once = true end,
+        pause = function() time.paused = not time.paused end,
+    }
+    names = {}
+    for name in pairs(actions) do table.insert(names, name) end
+    table.sort(names)
+)";
+
+/// The game plays on without a complaint, and what is saved then comes back.
+void play_on(Playing& played) {
+    played.console("time.paused = false");
+    played.play(7);
+    CHECK_FALSE(played.physics.world(property::resolve(played.tree, "world").instance).validate());
+    const auto saved = property::Snapshot::from_bytes(played.tree.snapshot().to_bytes());
+    const std::uint64_t then = played.loop->hash();
+    played.play(3);
+    played.tree.restore(saved);
+    CHECK(played.loop->hash() == then);
+    played.play(4);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "any two or three jumps through time in one frame leave a game that goes on and is saved") {
+    const Folder folder;
+    Playing played(game, folder.path());
+    played.play(10);
+    played.console("early = snapshot()");
+    played.console("save_game('one')");
+    played.play(30);
+    // For good: each order begins from here.
+    const property::Snapshot begin = played.tree.snapshot();
+    const int count = int(property::Value(played.runtime->evaluate("#names").result).integer());
+    REQUIRE(count > 12);
+    const auto call = [](int action) {
+        return "actions[names[" + std::to_string(action + 1) + "]]()\n";
+    };
+    int order = 0;
+    for (int a = 0; a < count; ++a)
+        for (int b = 0; b < count; ++b)
+            for (int c = -1; c < count; ++c) {
+                // Of three, every third order, another one for each pair: all would take minutes.
+                if (c >= 0 && (a * 7 + b * 3 + c) % 3 != 0) continue;
+                if (++order % 40 == 0) played.tree.restore(begin);
+                const std::string chunk = call(a) + call(b) + (c >= 0 ? call(c) : "");
+                INFO(chunk << " after order " << order);
+                REQUIRE(played.runtime->run(chunk, "order"));
+                played.play(1);
+                play_on(played);
+            }
+}
+
+TEST_CASE("to rewind after a restore in one frame goes back from what was restored") {
+    Playing played("world.ball = Body { position = vec(0, 100), Circle {} }");
+    played.play(60);
+    played.console("kept = snapshot()");
+    played.play(60);
+    played.runtime->run("restore(kept) rewind(0.5)", "test");
+    played.play(1);
+    CHECK(played.services.clock.step == 31);  // 60 - 30, and the step just made
+    played.check(31);
+    played.check(10);
+}
+
+TEST_CASE("to restore after a rewind in one frame is to be where was restored") {
+    Playing played("world.ball = Body { position = vec(0, 100), Circle {} }");
+    played.play(60);
+    played.console("kept = snapshot()");
+    played.play(60);
+    played.runtime->run("rewind(1.5) restore(kept)", "test");
+    played.play(1);
+    CHECK(played.services.clock.step == 61);
+    played.check(20);
+}
+
+TEST_CASE("a game that is saved and loaded in one frame is the one that was saved") {
+    const Folder folder;
+    Playing played("world.score = 1", folder.path());
+    played.play(2);
+    played.runtime->run("world.score = 7 save_game('a') load_game('a') world.score = 8", "test");
+    played.play(1);
+    CHECK(played.get("world.score") == property::Value(8));  // what was at the barrier
+    played.runtime->run("save_game('b') world.score = 9 load_game('a')", "test");
+    played.play(1);
+    CHECK(played.get("world.score") == property::Value(8));
+    played.runtime->run("delete_save('b')", "test");
+    CHECK(played.runtime->evaluate("pcall(load_game, 'b')").lines.front().starts_with("false"));
+}
+
+TEST_CASE("a save that is deleted in its frame is not written") {
+    const Folder folder;
+    Playing played("world.score = 1", folder.path());
+    played.play(2);
+    played.runtime->run("save_game('a') delete_save('a')", "test");
+    played.play(2);
+    CHECK(played.saves->slots().list().empty());
+}
+
+TEST_CASE("to rewind before there is a past is to stay") {
+    Playing played("world.ball = Body { position = vec(0, 100), Circle {} } rewind(1)");
+    played.play(3);
+    CHECK(played.services.clock.step == 3);
+    played.console("time.rewind_limit = 0");
+    played.play(2);
+    played.runtime->run("rewind(1)", "test");
+    played.play(2);
+    CHECK(played.services.clock.step == 7);
+    CHECK_FALSE(played.runtime->run("time:go_to(2)", "test"));
+    REQUIRE(played.errors.size() == 1);
+    CHECK(played.errors[0].find("there is no past to go to") != std::string::npos);
+}
