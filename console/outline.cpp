@@ -110,6 +110,12 @@ class Pen : public property::Painter {
         }
     }
     void stroke(bool closed) {
+        const auto distance = [](const ImVec2& a, const ImVec2& b) {
+            return std::hypot(a.x - b.x, a.y - b.y);
+        };
+        // The end of a line that is no longer than it is wide would stick out of it.
+        while (closed && points_.size() > 2 && distance(points_.back(), points_.front()) < 0.5f)
+            points_.pop_back();
         const auto count = static_cast<int>(points_.size());
         const int flags = closed ? ImDrawFlags_Closed : 0;
         list_.AddPolyline(points_.data(), count, with_alpha(palette::accent, glow_), flags, 7);

@@ -208,6 +208,7 @@ std::string Context::text(Machine& machine) const {
 
 bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
                    void* body, bool report_error) {
+    if (!machine.in_tree) return false;  // its runtime was destroyed: only what runs ends yet
     const Machine::Use use(machine);
     lua_State* L = machine.main;
     lua_State* outer = machine.running;

@@ -36,7 +36,8 @@ class ScriptFormula {
         : machine_(&machine), alive_(machine.alive), function_(std::move(function)) {}
 
     Value operator()(const Tree&) const {
-        if (*alive_ == nullptr) throw std::runtime_error("its script has ended");
+        if (*alive_ == nullptr || !machine_->in_tree)
+            throw std::runtime_error("its script has ended");
         Machine& machine = *machine_;
         const Machine::Use use(machine);
         const bool counted = !machine.budget.active();

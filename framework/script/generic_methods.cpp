@@ -256,8 +256,26 @@ Value redirected(const Machine& machine, const Value& value, const Copies& copie
     return value;
 }
 
+/// The copies with what they are copied from: children before their parents, siblings in order.
+std::vector<std::pair<Handle, Handle>> children_first(const Machine& machine,
+                                                      const Copies& copies) {
+    std::vector<std::pair<Handle, Handle>> list, open;
+    const auto close = [&] {
+        list.push_back(open.back());
+        open.pop_back();
+    };
+    for (const auto& pair : copies.in_order) {
+        while (!open.empty() && open.back().second != machine.tree.parent(pair.second)) close();
+        open.push_back(pair);
+    }
+    while (!open.empty()) close();
+    return list;
+}
+
+// A parent gets its values after its children: a body whose centre of mass moves changes its
+// velocity.
 void copy_values(Machine& machine, const Copies& copies) {
-    for (const auto& [from, to] : copies.in_order) {
+    for (const auto& [from, to] : children_first(machine, copies)) {
         for (const Property* property : machine.tree.properties(from)) {
             if (property->read_only || !machine.tree.overridden(from, *property)) continue;
             // Of a formula its value; of one in error the last good one.

@@ -39,6 +39,9 @@ inline Softness make_softness(float hertz, float damping_ratio, float h) {
     return {omega / a1, a2 * a3, a3};
 }
 
+/// N s, and N or N m of a joint. What is larger comes from an overflow.
+inline constexpr float greatest_impulse = 1e30f;
+
 /// One point of a contact. The rows of the Jacobian are kept as their lever arms: r×n and r×t of
 /// both bodies. The separation follows the bodies to first order, s = s₀ + n·Δd + (r_b×n)·Δθ_b -
 /// (r_a×n)·Δθ_a, which is exact for circles that roll and costs the same dot products as the

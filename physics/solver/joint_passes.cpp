@@ -249,8 +249,8 @@ void WorldData::store_joints(const JointStep& step) {
                 // What overflowed would begin the next step, and so last for ever.
                 const V2 push = c.push();
                 if (!std::isfinite(push.x + push.y + c.twist())) data.impulses = {};
-                joints[data.joint].force = bounded(step.inverse_h * push, 1e30f);
-                joints[data.joint].torque = bounded(step.inverse_h * c.twist(), 1e30f);
+                joints[data.joint].force = bounded(step.inverse_h * push, greatest_impulse);
+                joints[data.joint].torque = bounded(step.inverse_h * c.twist(), greatest_impulse);
             }
         });
     };

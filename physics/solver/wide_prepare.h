@@ -115,6 +115,12 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     }
 }
 
+/// What overflowed would begin the next step, and so last for ever.
+inline Wide sound_impulse(Wide impulse) {
+    const Wide most = splat(greatest_impulse);
+    return limit(impulse == impulse ? impulse : Wide{}, -most, most);
+}
+
 /// Impulses go back; notes which contacts push or are near.
 void store_contacts(const WideContact* from, std::span<ContactLanes> to, float near) {
     for (size_t i = 0; i < to.size(); ++i) {
@@ -130,9 +136,11 @@ void store_contacts(const WideContact* from, std::span<ContactLanes> to, float n
                                            (k == 0 ? first_point : second_point) + point_state);
                 Columns4 columns = gather4(state);
                 const WideInt kept = count > k;
-                const Wide normal = load(from[i].points[k].normal_impulse + at);
+                const WidePoint& point = from[i].points[k];
+                const Wide normal = sound_impulse(load(point.normal_impulse + at));
+                const Wide tangent = sound_impulse(load(point.tangent_impulse + at));
                 columns.b = kept ? normal : columns.b;
-                columns.c = kept ? load(from[i].points[k].tangent_impulse + at) : columns.c;
+                columns.c = kept ? tangent : columns.c;
                 scatter4(columns, state);
                 pushes |= kept & (normal > Wide{});
                 least = (kept & (columns.a < least)) ? columns.a : least;

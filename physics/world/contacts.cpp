@@ -188,9 +188,14 @@ Contact WorldData::view(const ContactRecord& c) const {
     contact.point_count = c.manifold.count;
     contact.friction = c.friction;
     contact.restitution = c.restitution;
+    // The point as each body carries it: a point of the ground stays behind when a body slides on.
+    const BodyRecord &a = bodies[c.body_a], &b = bodies[c.body_b];
+    const bool a_moves = a.mobility != Mobility::fixed, b_moves = b.mobility != Mobility::fixed;
+    const float share_a = a_moves == b_moves ? 0.5f : a_moves ? 1.0f : 0.0f;
     for (int k = 0; k < c.manifold.count; ++k) {
         const ManifoldPoint& p = c.manifold.points[k];
-        contact.points[size_t(k)] = {to_vec2(bodies[c.body_a].center + p.anchor_a), p.separation,
+        const V2 on_a = a.center + p.anchor_a, on_b = b.center + p.anchor_b;
+        contact.points[size_t(k)] = {to_vec2(on_b + share_a * (on_a - on_b)), p.separation,
                                      p.normal_impulse, p.tangent_impulse, uint16_t(p.feature)};
         if (last_substep > 0.0f) contact.normal_force += p.normal_impulse / last_substep;
     }

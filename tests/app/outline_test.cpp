@@ -121,11 +121,11 @@ TEST_CASE("an outline is convex when it bulges everywhere and goes round once") 
                         100 * std::sin(2.5132741f * static_cast<float>(i))});
     CHECK_FALSE(is_convex(star));  // turns left everywhere, twice round
     Points circle;
-    for (int i = 0; i < 5000; ++i)
-        circle.push_back({300 * std::cos(0.001256637f * static_cast<float>(i)),
-                          300 * std::sin(0.001256637f * static_cast<float>(i))});
+    for (int i = 0; i < 20'000; ++i)
+        circle.push_back({300 * std::cos(0.00031415927f * static_cast<float>(i)),
+                          300 * std::sin(0.00031415927f * static_cast<float>(i))});
     thin(circle);
-    CHECK(circle.size() < 5000);
+    CHECK(circle.size() < 10'000);
     CHECK(is_convex(circle));
 }
 

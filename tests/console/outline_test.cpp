@@ -15,13 +15,13 @@ using property::Vec2;
 
 namespace {
 
-/// Draws a disc of a metre's radius that has come from (0, 0) to (4, 0) in the last step, beside
-/// it what the section adds.
+/// Draws a disc of a metre's radius that has come from (0, -2) to (4, -2) in the last step, below
+/// it an ellipse and a line, all beside the console's windows.
 void draw_ghost(void*, const property::Tree&, Handle, property::Row, property::Painter& painter,
                 double alpha) {
-    painter.circle(Vec2(4 * alpha, 0), 1, {});
-    painter.ellipse(Vec2(4 * alpha, 3), Vec2(2, 0.5), 0, {});
-    painter.polygon(std::array{Vec2(4 * alpha - 1, -3), Vec2(4 * alpha + 1, -3)}, 0.5, {});
+    painter.circle(Vec2(4 * alpha, -2), 1, {});
+    painter.ellipse(Vec2(4 * alpha, -5), Vec2(2, 0.5), 0, {});
+    painter.polygon(std::array{Vec2(4 * alpha - 1, -7.5), Vec2(4 * alpha + 1, -7.5)}, 0.5, {});
 }
 
 struct Haunted : Rig {
@@ -36,19 +36,22 @@ struct Haunted : Rig {
         key("grave");
         console.select(ghost);
     }
-    /// Whether there is a line at a point of the world, in the color of what is selected.
-    bool lined(const Vec2& world) {
+    /// How many pixels have the color of what is selected, at most so far from a point of the
+    /// world along x and y.
+    int lit(const Vec2& world, int reach) {
         const Vec2 p = state().options.to_pixels(world);
         const auto& pixels = surface.pixels();
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x) {
+        int count = 0;
+        for (int y = -reach; y <= reach; ++y)
+            for (int x = -reach; x <= reach; ++x) {
                 const auto at = static_cast<std::size_t>(std::lround(p.y()) + y) * 1280 +
                                 static_cast<std::size_t>(std::lround(p.x()) + x);
                 const auto& pixel = pixels.at(at);
-                if (pixel[0] > 180 && pixel[2] < 120) return true;
+                if (pixel[0] > 180 && pixel[2] < 120) ++count;
             }
-        return false;
+        return count;
     }
+    bool lined(const Vec2& world) { return lit(world, 1) > 0; }
 };
 
 }  // namespace
@@ -58,15 +61,18 @@ TEST_CASE_METHOD(Haunted, "the line round what is selected is where the picture 
     {
         const property::Drawing drawing(alpha);
         draw(3);
+        save("selected_ghost");
     }
-    save("selected_ghost");
     const double x = 4 * alpha;
-    for (const Vec2& rim : {Vec2(x + 1, 0), Vec2(x - 1, 0), Vec2(x, 1), Vec2(x, -1)})
+    for (const Vec2& rim : {Vec2(x + 1, -2), Vec2(x - 1, -2), Vec2(x, -1), Vec2(x, -3)})
         CHECK(lined(rim));
-    CHECK(lined({x + 2, 3}));
-    CHECK(lined({x, 3.5}));
+    CHECK(lined({x + 2, -5}));
+    CHECK(lined({x, -4.5}));
     // A line with a rounding: half a metre off its ends and sides.
-    CHECK(lined({x + 1.5, -3}));
-    CHECK(lined({x, -3.5}));
-    CHECK_FALSE(lined({x + 2, 0}));
+    CHECK(lined({x + 1.5, -7.5}));
+    CHECK(lined({x, -8}));
+    CHECK_FALSE(lined({x + 2, -2}));
+    // Where the line begins and ends it is as wide as anywhere.
+    CHECK(std::abs(lit({x + 1, -2}, 8) - lit({x - 1, -2}, 8)) < 6);
+    CHECK(std::abs(lit({x + 2, -5}, 8) - lit({x - 2, -5}, 8)) < 6);
 }

@@ -123,7 +123,8 @@ TEST_CASE_METHOD(Game, "impulses and forces move a sleeping body") {
 TEST_CASE_METHOD(Game, "arguments without meaning are refused by name") {
     const Handle crate = body("Box", {0, 0});
     CHECK_THROWS_WITH(tree.call(crate, "apply_impulse", {5}), contains("impulse"));
-    CHECK_THROWS_WITH(tree.call(crate, "apply_impulse", {Vec2(1e300, 0)}), contains("too large"));
+    CHECK_THROWS_WITH(tree.call(crate, "apply_impulse", {Vec2(1e300, 0)}),
+                      contains("expected a vec2 from -3.4"));
     CHECK_THROWS_AS(tree.call(world(), "raycast", {Vec2(0, 0)}), property::Error);
     CHECK_THROWS_AS(tree.call(world(), "at", {Vec2(1e200, 0)}), property::Error);
     CHECK_THROWS_AS(tree.call(world(), "at", {Vec2(1e30, 0)}), property::Error);

@@ -61,9 +61,10 @@ class SceneLoader {
         Tree::CauseScope cause(tree_, Writer::load, &locate_);
         Detached detached(tree_);
         for (std::size_t i = 0; i < made_.size(); ++i) allocate(i, detached);
-        // Formulas last: a plain value would replace them.
+        // Formulas last: a plain value would replace them. A parent gets its values after its
+        // children: a body whose centre of mass moves changes its velocity.
         for (const Pass pass : {Pass::values, Pass::references, Pass::formulas})
-            for (std::size_t i = 0; i < made_.size(); ++i) assign(i, pass);
+            for (const std::size_t i : plan_.children_first()) assign(i, pass);
         for (std::size_t i = 0; i < made_.size(); ++i) keep(i);
         now_ = &document_.root();
         if (parent_) tree_.move(detached.top, parent_, name_);

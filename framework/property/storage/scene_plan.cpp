@@ -48,6 +48,20 @@ std::string ScenePlan::path(std::size_t index) const {
     return path(instance.parent) + path_suffix(name);
 }
 
+std::vector<std::size_t> ScenePlan::children_first() const {
+    std::vector<std::size_t> list, open;
+    const auto close = [&] {
+        list.push_back(open.back());
+        open.pop_back();
+    };
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        while (!open.empty() && open.back() != instances[i].parent) close();
+        open.push_back(i);
+    }
+    while (!open.empty()) close();
+    return list;
+}
+
 void ScenePlan::warn(std::size_t offset, const std::string& text) {
     try {
         document_.fail(ErrorKind::unknown_name, offset, text);

@@ -37,6 +37,8 @@ class ScenePlan {
 
     /// Parents before children.
     std::vector<Instance> instances;
+    /// Their numbers, children before parents and siblings in their order.
+    std::vector<std::size_t> children_first() const;
     /// A line for each key that may be a slip.
     std::vector<std::string> warnings;
 
