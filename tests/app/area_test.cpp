@@ -93,7 +93,10 @@ TEST_CASE("whatever the outline each pixel inside is covered once and none outsi
 TEST_CASE("nothing is inside of no outline and of one without an area") {
     CHECK(cut({}, Area::Rule::any_way).empty());
     CHECK(cut({{{10, 10}, {50, 10}}}, Area::Rule::any_way).empty());
-    CHECK(cut({{{10, 10}, {50, 40}, {10, 10}}}, Area::Rule::any_way).empty());
+    for (const Trapezoid& t : cut({{{10, 10}, {50, 40}, {10, 10}}}, Area::Rule::any_way)) {
+        CHECK(t.top_right - t.top_left == Approx(0).margin(1e-4));
+        CHECK(t.bottom_right - t.bottom_left == Approx(0).margin(1e-4));
+    }
     CHECK(cut({{{10, -90}, {50, -90}, {50, -10}}}, Area::Rule::any_way).empty());
 }
 

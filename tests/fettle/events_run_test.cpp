@@ -147,14 +147,14 @@ TEST_CASE("every event and question of contacts with the bounds can be read and 
                 told[name] = told[name] + 1
             end)
         end
-        after(1, function() world.ball.position.y = 5 end)
-        after(1.9, function()
+        after(2.5, function() world.ball.position.y = 5 end)
+        after(3.4, function()
             for name, count in pairs(told) do print(name, count > 0) end
             world.ball:on("before_solve", function(e) e.friction = 0 e.enabled = false end)
         end)
-        after(3.5, function() print(world.ball.position.y < -1) end)
+        after(5, function() print(world.ball.position.y < -1) end)
     )lua",
-                             220);
+                             320);
     CHECK(done.err.empty());
     CHECK(done.status == 0);
     CHECK(done.out ==
