@@ -9,6 +9,9 @@
 
 namespace fettle::physics::detail {
 
+/// That is kept of a contact from step to step, N s.
+inline constexpr float greatest_impulse = 1e30f;
+
 /// 32 bytes of a body. Index 0 is the one that does not move: all that is fixed or asleep shares
 /// it.
 struct alignas(32) SolverBody {

@@ -189,14 +189,14 @@ uint8_t WorldData::store_constraint(const ContactConstraint& c) {
     bool pushed = false;
     if (c.extra != 0) {
         const ContactExtra& extra = extras[c.extra - 1];
-        record.rolling_impulse = extra.rolling_impulse;
+        record.rolling_impulse = bounded(extra.rolling_impulse, greatest_impulse);
         pushed = extra.greatest[0] + extra.greatest[1] > 0.0f;
     }
     float nearest = infinity;
     for (int k = 0; k < record.manifold.count; ++k) {
         ManifoldPoint& point = record.manifold.points[k];
-        point.normal_impulse = c.points[k].normal_impulse;
-        point.tangent_impulse = c.points[k].tangent_impulse;
+        point.normal_impulse = bounded(c.points[k].normal_impulse, greatest_impulse);
+        point.tangent_impulse = bounded(c.points[k].tangent_impulse, greatest_impulse);
         pushed |= point.normal_impulse > 0.0f;
         nearest = min(nearest, point.separation);
     }

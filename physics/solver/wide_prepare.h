@@ -115,6 +115,13 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     }
 }
 
+/// As `bounded` of one number: what a step leaves is finite, whatever was in it, and can be saved.
+inline Wide bounded(Wide v, float limit) {
+    const Wide below = v > splat(limit) ? splat(limit) : v;
+    const Wide within = below < splat(-limit) ? splat(-limit) : below;
+    return within == within ? within : Wide{};
+}
+
 /// Impulses go back; notes which contacts push or are near.
 void store_contacts(const WideContact* from, std::span<ContactLanes> to, float near) {
     for (size_t i = 0; i < to.size(); ++i) {
@@ -130,9 +137,11 @@ void store_contacts(const WideContact* from, std::span<ContactLanes> to, float n
                                            (k == 0 ? first_point : second_point) + point_state);
                 Columns4 columns = gather4(state);
                 const WideInt kept = count > k;
-                const Wide normal = load(from[i].points[k].normal_impulse + at);
+                const WidePoint& point = from[i].points[k];
+                const Wide normal = bounded(load(point.normal_impulse + at), greatest_impulse);
+                const Wide tangent = bounded(load(point.tangent_impulse + at), greatest_impulse);
                 columns.b = kept ? normal : columns.b;
-                columns.c = kept ? load(from[i].points[k].tangent_impulse + at) : columns.c;
+                columns.c = kept ? tangent : columns.c;
                 scatter4(columns, state);
                 pushes |= kept & (normal > Wide{});
                 least = (kept & (columns.a < least)) ? columns.a : least;
