@@ -35,4 +35,8 @@ endfunction()
 function(fettle_hot_sources)
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS
     "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-falign-functions=64>")
+  # clang takes no precompiled header that was made with another alignment.
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    set_property(SOURCE ${ARGN} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  endif()
 endfunction()

@@ -133,7 +133,10 @@ void Timeline::modules_step(double dt) {
 }
 
 void Timeline::end_step() {
-    if (!std::exchange(stepping_, false)) return;
+    if (!std::exchange(stepping_, false)) {
+        clock_.oldest = clock_.newest = clock_.step;
+        return;
+    }
     open_.number = here_ = clock_.step;
     note_writes(open_, open_.after);
     note_changes(open_);

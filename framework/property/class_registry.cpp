@@ -21,7 +21,8 @@ std::string lower_case(std::string text) {
 
 // What a property of this type holds when its descriptor names no default.
 Value zero_of(const Property& property) {
-    if (property.nullable || property.any_type) return {};
+    // A write of nil to a reference stores the reference to nothing.
+    if (property.any_type || (property.nullable && property.type != Type::reference)) return {};
     switch (property.type) {
         case Type::boolean:
             return false;

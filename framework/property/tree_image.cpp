@@ -12,16 +12,18 @@
 namespace fettle::property {
 namespace {
 
+bool is_native(const Property& property) {
+    return property.binding.kind == BindingKind::column ||
+           property.binding.kind == BindingKind::accessor;
+}
+
 /// Properties behind which is memory that nobody else saves.
 std::vector<const Property*> saved_by_value(const Class& of) {
     std::vector<const Property*> all;
-    for (const Property* property : of.properties()) {
-        const BindingKind kind = property->binding.kind;
-        const bool native = kind == BindingKind::column || kind == BindingKind::accessor;
-        if (native && !property->read_only && !property->transient &&
+    for (const Property* property : of.properties())
+        if (is_native(*property) && !property->read_only && !property->transient &&
             property->owner->snapshots() == Snapshots::by_value)
             all.push_back(property);
-    }
     return all;
 }
 
@@ -30,6 +32,12 @@ bool by_value(const Class& of) {
 }
 
 }  // namespace
+
+bool belongs_to_the_present(const Class& of, const Property& property) {
+    if (of.snapshots() == Snapshots::never) return property.binding.kind != BindingKind::ad_hoc;
+    return is_native(property) && property.transient &&
+           property.owner->snapshots() == Snapshots::by_value;
+}
 
 // --- Saving
 // -----------------------------------------------------------------------------------------------------------

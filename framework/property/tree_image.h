@@ -25,6 +25,9 @@ struct TreeMemory {
     std::size_t bytes() const;
 };
 
+/// No snapshot holds it: whatever moment a game goes to, it stays as it is.
+bool belongs_to_the_present(const Class& of, const Property& property);
+
 class TreeImage {
   public:
     static std::shared_ptr<const TreeMemory> save(const Tree::State& state, ByteWriter& to);

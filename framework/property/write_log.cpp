@@ -10,6 +10,7 @@
 #include <fettle/property/acceptance.h>
 
 #include "state.h"
+#include "tree_image.h"
 
 namespace fettle::property {
 
@@ -263,10 +264,15 @@ class WriteLog::Player {
     void move(Handle instance);
     void call(Handle instance);
     void write(Handle instance, Symbol name, const Value& now) {
-        if (const Property* property = tree_.find(instance, name))
-            tree_.set(instance, *property, now);
-        else
+        if (const Property* property = tree_.find(instance, name)) {
+            if (!is_of_the_present(instance, *property)) tree_.set(instance, *property, now);
+        } else {
             s_.put_ad_hoc(instance, s_.ad_hoc_property(name), now);
+        }
+    }
+    /// To write it again would press a key, or set what the player has set otherwise since.
+    bool is_of_the_present(Handle instance, const Property& property) const {
+        return belongs_to_the_present(tree_.class_of(instance), property);
     }
 
     Tree& tree_;
@@ -300,12 +306,14 @@ void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
             return write(instance, name, from_.value());
         case Did::computed: {
             const Value now = from_.value();
-            if (property == nullptr) return;
+            if (property == nullptr || is_of_the_present(instance, *property)) return;
             s_.write(instance.index, s_.require(instance), *property, now);
             return;
         }
         case Did::reset:
-            return property != nullptr ? tree_.reset(instance, *property) : void();
+            if (property != nullptr && !is_of_the_present(instance, *property))
+                tree_.reset(instance, *property);
+            return;
         case Did::removed:
             return tree_.remove_ad_hoc(instance, name.text());
         case Did::formula: {

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t of_function = 64, of_upvalue = 56, of_table = 56, of_element = 16,
                       of_entry = 40, of_text = 32;
 constexpr std::size_t short_text = 64;  // shorter ones are not worth a look
-constexpr int most_values = 4096, deepest = 16;
+constexpr int most_values = 1 << 16, deepest = 16;
 
 class Measure {
   public:
@@ -104,7 +104,8 @@ class Measure {
 
 std::size_t held_memory(lua_State* L, Machine& machine, int index) {
     const int function = lua_absindex(L, index);
-    return Measure(L, machine).of(function);
+    // Whoever holds a byte makes Lua wait with its collection: the garbage beside it counts too.
+    return Measure(L, machine).of(function) * (collector_pause / 100);
 }
 
 }  // namespace fettle::script

@@ -9,10 +9,10 @@ namespace fettle::script {
 
 struct Machine;
 
-/// Bytes, about, that the function at `index` keeps by itself: its own, and those of tables,
-/// functions and long texts among its local variables of outer functions. What was counted for
-/// another function before is not counted again, nor is what the game's globals hold. Looks at some
-/// thousand values at most.
+/// Bytes, about, by which Lua's memory may be larger because the function at `index` is kept: its
+/// own, and those of tables, functions and long texts among its local variables of outer functions,
+/// times `collector_pause`. What was counted for another function before is not counted again, nor
+/// is what the game's globals hold. Looks at 65 536 values at most.
 std::size_t held_memory(lua_State* L, Machine& machine, int index);
 
 }  // namespace fettle::script

@@ -60,7 +60,7 @@ int open_all(lua_State* L) {
     open_environment(L, machine);
     // Games make many short-lived vectors over a small heap: with the default pause of 200 % most
     // of their cost is marking that heap again and again.
-    lua_gc(L, LUA_GCINC, 400, 0, 0);
+    lua_gc(L, LUA_GCINC, collector_pause, 0, 0);
     lua_settop(L, 0);
     return 0;
 }

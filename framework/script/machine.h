@@ -49,6 +49,9 @@ struct Recording {
     std::size_t dropped = 0;                        // lines beyond the limit
 };
 
+/// Per cent: a collection begins when Lua has so much of the memory that the last one left.
+inline constexpr int collector_pause = 400;
+
 struct Machine {
     Machine(property::Tree& property_tree, Options runtime_options);
     ~Machine();

@@ -9,6 +9,9 @@
 
 namespace fettle::physics::detail {
 
+/// That is kept of a contact from step to step, N s.
+inline constexpr float greatest_impulse = 1e30f;
+
 /// 32 bytes of a body. Index 0 is the one that does not move: all that is fixed or asleep shares
 /// it.
 struct alignas(32) SolverBody {
@@ -38,9 +41,6 @@ inline Softness make_softness(float hertz, float damping_ratio, float h) {
     const float a3 = 1.0f / (1.0f + a2);
     return {omega / a1, a2 * a3, a3};
 }
-
-/// N s, and N or N m of a joint. What is larger comes from an overflow.
-inline constexpr float greatest_impulse = 1e30f;
 
 /// One point of a contact. The rows of the Jacobian are kept as their lever arms: r×n and r×t of
 /// both bodies. The separation follows the bodies to first order, s = s₀ + n·Δd + (r_b×n)·Δθ_b -

@@ -115,10 +115,11 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     }
 }
 
-/// What overflowed would begin the next step, and so last for ever.
-inline Wide sound_impulse(Wide impulse) {
-    const Wide most = splat(greatest_impulse);
-    return limit(impulse == impulse ? impulse : Wide{}, -most, most);
+/// As `bounded` of one number: what a step leaves is finite, whatever was in it, and can be saved.
+inline Wide bounded(Wide v, float limit) {
+    const Wide below = v > splat(limit) ? splat(limit) : v;
+    const Wide within = below < splat(-limit) ? splat(-limit) : below;
+    return within == within ? within : Wide{};
 }
 
 /// Impulses go back; notes which contacts push or are near.
@@ -137,8 +138,8 @@ void store_contacts(const WideContact* from, std::span<ContactLanes> to, float n
                 Columns4 columns = gather4(state);
                 const WideInt kept = count > k;
                 const WidePoint& point = from[i].points[k];
-                const Wide normal = sound_impulse(load(point.normal_impulse + at));
-                const Wide tangent = sound_impulse(load(point.tangent_impulse + at));
+                const Wide normal = bounded(load(point.normal_impulse + at), greatest_impulse);
+                const Wide tangent = bounded(load(point.tangent_impulse + at), greatest_impulse);
                 columns.b = kept ? normal : columns.b;
                 columns.c = kept ? tangent : columns.c;
                 scatter4(columns, state);

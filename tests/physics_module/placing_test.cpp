@@ -334,11 +334,14 @@ TEST_CASE_METHOD(Travellers, "a scene file brings back bodies and shapes and joi
     CHECK(physics.hash() == other.physics.hash());
 }
 
-TEST_CASE_METHOD(Game, "statistics moved away from a world that is deleted do no harm") {
+TEST_CASE_METHOD(Game, "statistics stay in their world and end with it") {
     const Handle second = make("World", tree.root(), "second");
     const Handle statistics = tree.child(second, "step");
-    tree.move(statistics, tree.root(), "numbers");
+    CHECK_THROWS_AS(tree.move(statistics, tree.root(), "numbers"), property::Error);
+    CHECK_THROWS_AS(tree.move(statistics, {}), property::Error);
+    CHECK_THROWS_AS(tree.rename(statistics, "numbers"), property::Error);
+    CHECK(tree.child(second, "step") == statistics);
     tree.destroy(second);
     step();
-    CHECK(get(statistics, "bodies").integer() == 0);
+    CHECK_FALSE(tree.alive(statistics));
 }

@@ -184,7 +184,12 @@ assert(added.parent == world and added.class == "Body")
     CHECK_THAT(s.fails("World {}"), contains("World: cannot be made"));
     CHECK_THAT(s.fails("Body 'x'"), contains("needs a table"));
     const std::size_t before = s.tree->size();
-    CHECK_THAT(s.fails("Body { Circle {}, mass = -1 }"), contains("Body.mass"));
+    CHECK_THAT(s.fails("Body { mass = -1 }"), contains("Body.mass"));
+    CHECK(s.tree->size() == before);
+    // A child that was given is as it was before: detached, and the script's.
+    CHECK_THAT(s.fails("given = Circle {} Body { given, mass = -1 }"), contains("Body.mass"));
+    CHECK(s.tree->size() == before + 1);
+    s.run("assert(given.parent == nil) given:delete()");
     CHECK(s.tree->size() == before);
 }
 

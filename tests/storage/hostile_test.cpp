@@ -126,9 +126,13 @@ TEST_CASE("deep nesting is refused before it does harm") {
     std::string instances = "{\"fettle_scene\": 1, \"class\": \"Object\"";
     for (int i = 0; i < 10000; ++i) instances += ", \"children\": [{\"class\": \"Object\"";
     CHECK(w.refusal(instances).find("nested deeper than 1000 levels") != std::string::npos);
-    std::string values = head.substr(0, head.size() - 5) + "\"ad_hoc\": {\"x\": ";
-    values += std::string(900, '[') + std::string(900, ']') + "}}";
-    CHECK(loads(w, values));
+    const auto lists = [&](std::size_t depth) {
+        return head.substr(0, head.size() - 5) + "\"ad_hoc\": {\"x\": " +
+               std::string(depth, '[') + std::string(depth, ']') + "}}";
+    };
+    CHECK(loads(w, lists(64)));
+    CHECK(w.refusal(lists(65)).find("more than 64 deep") != std::string::npos);
+    CHECK(w.refusal(lists(900)).find("more than 64 deep") != std::string::npos);
 }
 
 TEST_CASE("huge numbers texts and arrays are read or refused") {

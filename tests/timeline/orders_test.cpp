@@ -19,7 +19,7 @@ constexpr const char* game = R"(
     world.coin = Coin { position = vec(3, 5), Circle {} }
     world.note = Object {}
     world.note.twice = formula(function() return world.coin.worth * 2 end)
-    every(0.05, function() world.body_2:apply_impulse(vec(random(-1, 1), 1)) end)
+    every(0.05, function() world.body_1:apply_impulse(vec(random(-1, 1), 1)) end)
     made, held = 0, false
     actions = {
         snapshot = function() held = snapshot() end,

@@ -75,9 +75,16 @@ TEST_CASE("an edit of any property in the frame of a snapshot comes back with it
     REQUIRE_FALSE(game.get("world.b.awake").boolean());
     const property::Snapshot asleep = game.tree.snapshot();
     const Subjects subjects(game);
+    // One of each class, and a body that does not move beside one that does: all take a minute.
+    std::map<const property::Class*, int> seen;
+    std::vector<Handle> chosen;
+    for (const Handle instance : subjects.instances)
+        if (++seen[&game.tree.class_of(instance)] <=
+            (game.tree.class_of(instance).name() == "Body" ? 2 : 1))
+            chosen.push_back(instance);
     int written = 0;
     for (const property::Snapshot* begin : {&awake, &asleep})
-        for (const Handle instance : subjects.instances)
+        for (const Handle instance : chosen)
             for (const Property* property : game.tree.properties(instance)) {
                 if (!is_written(*property)) continue;
                 for (const Value& value : values_for(*property, subjects.instances)) {
@@ -165,10 +172,10 @@ void check_round_trips(Playing& game) {
         Handle loaded;
         REQUIRE_NOTHROW(loaded = property::load_scene_text(game.tree, text, "scene", {}));
         game.tree.destroy(loaded);
-        const auto copied =
-            game.runtime->evaluate("copy = game." + path + ":clone() copy:delete() 'fine'");
-        INFO((copied.error ? copied.error->message : ""));
-        CHECK(copied.ok);
+        const bool copied =
+            game.runtime->run("copy = game." + path + ":clone() copy:delete()", "copy");
+        INFO((game.errors.empty() ? "" : game.errors.back()));
+        CHECK(copied);
     }
     std::string text;
     REQUIRE_NOTHROW(text = property::scene_text(game.tree, world));
@@ -176,9 +183,9 @@ void check_round_trips(Playing& game) {
     REQUIRE_NOTHROW(
         loaded = property::load_scene_text(game.tree, text, "scene", game.tree.root(), "twin"));
     CHECK(property::scene_text(game.tree, loaded).size() > 1000);
-    const auto copied = game.runtime->evaluate("game.third = world:clone() 'fine'");
-    INFO((copied.error ? copied.error->message : ""));
-    CHECK(copied.ok);
+    const bool copied = game.runtime->run("game.third = world:clone()", "copy");
+    INFO((game.errors.empty() ? "" : game.errors.back()));
+    CHECK(copied);
 }
 
 }  // namespace
@@ -206,7 +213,7 @@ TEST_CASE("whatever a tree has accepted can be copied and saved and loaded") {
             const std::string what =
                 game.tree.path(instance, property) + " = " + game.tree.text(value) + "\n";
             if (write(game.tree, instance, property, value)) done += what;
-            if (random() % 30 == 0) {
+            if (random() % 30 == 0 && instance != subjects.instances.front()) {  // the world
                 game.tree.destroy(instance);
                 done += "delete that\n";
             }

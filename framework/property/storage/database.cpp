@@ -273,6 +273,22 @@ void set_format(Database& database, const FileFormat& format) {
 
 namespace {
 
+/// While it lives, all that is read is of the moment of the first read.
+class Reading {
+  public:
+    explicit Reading(Database& database) : database_(database) { database_.run("BEGIN"); }
+    ~Reading() {
+        try {
+            database_.run("ROLLBACK");
+        } catch (const DatabaseError&) {  // SQLite has ended it by itself
+        }
+    }
+    Reading(const Reading&) = delete;
+
+  private:
+    Database& database_;
+};
+
 void check_identity(std::int64_t application, std::int64_t version, const FileFormat& format) {
     if (application != format.application)
         throw std::runtime_error("it is a file of another program");
@@ -304,6 +320,8 @@ void check_header(std::string_view file, const FileFormat& format) {
 }
 
 bool check_format(Database& database, const FileFormat& format) {
+    // All of it is of one moment: another program may be about to make the tables.
+    const Reading moment(database);
     const std::int64_t application = database.integer("PRAGMA application_id");
     const std::int64_t version = database.integer("PRAGMA user_version");
     const std::int64_t things = database.integer("SELECT count(*) FROM sqlite_schema");

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include "checkpoints.h"
@@ -68,8 +69,20 @@ fs::path Journal::candidate(const fs::path& folder, int number) const {
 }
 
 /// "" when the file is the journal now, else why it is not. One that can only be read is noted as
-/// such.
+/// such. Throws DatabaseError where others that write to it do not come to an end.
 std::string Journal::open(const fs::path& file, Access access) {
+    using std::chrono::milliseconds, std::chrono::steady_clock;
+    const auto patient_until = steady_clock::now() + milliseconds(long_patience);
+    while (true) try {
+            return try_to_open(file, access);
+        } catch (const DatabaseError& error) {
+            // SQLite itself does not wait where a file gets its write-ahead log.
+            if (!error.busy() || steady_clock::now() > patient_until) throw;
+            std::this_thread::sleep_for(milliseconds(2));
+        }
+}
+
+std::string Journal::try_to_open(const fs::path& file, Access access) {
     try {
         auto database = std::make_unique<Database>(file, access);
         database->wait_for_others(long_patience);
@@ -86,6 +99,7 @@ std::string Journal::open(const fs::path& file, Access access) {
         identity_ = identity_of(file);
         return {};
     } catch (const DatabaseError& error) {
+        if (error.busy()) throw;  // there is no reason to look for another file
         if (error.damaged()) unusable_.insert(file);
         return error.what();
     } catch (const std::runtime_error& error) {
@@ -126,7 +140,12 @@ void Journal::find_existing() {
         for (int number = 1; number <= most_files && !database_; ++number) {
             const fs::path file = candidate(folder, number);
             if (!fs::exists(file, ignored)) continue;
-            const std::string problem = open(file, Access::existing);
+            std::string problem;
+            try {
+                problem = open(file, Access::existing);
+            } catch (const DatabaseError&) {
+                return;  // the first commit tries again
+            }
             if (problem.empty() || can_be_read(file)) continue;
             unusable_.insert(file);
             warn_(file.string() + ": this journal of tweaks cannot be used: " + problem +

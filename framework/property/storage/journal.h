@@ -78,6 +78,7 @@ class Journal {
     class Checkpoints;
     std::filesystem::path candidate(const std::filesystem::path& folder, int number) const;
     std::string open(const std::filesystem::path& file, Access access);
+    std::string try_to_open(const std::filesystem::path& file, Access access);
     bool can_be_read(const std::filesystem::path& file);
     void leave_out_odd_folders();
     void find_existing();

@@ -42,8 +42,12 @@ class SceneCheck {
             check_name(index, document_.text(*planned.name), offset);
         for (const Node* section : {planned.properties, planned.ad_hoc})
             for (const Node* node = section != nullptr ? document_.first(*section) : nullptr; node;
-                 node = document_.next(*node))
-                check_value(index, of.property(document_.key(*node)), *node);
+                 node = document_.next(*node)) {
+                const Property* const property = of.property(document_.key(*node));
+                // Loading keeps the text of a property that the class does not have.
+                if (property != nullptr || section == planned.ad_hoc)
+                    check_value(index, property, *node);
+            }
     }
 
     void check_name(std::size_t index, const std::string& name, std::size_t offset) const {
