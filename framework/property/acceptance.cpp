@@ -55,4 +55,8 @@ void Acceptance::finish() const {
     if (thrown_) std::rethrow_exception(thrown_);
 }
 
+const Acceptance* Acceptance::current() {
+    return in_force;
+}
+
 }  // namespace fettle::property

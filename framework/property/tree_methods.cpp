@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
@@ -66,8 +65,7 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         coerced[i] =
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
-    if (method.effect != Effect::nothing && state_->inquiry != nullptr)
-        state_->forbid_in_formula(("call " + method.name).c_str());
+    if (method.effect != Effect::nothing) s.require_changeable("call " + method.name);
     Result result;
     {
         const CallScope scope(s, instance, method, coerced);

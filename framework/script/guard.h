@@ -33,9 +33,45 @@ int guarded(lua_State* L) {
     return guard(L, [L] { return function(L); });
 }
 
-/// Adds `function` under `name` to the table on top.
+/// Throws Error(formula) while a formula runs, naming it and the function that was called.
+void require_changeable(lua_State* L);
+
+/// The function of Lua's own library in upvalue 1, as if a script had called it directly: its
+/// errors tell the script's line, and which argument is wrong.
+inline int call_original(lua_State* L) {
+    return lua_tocfunction(L, lua_upvalueindex(1))(L);
+}
+
+/// Adds `function` to the table on top, with the one of that name of Lua's own `library` as its
+/// upvalue.
+template <int (*function)(lua_State*)>
+void wrap_pure(lua_State* L, const char* library, const char* name) {
+    lua_getglobal(L, library);
+    lua_getfield(L, -1, name);
+    lua_remove(L, -2);
+    lua_pushcclosure(L, guarded<function>, 1);
+    lua_setfield(L, -2, name);
+}
+
+/// A function that changes something, or answers something else whenever it is asked. A formula
+/// gives a value and changes nothing, so it cannot call it.
+template <int (*function)(lua_State*)>
+int effect(lua_State* L) {
+    require_changeable(L);
+    return function(L);
+}
+
+/// Adds `function` under `name` to the table on top. Formulas cannot call it.
 template <int (*function)(lua_State*)>
 void add_function(lua_State* L, const char* name) {
+    lua_pushcfunction(L, guarded<effect<function>>);
+    lua_setfield(L, -2, name);
+}
+
+/// The same for a function that gives a value and changes nothing, or changes it by the tree, which
+/// sees to formulas itself: formulas can call it.
+template <int (*function)(lua_State*)>
+void add_pure(lua_State* L, const char* name) {
     lua_pushcfunction(L, guarded<function>);
     lua_setfield(L, -2, name);
 }

@@ -124,6 +124,11 @@ void Machine::end() {
     lua_close(main);
 }
 
+Limits Machine::command_limits() const {
+    return {.instructions = options.console_budget,
+            .memory = command_memory ? command_memory() : options.console_memory};
+}
+
 DispatchTable& Machine::dispatch_of(const property::Class& of) {
     if (of.id() >= dispatch.size()) dispatch.resize(of.id() + 1);
     auto& table = dispatch[of.id()];

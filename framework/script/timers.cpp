@@ -24,6 +24,7 @@ namespace {
 constexpr double tolerance = 1e-9;
 // A shorter interval would fire many hundred times a step.
 constexpr double shortest_interval = 1e-4;
+constexpr std::int64_t weight_of_timer = 300;  // bytes, about
 
 }  // namespace
 
@@ -39,12 +40,14 @@ void Timers::note(Change change) {
 
 void Timers::insert(const Key& key, Timer timer) {
     if (timer.function) note({key, timer});
+    machine_.tree.add_weight(weight_of_timer);
     due_[key.second] = key.first;
     queue_.emplace(key, std::move(timer));
 }
 
 void Timers::erase(Queue::iterator entry) {
     if (entry->second.function) note({entry->first, std::nullopt});
+    machine_.tree.add_weight(-weight_of_timer);
     due_.erase(entry->first.second);
     queue_.erase(entry);
 }
@@ -101,6 +104,7 @@ bool Timers::run(double now) {
             insert({next, id}, timer);
         }
         ok &= fire(timer);
+        if (machine_.watchdog.stopped()) break;
         entry = queue_.begin();
     }
     return ok;
