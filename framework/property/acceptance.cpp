@@ -55,8 +55,4 @@ void Acceptance::finish() const {
     if (thrown_) std::rethrow_exception(thrown_);
 }
 
-const Acceptance* Acceptance::current() {
-    return in_force;
-}
-
 }  // namespace fettle::property

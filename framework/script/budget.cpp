@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "guard.h"
 #include "machine.h"
 
 namespace fettle::script {
@@ -50,7 +51,7 @@ Budget::Scope::~Scope() {
     budget_.now_ = std::move(outer_);
     if (budget_.now_.active)
         budget_.mark_next();
-    else
+    else if (machine.in_tree && !machine.tree_life.expired())
         machine.tree.mark_weight(INT64_MAX, {});
     if (budget_.interrupted()) {
         arm(machine.main);
@@ -208,10 +209,14 @@ void Budget::notice_growth() {
 }
 
 void Budget::mark_next() {
+    if (!machine_.in_tree || machine_.tree_life.expired()) return;
     machine_.tree.mark_weight(machine_.tree.weight() + growth_slice, [this] { notice_growth(); });
 }
 
 std::string Budget::too_much_memory() const {
+    std::string text = "stopped: it needs more memory than a command may use, " +
+                       megabytes(now_.memory);
+    if (!machine_.in_tree || machine_.tree_life.expired()) return text;
     const property::Tree& tree = machine_.tree;
     std::string made;
     const auto tell = [&made](std::size_t count, const char* what) {
@@ -225,8 +230,7 @@ std::string Budget::too_much_memory() const {
                 " in the tree";
     made += (made.empty() ? "" : ", ") + megabytes(added(machine_.arena.bytes(), now_.lua_before)) +
             " of Lua";
-    std::string text = "stopped: it needs more memory than a command may use, " +
-                       megabytes(now_.memory) + "; it made " + made;
+    text += "; it made " + made;
     if (!machine_.memory_property.empty())
         text += " (" + machine_.memory_property + " raises the limit)";
     return text;

@@ -210,9 +210,8 @@ struct Copies {
 void require_creatable(Machine& machine, Handle original) {
     const Class& of = machine.tree.class_of(original);
     if (of.creatable()) return;
-    throw Error(ErrorKind::bad_structure, machine.tree.path(original) +
-                                              ": cannot be cloned: only Fettle itself makes a " +
-                                              of.name());
+    throw Error(ErrorKind::bad_structure, machine.tree.path(original) + ": cannot be cloned; " +
+                                              why_not_creatable(machine.tree, of));
 }
 
 Handle copy_of(Machine& machine, Handle original, Handle parent) {

@@ -84,7 +84,11 @@ std::string running_function(lua_State* L) {
 
 void require_changeable(lua_State* L) {
     const property::Tree& tree = machine_of(L).tree;
-    if (tree.in_formula()) tree.require_changeable("call " + running_function(L));
+    if (!tree.changeable()) tree.require_changeable("call " + running_function(L));
+}
+
+void require_no_formula(lua_State* L) {
+    if (machine_of(L).tree.in_formula()) require_changeable(L);
 }
 
 }  // namespace fettle::script

@@ -33,8 +33,11 @@ int guarded(lua_State* L) {
     return guard(L, [L] { return function(L); });
 }
 
-/// Throws Error(formula) while a formula runs, naming it and the function that was called.
+/// Throws while a formula runs or a function is asked something (`property::Inquiry`), naming that
+/// and the function that was called.
 void require_changeable(lua_State* L);
+/// The same, for formulas alone.
+void require_no_formula(lua_State* L);
 
 /// The function of Lua's own library in upvalue 1, as if a script had called it directly: its
 /// errors tell the script's line, and which argument is wrong.
@@ -53,15 +56,29 @@ void wrap_pure(lua_State* L, const char* library, const char* name) {
     lua_setfield(L, -2, name);
 }
 
-/// A function that changes something, or answers something else whenever it is asked. A formula
-/// gives a value and changes nothing, so it cannot call it.
+/// A function that changes something. A formula gives a value and changes nothing, so it cannot call
+/// it; nor can a function that is asked in the middle of a step or of a search.
 template <int (*function)(lua_State*)>
 int effect(lua_State* L) {
     require_changeable(L);
     return function(L);
 }
 
-/// Adds `function` under `name` to the table on top. Formulas cannot call it.
+/// A function that answers something else whenever it is called: the value of a formula would
+/// depend on how often it was asked for.
+template <int (*function)(lua_State*)>
+int varying(lua_State* L) {
+    require_no_formula(L);
+    return function(L);
+}
+
+template <int (*function)(lua_State*)>
+void add_varying(lua_State* L, const char* name) {
+    lua_pushcfunction(L, guarded<varying<function>>);
+    lua_setfield(L, -2, name);
+}
+
+/// Adds `function`, which changes something, under `name` to the table on top.
 template <int (*function)(lua_State*)>
 void add_function(lua_State* L, const char* name) {
     lua_pushcfunction(L, guarded<effect<function>>);

@@ -108,6 +108,7 @@ Machine::~Machine() {
 
 void Machine::leave() {
     if (std::exchange(in_tree, false) && !tree_life.expired()) {
+        tree.mark_weight(INT64_MAX, {});
         tree.compile_formulas_with({});
         tree.remove_part(part);
     }

@@ -69,7 +69,6 @@ ConnectionBox& connection_at(lua_State* L, const char* what) {
 int connection_stop(lua_State* L) {
     const ConnectionBox& box = connection_at(L, "stop");
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("stop a connection");
     if (box.source == Source::tree)
         machine.subscriptions->stop(box.id);
     else
@@ -293,7 +292,6 @@ Connection connect_event(lua_State* L, Machine& machine, Handle instance, const 
 
 int subscribe_event(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("connect a handler");
     lua_settop(L, 3);
     const Class* whole = class_object_at(L, 1);
     const Handle self = whole ? Handle{} : check_instance(L, 1, "on");
@@ -308,7 +306,6 @@ int subscribe_event(lua_State* L) {
 
 int subscribe_property(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("watch");
     const Class* whole = class_object_at(L, 1);
     const Handle self = whole ? Handle{} : check_instance(L, 1, "watch");
     const int last = lua_gettop(L) >= 3 ? 3 : 2;
@@ -340,7 +337,6 @@ namespace {
 // watch("world.*.velocity", fn)
 int watch_pattern(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("watch");
     lua_settop(L, 2);
     if (lua_type(L, 1) != LUA_TSTRING)
         throw Error(

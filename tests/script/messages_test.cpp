@@ -218,7 +218,7 @@ TEST_CASE("a class that cannot be made says truly why") {
     CHECK_THAT(s.fails("class('Star', Shape)"),
                contains("no class can derive from Shape; it is what these have in common"));
     CHECK_THAT(s.fails("world:clone()"),
-               contains("world: cannot be copied; the framework makes the one"));
+               contains("world: cannot be cloned; the framework makes the one"));
 }
 
 TEST_CASE("a class without its braces says what is missing") {
