@@ -47,6 +47,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     make_storage();
     runtime_ = std::make_unique<script::Runtime>(
         tree_, script::Options{.seed = options.seed,
+                               .call_seconds = 0,  // a window asks, and --budget says how long
                                .assets = assets(),
                                .saves = saves_.get(),
                                .tweaks = tweaks_.get(),

@@ -79,9 +79,7 @@ void History::make_void(Transaction& transaction) {
 void History::add(EditStep step, const std::string& name) {
     const bool single = depth_ == 0;
     if (single) begin(name, false);
-    const std::size_t bytes = bytes_of(step);
-    open_bytes_ += bytes;
-    tree_.add_weight(static_cast<std::int64_t>(bytes));
+    open_bytes_ += bytes_of(step);  // no part of the tree's weight: the list has its own limit
     if (const auto* edit = std::get_if<CellEdit>(&step))
         written_[{edit->instance.index, edit->property}] = open_.steps.size();
     else

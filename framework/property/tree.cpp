@@ -138,7 +138,8 @@ void Tree::State::check_child_name(Handle parent, std::string_view name) const {
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) throw Error(ErrorKind::bad_name, "the name of an instance cannot be empty");
     if (name.find('\0') != std::string_view::npos)
-        throw Error(ErrorKind::bad_name, "the name " + quoted + " holds a zero byte");
+        throw Error(ErrorKind::bad_name, (parent ? tree.path(parent) + ": " : std::string()) +
+                                             "the name " + quoted + " holds a zero byte");
     if (!parent) return;
     if (parent == root && name == "game")
         throw Error(ErrorKind::bad_name, "\"game\" is the root itself, not a child of it");

@@ -36,6 +36,7 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
     now.deadline = std::chrono::steady_clock::now() + longest;
     now.outer_limit = machine.arena.limit();
     now.memory = std::min(limits.memory, now.outer_limit);
+    now.who = limits.who;
     now.lua_before = machine.arena.bytes();
     now.weight_before = machine.tree.weight();
     now.instances_before = machine.tree.size();
@@ -116,10 +117,6 @@ void Budget::interrupt() noexcept {
     if (machine_.running != nullptr) arm(machine_.running);
 }
 
-void Budget::stop_if_interrupted(lua_State* L) {
-    if (interrupted()) stop(L, "stopped: the run is to end");
-}
-
 void Budget::go_on() {
     interrupted_ = 0;
     if (now_.active) return;
@@ -159,32 +156,40 @@ void Budget::charge_quietly(std::uint64_t instructions) {
 
 // --- Memory
 
-std::string Budget::out_of_memory(const Arena::Refusal& refusal) const {
-    return "not enough memory: " + std::to_string(refusal.size) +
+std::string Budget::out_of_memory(const Refused& refused) {
+    return "not enough memory: " + std::to_string(refused.what.size) +
            " bytes more were asked for, and " +
-           (refusal.by_system ? std::string("the system has none to give")
-                              : "the scripts of a game may use " +
-                                    std::to_string(machine_.arena.limit() >> 20) + " MB");
+           (refused.what.by_system ? std::string("the system has none to give")
+                                   : refused.who + std::string(" may use ") +
+                                         std::to_string(refused.limit >> 20) + " MB");
 }
 
-void Budget::memory_refused(const Arena::Refusal& refusal) {
-    if (now_.stopping) return;
-    if (now_.active) {
-        if (refusal.final)
-            stop(machine_.running, refusal.by_system ? "stopped: " + out_of_memory(refusal)
-                                                     : too_much_memory());
-        return;
-    }
-    // Lua's own error says neither where nor why, and calls no handler that could find out.
-    refused_ = {.what = refusal};
+/// Takes no memory.
+Budget::Refused Budget::refused_here(const Arena::Refusal& refusal) const {
+    const bool whole = machine_.arena.limit() >= machine_.options.memory_limit;
+    Refused refused = {.what = refusal,
+                       .limit = whole ? machine_.options.memory_limit : now_.memory,
+                       .who = whole ? "the scripts of a game" : now_.who};
     lua_Debug frame;
     for (int level = 0; lua_getstack(machine_.running, level, &frame); ++level) {
         lua_getinfo(machine_.running, "Sl", &frame);
         if (frame.currentline <= 0) continue;
-        std::copy(std::begin(frame.short_src), std::end(frame.short_src), refused_.file);
-        refused_.line = frame.currentline;
+        std::copy(std::begin(frame.short_src), std::end(frame.short_src), refused.file);
+        refused.line = frame.currentline;
         break;
     }
+    return refused;
+}
+
+// Lua's own error says neither where nor why, and calls no handler that could find out. Where the
+// limit is not that of the whole game, nothing goes on: what runs could catch the error for ever.
+void Budget::memory_refused(const Arena::Refusal& refusal) {
+    if (now_.stopping) return;
+    refused_ = refused_here(refusal);
+    const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
+    if (now_.active && refusal.final && (own_limit || now_.counting))
+        stop(machine_.running,
+             refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
 }
 
 std::string Budget::take_refusal() {
@@ -193,7 +198,7 @@ std::string Budget::take_refusal() {
     const std::string place =
         refused.line > 0 ? std::string(refused.file) + ":" + std::to_string(refused.line) + ": "
                          : "";
-    return place + out_of_memory(refused.what);
+    return place + out_of_memory(refused);
 }
 
 // What instances and their like take is taken from what Lua may use, so that it is one limit.
@@ -214,8 +219,8 @@ void Budget::mark_next() {
 }
 
 std::string Budget::too_much_memory() const {
-    std::string text = "stopped: it needs more memory than a command may use, " +
-                       megabytes(now_.memory);
+    std::string text = "stopped: it needs more memory than " + std::string(now_.who) +
+                       " may use, " + megabytes(now_.memory);
     if (!machine_.in_tree || machine_.tree_life.expired()) return text;
     const property::Tree& tree = machine_.tree;
     std::string made;
@@ -231,7 +236,7 @@ std::string Budget::too_much_memory() const {
     made += (made.empty() ? "" : ", ") + megabytes(added(machine_.arena.bytes(), now_.lua_before)) +
             " of Lua";
     text += "; it made " + made;
-    if (!machine_.memory_property.empty())
+    if (!machine_.memory_property.empty() && now_.memory < machine_.options.memory_limit)
         text += " (" + machine_.memory_property + " raises the limit)";
     return text;
 }

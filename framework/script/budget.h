@@ -19,6 +19,7 @@ struct Machine;
 struct Limits {
     std::uint64_t instructions = 0;  // 0: as many as it takes, however long that is
     std::size_t memory = 0;          // bytes that it may add
+    const char* who = "a command";   // that may, for messages
 };
 
 class Budget {
@@ -35,6 +36,7 @@ class Budget {
         std::chrono::steady_clock::time_point deadline;
         // What there was when it began: `made` is told by the difference.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
+        const char* who = "";
         std::int64_t weight_before = 0;
         std::size_t instances_before = 0, watchers_before = 0;
         std::string reason, file;
@@ -59,6 +61,10 @@ class Budget {
     /// For when no script runs any more.
     void go_on();
     bool interrupted() const { return interrupted_ != 0; }
+    void stop_if_interrupted(lua_State* L) {
+        if (interrupted()) [[unlikely]]
+            stop(L, "stopped: the run is to end");
+    }
 
     bool counting() const { return now_.counting; }
     bool stopping() const { return now_.stopping; }
@@ -74,8 +80,10 @@ class Budget {
     /// Memory ran out.
     void memory_refused(const Arena::Refusal& refusal);
     /// "not enough memory: ..." with the limit that was met.
-    std::string out_of_memory(const Arena::Refusal& refusal) const;
-    /// What is to be said of the latest refusal outside of commands: where, and which limit. ""
+    std::string out_of_memory(const Arena::Refusal& refusal) const {
+        return out_of_memory(refused_here(refusal));
+    }
+    /// What is to be said of the latest refusal that stopped nothing: where, and which limit. ""
     /// when there was none.
     std::string take_refusal();
     /// A coroutine is about to run: it counts too.
@@ -95,12 +103,13 @@ class Budget {
     // A single instruction can take long (comparing two texts of 60 MB): time is limited as well.
     static constexpr std::chrono::seconds longest{5};
     static void hook(lua_State* L, lua_Debug* frame);
+    struct Refused;
+    static std::string out_of_memory(const Refused& refused);
+    Refused refused_here(const Arena::Refusal& refusal) const;
     void notice_growth();
     void mark_next();
     std::string too_much_memory() const;
     [[noreturn]] void raise_stop(lua_State* L);
-
-    void stop_if_interrupted(lua_State* L);
 
     Machine& machine_;
     Account now_;
@@ -108,6 +117,8 @@ class Budget {
     /// Noted where there is no memory for a text.
     struct Refused {
         Arena::Refusal what{};  // size 0: there was none
+        std::size_t limit = 0;
+        const char* who = "";
         char file[LUA_IDSIZE] = {};
         int line = 0;
     } refused_;

@@ -90,6 +90,7 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
     alive = std::make_shared<lua_State*>(main);
     running = main;
     *static_cast<Machine**>(lua_getextraspace(main)) = this;
+    watchdog.limit(options.call_seconds, {});
     tree.add_part(part);
     arena.on_refusal = [this](const Arena::Refusal& refusal) { budget.memory_refused(refusal); };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };

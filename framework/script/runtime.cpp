@@ -131,7 +131,8 @@ bool Runtime::load(const std::filesystem::path& game) {
 bool Runtime::run(std::string_view chunk, const std::string& name) {
     Machine& machine = live();
     const Machine::Use use(machine);
-    const Budget::Scope budget(machine.budget, {.memory = machine.command_limits().memory});
+    const Budget::Scope budget(machine.budget,
+                               {.memory = machine.options.memory_limit, .who = "a chunk"});
     const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
     return machine.classes->deliver_ready() && ok;
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "errors.h"
@@ -33,8 +34,8 @@ void on_signal(int) {
 
 /// Looks at the watchdog's counters from a thread of its own.
 struct Watchdog::Thread {
-    Thread(Watchdog& of, double seconds)
-        : watchdog(of), patience(seconds), host(pthread_self()), runner([this] { run(); }) {}
+    explicit Thread(Watchdog& of)
+        : watchdog(of), patience(of.patience_), runner([this] { run(); }) {}
     ~Thread() {
         {
             const std::lock_guard lock(mutex);
@@ -50,7 +51,7 @@ struct Watchdog::Thread {
         double lasted = 0;
         std::unique_lock lock(mutex);
         while (!wake.wait_for(lock, tick, [this] { return ends; })) {
-            const std::uint64_t now = watchdog.serial_.load(std::memory_order_relaxed);
+            const std::uint64_t now = watchdog.serial_.load(std::memory_order_acquire);
             lasted = now == seen && now % 2 == 1
                          ? lasted + std::chrono::duration<double>(tick).count()
                          : 0;
@@ -58,13 +59,12 @@ struct Watchdog::Thread {
             if (lasted < patience || now % 2 == 0) continue;
             watchdog.seconds_.store(lasted, std::memory_order_relaxed);
             watchdog.due_.store(true, std::memory_order_relaxed);
-            pthread_kill(host, signal_number);
+            pthread_kill(watchdog.host_.load(std::memory_order_relaxed), signal_number);
         }
     }
 
     Watchdog& watchdog;
     const double patience;
-    const pthread_t host;
     std::mutex mutex;
     std::condition_variable wake;
     bool ends = false;
@@ -73,33 +73,43 @@ struct Watchdog::Thread {
 
 Watchdog::Watchdog(Machine& machine) : machine_(machine) {}
 
-Watchdog::~Watchdog() {
-    thread_.reset();
-    if (in_call == &machine_) in_call = nullptr;
-}
+Watchdog::~Watchdog() = default;
 
 void Watchdog::limit(double seconds, std::function<bool(const LongCall&)> go_on) {
     thread_.reset();
     due_.store(false, std::memory_order_relaxed);
     go_on_ = std::move(go_on);
-    if (!(seconds > 0)) return;
+    patience_ = seconds > 0 ? seconds : 0;
+    if (depth_ > 0 && patience_ > 0) start();
+}
+
+void Watchdog::start() {
     struct sigaction action {};
     action.sa_handler = on_signal;
     action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
     sigaction(signal_number, &action, nullptr);
-    thread_ = std::make_unique<Thread>(*this, seconds);
+    try {
+        thread_ = std::make_unique<Thread>(*this);
+    } catch (const std::system_error&) {
+        patience_ = 0;  // the system has no thread to give: calls are not limited
+    }
 }
 
 void Watchdog::begin_outermost() {
-    serial_.fetch_add(1, std::memory_order_relaxed);
+    if (thread_ == nullptr && patience_ > 0) [[unlikely]]
+        start();
+    host_.store(pthread_self(), std::memory_order_relaxed);
+    count_call();
     stopped_ = false;
-    if (thread_ != nullptr) in_call = &machine_;
+    outer_ = in_call;
+    in_call = &machine_;
 }
 
 void Watchdog::end() {
     if (--depth_ > 0) return;
-    serial_.fetch_add(1, std::memory_order_relaxed);
+    count_call();
+    in_call = outer_;
     if (thread_ == nullptr) return;
     due_.store(false, std::memory_order_relaxed);
     machine_.budget.call_ended();

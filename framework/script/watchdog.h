@@ -4,7 +4,10 @@
 // none is set while all is well. A thread looks ten times a second whether the host is still in the
 // call it was in; when that has lasted too long it sends the host's thread a signal, whose handler
 // sets the hook, and the next instruction of Lua asks what is to become of the call. A signal,
-// because only on its own thread can a state of Lua be touched while it runs.
+// because only on its own thread can a state of Lua be touched while it runs. The thread starts
+// with the first call.
+
+#include <pthread.h>
 
 #include <atomic>
 #include <functional>
@@ -52,15 +55,22 @@ class Watchdog {
     void begin() {
         if (depth_++ == 0) begin_outermost();
     }
+    void start();
     void begin_outermost();
     void end();
     void ask(lua_State* L);
+    void count_call() {  // no other thread writes it
+        serial_.store(serial_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    }
 
     Machine& machine_;
+    double patience_ = 0;       // s; 0: calls last as long as they like
+    Machine* outer_ = nullptr;  // in whose call on this thread this one began
     int depth_ = 0;
     bool asking_ = false;
     bool stopped_ = false;
     std::atomic<std::uint64_t> serial_{0};  // odd while a call is under way
+    std::atomic<pthread_t> host_{};         // the thread of the latest call
     std::atomic<bool> due_{false};
     std::atomic<double> seconds_{0};  // that the call has lasted
     std::function<bool(const LongCall&)> go_on_;

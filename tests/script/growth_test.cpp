@@ -85,13 +85,15 @@ TEST_CASE("the limit of a command can be set") {
     CHECK_THAT(s.console(command), contains("1"));
 }
 
-TEST_CASE("a chunk of the command line is held to the same limit") {
-    Stage s(small_memory());
-    CHECK_THAT(s.fails("\nwhile true do world:add(Object {}) end"),
-               starts_with("main.lua:2: stopped: it needs more memory than a command may use"));
+TEST_CASE("a chunk may make what the scripts of a game may and no more") {
+    fettle::script::Options options;
+    options.memory_limit = std::size_t{16} << 20;
+    Stage s(options);
+    CHECK_THAT(
+        s.fails("\nwhile true do world:add(Object {}) end"),
+        starts_with("main.lua:2: stopped: it needs more memory than a chunk may use, 16 MB"));
     CHECK_THAT(s.fails("local t = {} while true do t[#t + 1] = {} end"),
-               contains("more memory than a command may use"));
-    // How long it takes is not limited.
+               contains("the scripts of a game may use 16 MB"));
     s.run("for i = 1, 60000000 do end");
 }
 
@@ -198,7 +200,7 @@ for i = 1, 400 do
     local k = random(1, #box)
     local _ = box[k]
     if i % 4 == 0 then box[random(1, #box)]:delete()
-    elseif i % 4 == 1 then box:add(Object {})
+    elseif i % 4 == 1 then box:add(Object {}) box:add(Object {})
     elseif i % 4 == 2 then box[k]:move(nil)
     else box[k].name = "r" .. i end
     check()

@@ -31,9 +31,12 @@ struct FETTLE_SCRIPT_PRIVATE Machine;
 struct Options {
     std::uint64_t seed = 0;
     std::size_t memory_limit = std::size_t{512} << 20;  // bytes, whole Lua state
-    // Bytes one console command, or a chunk of `run`, may add: in Lua and in the tree.
+    // Bytes one console command may add: in Lua and in the tree. A chunk of `run`: memory_limit.
     std::size_t console_memory = std::size_t{128} << 20;
     std::uint64_t console_budget = 50'000'000;  // Lua instructions of one console command
+    /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: as
+    /// long as it likes. `limit_calls` says more, and can change it.
+    double call_seconds = 10;
     std::filesystem::path assets;  // where files are looked for that the game's folder lacks
     // Not owned; a game has none of what is missing.
     property::GameSaves* saves = nullptr;
@@ -101,8 +104,9 @@ class Runtime {
     /// elsewhere: links that lead out of it are not followed. Throws property::FileError when the
     /// file cannot be read, and Error(bad_structure) while a script of this runtime runs.
     bool load(const std::filesystem::path& game);
-    /// Runs a chunk as part of the game (`--eval`); it may add as much memory as a console command
-    /// may, and take as long as it likes. False when it raised.
+    /// Runs a chunk as part of the game (`--eval`). It may add `Options::memory_limit` bytes, in
+    /// Lua and in the tree, and like every call take `Options::call_seconds`: then it is stopped.
+    /// False when it raised or was stopped; the error goes to the sink.
     bool run(std::string_view chunk, const std::string& name);
 
     /// Calls a global function of the game if it has one ("update", "key_pressed" ...). False when
@@ -132,12 +136,12 @@ class Runtime {
     // --- Calls that do not come back
     // --------------------------------------------------------------------------------
 
-    /// A call into the game's scripts (main.lua, a callback, a timer, a handler, drawing) that
-    /// takes longer than `seconds` is asked about, ten times a second from then on: `go_on` says
-    /// whether it may; it may look at events, draw, and evaluate commands meanwhile. Without it the
-    /// call is stopped, as by an error. 0: calls last as long as they like, and nothing is spent on
-    /// it. Has to be called on the thread that calls the runtime; uses a thread of its own and the
-    /// signal SIGURG.
+    /// A call into the game's scripts (main.lua, a chunk, a callback, a timer, a handler, drawing)
+    /// that takes longer than `seconds` is asked about, ten times a second from then on: `go_on`
+    /// says whether it may; it may look at events, draw, and evaluate commands meanwhile. Without
+    /// it the call is stopped, as by an error: so it is after `Options::call_seconds` until this is
+    /// called. 0: calls last as long as they like. A runtime whose calls are limited has a thread
+    /// of its own from its first call on, and uses the signal SIGURG, whose handler it sets.
     void limit_calls(double seconds, std::function<bool(const LongCall&)> go_on);
 
     // --- Towards the host
