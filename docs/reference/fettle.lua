@@ -238,6 +238,7 @@ local fettle_PropertyDescription = {}
 ---@field name string What it is called.
 ---@field owner Class? The class that declares it.
 ---@field parameters FieldDescription[] What it takes.
+---@field pure boolean Whether it changes nothing, so that formulas can call it.
 ---@field returns FieldDescription[] What it returns: fields of a record, or one entry for a plain value.
 ---@field signature string As help shows it.
 local fettle_MethodDescription = {}
@@ -1026,7 +1027,7 @@ Concave = {}
 
 ---A line of segments without seams, solid on its left: points from left to right are ground, a closed counter-clockwise chain holds what is inside. From behind everything passes.
 ---@class Chain : Shape
----@field closed boolean Whether it goes on from the last point to the first. · true or false · default false
+---@field closed boolean Whether it goes on from the last point to the first; that takes three points. · true or false · default false
 ---@field points vec[] In the body's coordinates. · m · -1000000 to 1000000 · default {vec(-0.5, 0), vec(0.5, 0)}
 local fettle_Chain = {}
 
@@ -1337,7 +1338,7 @@ Attractor = {}
 ---@field oldest integer The first step one can go back to. · any integer · read-only, simulated
 ---@field paused boolean Whether simulation time stands still. update and draw are still called. · true or false · default false · not saved
 ---@field rewind_limit number How much of the past is kept, for rewind and the time bar; 0: nothing. · s · 0 to 3600 · default 60 · not saved
----@field rewind_memory number How much memory the past may take; where that is too little, less is kept. · MiB · 1 to 65536 · default 128 · not saved
+---@field rewind_memory number How much memory the past and the history of edits may take together; where that is too little, less is kept. Undo has a quarter of it at most. · MiB · 1 to 65536 · default 128 · not saved
 ---@field scale number Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it. · 0 to 100 · default 1
 ---@field step integer Fixed steps made since the game started. · any integer · read-only, simulated
 ---@field step_once boolean Set it to make one step while paused; it is false again when the step is made. · true or false · default false · not saved
@@ -1600,6 +1601,7 @@ Gamepad = {}
 ---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
 ---@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
 ---@field key string The key that opens and closes the console. · any text · default "grave" · not saved
+---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
 ---@field opacity number Of the background. · 0.3 to 1 · default 0.94 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved

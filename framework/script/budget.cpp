@@ -37,6 +37,7 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
     now.outer_limit = machine.arena.limit();
     now.memory = std::min(limits.memory, now.outer_limit);
     now.who = limits.who;
+    now.raised_by = limits.raised_by;
     now.lua_before = machine.arena.bytes();
     now.weight_before = machine.tree.weight();
     now.instances_before = machine.tree.size();
@@ -236,8 +237,7 @@ std::string Budget::too_much_memory() const {
     made += (made.empty() ? "" : ", ") + megabytes(added(machine_.arena.bytes(), now_.lua_before)) +
             " of Lua";
     text += "; it made " + made;
-    if (!machine_.memory_property.empty() && now_.memory < machine_.options.memory_limit)
-        text += " (" + machine_.memory_property + " raises the limit)";
+    if (!now_.raised_by.empty()) text += " (" + now_.raised_by + " raises the limit)";
     return text;
 }
 

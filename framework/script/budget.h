@@ -20,6 +20,7 @@ struct Limits {
     std::uint64_t instructions = 0;  // 0: as many as it takes, however long that is
     std::size_t memory = 0;          // bytes that it may add
     const char* who = "a command";   // that may, for messages
+    std::string raised_by{};         // path of a property; "": of none
 };
 
 class Budget {
@@ -37,6 +38,7 @@ class Budget {
         // What there was when it began: `made` is told by the difference.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
         const char* who = "";
+        std::string raised_by;
         std::int64_t weight_before = 0;
         std::size_t instances_before = 0, watchers_before = 0;
         std::string reason, file;

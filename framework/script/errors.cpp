@@ -306,7 +306,6 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
         const ScriptCause cause(machine, machine.writer);
         status = lua_pcall(L, 1, 0, top + 1);
     }
-    machine.budget.stop_if_interrupted(L);
     machine.running = outer;
     // A pcall that ends what runs may have caught the end of the budget.
     const bool stopped = machine.budget.stopping();

@@ -41,7 +41,10 @@ class ScriptFormula {
         Machine& machine = *machine_;
         const Machine::Use use(machine);
         std::optional<Budget::Scope> counted;
-        if (!machine.budget.counting()) counted.emplace(machine.budget, machine.command_limits());
+        if (!machine.budget.counting())
+            counted.emplace(machine.budget, Limits{.instructions = machine.options.console_budget,
+                                                   .memory = machine.options.console_memory,
+                                                   .who = "a formula"});
         Value result;
         const bool ok = protected_run(
             machine, "formula",

@@ -128,7 +128,8 @@ void Machine::end() {
 
 Limits Machine::command_limits() const {
     return {.instructions = options.console_budget,
-            .memory = command_memory ? command_memory() : options.console_memory};
+            .memory = command_memory ? command_memory() : options.console_memory,
+            .raised_by = memory_property};
 }
 
 DispatchTable& Machine::dispatch_of(const property::Class& of) {

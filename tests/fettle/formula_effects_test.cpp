@@ -154,7 +154,7 @@ end
 
 TEST_CASE("a formula can call what gives a value and nothing that changes anything") {
     const Names names = names_of_the_reference();
-    REQUIRE(names.functions.size() > 120);
+    REQUIRE(names.functions.size() > 100);
     REQUIRE(names.methods.size() > 50);
     const Folder folder;
     const std::string game = folder.write("main.lua", "functions = " + lua_list(names.functions) +

@@ -36,6 +36,7 @@ TEST_CASE("a script that is interrupted stops wherever it is and the next ones t
 
 TEST_CASE("what is not running when it is interrupted stops when it begins") {
     Stage s;
+    s.run("function update() end");
     s.runtime->interrupt();
     CHECK_FALSE(s.runtime->run("for i = 1, 10 do end", "chunk"));
     CHECK_FALSE(s.runtime->call("update", {}));

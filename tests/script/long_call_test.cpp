@@ -1,5 +1,7 @@
 // Calls into scripts that do not come back.
 
+#include <thread>
+
 #include "stage.h"
 
 using fettle::script::LongCall;
@@ -136,4 +138,46 @@ TEST_CASE("a console command keeps its own budget while calls are limited") {
     s.runtime->limit_calls(patience, [&](const LongCall&) { return ++asked > 0; });
     CHECK_THAT(s.console("while true do end"), contains("instructions") || contains("seconds"));
     CHECK(asked == 0);
+}
+
+TEST_CASE("a call into a script returns by itself however a host made the runtime") {
+    CHECK(fettle::script::Options().call_seconds == 10);
+    fettle::script::Options options;
+    options.call_seconds = patience;
+    Stage s(options);
+    s.run("function update() while true do end end function draw() while true do end end");
+    CHECK_FALSE(s.runtime->run("while true do end", "chunk"));
+    CHECK_FALSE(s.runtime->call("update", {}));
+    REQUIRE(s.errors.size() == 2);
+    CHECK_THAT(s.errors[0].message, starts_with("chunk:1: stopped: it ran for "));
+    CHECK_THAT(s.errors[1].message, starts_with("main.lua:1: stopped: it ran for "));
+    s.errors.clear();
+    s.run("x = 1");
+}
+
+TEST_CASE("calls of two runtimes one inside the other are limited each for itself") {
+    fettle::script::Options options;
+    options.call_seconds = patience;
+    Stage inner(options), outer(options);
+    int told = 0;
+    outer.runtime->on_print([&](std::string_view) {
+        ++told;
+        CHECK_FALSE(inner.runtime->run("while true do end", "inner"));
+    });
+    CHECK_FALSE(outer.runtime->run("print('go') while true do end", "outer"));
+    CHECK(told == 1);
+    REQUIRE(inner.errors.size() == 1);
+    CHECK_THAT(inner.errors[0].message, starts_with("inner:1: stopped"));
+    REQUIRE(outer.errors.size() == 1);
+    CHECK_THAT(outer.errors[0].message, starts_with("outer:1: stopped"));
+}
+
+TEST_CASE("a runtime whose calls are limited may be called on any thread") {
+    fettle::script::Options options;
+    options.call_seconds = patience;
+    Stage s(options);
+    s.run("x = 1");
+    std::thread([&] { CHECK_FALSE(s.runtime->run("while true do end", "chunk")); }).join();
+    REQUIRE(s.errors.size() == 1);
+    CHECK_THAT(s.errors[0].message, starts_with("chunk:1: stopped"));
 }
