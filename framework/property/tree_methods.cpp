@@ -37,6 +37,8 @@ class CallScope {
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
     State& s = *state_;
     s.require_method(instance, method);
+    if (method.effect != Effect::nothing && !changeable())
+        s.require_changeable("call " + method.name);
     const State::Use use(s);
     const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
     if (arguments.size() < method.required || arguments.size() > method.parameters.size())
@@ -65,7 +67,6 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         coerced[i] =
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
-    if (method.effect != Effect::nothing) s.require_changeable("call " + method.name);
     Result result;
     {
         const CallScope scope(s, instance, method, coerced);

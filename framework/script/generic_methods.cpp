@@ -354,6 +354,7 @@ int generic_reference(lua_State* L, Machine& machine, std::string_view name) {
     auto& known = machine.generic_references;
     if (known.empty()) {
         for (const GenericMethod& method : generic_methods()) {
+            note_name(L, method.function, method.name);
             lua_pushcfunction(L, method.function);
             known.emplace(method.name, luaL_ref(L, LUA_REGISTRYINDEX));
         }

@@ -42,45 +42,38 @@ void raise_text(lua_State* L, const char* message) {
 
 namespace {
 
-// Looks for the function at the top of the stack among the fields of the table below it.
-std::string field_of(lua_State* L) {
-    const int table = lua_gettop(L) - 1;
-    std::string name;
-    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-        if (lua_type(L, -2) != LUA_TSTRING || lua_rawequal(L, -1, table + 1) == 0) continue;
-        name = string_at(L, -2);
-        lua_pop(L, 2);
-        break;
-    }
-    return name;
-}
-
-// What the running function is called among the globals and in their libraries, whatever a script
-// calls it; else what the script calls it.
 std::string running_function(lua_State* L) {
     lua_Debug frame;
     if (lua_getstack(L, 0, &frame) == 0) return "this";
-    luaL_checkstack(L, 8, "name of a function");
-    const int top = lua_gettop(L);
+    luaL_checkstack(L, 4, "name of a function");
     lua_getinfo(L, "nf", &frame);
-    push_registry(L, machine_of(L).environment);
-    lua_pushvalue(L, -2);
-    std::string name = field_of(L);
+    const lua_CFunction function = lua_tocfunction(L, -1);
     lua_pop(L, 1);
-    for (lua_pushnil(L); name.empty() && lua_next(L, top + 2) != 0; lua_pop(L, 1)) {
-        if (lua_type(L, -2) != LUA_TSTRING || !lua_istable(L, -1)) continue;
-        const std::string library = string_at(L, -2);
-        lua_pushvalue(L, top + 1);
-        const std::string field = field_of(L);
-        lua_pop(L, 1);
-        if (!field.empty() && library != "_G") name = library + "." + field;
+    const auto& names = machine_of(L).function_names;
+    if (const auto noted = names.find(function); noted != names.end()) return noted->second;
+    return frame.name != nullptr ? frame.name : "this";
+}
+
+void note_names_of(lua_State* L, const std::string& library) {
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING) continue;
+        const std::string name = string_at(L, -2);
+        if (const lua_CFunction function = lua_tocfunction(L, -1))
+            machine_of(L).function_names.insert_or_assign(function, library + name);
+        else if (lua_istable(L, -1) && library.empty() && name != "_G")
+            note_names_of(L, name + ".");
     }
-    lua_settop(L, top);
-    if (name.empty() && frame.name != nullptr) name = frame.name;
-    return name.empty() ? "this" : name;
 }
 
 }  // namespace
+
+void note_name(lua_State* L, lua_CFunction function, const std::string& name) {
+    machine_of(L).function_names.emplace(function, name);
+}
+
+void note_names(lua_State* L) {
+    note_names_of(L, {});
+}
 
 void require_changeable(lua_State* L) {
     const property::Tree& tree = machine_of(L).tree;

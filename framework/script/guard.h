@@ -56,8 +56,8 @@ void wrap_pure(lua_State* L, const char* library, const char* name) {
     lua_setfield(L, -2, name);
 }
 
-/// A function that changes something. A formula gives a value and changes nothing, so it cannot call
-/// it; nor can a function that is asked in the middle of a step or of a search.
+/// A function that changes something. A formula gives a value and changes nothing, so it cannot
+/// call it; nor can a function that is asked in the middle of a step or of a search.
 template <int (*function)(lua_State*)>
 int effect(lua_State* L) {
     require_changeable(L);
@@ -78,9 +78,15 @@ void add_varying(lua_State* L, const char* name) {
     lua_setfield(L, -2, name);
 }
 
+/// What errors call a function, whatever a script calls it.
+void note_name(lua_State* L, lua_CFunction function, const std::string& name);
+/// Those of the table on top, the environment of scripts, and of its libraries: "scene.save".
+void note_names(lua_State* L);
+
 /// Adds `function`, which changes something, under `name` to the table on top.
 template <int (*function)(lua_State*)>
 void add_function(lua_State* L, const char* name) {
+    note_name(L, guarded<effect<function>>, name);
     lua_pushcfunction(L, guarded<effect<function>>);
     lua_setfield(L, -2, name);
 }

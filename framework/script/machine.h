@@ -117,6 +117,7 @@ struct Machine {
     // Functions whose errors are as the script wants them: `error`, `assert`, those of wrapped
     // coroutines.
     std::vector<lua_CFunction> raise_as_told;
+    std::unordered_map<lua_CFunction, std::string> function_names;  // for errors
     std::optional<ScriptError> caught;        // described where it was raised, not yet reported
     std::optional<ScriptError> thread_error;  // raised in a coroutine, on its way out of it
     property::Writer writer = property::Writer::script;  // who writes when a script runs

@@ -50,6 +50,8 @@ int call_method(lua_State* L) {
     if (of.method(method.symbol) != &method)
         throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " + of.name() +
                                                " has no " + method.name);
+    if (method.effect != property::Effect::nothing && !machine.tree.changeable())
+        machine.tree.require_changeable("call " + method.name);
     std::array<Value, most_parameters> values;
     const int given = lua_gettop(L) - 1;
     if (given > static_cast<int>(std::min(most_parameters, method.parameters.size())))

@@ -110,6 +110,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_vec(L);
     open_color(L, machine);
     open_list(L, machine);
+    note_names(L);
     open_globals(L, machine);
     lua_pushvalue(L, -1);
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
