@@ -50,6 +50,14 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         if (!evaluation.ok || !evaluation.result.is_numeric()) return std::nullopt;
         return evaluation.result.as_double();
     };
+    if (interpreter.limit_memory)
+        interpreter.limit_memory(
+            [this] {
+                constexpr double megabyte = 1 << 20;
+                return static_cast<std::size_t>(
+                    static_cast<double>(settings.number("memory_limit")) * megabyte);
+            },
+            "console.memory_limit");
     if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
 }
 
@@ -127,7 +135,9 @@ void Console::State::follow_link(std::string_view path, bool insert) {
 Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
     : state_(std::make_unique<State>(tree, std::move(interpreter), std::move(options))) {}
 
-Console::~Console() = default;
+Console::~Console() {
+    if (state_->interpreter.limit_memory) state_->interpreter.limit_memory({}, {});
+}
 
 bool Console::handle(const app::InputEvent& event) {
     return state_->handle(event);

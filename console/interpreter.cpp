@@ -17,6 +17,10 @@ Interpreter interpreter_of(script::Runtime& runtime) {
         return runtime.complete(input, cursor);
     };
     interpreter.set_it = [&runtime](property::Handle instance) { runtime.set_it(instance); };
+    interpreter.limit_memory = [&runtime](std::function<std::size_t()> bytes,
+                                          std::string property) {
+        runtime.on_command_memory(std::move(bytes), std::move(property));
+    };
     return interpreter;
 }
 

@@ -56,6 +56,10 @@ property::ClassDescriptor console_class() {
                                    "Height of the console as a share of the window."));
     list.push_back(
         number_property("inspector_width", 380, {200, 2000}, "px", "Width of the inspector."));
+    list.push_back(number_property(
+        "memory_limit", 128, {1, 1e6}, "MB",
+        "How much memory one command may add, by Lua's values and by what it makes in the tree; a "
+        "command that needs more is stopped."));
     list.push_back(number_property("opacity", 0.94, {0.3, 1}, "", "Of the background."));
     Property key;
     key.name = "key";

@@ -73,9 +73,17 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
     return status;
 }
 
+/// As `--budget` says: a call into the scripts that takes longer is stopped. False: it says
+/// nothing.
+bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
+    if (options.budget) runtime.limit_calls(static_cast<double>(*options.budget) / 1000, {});
+    return options.budget.has_value();
+}
+
 int run_headless(const RunOptions& options) {
     Session session(options, nullptr, {});
     const EndRequest::Scripts scripts(session.runtime());
+    limit_calls(session.runtime(), options);
     session.start();
     app::Loop& loop = session.loop();
     for (std::int64_t turn = 0; !session.failed() && !loop.stopped() && !loop.closing() &&
@@ -105,6 +113,9 @@ property::Thumbnail thumbnail(app::Pixels pixels) {
     constexpr std::uint32_t widest = 256;
     return property::scaled_down({pixels.width, pixels.height, std::move(pixels.rgba)}, widest);
 }
+
+/// How long a call into the scripts of a game in a window may take before the window asks, s.
+constexpr double patience = 2;
 
 /// Plays in a window until it is closed, the game quits or its steps are made. R on the error
 /// screen starts the game anew in the same window.
@@ -142,7 +153,11 @@ class WindowRun {
         session_->add_layer(error_screen_);
         session_->services().view.screen = window_->size();
         scripts_.emplace(session_->runtime());
+        if (!limit_calls(session_->runtime(), options_))
+            session_->runtime().limit_calls(
+                patience, [this](const script::LongCall& call) { return may_go_on(call); });
         session_->start();
+        error_screen_.came_back();
         idle_steps_ = 0;
         last_frame_ = Clock::now();
     }
@@ -158,6 +173,7 @@ class WindowRun {
         if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
+        error_screen_.came_back();
         if (clock.paused) idle_steps_ += seconds / clock.dt;
         window_->set_title(session_->services().view.title);
         window_->set_vsync(session_->services().view.vsync);
@@ -169,9 +185,26 @@ class WindowRun {
         const bool saves = session_->saves().waits();
         if (saves || (last && !options_.screenshot.empty())) window_->keep_frame();
         loop.draw(*window_, seconds);
+        error_screen_.came_back();
         window_->present();
         if (saves) session_->saves().finish(thumbnail(window_->pixels()));
         return last;
+    }
+
+    /// The window of a game whose script does not come back answers all the same. With the console
+    /// open the script rests.
+    bool may_go_on(const script::LongCall& call) {
+        app::Loop& loop = session_->loop();
+        error_screen_.show_running(call);
+        const auto ends = [&] {
+            return error_screen_.stop_wanted() || loop.closing() || EndRequest::asked() != 0;
+        };
+        do {
+            for (app::InputEvent event; window_->poll(event);) loop.handle(event);
+            loop.draw_layers(*window_, 0);
+            window_->present();
+        } while (session_->console_is_open() && !ends());
+        return !ends();
     }
 
     const RunOptions& options_;
@@ -236,6 +269,7 @@ int run_replay(RunOptions options) {
 }
 
 constexpr std::uint64_t most_steps = 1'000'000'000'000'000;
+constexpr std::uint64_t most_milliseconds = 1'000'000'000;
 
 /// "N:LUA"
 std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
@@ -341,6 +375,12 @@ Command add_run(CLI::App& app) {
                to.modules.push_back(given("--module", text, "a file or a name"));
            })
         ->trigger_on_parse();
+    option("--budget",
+           "Stop a call into the game's scripts that takes longer than so many milliseconds; "
+           "without it a window asks after two seconds, and a headless run waits",
+           [](RunOptions& to, const std::string& text) {
+               to.budget = whole_number("--budget", text, 1, most_milliseconds);
+           });
     option("--seed", "Of random(); 0 unless given", [](RunOptions& to, const std::string& text) {
         to.seed = whole_number("--seed", text, 0, UINT64_MAX);
     });

@@ -19,6 +19,7 @@ struct RunOptions {
     std::vector<std::string> evals{};
     std::vector<std::pair<std::uint64_t, std::string>> at{};       // step, chunk
     std::vector<std::pair<std::uint64_t, std::string>> console{};  // step, command
+    std::optional<std::uint64_t> budget{};  // ms that a call into the scripts may take
     std::uint64_t seed = 0;
     std::vector<std::string> modules{};  // files or names, beside those of the game's manifest
     std::filesystem::path screenshot{};

@@ -47,6 +47,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     make_storage();
     runtime_ = std::make_unique<script::Runtime>(
         tree_, script::Options{.seed = options.seed,
+                               .call_seconds = 0,  // a window asks, and --budget says how long
                                .assets = assets(),
                                .saves = saves_.get(),
                                .tweaks = tweaks_.get(),
@@ -54,6 +55,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
                                .replay = options.replay.filename().string()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
     runtime_->on_print([this](std::string_view text) { print(text); });
+    runtime_->on_note([this](std::string_view text) { note("note: " + std::string(text)); });
     loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
     loop_->on_error([this](const script::ScriptError& error) { fail(error); });
     loop_->before_step([this](std::uint64_t step) { run_at(step); });
@@ -132,6 +134,14 @@ void Session::make_console(app::Clipboard* clipboard) {
     if (!options_.headless) options.history_file = console::default_history_file();
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
     for (const std::string& text : early_notes_) console_->print(text);
+#endif
+}
+
+bool Session::console_is_open() const {
+#ifdef FETTLE_WITH_CONSOLE
+    return console_ && console_->is_open();
+#else
+    return false;
 #endif
 }
 

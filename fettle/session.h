@@ -39,6 +39,7 @@ class Session {
     app::Services& services() { return *services_; }
     script::Runtime& runtime() { return *runtime_; }
     property::GameSaves& saves() { return *saves_; }
+    bool console_is_open() const;
     /// Puts a layer under the console.
     void add_layer(app::Layer& layer);
     /// By errors and quit().

@@ -238,6 +238,7 @@ local fettle_PropertyDescription = {}
 ---@field name string What it is called.
 ---@field owner Class? The class that declares it.
 ---@field parameters FieldDescription[] What it takes.
+---@field pure boolean Whether it changes nothing, so that formulas can call it.
 ---@field returns FieldDescription[] What it returns: fields of a record, or one entry for a plain value.
 ---@field signature string As help shows it.
 local fettle_MethodDescription = {}
@@ -1600,6 +1601,7 @@ Gamepad = {}
 ---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
 ---@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
 ---@field key string The key that opens and closes the console. · any text · default "grave" · not saved
+---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
 ---@field opacity number Of the background. · 0.3 to 1 · default 0.94 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved

@@ -5,6 +5,17 @@
 
 namespace fettle::app {
 
+namespace {
+
+constexpr std::size_t most_in_order = 128;  // edges of a row; counting columns costs about as much
+constexpr float most_columns = 1 << 16;     // of what lies near a screen
+
+bool is_inside(Area::Rule rule, int times) {
+    return rule == Area::Rule::forward ? times > 0 : times != 0;
+}
+
+}  // namespace
+
 void Area::add(std::span<const sf::Vector2f> outline) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         sf::Vector2f from = outline[i], to = outline[i + 1 < outline.size() ? i + 1 : 0];
@@ -59,7 +70,8 @@ void Area::cut(Rule rule, int first_row, int end_row, std::vector<Trapezoid>& tr
         const auto at = static_cast<std::size_t>(row - first_row);
         active_.insert(active_.end(), order_.begin() + starts_[at],
                        order_.begin() + starts_[at + 1]);
-        find_spans(rule, row, trapezoids);
+        if (active_.size() <= most_in_order || !count_spans(rule, row, trapezoids))
+            find_spans(rule, row, trapezoids);
     }
     for (const std::uint32_t i : open_) end_span(edges_[i], trapezoids);
     open_.clear();
@@ -78,9 +90,7 @@ void Area::find_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
     open_now_.clear();
     int round = 0;
     std::uint32_t left = 0;
-    const auto inside = [rule](int times) {
-        return rule == Rule::forward ? times > 0 : times != 0;
-    };
+    const auto inside = [rule](int times) { return is_inside(rule, times); };
     for (const std::uint32_t i : active_) {
         const bool before = inside(round);
         round += edges_[i].direction;
@@ -98,6 +108,38 @@ void Area::find_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
     for (const std::uint32_t i : open_)
         if (edges_[i].bottom == row) end_span(edges_[i], trapezoids);
     std::swap(open_, open_now_);
+}
+
+/// The same without an order among the edges, in whole pixels. False where the row is too long.
+bool Area::count_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
+    float least = edges_[active_[0]].middle(row), most = least;
+    for (const std::uint32_t i : active_) {
+        least = std::min(least, edges_[i].middle(row));
+        most = std::max(most, edges_[i].middle(row));
+    }
+    if (!(std::abs(least) < most_columns && std::abs(most) < most_columns)) return false;
+    for (const std::uint32_t i : open_) end_span(edges_[i], trapezoids);
+    open_.clear();
+    const auto first_center = [](float x) { return static_cast<int>(std::ceil(x - 0.5f)); };
+    const int first = first_center(least);
+    columns_.assign(static_cast<std::size_t>(first_center(most) - first) + 1, 0);
+    for (const std::uint32_t i : active_)
+        columns_[static_cast<std::size_t>(first_center(edges_[i].middle(row)) - first)] +=
+            edges_[i].direction;
+    const auto at = [](int number) { return static_cast<float>(number); };
+    int round = 0, begin = first;
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        const bool before = is_inside(rule, round);
+        round += columns_[c];
+        if (is_inside(rule, round) == before) continue;
+        const int column = first + static_cast<int>(c);
+        if (before)
+            trapezoids.push_back(
+                {at(row), at(row + 1), at(begin), at(column), at(begin), at(column)});
+        else
+            begin = column;
+    }
+    return true;
 }
 
 void Area::end_span(Edge& left, std::vector<Trapezoid>& trapezoids) {

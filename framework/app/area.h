@@ -3,8 +3,9 @@
 //
 // Each row of pixels is looked at along the middle of the row, where the pixels' centers are: what
 // lies between two outlines there is inside. Rows that lie between the same two edges become one
-// trapezoid. So the cost is that of the corners and of what each row crosses, and no outline is too
-// tangled.
+// trapezoid. A row that crosses very many edges, most of them between two pixels' centers, is not
+// put in order: the edges in front of each center are counted. So the cost is that of the corners
+// and of what each row crosses, and no outline is too tangled.
 
 #include <cstdint>
 #include <span>
@@ -46,6 +47,7 @@ class Area {
     };
     void sort_by_row(int first_row, int end_row);
     void find_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids);
+    bool count_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids);
     void end_span(Edge& left, std::vector<Trapezoid>& trapezoids);
     void put(const Edge& left, const Edge& right, int top, int bottom,
              std::vector<Trapezoid>& trapezoids) const;
@@ -53,6 +55,7 @@ class Area {
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> order_, starts_;  // edges by their first row
     std::vector<std::uint32_t> active_;          // edges that the row crosses, from left to right
+    std::vector<int> columns_;                   // what a row's edges change at each column
     std::vector<std::uint32_t> open_,
         open_now_;  // left edges of spans, of the row before and of this
 };

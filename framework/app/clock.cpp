@@ -108,7 +108,7 @@ std::vector<property::Method> travelling(Clock& clock) {
                  of.go_to(arguments[0].integer());
                  return property::Value();
              },
-             .effect = property::Effect::nothing}};
+             .effect = property::Effect::tree}};
 }
 
 std::vector<Property> kept_by_the_loop(Clock& clock) {

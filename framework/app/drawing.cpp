@@ -105,4 +105,9 @@ void Loop::draw(Screen& screen, double seconds) {
         clock.timings.draw += (spent.count() - clock.timings.draw) * (1 - std::exp(-seconds / 0.5));
 }
 
+void Loop::draw_layers(Screen& screen, double seconds) {
+    screen.begin(services_.view.background);
+    for (Layer* layer : layers_) layer->draw(screen.surface(), seconds);
+}
+
 }  // namespace fettle::app

@@ -1,6 +1,7 @@
 #include <fettle/app/error_screen.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 namespace fettle::app {
@@ -100,7 +101,62 @@ void ErrorScreen::show(const script::ScriptError& error) {
     scroll_ = 0;
 }
 
-std::vector<ErrorScreen::Line> ErrorScreen::lines() const {
+void ErrorScreen::show_running(const script::LongCall& call) {
+    if (!running_) scroll_ = 0;
+    running_ = call;
+}
+
+void ErrorScreen::came_back() {
+    running_.reset();
+    stop_wanted_ = waits_ = false;
+}
+
+namespace {
+
+/// The place with its line of source.
+template <class Line>
+void add_source(std::vector<Line>& lines, const script::ScriptError& e) {
+    const std::string place = place_of(e);
+    if (!place.empty()) lines.push_back({.text = place, .color = pale, .above = 18});
+    if (e.source_line.empty()) return;
+    const std::string prefix = (e.line > 0 ? std::to_string(e.line) : std::string()) + "  ";
+    lines.push_back({.text = prefix + e.source_line,
+                     .size = 16,
+                     .color = amber,
+                     .face = Face::monospace,
+                     .above = 6,
+                     .boxed = true});
+    if (e.column > 0)
+        lines.push_back(
+            {.text = std::string(prefix.size() + static_cast<std::size_t>(e.column - 1), ' ') + "^",
+             .size = 16,
+             .color = red,
+             .face = Face::monospace,
+             .boxed = true});
+}
+
+template <class Line>
+void add_section(std::vector<Line>& lines, const char* title, const std::string& text,
+                 SurfaceColor color) {
+    if (text.empty()) return;
+    lines.push_back({.text = title, .color = pale, .above = 18});
+    for (std::string& line : split(text))
+        lines.push_back({.text = std::move(line),
+                         .size = 14,
+                         .color = color,
+                         .face = Face::monospace,
+                         .above = 1});
+}
+
+std::string in_seconds(double seconds) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+    return text;
+}
+
+}  // namespace
+
+std::vector<ErrorScreen::Line> ErrorScreen::lines_of_error() const {
     std::vector<Line> lines;
     const script::ScriptError& e = *error_;
     lines.push_back({.text = "The game stopped at an error" +
@@ -108,59 +164,62 @@ std::vector<ErrorScreen::Line> ErrorScreen::lines() const {
                      .size = 16,
                      .color = pale});
     lines.push_back({.text = e.message, .size = 21, .color = red, .face = Face::bold, .above = 8});
-    if (!e.source_line.empty()) {
-        const std::string prefix = (e.line > 0 ? std::to_string(e.line) : std::string()) + "  ";
-        lines.push_back({.text = place_of(e), .color = pale, .above = 18});
-        lines.push_back({.text = prefix + e.source_line,
-                         .size = 16,
-                         .color = amber,
-                         .face = Face::monospace,
-                         .above = 6,
-                         .boxed = true});
-        if (e.column > 0)
-            lines.push_back(
-                {.text =
-                     std::string(prefix.size() + static_cast<std::size_t>(e.column - 1), ' ') + "^",
-                 .size = 16,
-                 .color = red,
-                 .face = Face::monospace,
-                 .boxed = true});
-    }
-    const auto section = [&](const char* title, const std::string& text, SurfaceColor color) {
-        if (text.empty()) return;
-        lines.push_back({.text = title, .color = pale, .above = 18});
-        for (std::string& line : split(text))
-            lines.push_back({.text = std::move(line),
-                             .size = 14,
-                             .color = color,
-                             .face = Face::monospace,
-                             .above = 1});
-    };
-    section("Called from", e.traceback, white);
-    section("Local variables", e.locals, green);
+    if (!e.source_line.empty()) add_source(lines, e);
+    add_section(lines, "Called from", e.traceback, white);
+    add_section(lines, "Local variables", e.locals, green);
     if (further_errors_ > 0)
         lines.push_back(
             {.text = std::to_string(further_errors_) + " more since", .color = pale, .above = 18});
     return lines;
 }
 
+std::vector<ErrorScreen::Line> ErrorScreen::lines_of_running() const {
+    std::vector<Line> lines;
+    const script::ScriptError& where = running_->where;
+    lines.push_back({.text = "The game rests while this script runs", .size = 16, .color = pale});
+    lines.push_back({.text = (waits_ ? "Waiting for " : "No answer from ") + place_of(where) +
+                             " for " + in_seconds(running_->seconds),
+                     .size = 21,
+                     .color = amber,
+                     .face = Face::bold,
+                     .above = 8});
+    if (waits_) return lines;
+    add_source(lines, where);
+    add_section(lines, "Called from", where.traceback, white);
+    add_section(lines, "Local variables", where.locals, green);
+    return lines;
+}
+
+std::vector<ErrorScreen::Line> ErrorScreen::lines() const {
+    return running_ ? lines_of_running() : lines_of_error();
+}
+
+/// A key that decides something.
+bool ErrorScreen::handle_key(const std::string& key) {
+    if (key == "r" && actions_.reload) {
+        stop_wanted_ = running_.has_value();
+        actions_.reload();
+    } else if (running_) {
+        stop_wanted_ = stop_wanted_ || key == "s";
+        waits_ = waits_ || key == "w";
+    } else if (key == "c" && actions_.copy) {
+        actions_.copy(error_text(*error_));
+    } else if (key == "escape" && actions_.go_on) {
+        hide();
+        actions_.go_on();
+    }
+    return true;
+}
+
 bool ErrorScreen::handle(const InputEvent& event) {
-    if (!error_) return false;
+    if (!visible()) return false;
     switch (event.kind) {
         case EventKind::key_pressed:
             if (event.name == "up") scroll_ = std::max(0, scroll_ - 1);
             if (event.name == "down") ++scroll_;
             if (event.name == "page_up") scroll_ = std::max(0, scroll_ - 10);
             if (event.name == "page_down") scroll_ += 10;
-            if (event.repeated) return true;
-            if (event.name == "c" && actions_.copy) actions_.copy(error_text(*error_));
-            if (event.name == "r" && actions_.reload) {
-                actions_.reload();
-            } else if (event.name == "escape" && actions_.go_on) {
-                hide();
-                actions_.go_on();
-            }
-            return true;
+            return event.repeated || handle_key(event.name);
         case EventKind::wheel:
             scroll_ = std::max(0, scroll_ - static_cast<int>(3 * event.delta));
             return true;
@@ -174,10 +233,10 @@ bool ErrorScreen::handle(const InputEvent& event) {
 }
 
 void ErrorScreen::draw(Surface& surface, double) {
-    if (!error_) return;
+    if (!visible()) return;
     const float width = surface.width(), height = surface.height();
     fill(surface, 0, 0, width, height, {18, 20, 26, 238});
-    fill(surface, 0, 0, 5, height, red);
+    fill(surface, 0, 0, 5, height, running_ ? amber : red);
     const float room = std::max(100.0f, width - 2 * margin);
     const float bottom = height - 44;
     const std::vector<Line> all = lines();
@@ -198,10 +257,13 @@ void ErrorScreen::draw(Surface& surface, double) {
         } while (!rest.empty());
     }
     fill(surface, 0, bottom + 4, width, height - bottom - 4, {10, 11, 15, 255});
-    surface.text(
-        margin, bottom + 16,
-        "R  reload      Esc  go on      C  copy      `  console      \u2191 \u2193  scroll", 14,
-        pale, Face::plain);
+    const char* const keys =
+        running_ ? (waits_ ? "S  stop it      R  reload      `  console"
+                           : "S  stop it      W  wait on      R  reload      `  console      "
+                             "\u2191 \u2193  scroll")
+                 : "R  reload      Esc  go on      C  copy      `  console      \u2191 \u2193  "
+                   "scroll";
+    surface.text(margin, bottom + 16, keys, 14, pale, Face::plain);
 }
 
 }  // namespace fettle::app

@@ -74,4 +74,18 @@ Cause Tree::cause() const {
             .step = s.step};
 }
 
+/// Whose edit it is, should the barrier find that it changed something else. Its place costs more
+/// than a callback of a game may pay, so it is looked up only while something is watched that an
+/// edit elsewhere changes.
+void Tree::State::note_edit() {
+    edited = true;
+    ++upheavals;
+    if (shadows.empty()) return;
+    last_edit.writer = writer;
+    last_edit.step = step;
+    last_edit.where.clear();
+    if (locate != nullptr && (shadows.any_derived() || history.recording(writer)))
+        last_edit.where = (*locate)();
+}
+
 }  // namespace fettle::property

@@ -14,6 +14,10 @@
 namespace fettle::property {
 namespace {
 
+// A node keeps the number of its class in 16 bits; and a class, unlike an instance, stays for ever.
+constexpr std::size_t most_classes = 10'000;
+static_assert(most_classes <= UINT16_MAX);
+
 std::string lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
     return text;
@@ -110,6 +114,10 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     if (!is_identifier(descriptor.name))
         throw Error(ErrorKind::bad_name,
                     "\"" + descriptor.name + "\" cannot be the name of a class");
+    if (classes_.size() >= most_classes)
+        throw Error(ErrorKind::rejected, descriptor.name + ": there are " +
+                                             std::to_string(most_classes) +
+                                             " classes already, as many as a game can have");
     if (find(descriptor.name) != nullptr)
         throw Error(ErrorKind::bad_name, "there is a class \"" + descriptor.name + "\" already");
     const Class* base = descriptor.base.empty() ? nullptr : find(descriptor.base);

@@ -149,6 +149,11 @@ class Coercion {
     }
 
     Value vec2(const Value& value) const {
+        if (value.is(Type::list) && value.list().size() == 2 && value.list()[0].is_numeric() &&
+            value.list()[1].is_numeric())
+            fail(ErrorKind::wrong_type, "expected " + expectation(property_) + ", got list " +
+                                            shown(value) + " (write vec(" + shown(value.list()[0]) +
+                                            ", " + shown(value.list()[1]) + "))");
         if (!value.is(Type::vec2)) wrong_type(value);
         return Vec2(component(value.vec2().x(), value), component(value.vec2().y(), value));
     }

@@ -19,25 +19,12 @@ constexpr std::size_t most_generations = 16;
 constexpr std::size_t most_fresh_kept = 1024;  // room for instances made between barriers
 }  // namespace
 
-/// Whose edit it is, should the barrier find that it changed something else. Its place costs more
-/// than a callback of a game may pay, so it is looked up only while something is watched that an
-/// edit elsewhere changes.
-void Tree::State::note_edit() {
-    edited = true;
-    ++upheavals;
-    if (shadows.empty()) return;
-    last_edit.writer = writer;
-    last_edit.step = step;
-    last_edit.where.clear();
-    if (locate != nullptr && (shadows.any_derived() || history.recording(writer)))
-        last_edit.where = (*locate)();
-}
-
 // --- Queueing
 // --------------------------------------------------------------------------------------------------------
 
 void Tree::State::queue_item(QueueItem item) {
     if (replaying) return;
+    add_weight(weight_of_message);
     item.until = watchers.last_id();
     item.trigger = delivering;
     item.trigger_part = delivering_part;
@@ -74,15 +61,17 @@ bool Tree::State::wants_farewell(Handle handle, const Class& of, bool only_own) 
     return !watchers.of_deletion(handle.index, of, only_own).empty();
 }
 
-void Tree::State::queue_deletion(Handle handle, const Class& of, const std::string& path) {
-    Existence gone{.instance = handle,
-                   .instance_class = &of,
-                   .path = path,
-                   .cause = tree.cause(),
-                   .last_values = {}};
+void Tree::State::queue_deletion(Handle handle, const Class& of, const Cause& cause) {
     // Who was never told of the instance is not told of its end; its own watchers knew it.
     const bool only_own = nodes[handle.index].fresh;
-    if (wants_farewell(handle, of, only_own))
+    const bool wanted = wants_farewell(handle, of, only_own);
+    if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;
+    Existence gone{.instance = handle,
+                   .instance_class = &of,
+                   .path = tree.path(handle),
+                   .cause = cause,
+                   .last_values = {}};
+    if (wanted)
         for (const Property* property : tree.properties(handle))
             gone.last_values.emplace_back(property, tree.peek(handle, *property));
     queue_farewell(std::move(gone), only_own);
@@ -371,6 +360,7 @@ void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& gen
 }
 
 void Tree::at_barrier(std::function<void()> action) {
+    require_changeable("order anything for the next barrier");
     if (!action) throw Error(ErrorKind::wrong_type, "at_barrier: a function is needed");
     state_->at_barrier.push_back(std::move(action));
 }
@@ -399,7 +389,7 @@ void Tree::barrier(bool between_steps) {
     if (s.in_barrier)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
     const State::Use use(s);
-    s.forbid_in_formula("start a barrier");
+    s.require_changeable("start a barrier");
     std::exception_ptr first_error;
     s.deliver_all(first_error);
     if (between_steps && !s.ending && !s.at_barrier.empty()) {

@@ -1,6 +1,7 @@
 #include "formulas.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
@@ -36,6 +37,10 @@ const Formula* Formulas::find(Cell cell) const {
 void Formulas::set(Handle instance, const Property& property, Formula formula) {
     const Cell cell{instance.index, property.symbol};
     remove(cell);
+    // Removed ones are let go of when they are the greater part: one at a time would be slow.
+    if (order_.size() > 64 + 2 * entries_.size())
+        std::erase_if(order_, [](const auto& e) { return e->removed; });
+    tree_.add_weight(weight_of_formula);
     const auto made = std::make_shared<Entry>();
     made->cell = cell;
     made->instance = instance;
@@ -50,22 +55,29 @@ void Formulas::set(Handle instance, const Property& property, Formula formula) {
     mark_dependents(cell);
 }
 
+std::string Formulas::running() const {
+    const Entry& e = *stack_.back();
+    return tree_.path(e.instance, *e.property);
+}
+
 void Formulas::remove(Cell cell) {
     const auto found = entries_.find(cell);
     if (found == entries_.end()) return;
     const std::shared_ptr<Entry> gone = found->second;
+    tree_.add_weight(-weight_of_formula);
     set_dependencies(*gone, {});
     if (gone->volatile_sources) --volatile_;
     gone->removed = true;
     entries_.erase(found);
-    std::erase(order_, gone);
+    if (entries_.empty()) order_.clear();
     mark_dependents(cell);
 }
 
 std::vector<Formulas::Image> Formulas::images() const {
     std::vector<Image> all;
-    all.reserve(order_.size());
-    for (const auto& e : order_) all.push_back({e->instance, e->property->symbol, e->formula});
+    all.reserve(entries_.size());
+    for (const auto& e : order_)
+        if (!e->removed) all.push_back({e->instance, e->property->symbol, e->formula});
     return all;
 }
 
@@ -82,7 +94,7 @@ void Formulas::clear() {
 void Formulas::instance_gone(std::uint32_t index) {
     const auto names = read_of_.find(index);
     if (names == read_of_.end()) return;
-    const std::vector<Symbol> read = names->second;
+    const std::vector<Symbol> read(names->second.begin(), names->second.end());
     for (const Symbol name : read) mark_dependents({index, name});
 }
 
@@ -96,17 +108,19 @@ void Formulas::structure_changed() {
 void Formulas::mark_dependents(Cell cell) {
     const auto first = dependents_.find(cell);
     if (first == dependents_.end()) return;
+    // A source that is written again and again marks its dependents once.
+    if (std::exchange(first->second.marked, settlings_) == settlings_) return;
     std::vector<Entry*> reached;
     const auto reach = [&reached](Entry* e, State as) {
         if (e->state == State::clean) reached.push_back(e);
         e->state = std::max(e->state, as);
     };
-    for (Entry* e : first->second) reach(e, State::dirty);
+    for (const Dependent& d : first->second.list) reach(d.formula, State::dirty);
     while (!reached.empty()) {
         const Entry* e = reached.back();
         reached.pop_back();
         if (const auto next = dependents_.find(e->cell); next != dependents_.end())
-            for (Entry* further : next->second) reach(further, State::check);
+            for (const Dependent& d : next->second.list) reach(d.formula, State::check);
     }
     pending_ = true;
 }
@@ -120,7 +134,7 @@ void Formulas::make_volatile(Entry& top) {
         e->volatile_sources = true;
         ++volatile_;
         if (const auto next = dependents_.find(e->cell); next != dependents_.end())
-            reached.insert(reached.end(), next->second.begin(), next->second.end());
+            for (const Dependent& d : next->second.list) reached.push_back(d.formula);
     }
 }
 
@@ -148,10 +162,61 @@ void Formulas::note_structure() {
     noting_->push_back(std::move(read));
 }
 
+/// Enters the formula among the dependents of a cell it reads.
+void Formulas::depend(Entry& e, std::uint32_t dependency) {
+    Dependency& d = e.dependencies[dependency];
+    std::vector<Dependent>& list = dependents_[d.cell].list;
+    if (list.empty()) read_of_[d.cell.index].insert(d.cell.property);
+    d.place = static_cast<std::uint32_t>(list.size());
+    list.push_back({&e, dependency});
+}
+
+/// The last of the list takes the place of the one that leaves, so that a cell may have any number
+/// of dependents.
+void Formulas::depend_no_more(const Dependency& gone) {
+    std::vector<Dependent>& list = dependents_.at(gone.cell).list;
+    const Dependent last = list.back();
+    list.pop_back();
+    if (gone.place < list.size()) {
+        list[gone.place] = last;
+        last.formula->dependencies[last.dependency].place = gone.place;
+    }
+    if (!list.empty()) return;
+    dependents_.erase(gone.cell);
+    auto& names = read_of_.at(gone.cell.index);
+    names.erase(gone.cell.property);
+    if (names.empty()) read_of_.erase(gone.cell.index);
+}
+
+/// Gives the formula its new dependencies; `places`: which of them a cell is.
+void Formulas::enter_dependencies(Entry& e, std::vector<Dependency> found, const Places& places) {
+    std::vector<Dependency> before = std::exchange(e.dependencies, std::move(found));
+    std::vector<Dependency>& now = e.dependencies;
+    const auto same = [](const Dependency& a, const Dependency& b) { return a.cell == b.cell; };
+    if (std::equal(before.begin(), before.end(), now.begin(), now.end(), same)) {
+        for (std::size_t i = 0; i < now.size(); ++i) now[i].place = before[i].place;
+        return;
+    }
+    std::vector<bool> kept(now.size(), false);
+    for (const Dependency& d : before) {
+        const auto found_again = places.find(d.cell);
+        if (found_again == places.end()) {
+            depend_no_more(d);
+            continue;
+        }
+        const auto dependency = static_cast<std::uint32_t>(found_again->second);
+        kept[dependency] = true;
+        now[dependency].place = d.place;
+        dependents_.at(d.cell).list[d.place].dependency = dependency;
+    }
+    for (std::uint32_t i = 0; i < now.size(); ++i)
+        if (!kept[i]) depend(e, i);
+}
+
 void Formulas::set_dependencies(Entry& e, std::vector<Dependency> found) {
     // The same cell read again tells nothing new; a read of the value says more than a look at the
     // name.
-    std::unordered_map<Cell, std::size_t, CellHash> places;
+    Places places;
     std::vector<Dependency> distinct;
     for (Dependency& d : found) {
         const auto [place, first] = places.try_emplace(d.cell, distinct.size());
@@ -160,25 +225,11 @@ void Formulas::set_dependencies(Entry& e, std::vector<Dependency> found) {
         else if (distinct[place->second].property == nullptr)
             distinct[place->second] = std::move(d);
     }
-    for (const Dependency& d : e.dependencies) {
-        if (places.contains(d.cell)) continue;
-        std::vector<Entry*>& list = dependents_.at(d.cell);
-        std::erase(list, &e);
-        if (list.empty()) {
-            dependents_.erase(d.cell);
-            std::vector<Symbol>& names = read_of_.at(d.cell.index);
-            std::erase(names, d.cell.property);
-            if (names.empty()) read_of_.erase(d.cell.index);
-        }
-    }
+    enter_dependencies(e, std::move(distinct), places);
     Tree::State& s = tree_.state();
     bool is_volatile = false;
-    for (Dependency& d : distinct) {
-        std::vector<Entry*>& list = dependents_[d.cell];
-        if (std::find(list.begin(), list.end(), &e) == list.end()) {
-            if (list.empty()) read_of_[d.cell.index].push_back(d.cell.property);
-            list.push_back(&e);
-        }
+    for (std::uint32_t i = 0; i < e.dependencies.size(); ++i) {
+        Dependency& d = e.dependencies[i];
         if (const Entry* source = entry(d.cell)) {
             d.formula = true;
             d.version = source->version;
@@ -192,7 +243,6 @@ void Formulas::set_dependencies(Entry& e, std::vector<Dependency> found) {
             }
         }
     }
-    e.dependencies = std::move(distinct);
     if (is_volatile && !e.removed) {
         make_volatile(e);
     } else if (e.volatile_sources && !is_volatile && !e.removed) {
@@ -250,8 +300,7 @@ void Formulas::settle_known(Entry& top) {
             if (e.state == State::dirty || finding != Finding::unchanged) {
                 run(e);
             } else {
-                e.state = State::clean;
-                e.checked = tree_.state().epoch();
+                note_settled(e);
             }
         }
         e.queued = false;
@@ -314,6 +363,12 @@ void Formulas::note_into(std::vector<Dependency>* dependencies) {
     tree_.state().note_listeners();
 }
 
+void Formulas::note_settled(Entry& e) {
+    e.state = State::clean;
+    e.checked = tree_.state().epoch();
+    ++settlings_;
+}
+
 void Formulas::run(Entry& e) {
     const std::shared_ptr<Entry> held = entries_.at(e.cell);
     std::vector<Dependency> found;
@@ -342,8 +397,7 @@ void Formulas::run(Entry& e) {
     if (too_deep_ != nullptr) throw Error(ErrorKind::formula, "formulas are nested too deep");
     if (e.removed) return;
     set_dependencies(e, std::move(found));
-    e.state = State::clean;
-    e.checked = tree_.state().epoch();
+    note_settled(e);
     if (error.empty())
         finish(e, result);
     else
@@ -371,8 +425,7 @@ void Formulas::finish(Entry& e, const Value& result) {
     }
     e.value = next;
     e.error.clear();
-    e.state = State::clean;
-    e.checked = s.epoch();
+    note_settled(e);
 }
 
 void Formulas::fail(Entry& e, const std::string& error) {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <fettle/property/formula.h>
@@ -39,10 +40,12 @@ class Formulas {
     };
     std::vector<Image> images() const;
     void clear();
-    std::size_t size() const { return order_.size(); }
+    std::size_t size() const { return entries_.size(); }
 
     /// Whether a formula runs: then reads are noted.
     bool tracking() const { return noting_ != nullptr; }
+    /// The path of the property whose formula runs.
+    std::string running() const;
     void note_read(Handle instance, const Property& property);
     /// Somebody asked for a name; the answer, also "none", depends on who comes and goes.
     void note_name(Handle instance, Symbol name);
@@ -70,7 +73,8 @@ class Formulas {
         std::uint64_t version = 0;           // of a cell with a formula
         bool formula = false;
         bool observed = false;
-        Value seen;  // of an observed cell
+        std::uint32_t place = 0;  // of its formula among the dependents of the cell
+        Value seen;               // of an observed cell
     };
     struct Entry {
         Cell cell;
@@ -92,7 +96,21 @@ class Formulas {
         bool removed = false;  // while it ran
     };
 
+    /// A formula that read a cell, and which of its dependencies that is.
+    struct Dependent {
+        Entry* formula = nullptr;
+        std::uint32_t dependency = 0;
+    };
+    struct Dependents {
+        std::vector<Dependent> list;
+        std::uint64_t marked = 0;  // `settlings_` when all of them were marked: they still are
+    };
+
     Entry* entry(Cell cell) const;
+    using Places = std::unordered_map<Cell, std::size_t, CellHash>;
+    void enter_dependencies(Entry& e, std::vector<Dependency> found, const Places& places);
+    void depend(Entry& e, std::uint32_t dependency);
+    void depend_no_more(const Dependency& gone);
     bool settled(const Entry& e) const;
     /// What stands between an entry and being settled, as far as its sources of the last run tell.
     enum class Finding : std::uint8_t { unchanged, changed, unsettled_source };
@@ -100,6 +118,7 @@ class Formulas {
     void settle(Entry& e);
     void settle_known(Entry& e);
     void run(Entry& e);
+    void note_settled(Entry& e);
     /// Where what is read now is noted; nullptr: nowhere.
     void note_into(std::vector<Dependency>* dependencies);
     void finish(Entry& e, const Value& result);
@@ -111,9 +130,10 @@ class Formulas {
 
     Tree& tree_;
     std::unordered_map<Cell, std::shared_ptr<Entry>, CellHash> entries_;
-    std::vector<std::shared_ptr<Entry>> order_;
-    std::unordered_map<Cell, std::vector<Entry*>, CellHash> dependents_;
-    std::unordered_map<std::uint32_t, std::vector<Symbol>>
+    std::vector<std::shared_ptr<Entry>> order_;  // of making; removed ones are passed over
+    std::unordered_map<Cell, Dependents, CellHash> dependents_;
+    std::uint64_t settlings_ = 1;  // how often a formula was settled
+    std::unordered_map<std::uint32_t, std::unordered_set<Symbol>>
         read_of_;                // index -> names with dependents
     std::vector<Entry*> stack_;  // those running, outermost first
     std::vector<Dependency>* noting_ = nullptr;

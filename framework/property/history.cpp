@@ -32,6 +32,7 @@ void History::begin(std::string name, bool scripts) {
     if (depth_++ > 0) return;
     open_ = {};
     open_bytes_ = 0;
+    written_.clear();
     open_.name = std::move(name);
     open_.cause = tree_.cause();
 }
@@ -78,9 +79,16 @@ void History::make_void(Transaction& transaction) {
 void History::add(EditStep step, const std::string& name) {
     const bool single = depth_ == 0;
     if (single) begin(name, false);
-    open_bytes_ += bytes_of(step);
+    open_bytes_ += bytes_of(step);  // no part of the tree's weight: the list has its own limit
+    if (const auto* edit = std::get_if<CellEdit>(&step))
+        written_[{edit->instance.index, edit->property}] = open_.steps.size();
+    else
+        written_.clear();
     open_.steps.push_back(std::move(step));
-    if (open_.too_large || open_bytes_ > most_of_one()) make_void(open_);
+    if (open_.too_large || open_bytes_ > most_of_one()) {
+        make_void(open_);
+        written_.clear();
+    }
     if (single) end();
 }
 
@@ -110,12 +118,14 @@ void History::edited(Handle instance, const Property& property, CellState before
     CellState after;
     if (tree_.find(instance, property.symbol) != nullptr) after = capture(instance, property);
     // A drag is many edits of one cell: only its ends are kept.
-    if (depth_ > 0 && !open_.steps.empty())
-        if (auto* last = std::get_if<CellEdit>(&open_.steps.back());
-            last != nullptr && last->instance == instance && last->property == property.symbol) {
-            last->after = std::move(after);
+    const Cell cell{instance.index, property.symbol};
+    if (const auto step = written_.find(cell); depth_ > 0 && step != written_.end()) {
+        auto& edit = std::get<CellEdit>(open_.steps[step->second]);
+        if (edit.instance == instance) {
+            edit.after = std::move(after);
             return;
         }
+    }
     const std::string name = tree_.path(instance, property) + ": " +
                              short_text(tree_.text(before.value, property.precision())) + " → " +
                              short_text(tree_.text(after.value, property.precision()));
@@ -219,6 +229,7 @@ void History::restore(const Memory& image) {
     open_.steps.clear();
     open_.too_large = false;
     open_bytes_ = 0;
+    written_.clear();
     ++version_;
 }
 
@@ -369,6 +380,19 @@ void History::bury(ExistenceEdit& existence, UndoResult& result) {
     keep_slots_ = false;
 }
 
+bool History::hangs_too_deep(const ExistenceEdit& existence) const {
+    const Nodes& nodes = tree_.state().nodes;
+    std::unordered_map<std::uint32_t, std::size_t> depths;  // parents come before their children
+    for (const Buried& buried : existence.buried) {
+        const std::uint32_t parent = buried.position.parent.index;
+        const auto above = depths.find(parent);
+        const std::size_t depth = above != depths.end() ? above->second : nodes.depth(parent);
+        if (depth + 1 > Nodes::deepest) return true;
+        depths[buried.handle.index] = depth + 1;
+    }
+    return false;
+}
+
 void History::revive(ExistenceEdit& existence, UndoResult& result) {
     Tree::State& s = tree_.state();
     if (existence.buried.empty() || tree_.alive(existence.top)) {
@@ -384,6 +408,11 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
         parent && !tree_.alive(parent)) {
         result.notes.push_back("\"" + existence.buried.front().position.name.text() +
                                "\" cannot be brought back: what it hung under is gone");
+        return;
+    }
+    if (hangs_too_deep(existence)) {
+        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
+                               "\" cannot be brought back: what it hung under hangs deeper now");
         return;
     }
     for (const Buried& buried : existence.buried) {

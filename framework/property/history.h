@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <fettle/property/edits.h>
@@ -14,6 +15,7 @@
 #include <fettle/property/tree.h>
 
 #include "transactions.h"
+#include "watchers.h"
 
 namespace fettle::property {
 
@@ -99,6 +101,7 @@ class History {
     void apply(ExistenceEdit& existence, bool back, UndoResult& result);
     void apply(MoveEdit& move, bool back, UndoResult& result);
     void set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
+    bool hangs_too_deep(const ExistenceEdit& existence) const;
     void revive(ExistenceEdit& existence, UndoResult& result);
     void bury(ExistenceEdit& existence, UndoResult& result);
     void place(Handle instance, const Position& at, UndoResult& result);
@@ -109,6 +112,8 @@ class History {
     std::uint64_t version_ = 0;  // counts changes of the two
     Transaction open_;
     std::size_t open_bytes_ = 0;
+    // Which step of the open edit a cell was written by, since something came or went last.
+    std::unordered_map<Cell, std::size_t, CellHash> written_;
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
     std::size_t script_edits_ = 0;  // how many of them that is true of

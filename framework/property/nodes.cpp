@@ -81,6 +81,8 @@ void Nodes::release(std::uint32_t index, bool keep) {
     if (node.counts_children)
         counters_.erase(counters_.lower_bound(counter_key(index, {})),
                         counters_.lower_bound(counter_key(index + 1, {})));
+    child_counts_.erase(index);
+    if (numbered_.parent == index) numbered_ = {};
     node.dead = 1;
     node.kept = keep;
     // Of a slot that is kept the generation still tells whose it was.
@@ -130,6 +132,7 @@ void Nodes::reorder(std::uint32_t index, std::uint32_t before) {
     if (parent == 0 || before == index) return;
     if (before != 0 && nodes_[before].parent != parent) return;
     detach_link(index);
+    if (numbered_.parent == parent) numbered_ = {};
     Node& above = nodes_[parent];
     const std::uint32_t behind = before == 0 ? above.first_child : nodes_[before].next;
     const std::uint32_t last = above.first_child == 0 ? 0 : nodes_[above.first_child].previous;
@@ -140,6 +143,67 @@ void Nodes::reorder(std::uint32_t index, std::uint32_t before) {
     node.previous = before != 0 ? before : last == 0 ? index : last;
     if (behind != 0) nodes_[behind].previous = index;
     if (behind == 0) nodes_[above.first_child].previous = index;
+}
+
+/// What is remembered of the children of a parent, when one of them leaves its place.
+void Nodes::child_leaves(std::uint32_t index) {
+    const Node& node = nodes_[index];
+    if (!child_counts_.empty())
+        if (const auto counted = child_counts_.find(node.parent); counted != child_counts_.end())
+            --counted->second;
+    if (numbered_.parent != node.parent) return;
+    // The next one comes to have its number. Whether another stood in front of it, nobody knows.
+    if (numbered_.child == index && node.next != 0)
+        numbered_.child = node.next;
+    else
+        numbered_ = {};
+}
+
+std::uint32_t Nodes::child_count(std::uint32_t parent) const {
+    const auto [counted, first] = child_counts_.try_emplace(parent, 0);
+    if (first)
+        for (std::uint32_t i = nodes_[parent].first_child; i != 0; i = nodes_[i].next)
+            ++counted->second;
+    return counted->second;
+}
+
+std::uint32_t Nodes::nth_child(std::uint32_t parent, std::uint64_t n) const {
+    const std::uint32_t first = nodes_[parent].first_child;
+    if (n < 1 || first == 0) return 0;
+    Numbered at{parent, first, 1};
+    if (numbered_.parent == parent && numbered_.number <= 2 * n) at = numbered_;
+    if (n > at.number + 16) {
+        const std::uint64_t count = child_count(parent);
+        if (n > count) return 0;
+        if (count - n < n - at.number) at = {parent, nodes_[first].previous, count};
+    }
+    for (; at.number < n && at.child != 0; ++at.number) at.child = nodes_[at.child].next;
+    for (; at.number > n; --at.number) at.child = nodes_[at.child].previous;
+    if (at.child != 0) numbered_ = at;
+    return at.child;
+}
+
+std::size_t Nodes::depth(std::uint32_t index) const {
+    std::size_t levels = 0;
+    for (; index != 0; index = nodes_[index].parent) ++levels;
+    return levels;
+}
+
+std::size_t Nodes::height(std::uint32_t top) const {
+    std::size_t levels = 1, highest = 1;
+    for (std::uint32_t index = top;;) {
+        if (nodes_[index].first_child != 0) {
+            index = nodes_[index].first_child;
+            highest = std::max(highest, ++levels);
+            continue;
+        }
+        while (index != top && nodes_[index].next == 0) {
+            index = nodes_[index].parent;
+            --levels;
+        }
+        if (index == top) return highest;
+        index = nodes_[index].next;
+    }
 }
 
 void Nodes::detach_link(std::uint32_t index) {
@@ -171,6 +235,9 @@ void Nodes::link(std::uint32_t index, std::uint32_t parent, NodeName name) {
         nodes_[first.previous].next = index;
         first.previous = index;
     }
+    if (!child_counts_.empty())
+        if (const auto counted = child_counts_.find(parent); counted != child_counts_.end())
+            ++counted->second;
     index_insert(index);
 }
 
@@ -179,6 +246,7 @@ void Nodes::unlink(std::uint32_t index) {
     if (node.parent == 0) return;
     if (node.name.number == 1) counter(node.parent, node.name.base);  // its number stays given
     index_erase(index);
+    child_leaves(index);
     detach_link(index);
     node.parent = node.next = node.previous = 0;
 }

@@ -124,6 +124,16 @@ class Nodes {
     /// Puts a child behind its sibling `before`; 0: first.
     void reorder(std::uint32_t index, std::uint32_t before);
     std::uint32_t child(std::uint32_t parent, NodeName name) const;
+    /// How many hang directly below. Counted when it is first asked for, and kept from then on.
+    std::uint32_t child_count(std::uint32_t parent) const;
+    /// The `n`th of them from 1; 0 when there is none. Going through all of them by number takes as
+    /// many steps as there are.
+    std::uint32_t nth_child(std::uint32_t parent, std::uint64_t n) const;
+    /// Levels above an instance, its own counted; and levels below it, its own counted.
+    std::size_t depth(std::uint32_t index) const;
+    std::size_t height(std::uint32_t index) const;
+    /// Whatever is done level by level (a path, a copy, a file) need not fear deeper trees.
+    static constexpr std::size_t deepest = 1000;
     /// `stem_1`, `stem_2` ...: never one used before under this parent.
     NodeName free_name(std::uint32_t parent, std::string_view stem);
     /// `stem`, `stem_2` ...: the first that is free; `itself`: whether `stem` may be.
@@ -143,6 +153,7 @@ class Nodes {
     std::uint32_t& counter(std::uint32_t parent, Symbol stem);
     std::uint32_t next_generation(std::uint32_t index, std::uint32_t after);
     bool links_hold() const;
+    void child_leaves(std::uint32_t index);
     bool index_names();
 
     std::vector<Node> nodes_;
@@ -157,6 +168,14 @@ class Nodes {
     // By slot: the last generation given in a future that a restored snapshot has left. Consulted
     // when the slot's present owner goes.
     std::unordered_map<std::uint32_t, std::uint32_t> issued_;
+    // Of those parents whose children were counted.
+    mutable std::unordered_map<std::uint32_t, std::uint32_t> child_counts_;
+    // The child that was asked for last by its number.
+    struct Numbered {
+        std::uint32_t parent = 0, child = 0;
+        std::uint64_t number = 0;
+    };
+    mutable Numbered numbered_;
 };
 
 }  // namespace fettle::property

@@ -142,17 +142,22 @@ bool Nodes::links_hold() const {
         if (before != 0 && nodes_[above.first_child].previous != before) return false;
     }
     if (listed != hanging) return false;
-    // No circle: everybody is reached from those who hang nowhere.
+    // No circle: everybody is reached from those who hang nowhere. And nobody hangs too deep.
+    struct Reached {
+        std::uint32_t index;
+        std::size_t depth;
+    };
     std::size_t reached = 0;
-    std::vector<std::uint32_t> open;
+    std::vector<Reached> open;
     for (std::uint32_t i = 1; i < end(); ++i)
-        if (nodes_[i].alive() && nodes_[i].parent == 0) open.push_back(i);
+        if (nodes_[i].alive() && nodes_[i].parent == 0) open.push_back({i, 1});
     while (!open.empty()) {
-        const std::uint32_t index = open.back();
+        const auto [index, depth] = open.back();
         open.pop_back();
         ++reached;
+        if (depth > deepest) return false;
         for (std::uint32_t i = nodes_[index].first_child; i != 0; i = nodes_[i].next)
-            open.push_back(i);
+            open.push_back({i, depth + 1});
     }
     return reached == alive_;
 }

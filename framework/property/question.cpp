@@ -41,8 +41,9 @@ Inquiry::~Inquiry() {
     tree_.state().note_listeners();
 }
 
-void Inquiry::refuse(const char* what) const {
-    throw Error(ErrorKind::rejected, std::string(subject_) + " " + std::string(rule_) + " " + what);
+void Inquiry::refuse(std::string_view what) const {
+    throw Error(ErrorKind::rejected, std::string(subject_) + " " + std::string(rule_) + " " +
+                                         std::string(what));
 }
 
 Question* Question::current() {

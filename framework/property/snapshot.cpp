@@ -227,7 +227,7 @@ void each_restored(const Tree& tree, const std::function<void(Handle, const Clas
 
 void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on) {
     State& s = *state_;
-    s.forbid_in_formula("restore a snapshot");
+    s.require_changeable("restore a snapshot");
     if (s.in_barrier || s.replaying)
         throw Error(ErrorKind::bad_structure,
                     "a snapshot cannot be restored in a handler: wait for the next barrier");

@@ -37,10 +37,34 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
     return std::min(last[b.size()], limit + 1);
 }
 
+namespace {
+
+// Names that differ only in what counts them: wheel1 and wheel2, item_a and item_b, pointA and
+// pointB. Who writes one of them means it.
+bool of_one_series(std::string_view a, std::string_view b) {
+    const std::size_t most = std::min(a.size(), b.size());
+    std::size_t front = 0, back = 0;
+    while (front < most && lower(a[front]) == lower(b[front])) ++front;
+    while (back < most - front && lower(a[a.size() - 1 - back]) == lower(b[b.size() - 1 - back]))
+        ++back;
+    const std::string_view of_a = a.substr(front, a.size() - front - back);
+    const std::string_view of_b = b.substr(front, b.size() - front - back);
+    const auto counts = [](std::string_view part) {
+        return std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+    };
+    if (of_a.size() + of_b.size() > 0 && counts(of_a) && counts(of_b)) return true;
+    if (back != 0 || front == 0 || of_a.size() != 1 || of_b.size() != 1) return false;
+    const auto capital = [](std::string_view part) { return part[0] >= 'A' && part[0] <= 'Z'; };
+    return a[front - 1] == '_' || (capital(of_a) && capital(of_b));
+}
+
+}  // namespace
+
 bool near_miss(std::string_view name, std::string_view declared) {
     if (name == declared) return false;
     if (same_but_for_case(name, declared)) return true;
-    return std::min(name.size(), declared.size()) >= 4 && edit_distance(name, declared, 1) <= 1;
+    return std::min(name.size(), declared.size()) >= 4 && edit_distance(name, declared, 1) <= 1 &&
+           !of_one_series(name, declared);
 }
 
 std::string nearest(std::string_view name, std::span<const std::string> candidates) {

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include <fettle/property/acceptance.h>
 #include <fettle/property/observer.h>
 #include <fettle/property/question.h>
 #include <fettle/property/tree.h>
@@ -23,6 +24,7 @@
 #include "stored_columns.h"
 #include "untold.h"
 #include "watchers.h"
+#include "weight.h"
 #include "writes_log.h"
 
 namespace fettle::property {
@@ -64,7 +66,8 @@ struct Tree::State {
     std::unordered_map<std::uint32_t, std::map<std::string, std::pair<const Property*, Value>>>
         ad_hoc;
     std::unordered_map<Symbol, std::unique_ptr<Property>>
-        ad_hoc_properties;             // one descriptor a name
+        ad_hoc_properties;  // one descriptor a name
+    static constexpr std::size_t most_tombstones = 8192;
     std::deque<Tombstone> tombstones;  // the latest deletions
 
     Watchers watchers;
@@ -84,6 +87,7 @@ struct Tree::State {
     bool stepped = false;  // since the shadows were last compared
     bool edited = false;
     std::uint64_t upheavals = 1;  // what `epoch` counts beside writes in the log
+    std::uint64_t structure = 0;  // comings, goings and moves
     bool ending = false;          // the tree itself is being destroyed
     std::shared_ptr<const Tree*> life = std::make_shared<const Tree*>(&tree);
     int uses = 0;                   // calls that call handlers or methods
@@ -96,6 +100,10 @@ struct Tree::State {
     std::vector<Handle> to_come;            // of whom is made again inside of what is done again
     const Inquiry* inquiry = nullptr;       // the innermost that is being made
     bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
+
+    std::int64_t weight = 0;
+    std::int64_t weight_mark = INT64_MAX;
+    std::function<void()> mark_passed;  // told once
 
     std::uint64_t step = 0;
     Writer writer = Writer::module;
@@ -143,6 +151,12 @@ struct Tree::State {
     void require_own(const Class& of) const;
     void require_event(const Class& of, const Event& event) const;
     void require_method(Handle handle, const Method& method) const;
+    void add_weight(std::int64_t bytes) {
+        weight += bytes;
+        if (weight > weight_mark) [[unlikely]]
+            pass_mark();
+    }
+    void pass_mark();
 
     Node& require(Handle handle) {
         Node* node = nodes.find(handle);
@@ -151,11 +165,12 @@ struct Tree::State {
     }
     const Node& require(Handle handle) const { return const_cast<State*>(this)->require(handle); }
     [[noreturn]] void throw_deleted(Handle handle) const;
+    /// Throws where nothing may be changed: formulas compute and functions that are asked answer.
+    /// `what`: "delete an instance".
+    void require_changeable(std::string_view what) const;
     void bury(Tombstone tombstone);
     /// nullptr where the instance lives, or was deleted too long ago.
     const Tombstone* tombstone(Handle handle) const;
-    /// Formulas compute and functions that are asked answer; neither changes anything.
-    void forbid_in_formula(const char* what) const;
     /// To be called whenever the writer is another, or an edit begins or ends.
     void note_recording() {
         records = history.recording(writer);
@@ -187,12 +202,14 @@ struct Tree::State {
     void check_child_name(Handle parent, std::string_view name) const;
     void finish_making(Handle self, const Class& of);
     void unmake(Handle self);
-    void destroy_one(std::uint32_t index);
+    /// `remember`: who asks for it later is told who deleted it.
+    void destroy_one(std::uint32_t index, const Cause& cause, bool remember);
     void destroy_below(std::uint32_t top);
     void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
 
     // tree_placing.cpp
     void require_movable(Handle instance) const;
+    void require_room_below(Handle parent, std::size_t levels) const;
     void place_subtree(Handle top);
     void hang(Handle instance, const Position& at);
     void hang_back(Handle instance, const Position& was);
@@ -231,7 +248,7 @@ struct Tree::State {
     void queue_change(Handle handle, const Property& property, const Value& old_value,
                       const Value& new_value, const Cause& cause);
     void queue_item(QueueItem item);
-    void queue_deletion(Handle handle, const Class& of, const std::string& path);
+    void queue_deletion(Handle handle, const Class& of, const Cause& cause);
     /// The same for one that is gone already. `own`: only its own watchers knew it.
     void queue_farewell(Existence gone, bool only_own);
     bool wants_farewell(Handle handle, const Class& of, bool only_own) const;

@@ -5,6 +5,8 @@
 #include <shared_mutex>
 #include <unordered_map>
 
+#include <fettle/property/error.h>
+
 namespace fettle::property {
 namespace {
 
@@ -35,6 +37,12 @@ Symbol::Symbol(std::string_view text) {
         id_ = found->second;
         return;
     }
+    if (t.texts.size() > most)
+        throw Error(ErrorKind::bad_name,
+                    "\"" + std::string(text.substr(0, 80)) + "\": there are " +
+                        std::to_string(most) +
+                        " different names already, and names are never given back; number things "
+                        "by an underscore and digits, as in ball_17, or keep them in a list");
     id_ = static_cast<std::uint32_t>(t.texts.size());
     t.ids.emplace(t.texts.emplace_back(text), id_);
 }

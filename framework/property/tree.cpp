@@ -97,7 +97,9 @@ void Tree::State::define_object() {
 // ---------------------------------------------------------------------------------------------------------
 
 const Class& Tree::define(ClassDescriptor descriptor) {
+    require_changeable("define a class");
     Class& made = state_->classes.define(std::move(descriptor));
+    add_weight(weight_of_class);
     state_->stored.push_back(made.stored_.empty() ? nullptr
                                                   : std::make_unique<StoredColumns>(made));
     for (const Property& property : made.own_properties_)
@@ -135,6 +137,9 @@ Handle Tree::root() const {
 void Tree::State::check_child_name(Handle parent, std::string_view name) const {
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) throw Error(ErrorKind::bad_name, "the name of an instance cannot be empty");
+    if (name.find('\0') != std::string_view::npos)
+        throw Error(ErrorKind::bad_name, (parent ? tree.path(parent) + ": " : std::string()) +
+                                             "the name " + quoted + " holds a zero byte");
     if (!parent) return;
     if (parent == root && name == "game")
         throw Error(ErrorKind::bad_name, "\"game\" is the root itself, not a child of it");
@@ -160,6 +165,8 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     }
     if (again) nodes.revive(again);
     const std::uint32_t index = again ? again.index : nodes.allocate();
+    add_weight(named && name.number == 0 ? weight_of_instance + weight_of_name
+                                         : weight_of_instance);
     nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
     nodes[index].named = named;
     nodes[index].fresh = true;
@@ -179,6 +186,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
             if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
             nodes.unlink(index);
             nodes.release(index);
+            add_weight(-weight_of_instance);
             throw;
         }
     }
@@ -233,14 +241,19 @@ void Tree::State::unmake(Handle self) {
 void Tree::State::destroy_below(std::uint32_t top) {
     std::vector<std::uint32_t> order;
     visit_below(top, [&](std::uint32_t i) { order.push_back(i); });
-    for (auto i = order.rbegin(); i != order.rend(); ++i) destroy_one(*i);
+    const Cause by = tree.cause();
+    for (std::size_t left = order.size(); left > 0; --left)
+        destroy_one(order[left - 1], by, left <= most_tombstones);
 }
 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
-    s.forbid_in_formula("create an instance");
+    s.require_changeable("create an instance");
     s.require_own(instance_class);
-    if (parent) s.require(parent);
+    if (parent) {
+        s.require(parent);
+        s.require_room_below(parent, 1);
+    }
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
     if (name.empty() && parent) chosen = s.nodes.free_name(parent.index, instance_class.stem());
@@ -251,8 +264,10 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
 
 void Tree::State::structure_changed(std::uint32_t parent, const NodeName& name) {
     ++upheavals;
+    ++structure;
     if (formulas.size() == 0) return;
-    formulas.changed({parent, Symbol(name.text())});
+    // A name that nobody has asked for is no symbol, and does not become one.
+    if (const Symbol asked = Symbol::find(name.text())) formulas.changed({parent, asked});
     formulas.structure_changed();
 }
 
@@ -283,12 +298,11 @@ void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) cons
         if (alive(handle)) visit(handle);
 }
 
-void Tree::State::destroy_one(std::uint32_t index) {
+void Tree::State::destroy_one(std::uint32_t index, const Cause& cause, bool remember) {
     const Handle self = nodes.handle(index);
     const Class& of = classes[nodes[index].class_id];
-    const std::string path = tree.path(self);
-    queue_deletion(self, of, path);
-    bury({self, &of, nodes[index].name.text(), path, tree.cause()});
+    queue_deletion(self, of, cause);
+    if (remember) bury({self, &of, nodes[index].name.text(), tree.path(self), cause});
     shadows.forget(tree, self);
     note_listeners();
     if (nodes[index].has_formula)
@@ -299,7 +313,13 @@ void Tree::State::destroy_one(std::uint32_t index) {
     const Lifecycle& lifecycle = of.lifecycle();
     if (lifecycle.destroy) lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
     if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
-    if (nodes[index].has_ad_hoc) ad_hoc.erase(index);
+    add_weight(-weight_of_instance);
+    if (nodes[index].has_ad_hoc) {
+        const auto own = ad_hoc.find(index);
+        for (const auto& [name_of_own, cell] : own->second)
+            add_weight(-weight_of_own_property - weight_beside(cell.second));
+        ad_hoc.erase(own);
+    }
     nodes.unlink(index);
     nodes.release(index, history.keeps_slots());
     structure_changed(parent, name);
@@ -309,7 +329,7 @@ void Tree::State::destroy_one(std::uint32_t index) {
 void Tree::destroy(Handle instance) {
     State& s = *state_;
     s.require(instance);
-    s.forbid_in_formula("delete an instance");
+    s.require_changeable("delete an instance");
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     // Nobody will undo the end of the tree, and its modules may be gone already.
@@ -320,9 +340,8 @@ void Tree::destroy(Handle instance) {
 }
 
 void Tree::State::bury(Tombstone gone) {
-    constexpr std::size_t most = 8192;
     tombstones.push_back(std::move(gone));
-    if (tombstones.size() > most) tombstones.pop_front();
+    if (tombstones.size() > most_tombstones) tombstones.pop_front();
 }
 
 const Tombstone* Tree::State::tombstone(Handle handle) const {
@@ -389,10 +408,14 @@ std::vector<Handle> Tree::children(Handle instance) const {
 
 std::size_t Tree::child_count(Handle instance) const {
     if (in_formula()) state_->formulas.note_structure();
-    std::size_t count = 0;
-    for (std::uint32_t i = state_->require(instance).first_child; i != 0; i = state_->nodes[i].next)
-        ++count;
-    return count;
+    state_->require(instance);
+    return state_->nodes.child_count(instance.index);
+}
+
+Handle Tree::nth_child(Handle instance, std::uint64_t n) const {
+    if (in_formula()) state_->formulas.note_structure();
+    state_->require(instance);
+    return state_->nodes.handle(state_->nodes.nth_child(instance.index, n));
 }
 
 Handle Tree::child(Handle instance, std::string_view name) const {
@@ -405,6 +428,10 @@ bool Tree::is_below(Handle instance, Handle ancestor) const {
     for (std::uint32_t i = state_->require(instance).parent; i != 0; i = state_->nodes[i].parent)
         if (i == ancestor.index) return alive(ancestor);
     return false;
+}
+
+std::uint64_t Tree::structure() const {
+    return state_->structure;
 }
 
 std::size_t Tree::size() const {

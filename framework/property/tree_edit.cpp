@@ -22,6 +22,9 @@
 namespace fettle::property {
 namespace {
 
+// Names of ad-hoc properties in a tree: their descriptors stay for ever.
+constexpr std::size_t most_own_names = 100'000;
+
 template <class T>
 T load(const std::byte* at) {
     T value;
@@ -249,7 +252,7 @@ void Tree::State::written(Handle handle, const Node& node, const Property& prope
 void Tree::set(Handle instance, const Property& property, const Value& value) {
     State& s = *state_;
     const Node& node = s.require(instance, property);
-    s.forbid_in_formula("write");
+    s.require_changeable("write");
     if (value.is(property.type)) {
         bool done = false;
         if (value.is(Type::number)) done = write(instance, property, value.number());
@@ -281,6 +284,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     } catch (const std::invalid_argument& refusal) {
         throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
     }
+    s.add_weight(weight_beside(next) - weight_beside(old));
     // A value that was taken replaces the formula; one that was refused leaves it.
     if (had_formula) s.drop_formula(instance, property);
     // The setter may have moved nodes (a rename, another parent), so the node is looked up again.
@@ -298,7 +302,7 @@ void Tree::set(Handle instance, std::string_view name, const Value& value) {
 void Tree::reset(Handle instance, const Property& property) {
     State& s = *state_;
     const Node& node = s.require(instance, property);
-    s.forbid_in_formula("write");
+    s.require_changeable("write");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
     if (property.binding.kind == BindingKind::ad_hoc) return remove_ad_hoc(instance, property.name);
@@ -341,6 +345,15 @@ bool Tree::overridden(Handle instance, const Property& property) const {
 const Property& Tree::State::ad_hoc_property(Symbol name) {
     std::unique_ptr<Property>& slot = ad_hoc_properties[name];
     if (slot == nullptr) {
+        if (ad_hoc_properties.size() > most_own_names) {
+            ad_hoc_properties.erase(name);
+            throw Error(ErrorKind::bad_name,
+                        "\"" + name.text().substr(0, 80) + "\": properties of " +
+                            std::to_string(most_own_names) +
+                            " different names were added already; keep what is counted in a list, "
+                            "or in children");
+        }
+        add_weight(weight_of_own_descriptor);
         slot = std::make_unique<Property>();
         slot->name = name.text();
         slot->symbol = name;
@@ -355,6 +368,7 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
 
 void Tree::State::put_ad_hoc(Handle instance, const Property& added, const Value& value) {
     Node& node = require(instance);
+    add_weight(weight_of_own_property + weight_beside(value));
     ad_hoc[instance.index].emplace(added.name, std::pair(&added, value));
     node.has_ad_hoc = true;
     written(instance, node, added, Value());
@@ -362,13 +376,15 @@ void Tree::State::put_ad_hoc(Handle instance, const Property& added, const Value
 
 const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
                                         const Value& value) {
-    forbid_in_formula("write");
+    require_changeable("write");
     const Class& of = tree.class_of(instance);
     const auto refuse = [&](ErrorKind kind, const std::string& reason) {
         throw Error(kind, tree.path(instance) + ": " + reason);
     };
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) refuse(ErrorKind::bad_name, "the name of a property cannot be empty");
+    if (name.find('\0') != std::string_view::npos)
+        refuse(ErrorKind::bad_name, "the name " + quoted + " holds a zero byte");
     if (of.method(name) != nullptr)
         refuse(ErrorKind::bad_name, quoted + " is a method of " + of.name());
     if (tree.child(instance, name)) refuse(ErrorKind::bad_name, quoted + " is a child here");
@@ -401,13 +417,14 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     auto& own = s.ad_hoc.at(instance.index);
     const auto found = own.find(std::string(name));
     if (found == own.end()) return;
-    s.forbid_in_formula("write");
+    s.require_changeable("write");
     const Property* const property = found->second.first;
     const Value old = found->second.second;
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, *property);
     if (node.has_formula) s.drop_formula(instance, *property);
     own.erase(found);
+    s.add_weight(-weight_of_own_property - weight_beside(old));
     if (own.empty()) {
         s.ad_hoc.erase(instance.index);
         node.has_ad_hoc = false;

@@ -10,15 +10,19 @@
 
 namespace fettle::property {
 
-void Tree::State::forbid_in_formula(const char* what) const {
+void Tree::State::require_changeable(std::string_view what) const {
     if (formulas.tracking())
-        throw Error(ErrorKind::formula,
-                    std::string("a formula computes a value: it cannot ") + what);
+        throw Error(ErrorKind::formula, "the formula of " + formulas.running() +
+                                            " computes a value: it cannot " + std::string(what));
     if (inquiry != nullptr) inquiry->refuse(what);
 }
 
-void Tree::require_changeable(const char* what) const {
-    state_->forbid_in_formula(what);
+void Tree::require_changeable(std::string_view what) const {
+    state_->require_changeable(what);
+}
+
+bool Tree::changeable() const {
+    return !state_->formulas.tracking() && state_->inquiry == nullptr;
 }
 
 void Tree::State::drop_formula(Handle instance, const Property& property) {
@@ -28,7 +32,7 @@ void Tree::State::drop_formula(Handle instance, const Property& property) {
 void Tree::set_formula(Handle instance, const Property& property, Formula formula) {
     State& s = *state_;
     s.require(instance, property);
-    s.forbid_in_formula("define a formula");
+    s.require_changeable("define a formula");
     if (!formula.function)
         throw Error(ErrorKind::wrong_type,
                     path(instance, property) + ": a formula needs a function");
@@ -61,7 +65,7 @@ const Formula* Tree::formula(Handle instance, const Property& property) const {
 void Tree::remove_formula(Handle instance, const Property& property) {
     state_->require(instance, property);
     State& s = *state_;
-    s.forbid_in_formula("end a formula");
+    s.require_changeable("end a formula");
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
@@ -101,11 +105,11 @@ void Tree::end_edit() {
     state_->history.end();
 }
 UndoResult Tree::undo() {
-    state_->forbid_in_formula("undo");
+    state_->require_changeable("undo");
     return state_->history.undo();
 }
 UndoResult Tree::redo() {
-    state_->forbid_in_formula("redo");
+    state_->require_changeable("redo");
     return state_->history.redo();
 }
 std::vector<HistoryEntry> Tree::history() const {

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
@@ -38,6 +37,8 @@ class CallScope {
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
     State& s = *state_;
     s.require_method(instance, method);
+    if (method.effect != Effect::nothing && !changeable())
+        s.require_changeable("call " + method.name);
     const State::Use use(s);
     const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
     if (arguments.size() < method.required || arguments.size() > method.parameters.size())
@@ -66,8 +67,6 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         coerced[i] =
             coerce_value(as, arguments[i], {.tree = this, .path = name, .what = &argument});
     }
-    if (method.effect != Effect::nothing && state_->inquiry != nullptr)
-        state_->forbid_in_formula(("call " + method.name).c_str());
     Result result;
     {
         const CallScope scope(s, instance, method, coerced);

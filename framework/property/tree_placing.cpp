@@ -1,4 +1,5 @@
-// Instances of a tree get other names and other parents: all of what hangs below them, or nothing.
+// Instances of a tree get other names and other parents, all of what hangs below them or nothing;
+// and how deep a tree may be.
 
 #include <optional>
 #include <stdexcept>
@@ -19,10 +20,19 @@ void Tree::State::require_movable(Handle instance) const {
                     tree.path(instance) + ": the " + of.name() + " cannot be moved or renamed");
 }
 
+/// What is to hang below has `levels` levels.
+void Tree::State::require_room_below(Handle parent, std::size_t levels) const {
+    if (nodes.depth(parent.index) + levels <= Nodes::deepest) return;
+    std::string path = tree.path(parent);
+    if (path.size() > 80) path = path.substr(0, 50) + "…" + path.substr(path.size() - 25);
+    throw Error(ErrorKind::bad_structure, path + ": nothing can hang so deep; a tree has " +
+                                              std::to_string(Nodes::deepest) + " levels at most");
+}
+
 void Tree::rename(Handle instance, std::string_view name) {
     State& s = *state_;
     Node& node = s.require(instance);
-    s.forbid_in_formula("rename an instance");
+    s.require_changeable("rename an instance");
     if (node.name.text() == name) return;
     if (instance == s.root)
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
@@ -121,7 +131,7 @@ void Tree::replace(Handle old, Handle by) {
     State& s = *state_;
     s.require(old);
     s.require(by);
-    s.forbid_in_formula("replace an instance");
+    s.require_changeable("replace an instance");
     const Position at = s.history.position(old), was = s.history.position(by);
     s.require_movable(old);
     if (!at.parent || was.parent || by == s.root || old == by || is_below(old, by))
@@ -139,11 +149,12 @@ void Tree::replace(Handle old, Handle by) {
 void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
     State& s = *state_;
     const Node& node = s.require(instance);
-    s.forbid_in_formula("move an instance");
+    s.require_changeable("move an instance");
     if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
     s.require_movable(instance);
     if (new_parent) {
         s.require(new_parent);
+        s.require_room_below(new_parent, s.nodes.height(instance.index));
         if (new_parent == instance || is_below(new_parent, instance))
             throw Error(
                 ErrorKind::bad_structure,

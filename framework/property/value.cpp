@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include <fettle/property/error.h>
+#include "weight.h"
 
 namespace fettle::property {
 
@@ -65,6 +66,14 @@ const std::string& Value::text() const {
 }
 const List& Value::list() const {
     return as(Type::list).shared->list;
+}
+
+std::size_t size_of(const Value& value) {
+    std::size_t bytes = sizeof(Value);
+    if (value.is(Type::text)) bytes += value.text().size() + 64;
+    if (value.is(Type::list))
+        for (const Value& element : value.list()) bytes += size_of(element);
+    return bytes;
 }
 
 bool operator==(const Value& a, const Value& b) {

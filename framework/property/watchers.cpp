@@ -1,6 +1,7 @@
 #include "watchers.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include <fettle/property/tree.h>
 
@@ -17,7 +18,7 @@ bool Connection::active() const {
     return watchers && (*watchers)->active(id_);
 }
 
-Watchers::List* Watchers::list_of(const Watcher& watcher) {
+WatcherList* Watchers::list_of(const Watcher& watcher) {
     switch (watcher.kind) {
         case WatchKind::cell:
             return &cells_[{watcher.index, watcher.property}];
@@ -38,26 +39,29 @@ Watchers::List* Watchers::list_of(const Watcher& watcher) {
     return nullptr;
 }
 
-namespace {
-
-bool older(const Watcher* a, const Watcher* b) {
-    return a->id < b->id;
+void WatcherList::take_out(const Watcher& watcher) {
+    const auto at = std::lower_bound(entries_.begin(), entries_.end(), watcher.id,
+                                     [](const Entry& e, WatcherId id) { return e.id < id; });
+    if (at == entries_.end() || at->watcher != &watcher) return;
+    at->watcher = nullptr;
+    if (++holes_ * 2 <= entries_.size()) return;
+    std::erase_if(entries_, [](const Entry& entry) { return entry.watcher == nullptr; });
+    holes_ = 0;
 }
 
-// The list is in order of registration: nobody need look through all of it.
-void take_out(std::vector<Watcher*>& list, Watcher& watcher) {
-    const auto at = std::lower_bound(list.begin(), list.end(), &watcher, older);
-    if (at != list.end() && *at == &watcher) list.erase(at);
+void WatcherList::append_to(std::vector<Watcher*>& out) const {
+    for (const Entry& entry : entries_)
+        if (entry.watcher != nullptr) out.push_back(entry.watcher);
 }
-
-}  // namespace
 
 Connection Watchers::add(Watcher watcher) {
+    tree_.require_changeable("watch anything");
     watcher.id = ++last_id_;
     Watcher& kept =
         *all_.emplace(last_id_, std::make_unique<Watcher>(std::move(watcher))).first->second;
-    list_of(kept)->push_back(&kept);
-    if (kept.index != 0) on_index_[kept.index].push_back(&kept);
+    tree_.add_weight(weight_of_watcher);
+    list_of(kept)->add(kept);
+    if (kept.index != 0) on_index_[kept.index].add(kept);
     if (kept.event != nullptr) ++kept.event->listeners;
     broad_ += kept.broad();
     tree_.state().watcher_added(kept);
@@ -78,7 +82,8 @@ void Watchers::stop(WatcherId id) {
 }
 
 void Watchers::unlist(Watcher& watcher) {
-    take_out(*list_of(watcher), watcher);
+    tree_.add_weight(-weight_of_watcher);
+    list_of(watcher)->take_out(watcher);
     broad_ -= watcher.broad();
     const auto drop_if_empty = [](auto& map, const auto& key) {
         const auto entry = map.find(key);
@@ -93,7 +98,7 @@ void Watchers::unlist(Watcher& watcher) {
         drop_if_empty(events_, Cell{watcher.index, watcher.event->symbol});
     }
     if (const auto on = on_index_.find(watcher.index); on != on_index_.end()) {
-        take_out(on->second, watcher);
+        on->second.take_out(watcher);
         if (on->second.empty()) on_index_.erase(on);
     }
 }
@@ -101,11 +106,13 @@ void Watchers::unlist(Watcher& watcher) {
 void Watchers::retire(std::uint32_t index, const std::vector<WatcherId>& keep) {
     const auto on = on_index_.find(index);
     if (on == on_index_.end()) return;
-    const List retired = on->second;
+    List retired;
+    on->second.append_to(retired);
+    const std::unordered_set<WatcherId> kept(keep.begin(), keep.end());
     for (Watcher* watcher : retired) {
         unlist(*watcher);
         watcher->active = false;
-        if (std::find(keep.begin(), keep.end(), watcher->id) != keep.end()) continue;
+        if (kept.contains(watcher->id)) continue;
         const auto found = all_.find(watcher->id);
         if (handlers_run_ > 0) stopped_.push_back(std::move(found->second));
         all_.erase(found);
@@ -145,9 +152,7 @@ template <class Visit>
 bool Watchers::any_broad_on(const Property& property, Visit visit) const {
     for (const Symbol name : {property.symbol, Symbol()}) {
         const auto list = broad_lists_.find(name);
-        if (list != broad_lists_.end() &&
-            std::any_of(list->second.begin(), list->second.end(), visit))
-            return true;
+        if (list != broad_lists_.end() && list->second.any(visit)) return true;
     }
     return false;
 }
@@ -202,14 +207,15 @@ namespace {
 // Those registered up to `until`, in order of registration.
 void put_in_order(std::vector<Watcher*>& list, WatcherId until) {
     std::erase_if(list, [until](const Watcher* watcher) { return watcher->id > until; });
-    if (list.size() > 1) std::sort(list.begin(), list.end(), older);
+    const auto older = [](const Watcher* a, const Watcher* b) { return a->id < b->id; };
+    if (!std::is_sorted(list.begin(), list.end(), older))
+        std::sort(list.begin(), list.end(), older);
 }
 
 template <class Map, class Key>
 void append(std::vector<Watcher*>& out, const Map& map, const Key& key) {
     if (map.empty()) return;
-    if (const auto found = map.find(key); found != map.end())
-        out.insert(out.end(), found->second.begin(), found->second.end());
+    if (const auto found = map.find(key); found != map.end()) found->second.append_to(out);
 }
 
 }  // namespace
@@ -236,17 +242,19 @@ Watchers::List Watchers::of_event(std::uint32_t index, const Class& instance_cla
                                   const Event& event, WatcherId until) const {
     List out;
     append(out, events_, Cell{index, event.symbol});
-    for (Watcher* watcher : class_events_)
+    class_events_.any([&](Watcher* watcher) {
         if (watcher->event->symbol == event.symbol && instance_class.is_a(*watcher->of))
             out.push_back(watcher);
+        return false;
+    });
     put_in_order(out, until);
     return out;
 }
 
 Watchers::List Watchers::of_creation(const Class& instance_class, WatcherId until) const {
     List out;
-    for (Watcher* watcher : created_)
-        if (instance_class.is_a(*watcher->of)) out.push_back(watcher);
+    created_.append_to(out);
+    std::erase_if(out, [&](const Watcher* each) { return !instance_class.is_a(*each->of); });
     put_in_order(out, until);
     return out;
 }
@@ -256,8 +264,10 @@ std::vector<WatcherId> Watchers::of_deletion(std::uint32_t index, const Class& i
     List out;
     append(out, deleted_on_, index);
     if (!only_own)
-        for (Watcher* watcher : deleted_)
+        deleted_.any([&](Watcher* watcher) {
             if (instance_class.is_a(*watcher->of)) out.push_back(watcher);
+            return false;
+        });
     put_in_order(out, last_id_);
     std::vector<WatcherId> ids;
     for (const Watcher* watcher : out) ids.push_back(watcher->id);

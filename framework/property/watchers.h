@@ -2,6 +2,7 @@
 // Watchers: who wants to hear of what. They are found by what they watch, called in the order they
 // were registered, and survive whatever a handler does to them meanwhile.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -58,6 +59,31 @@ struct Watcher {
 
 /// The names of a path, the root's left out; none where an instance is detached.
 std::vector<std::string> names_above(const Tree& tree, Handle instance);
+
+/// Watchers in order of registration. One that is taken out leaves a hole, and the holes are closed
+/// when they are the greater part: however many there are, taking out costs a search among them.
+class WatcherList {
+  public:
+    void add(Watcher& watcher) { entries_.push_back({watcher.id, &watcher}); }
+    void take_out(const Watcher& watcher);
+    bool empty() const { return entries_.size() == holes_; }
+    void append_to(std::vector<Watcher*>& out) const;
+    /// Whether `test` is true of one; it is not asked further then.
+    template <class Test>
+    bool any(Test test) const {
+        return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+            return entry.watcher != nullptr && test(entry.watcher);
+        });
+    }
+
+  private:
+    struct Entry {
+        WatcherId id = 0;
+        Watcher* watcher = nullptr;  // null: a hole
+    };
+    std::vector<Entry> entries_;
+    std::size_t holes_ = 0;
+};
 
 class Watchers {
   public:
@@ -127,7 +153,7 @@ class Watchers {
   private:
     template <class Visit>
     bool any_broad_on(const Property& property, Visit visit) const;
-    List* list_of(const Watcher& watcher);
+    WatcherList* list_of(const Watcher& watcher);
     void unlist(Watcher& watcher);
 
     Tree& tree_;
@@ -136,15 +162,15 @@ class Watchers {
     std::unordered_map<WatcherId, std::unique_ptr<Watcher>> all_;
     std::vector<std::unique_ptr<Watcher>> stopped_;  // while handlers run
     int handlers_run_ = 0;                           // calls of handlers, one in the other
-    std::unordered_map<Cell, List, CellHash> cells_;
-    std::unordered_map<std::uint32_t, List> instances_;
-    std::unordered_map<std::uint32_t, List> deleted_on_;
-    std::unordered_map<Cell, List, CellHash> events_;
-    std::unordered_map<std::uint32_t, List> on_index_;  // of any of these kinds
+    std::unordered_map<Cell, WatcherList, CellHash> cells_;
+    std::unordered_map<std::uint32_t, WatcherList> instances_;
+    std::unordered_map<std::uint32_t, WatcherList> deleted_on_;
+    std::unordered_map<Cell, WatcherList, CellHash> events_;
+    std::unordered_map<std::uint32_t, WatcherList> on_index_;  // of any of these kinds
     // By the property they are about; those about several under the empty symbol.
-    std::unordered_map<Symbol, List> broad_lists_;
+    std::unordered_map<Symbol, WatcherList> broad_lists_;
     std::size_t broad_ = 0;
-    List created_, deleted_, class_events_;
+    WatcherList created_, deleted_, class_events_;
 };
 
 }  // namespace fettle::property

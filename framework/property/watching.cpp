@@ -14,6 +14,15 @@ void Tree::State::count_interest(const Watcher& watcher, int sign) {
         if (Watchers::may_want(watcher, property))
             property.note_interest(property.interest + static_cast<std::uint32_t>(sign));
     };
+    if (watcher.property) {  // about one name: whatever else there is need not be looked at
+        for (std::uint32_t i = 0; i < classes.size(); ++i) {
+            const Property* property = classes[i].property(watcher.property);
+            if (property != nullptr && property->owner == &classes[i]) count(*property);
+        }
+        const auto own = ad_hoc_properties.find(watcher.property);
+        if (own != ad_hoc_properties.end()) count(*own->second);
+        return;
+    }
     for (std::uint32_t i = 0; i < classes.size(); ++i)
         for (const Property& property : classes[i].own_properties_) count(property);
     for (const auto& [name, property] : ad_hoc_properties) count(*property);
@@ -29,9 +38,14 @@ void Tree::State::refresh_shadows_below(std::uint32_t top) {
 template <class Visit>
 void Tree::State::each_cell_wanted(const Watcher& watcher, Visit visit) {
     std::vector<std::vector<const Property*>> of_class(classes.size());
+    bool any = false;
     for (std::uint32_t c = 0; c < classes.size(); ++c)
         for (const Property* property : classes[c].observed_)
-            if (Watchers::may_want(watcher, *property)) of_class[c].push_back(property);
+            if (Watchers::may_want(watcher, *property)) {
+                of_class[c].push_back(property);
+                any = true;
+            }
+    if (!any) return;
     const auto look_at = [&](std::uint32_t i) {
         for (const Property* property : of_class[nodes[i].class_id])
             if (watchers.wants(watcher, nodes.handle(i), *property))

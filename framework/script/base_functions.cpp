@@ -6,6 +6,7 @@
 
 #include <fettle/property/error.h>
 
+#include "errors.h"
 #include "format.h"
 #include "guard.h"
 #include "machine.h"
@@ -190,6 +191,18 @@ int sorted_pairs(lua_State* L) {
     return 3;
 }
 
+// Lua's own, upvalue 1, begins with what cannot have elements as well, and complains about it later
+// and elsewhere.
+int ipairs(lua_State* L) {
+    luaL_checkany(L, 1);
+    const int type = lua_type(L, 1);
+    if (type != LUA_TTABLE &&
+        (type == LUA_TSTRING || luaL_getmetafield(L, 1, "__index") == LUA_TNIL))
+        throw Error(ErrorKind::wrong_type, "ipairs: needs a list, not " + describe_type(L, 1));
+    lua_settop(L, 1);
+    return call_original(L);
+}
+
 // --- Metatables
 
 int set_metatable(lua_State* L) {
@@ -261,7 +274,7 @@ int load_chunk(lua_State* L) {
     if (!text && lua_type(L, 1) != LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type,
                     "load: needs a text or a function, not " + describe_type(L, 1));
-    const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "=(load)";
+    const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : "=(load)";
     lua_settop(L, 4);
     lua_pushnil(L);  // 5
     int status;
@@ -294,6 +307,7 @@ int call_handler(lua_State* L) {
     Machine& machine = machine_of(L);
     if (machine.budget.stopping()) return 1;
     lua_settop(L, 1);
+    add_missing_position(L, L, 1);
     lua_pushvalue(L, lua_upvalueindex(1));
     lua_insert(L, 1);
     lua_call(L, 1, 1);
@@ -304,7 +318,7 @@ int call_handler(lua_State* L) {
 constexpr std::uint64_t cost_of_error = 300;
 
 int finish_pcall(lua_State* L, int status, lua_KContext) {
-    if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L);
+    if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L) - 1;  // all but the handler
     machine_of(L).budget.charge(L, cost_of_error);
     lua_pushboolean(L, 0);
     lua_insert(L, -2);
@@ -313,9 +327,10 @@ int finish_pcall(lua_State* L, int status, lua_KContext) {
 
 int protected_call(lua_State* L) {
     luaL_checkany(L, 1);
+    lua_pushcfunction(L, placing_handler);
     lua_pushboolean(L, 1);  // first result when all goes well
-    lua_insert(L, 1);
-    const int status = lua_pcallk(L, lua_gettop(L) - 2, LUA_MULTRET, 0, 0, finish_pcall);
+    lua_rotate(L, 1, 2);
+    const int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, 0, finish_pcall);
     return finish_pcall(L, status, 0);
 }
 
@@ -376,7 +391,6 @@ int quit(lua_State* L) {
         if (!whole || status < 0 || status > 255)
             throw Error(ErrorKind::out_of_range, "quit: a status is a whole number from 0 to 255");
     }
-    machine_of(L).tree.require_changeable("end the game");
     machine_of(L).quit_status = static_cast<int>(status);
     return 0;
 }
@@ -389,17 +403,18 @@ int degrees(lua_State* L) {
 }  // namespace
 
 void open_base(lua_State* L) {
-    add_function<to_text>(L, "tostring");
-    add_function<print>(L, "print");
-    add_function<sorted_pairs>(L, "pairs");
-    add_function<set_metatable>(L, "setmetatable");
-    add_function<get_metatable>(L, "getmetatable");
-    add_function<load_chunk>(L, "load");
-    add_function<protected_call>(L, "pcall");
-    add_function<protected_call_with_handler>(L, "xpcall");
-    add_function<collect_garbage>(L, "collectgarbage");
+    add_pure<to_text>(L, "tostring");
+    add_pure<print>(L, "print");
+    add_pure<sorted_pairs>(L, "pairs");
+    wrap_pure<ipairs>(L, "_G", "ipairs");
+    add_pure<set_metatable>(L, "setmetatable");
+    add_pure<get_metatable>(L, "getmetatable");
+    add_pure<load_chunk>(L, "load");
+    add_pure<protected_call>(L, "pcall");
+    add_pure<protected_call_with_handler>(L, "xpcall");
+    add_pure<collect_garbage>(L, "collectgarbage");
     add_function<quit>(L, "quit");
-    add_function<degrees>(L, "deg");
+    add_pure<degrees>(L, "deg");
 }
 
 }  // namespace fettle::script

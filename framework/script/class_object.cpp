@@ -30,6 +30,26 @@ using property::Type;
 using property::Value;
 
 namespace {
+constexpr std::size_t most_kinds = 8;  // that a message names
+}  // namespace
+
+std::string why_not_creatable(const property::Tree& tree, const Class& of) {
+    std::string made_of;
+    std::size_t kinds = 0;
+    for (const Class* each : tree.classes())
+        if (each != &of && each->is_a(of) && each->creatable() && ++kinds <= most_kinds)
+            made_of += (kinds == 1 ? "" : ", ") + each->name();
+    if (kinds > most_kinds) made_of += " ...";
+    if (kinds > 0) return "it is what these have in common: " + made_of;
+    std::vector<std::string> paths;
+    tree.each_below(tree.root(), [&](Handle handle) {
+        if (&tree.class_of(handle) == &of) paths.push_back(tree.path(handle));
+    });
+    if (paths.size() == 1) return "the framework makes the one there is, " + paths.front();
+    return "only the framework makes them";
+}
+
+namespace {
 
 struct ClassBox {
     Tag tag;
@@ -192,7 +212,7 @@ int construct(lua_State* L) {
     Machine& machine = machine_of(L);
     if (!of->creatable())
         throw Error(ErrorKind::bad_structure,
-                    of->name() + ": cannot be made; the framework makes the one there is");
+                    of->name() + ": cannot be made; " + why_not_creatable(machine.tree, *of));
     if (lua_gettop(L) >= 2 && !lua_istable(L, 2))
         throw Error(ErrorKind::wrong_type, of->name() + ": needs a table, as in " + of->name() +
                                                " { }, not " + describe_type(L, 2));
@@ -227,13 +247,13 @@ int class_index(lua_State* L) {
     Machine& machine = machine_of(L);
     if (!of || lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name, "a class has functions by name");
-    const std::string name = lua_tostring(L, 2);
+    const std::string name = string_at(L, 2);
     if (machine.classes->push_function(L, *of)) return 1;
     if (push_class_field(L, machine, *of, name)) return 1;
     if (name == "on") {
-        lua_pushcfunction(L, guarded<subscribe_event>);
+        lua_pushcfunction(L, guarded<effect<subscribe_event>>);
     } else if (name == "watch") {
-        lua_pushcfunction(L, guarded<subscribe_property>);
+        lua_pushcfunction(L, guarded<effect<subscribe_property>>);
     } else {
         unknown_class_member(machine, *of, name);
     }
@@ -244,14 +264,14 @@ int class_newindex(lua_State* L) {
     const Class* of = class_object_at(L, 1);
     if (!of || lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name, "a class has functions by name");
-    const std::string name = lua_tostring(L, 2);
+    const std::string name = string_at(L, 2);
+    machine_of(L).tree.require_changeable("define " + of->name() + "." + name);
     if (lua_type(L, 3) != LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type,
                     of->name() + "." + name + ": a class takes functions, not " +
                         describe_type(L, 3) + "; properties are declared in class(...) { }");
     lua_settop(L, 3);
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("give a class a function");
     machine.classes->set_function(L, *of, name);
     return 0;
 }
@@ -290,40 +310,56 @@ std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int
     std::vector<std::pair<std::string, std::string>> docs;
     lua_pushstring(L, "doc");
     lua_rawget(L, table);
-    if (lua_type(L, -1) == LUA_TSTRING) class_doc = lua_tostring(L, -1);
+    if (lua_type(L, -1) == LUA_TSTRING) class_doc = string_at(L, -1);
     if (lua_istable(L, -1)) {
         const int doc = lua_gettop(L);
         for (const std::string& key : sorted_keys(L, doc, "doc")) {
-            lua_pushstring(L, key.c_str());
-            if (lua_rawget(L, doc) == LUA_TSTRING) docs.emplace_back(key, lua_tostring(L, -1));
+            lua_pushlstring(L, key.data(), key.size());
+            if (lua_rawget(L, doc) == LUA_TSTRING) docs.emplace_back(key, string_at(L, -1));
             lua_pop(L, 1);
         }
-        if (lua_rawgeti(L, doc, 1) == LUA_TSTRING) class_doc = lua_tostring(L, -1);
+        if (lua_rawgeti(L, doc, 1) == LUA_TSTRING) class_doc = string_at(L, -1);
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
     return docs;
 }
 
-void refuse_slips(const Class& base, const std::string& class_name, const std::string& name) {
+// Near misses of what the framework declares are slips; what the game declares itself it may name
+// as it likes.
+void refuse_slips(const ScriptClasses& classes, const Class& base, const std::string& class_name,
+                  const std::string& name) {
     if (base.method(name))
         throw Error(ErrorKind::bad_name,
                     class_name + "." + name + ": is a method of " + base.name());
     if (std::find(generic_names().begin(), generic_names().end(), name) != generic_names().end())
         throw Error(ErrorKind::bad_name, class_name + "." + name + ": every instance has that");
-    for (const std::string& known : base.member_names())
+    const auto refuse = [&](const std::string& known) {
         if (property::near_miss(name, known))
             throw Error(ErrorKind::near_miss, class_name + "." + name + ": " + base.name() +
                                                   " has no such property (did you mean \"" + known +
                                                   "\"?)");
+    };
+    for (const Property* declared : base.properties())
+        if (!classes.scripted(*declared->owner)) refuse(declared->name);
+    for (const property::Method* method : base.methods()) refuse(method->name);
+}
+
+// Upvalue: name.
+int not_defined_yet(lua_State* L) {
+    const std::string name = string_at(L, lua_upvalueindex(1));
+    throw Error(ErrorKind::bad_structure, name +
+                                              ": is no class yet; braces with its properties "
+                                              "are missing, as in " +
+                                              name + " = class(\"" + name + "\", Body) { }");
 }
 
 // Upvalues: name, base.
 int define_class(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("define a class");
+    lua_remove(L, 1);  // what class(...) returned
     ScriptClasses::Definition definition;
-    definition.name = lua_tostring(L, lua_upvalueindex(1));
+    definition.name = string_at(L, lua_upvalueindex(1));
     definition.base = class_object_at(L, lua_upvalueindex(2));
     lua_settop(L, 1);
     if (!lua_istable(L, 1))
@@ -333,7 +369,7 @@ int define_class(lua_State* L) {
     std::vector<std::string> functions;
     for (const std::string& key : sorted_keys(L, 1, definition.name)) {
         if (key == "doc") continue;
-        lua_pushstring(L, key.c_str());
+        lua_pushlstring(L, key.data(), key.size());
         if (lua_rawget(L, 1) == LUA_TFUNCTION) {
             functions.push_back(key);
         } else if (const Property* inherited = definition.base->property(key)) {
@@ -346,7 +382,7 @@ int define_class(lua_State* L) {
                 if (name == key) again.doc = doc;
             definition.properties.push_back(std::move(again));
         } else {
-            refuse_slips(*definition.base, definition.name, key);
+            refuse_slips(*machine.classes, *definition.base, definition.name, key);
             Property property = declared(L, definition.name, key);
             for (const auto& [name, doc] : docs)
                 if (name == key) property.doc = doc;
@@ -356,7 +392,7 @@ int define_class(lua_State* L) {
     }
     const Class& made = machine.classes->define(std::move(definition));
     for (const std::string& function : functions) {
-        lua_pushstring(L, function.c_str());
+        lua_pushlstring(L, function.data(), function.size());
         lua_rawget(L, 1);
         machine.classes->set_function(L, made, function);
     }
@@ -371,14 +407,14 @@ int class_function(lua_State* L) {
         throw Error(
             ErrorKind::wrong_type,
             "class: needs a name, as in class(\"Ball\", Body) { }, not " + describe_type(L, 1));
-    const std::string name = lua_tostring(L, 1);
+    const std::string name = string_at(L, 1);
     if (!property::is_identifier(name))
         throw Error(ErrorKind::bad_name, "class: \"" + name + "\" is no name for a class");
     if (lua_isnil(L, 2)) {
         machine.classes->push(L, machine.tree.object_class());
         lua_replace(L, 2);
     } else if (lua_type(L, 2) == LUA_TSTRING) {
-        machine.classes->push(L, machine.tree.class_named(lua_tostring(L, 2)));
+        machine.classes->push(L, machine.tree.class_named(string_at(L, 2)));
         lua_replace(L, 2);
     } else if (!class_object_at(L, 2)) {
         throw Error(ErrorKind::wrong_type,
@@ -386,8 +422,22 @@ int class_function(lua_State* L) {
     }
     const Class* base = class_object_at(L, 2);
     if (!base->creatable())
-        throw Error(ErrorKind::bad_structure, name + ": no class can derive from " + base->name());
-    lua_pushcclosure(L, guarded<define_class>, 2);
+        throw Error(ErrorKind::bad_structure, name + ": no class can derive from " + base->name() +
+                                                  "; " + why_not_creatable(machine.tree, *base));
+    // What comes of it can be called, and says what is missing to whoever takes it for the class.
+    lua_newuserdatauv(L, 0, 0);
+    lua_newtable(L);
+    lua_pushvalue(L, 1);
+    lua_pushvalue(L, 2);
+    lua_pushcclosure(L, guarded<effect<define_class>>, 2);
+    lua_setfield(L, -2, "__call");
+    for (const char* use : {"__index", "__newindex"}) {
+        lua_pushvalue(L, 1);
+        lua_pushcclosure(L, guarded<not_defined_yet>, 1);
+        lua_setfield(L, -2, use);
+    }
+    name_metatable(L, "class without properties");
+    lua_setmetatable(L, -2);
     return 1;
 }
 
@@ -412,10 +462,10 @@ void ScriptClasses::push(lua_State* L, const Class& of) {
 
 void open_classes(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<construct>(L, "__call");
-    add_function<class_index>(L, "__index");
-    add_function<class_newindex>(L, "__newindex");
-    add_function<class_tostring>(L, "__tostring");
+    add_pure<construct>(L, "__call");
+    add_pure<class_index>(L, "__index");
+    add_pure<class_newindex>(L, "__newindex");
+    add_pure<class_tostring>(L, "__tostring");
     name_metatable(L, "class");
     machine.class_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }

@@ -101,7 +101,7 @@ int color_tostring(lua_State* L) {
 int color_make(lua_State* L) {
     const int given = lua_gettop(L);
     if (given == 1 && lua_type(L, 1) == LUA_TSTRING) {
-        const std::string name = lua_tostring(L, 1);
+        const std::string name = string_at(L, 1);
         Color color;
         if (!property::parse_color(name, color))
             throw Error(ErrorKind::wrong_type,
@@ -127,13 +127,13 @@ int color_make(lua_State* L) {
 
 void open_color(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<color_index>(L, "__index");
-    add_function<color_newindex>(L, "__newindex");
-    add_function<color_equal>(L, "__eq");
-    add_function<color_tostring>(L, "__tostring");
+    add_pure<color_index>(L, "__index");
+    add_pure<color_newindex>(L, "__newindex");
+    add_pure<color_equal>(L, "__eq");
+    add_pure<color_tostring>(L, "__tostring");
     name_metatable(L, "color");
     machine.color_meta = luaL_ref(L, LUA_REGISTRYINDEX);
-    add_function<color_make>(L, "color");
+    add_pure<color_make>(L, "color");
 }
 
 }  // namespace fettle::script

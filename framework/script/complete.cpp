@@ -128,7 +128,7 @@ void add_table(lua_State* L, int index, std::size_t separator, Candidates& out) 
     index = lua_absindex(L, index);
     for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
         if (lua_type(L, -2) != LUA_TSTRING) continue;
-        const std::string name = lua_tostring(L, -2);
+        const std::string name = string_at(L, -2);
         const Group group = lua_isfunction(L, -1) ? Group::function : Group::value;
         if (property::is_identifier(name))
             out.add(name, cut(short_text(L, -1), 50), {}, group);
@@ -168,10 +168,10 @@ void add_description(lua_State* L, const DescriptionKind& kind, Candidates& out)
             std::string doc;
             if (push_described(L, -1)) {
                 lua_getfield(L, -1, "doc");
-                if (lua_type(L, -1) == LUA_TSTRING) doc = lua_tostring(L, -1);
+                if (lua_type(L, -1) == LUA_TSTRING) doc = string_at(L, -1);
                 lua_pop(L, 2);
             }
-            out.add(lua_tostring(L, -2), cut(short_text(L, -1), 50), doc, Group::value);
+            out.add(string_at(L, -2), cut(short_text(L, -1), 50), doc, Group::value);
         }
     }
     for (const std::string& field : kind.fields) {
@@ -190,7 +190,7 @@ const TypeDoc* type_of(lua_State* L) {
     if (is_set(L, -1)) return type_doc("Set");
     if (lua_type(L, -1) != LUA_TUSERDATA || luaL_getmetafield(L, -1, "__name") != LUA_TSTRING)
         return nullptr;
-    const std::string name = lua_tostring(L, -1);
+    const std::string name = string_at(L, -1);
     lua_pop(L, 1);
     return name == "connection" ? type_doc("Connection")
            : name == "pen"      ? type_doc("Pen")

@@ -81,6 +81,7 @@ int resume(lua_State* L) {
     int results = 0;
     const int status = run_thread(L, thread, arguments, results);
     if (status > LUA_YIELD) {
+        add_missing_position(thread, thread, 0);
         lua_pushboolean(L, 0);
         lua_xmove(thread, L, 1);
         return 2;
@@ -149,6 +150,7 @@ int resume_thread(lua_State* L, lua_State* thread, int arguments) {
     int results = 0;
     const int status = run_thread(L, thread, arguments, results);
     if (status <= LUA_YIELD) return results;
+    add_missing_position(thread, thread, 0);
     machine.thread_error = describe_error(machine, thread, 0, thread, -1);
     lua_xmove(thread, L, 1);
     // Raised as described, so that the outer handler knows it again.
@@ -160,11 +162,12 @@ int resume_thread(lua_State* L, lua_State* thread, int arguments) {
 }
 
 void open_coroutines(lua_State* L) {
+    machine_of(L).raise_as_told.push_back(guarded<call_wrapped>);
     lua_getfield(L, -1, "coroutine");
-    add_function<create>(L, "create");
-    add_function<resume>(L, "resume");
-    add_function<wrap>(L, "wrap");
-    add_function<close>(L, "close");
+    add_pure<create>(L, "create");
+    add_pure<resume>(L, "resume");
+    add_pure<wrap>(L, "wrap");
+    add_pure<close>(L, "close");
     lua_pop(L, 1);
 }
 

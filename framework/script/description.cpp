@@ -33,7 +33,7 @@ std::vector<std::string> names_in(lua_State* L, int table) {
     table = lua_absindex(L, table);
     std::vector<std::string> names;
     for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1))
-        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
+        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -156,11 +156,11 @@ bool push_described(lua_State* L, int index) {
 
 void open_descriptions(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<description_index>(L, "__index");
-    add_function<description_newindex>(L, "__newindex");
-    add_function<description_length>(L, "__len");
-    add_function<description_pairs>(L, "__pairs");
-    add_function<description_tostring>(L, "__tostring");
+    add_pure<description_index>(L, "__index");
+    add_pure<description_newindex>(L, "__newindex");
+    add_pure<description_length>(L, "__len");
+    add_pure<description_pairs>(L, "__pairs");
+    add_pure<description_tostring>(L, "__tostring");
     name_metatable(L, "description");
     machine.description_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }

@@ -1,7 +1,9 @@
 #include "errors.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <optional>
 
 #include "format.h"
 #include "machine.h"
@@ -140,18 +142,72 @@ void tell_refusal(Machine& machine, ScriptError& error) {
         error.message = std::move(told);
 }
 
+// What the error says of itself, if it is an object that can. Its `__tostring` may raise as well,
+// and it may take only so long.
+std::optional<std::string> own_text(lua_State* L, int index) {
+    if (machine_of(L).budget.stopping() || luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
+        return std::nullopt;
+    lua_pushvalue(L, index < 0 ? index - 1 : index);
+    std::optional<std::string> text;
+    const Budget::Scope budget(machine_of(L).budget, {.instructions = 100'000, .memory = 1 << 20});
+    machine_of(L).budget.enter(L);
+    if (lua_pcall(L, 1, 1, 0) == LUA_OK && lua_type(L, -1) == LUA_TSTRING) text = string_at(L, -1);
+    lua_pop(L, 1);
+    return text;
+}
+
+// A screen, a terminal or a log would end the text at a zero byte, and obey other ones.
+std::string without_control_characters(std::string_view text) {
+    std::string shown;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        if ((c >= 0x20 && c != 0x7f) || c == '\n' || c == '\t')
+            shown += text[i];
+        else if (c != '\r')
+            shown += "\\" + std::to_string(c);
+    }
+    return shown;
+}
+
 }  // namespace
 
 std::string error_text(lua_State* L, int index) {
+    constexpr std::size_t longest = 4000;
     if (lua_type(L, index) == LUA_TSTRING || lua_type(L, index) == LUA_TNUMBER) {
         lua_pushvalue(L, index);
-        std::size_t length = 0;
-        const char* text = lua_tolstring(L, -1, &length);
-        std::string copy(text, std::min<std::size_t>(length, 4000));
+        const std::string text = string_at(L, -1);
         lua_pop(L, 1);
-        return copy;
+        return without_control_characters(std::string_view(text).substr(0, longest));
     }
-    return "the error is not a text but " + describe_type(L, index) + ": " + short_text(L, index);
+    if (lua_isnil(L, index)) return "error() was called with nil in place of a message";
+    if (const auto text = own_text(L, index))
+        return without_control_characters(std::string_view(*text).substr(0, longest));
+    return without_control_characters("the error is not a text but " + describe_type(L, index) +
+                                      ": " + short_text(L, index));
+}
+
+void add_missing_position(lua_State* L, lua_State* from, int level) {
+    if (lua_type(from, -1) != LUA_TSTRING) return;
+    lua_Debug frame;
+    if (!lua_getstack(L, level, &frame) || !lua_checkstack(L, 4)) return;
+    lua_getinfo(L, "f", &frame);
+    const lua_CFunction raiser = lua_tocfunction(L, -1);
+    lua_pop(L, 1);
+    if (raiser == nullptr) return;
+    const auto& told = machine_of(L).raise_as_told;
+    if (std::find(told.begin(), told.end(), raiser) != told.end()) return;
+    ScriptError error;
+    error.message = string_at(from, -1);
+    place_from_message(error);
+    if (error.line > 0) return;
+    const std::string placed = position(L) + error.message;
+    lua_pop(from, 1);
+    lua_pushlstring(from, placed.data(), placed.size());
+}
+
+int placing_handler(lua_State* L) {
+    if (!machine_of(L).budget.stopping()) add_missing_position(L, L, 1);
+    return 1;
 }
 
 ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State* from, int index) {
@@ -182,9 +238,24 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
     return error;
 }
 
+ScriptError describe_place(Machine& machine, lua_State* L) {
+    ScriptError place;
+    lua_Debug frame;
+    if (script_frame(L, 0, frame)) {
+        place.file = frame.short_src;
+        place.line = frame.currentline;
+        place.source_line = source_line(machine, place.file, place.line);
+        place.locals = locals_of(L, frame);
+    }
+    place.traceback = traceback_of(L, 0);
+    return place;
+}
+
 int describing_handler(lua_State* L) {
     Machine& machine = machine_of(L);
     try {
+        lua_settop(L, 1);
+        add_missing_position(L, L, 1);
         machine.caught = describe_error(machine, L, 1, L, 1);
     } catch (const std::exception&) {
         machine.caught.reset();
@@ -206,10 +277,23 @@ std::string Context::text(Machine& machine) const {
     return what + " of " + (alive ? machine.tree.path(about) : "(deleted)");
 }
 
+namespace {
+
+void tell_where_stopped(Machine& machine, ScriptError& error) {
+    error.message = machine.budget.reason();
+    error.file = machine.budget.file();
+    error.line = machine.budget.line();
+    error.source_line = source_line(machine, error.file, error.line);
+    error.column = 0;
+}
+
+}  // namespace
+
 bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
                    void* body, bool report_error) {
     if (!machine.in_tree) return false;  // its runtime was destroyed: only what runs ends yet
     const Machine::Use use(machine);
+    const Watchdog::Call call(machine.watchdog);
     lua_State* L = machine.main;
     lua_State* outer = machine.running;
     machine.running = L;
@@ -224,20 +308,27 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
         status = lua_pcall(L, 1, 0, top + 1);
     }
     machine.running = outer;
-    if (status == LUA_OK) {
+    // A pcall that ends what runs may have caught the end of the budget.
+    const bool stopped = machine.budget.stopping();
+    if (status == LUA_OK && !stopped) {
         lua_settop(L, top);
         return true;
     }
     if (!machine.caught) {
         // Out of memory, or an error while describing one: there is a message and no more.
         ScriptError error;
-        error.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : out_of_memory;
+        error.message = status == LUA_OK                 ? machine.budget.reason()
+                        : lua_type(L, -1) == LUA_TSTRING ? error_text(L, -1)
+                        : status == LUA_ERRMEM           ? out_of_memory
+                                                         : "an error that cannot be described";
         if (error.message == out_of_memory) tell_refusal(machine, error);
         place_from_message(error);
         error.source_line = source_line(machine, error.file, error.line);
         machine.caught = std::move(error);
     }
     lua_settop(L, top);
+    // Where it was stopped, whatever the script made of that error.
+    if (stopped) tell_where_stopped(machine, *machine.caught);
     machine.thread_error.reset();
     machine.caught->context = context.text(machine);
     if (report_error) {

@@ -216,7 +216,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             break;
     }
     lua_call(L, 0, LUA_MULTRET);
-    machine.budget.check(L);  // a pcall that ends the chunk may have caught the end of the budget
+    machine.budget.check(L);  // before the results of a command that was stopped are printed
     evaluation.lines = std::move(machine.recording.lines);
     machine.recording.lines.clear();
     add_results(L, machine, command, evaluation);
@@ -233,10 +233,8 @@ class Session {
         machine.recording = {};
         machine.record(true);
         machine.writer = property::Writer::console;
-        machine.budget.begin(machine.options.console_budget, machine.options.console_memory);
     }
     ~Session() {
-        machine_.budget.end();
         machine_.writer = property::Writer::script;
         machine_.record(false);
         machine_.tree.end_edit();
@@ -260,17 +258,12 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     machine.sources["console"] = std::string(command);
     {
         const Session session(machine, command);
+        const Budget::Scope budget(machine.budget, machine.command_limits());
         const bool ok = protected_run(
             machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);
         if (!ok) {
             evaluation.error = std::move(machine.caught);
             machine.caught.reset();
-            if (machine.budget.stopping()) {
-                // Where it ran out, whatever the script made of that error.
-                evaluation.error->message = machine.budget.reason();
-                evaluation.error->file = machine.budget.file();
-                evaluation.error->line = machine.budget.line();
-            }
             // What it printed before it failed is worth reading.
             evaluation.lines = std::move(machine.recording.lines);
         }

@@ -66,7 +66,7 @@ std::string quoted_text(std::string_view text) {
 
 std::string key_text(lua_State* L, int index) {
     if (lua_type(L, index) == LUA_TSTRING) {
-        const std::string key = lua_tostring(L, index);
+        const std::string key = string_at(L, index);
         return property::is_identifier(key) ? key : "[" + quoted_text(key) + "]";
     }
     return "[" + short_text(L, index) + "]";
@@ -138,7 +138,7 @@ std::string description_text(lua_State* L, int index, const DescriptionKind& kin
         text = "{" + cut(text, line_width) + "}";
     } else {
         lua_getfield(L, -1, "name");
-        text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "description";
+        text = lua_type(L, -1) == LUA_TSTRING ? string_at(L, -1) : "description";
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
@@ -199,7 +199,7 @@ std::string brief(lua_State* L, int index, int depth) {
 }  // namespace
 
 std::string key_in_message(lua_State* L, int index) {
-    return lua_type(L, index) == LUA_TSTRING ? cut(lua_tostring(L, index), line_width)
+    return lua_type(L, index) == LUA_TSTRING ? cut(string_at(L, index), line_width)
                                              : short_text(L, index);
 }
 
@@ -363,10 +363,10 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
         ++total;
         if (named.size() >= 10'000) continue;
         const std::string text = lua_type(L, -2) == LUA_TSTRING
-                                     ? entry_text(L, machine, lua_tostring(L, -2))
+                                     ? entry_text(L, machine, string_at(L, -2))
                                      : short_text(L, -1);
         const std::string key =
-            lua_type(L, -2) == LUA_TSTRING ? cut(lua_tostring(L, -2), 40) : key_text(L, -2);
+            lua_type(L, -2) == LUA_TSTRING ? cut(string_at(L, -2), 40) : key_text(L, -2);
         named.push_back({"  " + key, text});
     }
     std::sort(named.begin(), named.end());
@@ -386,7 +386,7 @@ std::vector<std::string> description_lines(lua_State* L, int index, const Descri
         lua_getfield(L, record, field.c_str());
         const bool plain = lua_type(L, -1) == LUA_TSTRING;
         std::string text = lua_isnil(L, -1) ? ""
-                           : plain          ? cut(lua_tostring(L, -1), line_width)
+                           : plain          ? cut(string_at(L, -1), line_width)
                                             : short_text(L, -1);
         lua_pop(L, 1);
         return text;

@@ -1,6 +1,7 @@
 #include "formulas.h"
 
 #include <memory>
+#include <optional>
 
 #include <fettle/property/error.h>
 
@@ -40,16 +41,11 @@ class ScriptFormula {
             throw std::runtime_error("its script has ended");
         Machine& machine = *machine_;
         const Machine::Use use(machine);
-        const bool counted = !machine.budget.active();
-        if (counted)
-            machine.budget.begin(machine.options.console_budget, machine.options.console_memory);
-        struct End {
-            Machine& machine;
-            bool counted;
-            ~End() {
-                if (counted) machine.budget.end();
-            }
-        } end{machine, counted};
+        std::optional<Budget::Scope> counted;
+        if (!machine.budget.counting())
+            counted.emplace(machine.budget, Limits{.instructions = machine.options.console_budget,
+                                                   .memory = machine.options.console_memory,
+                                                   .who = "a formula"});
         Value result;
         const bool ok = protected_run(
             machine, "formula",
@@ -143,7 +139,7 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
         machine, "formula",
         [&](lua_State* L) {
             if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "=formula", "t") != LUA_OK) {
-                wrong = lua_tostring(L, -1);
+                wrong = string_at(L, -1);
                 return;
             }
             // The text of a function makes the function, and nothing of it runs by that.
@@ -175,7 +171,7 @@ void open_formulas(lua_State* L) {
     Machine& machine = machine_of(L);
     machine.tree.compile_formulas_with(
         [&machine](const std::string& source) { return compile_formula(machine, source); });
-    add_function<formula>(L, "formula");
+    add_pure<formula>(L, "formula");
 }
 
 }  // namespace fettle::script

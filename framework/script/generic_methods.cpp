@@ -33,7 +33,7 @@ namespace {
 const Class* class_at(lua_State* L, Machine& machine, int index, const char* what) {
     if (lua_isnoneornil(L, index)) return nullptr;
     if (const Class* found = class_object_at(L, index)) return found;
-    if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(lua_tostring(L, index));
+    if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(string_at(L, index));
     throw Error(ErrorKind::wrong_type,
                 std::string(what) + ": needs a class or its name, not " + describe_type(L, index));
 }
@@ -160,6 +160,7 @@ int find(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 3);
     const bool filtered = !lua_isnil(L, 3);
+    if (filtered) check_function(L, 3, "find");
     const std::vector<Handle> all_found = below(machine, self, class_at(L, machine, 2, "find"));
     std::vector<Handle> found;
     for (const Handle handle : all_found) {
@@ -182,6 +183,7 @@ int each(lua_State* L) {
     const Handle self = check_instance(L, 1, "each");
     Machine& machine = machine_of(L);
     const int function = lua_gettop(L);
+    check_function(L, function, "each");
     const Class* of = function > 2 ? class_at(L, machine, 2, "each") : nullptr;
     for (const Handle handle : below(machine, self, of)) {
         if (!machine.tree.alive(handle)) continue;
@@ -208,9 +210,8 @@ struct Copies {
 void require_creatable(Machine& machine, Handle original) {
     const Class& of = machine.tree.class_of(original);
     if (of.creatable()) return;
-    throw Error(ErrorKind::bad_structure, machine.tree.path(original) +
-                                              ": cannot be cloned: only Fettle itself makes a " +
-                                              of.name());
+    throw Error(ErrorKind::bad_structure, machine.tree.path(original) + ": cannot be cloned; " +
+                                              why_not_creatable(machine.tree, of));
 }
 
 Handle copy_of(Machine& machine, Handle original, Handle parent) {
@@ -312,7 +313,7 @@ int clone(lua_State* L) {
 const std::vector<GenericMethod>& generic_methods() {
     static const std::vector<GenericMethod> methods = {
         {"add", "add(self: Object, child: Object, name?: string): Object",
-         "Gives a new instance its place here and returns it.", guarded<add>},
+         "Gives a new instance its place here and returns it.", guarded<effect<add>>},
         {"alive", "alive(self: Object): boolean", "Whether it has not been deleted.",
          guarded<alive>},
         {"all", "all(self: Object, class?: Class|string): Set",
@@ -320,9 +321,9 @@ const std::vector<GenericMethod>& generic_methods() {
         {"children", "children(self: Object, class?: Class|string): Set",
          "What hangs directly here, as a set.", guarded<children>},
         {"clone", "clone(self: Object): Object", "A detached copy of it and everything below.",
-         guarded<clone>},
+         guarded<effect<clone>>},
         {"delete", "delete(self: Object)", "Deletes it and everything below.",
-         guarded<delete_instance>},
+         guarded<effect<delete_instance>>},
         {"describe",
          "describe(self: Object): PropertyDescription[]\n"
          "describe(self: Object, name: string): "
@@ -343,9 +344,9 @@ const std::vector<GenericMethod>& generic_methods() {
         {"is_a", "is_a(self: Object, class: Class|string): boolean",
          "Whether it is of that class or of one derived from it.", guarded<is_a>},
         {"move", "move(self: Object, parent?: Object, name?: string): Object",
-         "Gives it another parent; nil detaches it.", guarded<move>},
+         "Gives it another parent; nil detaches it.", guarded<effect<move>>},
         {"on", "on(self: Object, event: string, handler: fun(told: any)): Connection",
-         "Calls the function when the event happens to it.", guarded<subscribe_event>},
+         "Calls the function when the event happens to it.", guarded<effect<subscribe_event>>},
         {"problem", "problem(self: Object, property: string): string?",
          "What is wrong with the property's formula, or nil.", guarded<problem>},
         {"watch",
@@ -353,7 +354,7 @@ const std::vector<GenericMethod>& generic_methods() {
          "Connection\n"
          "watch(self: Object, handler: fun(new: any, old: any, change: Change)): Connection",
          "Calls the function after that property, or any, has changed.",
-         guarded<subscribe_property>},
+         guarded<effect<subscribe_property>>},
     };
     return methods;
 }
@@ -371,6 +372,7 @@ int generic_reference(lua_State* L, Machine& machine, std::string_view name) {
     auto& known = machine.generic_references;
     if (known.empty()) {
         for (const GenericMethod& method : generic_methods()) {
+            note_name(L, method.function, method.name);
             lua_pushcfunction(L, method.function);
             known.emplace(method.name, luaL_ref(L, LUA_REGISTRYINDEX));
         }

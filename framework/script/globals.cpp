@@ -39,7 +39,7 @@ std::vector<std::string> global_names(Machine& machine) {
     std::vector<std::string> names;
     push_registry(L, machine.environment);
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
-        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
+        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
     lua_pop(L, 1);
     names.emplace_back("game");
     names.emplace_back("classes");
@@ -171,8 +171,8 @@ void open_globals(lua_State* L, Machine& machine) {
     lua_newtable(L);
     machine.declared = luaL_ref(L, LUA_REGISTRYINDEX);
     lua_newtable(L);
-    add_function<read_global>(L, "__index");
-    add_function<write_global>(L, "__newindex");
+    add_pure<read_global>(L, "__index");
+    add_pure<write_global>(L, "__newindex");
     name_metatable(L, "globals");
     lua_setmetatable(L, -2);
     lua_pushvalue(L, -1);

@@ -33,9 +33,68 @@ int guarded(lua_State* L) {
     return guard(L, [L] { return function(L); });
 }
 
-/// Adds `function` under `name` to the table on top.
+/// Throws while a formula runs or a function is asked something (`property::Inquiry`), naming that
+/// and the function that was called.
+void require_changeable(lua_State* L);
+/// The same, for formulas alone.
+void require_no_formula(lua_State* L);
+
+/// The function of Lua's own library in upvalue 1, as if a script had called it directly: its
+/// errors tell the script's line, and which argument is wrong.
+inline int call_original(lua_State* L) {
+    return lua_tocfunction(L, lua_upvalueindex(1))(L);
+}
+
+/// Adds `function` to the table on top, with the one of that name of Lua's own `library` as its
+/// upvalue.
+template <int (*function)(lua_State*)>
+void wrap_pure(lua_State* L, const char* library, const char* name) {
+    lua_getglobal(L, library);
+    lua_getfield(L, -1, name);
+    lua_remove(L, -2);
+    lua_pushcclosure(L, guarded<function>, 1);
+    lua_setfield(L, -2, name);
+}
+
+/// A function that changes something. A formula gives a value and changes nothing, so it cannot
+/// call it; nor can a function that is asked in the middle of a step or of a search.
+template <int (*function)(lua_State*)>
+int effect(lua_State* L) {
+    require_changeable(L);
+    return function(L);
+}
+
+/// A function that answers something else whenever it is called: the value of a formula would
+/// depend on how often it was asked for.
+template <int (*function)(lua_State*)>
+int varying(lua_State* L) {
+    require_no_formula(L);
+    return function(L);
+}
+
+template <int (*function)(lua_State*)>
+void add_varying(lua_State* L, const char* name) {
+    lua_pushcfunction(L, guarded<varying<function>>);
+    lua_setfield(L, -2, name);
+}
+
+/// What errors call a function, whatever a script calls it.
+void note_name(lua_State* L, lua_CFunction function, const std::string& name);
+/// Those of the table on top, the environment of scripts, and of its libraries: "scene.save".
+void note_names(lua_State* L);
+
+/// Adds `function`, which changes something, under `name` to the table on top.
 template <int (*function)(lua_State*)>
 void add_function(lua_State* L, const char* name) {
+    note_name(L, guarded<effect<function>>, name);
+    lua_pushcfunction(L, guarded<effect<function>>);
+    lua_setfield(L, -2, name);
+}
+
+/// The same for a function that gives a value and changes nothing, or changes it by the tree, which
+/// sees to formulas itself: formulas can call it.
+template <int (*function)(lua_State*)>
+void add_pure(lua_State* L, const char* name) {
     lua_pushcfunction(L, guarded<function>);
     lua_setfield(L, -2, name);
 }

@@ -307,7 +307,7 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
     if (color_at(L, index)) return value_help("color");
     if (lua_type(L, index) == LUA_TFUNCTION) return function_help(L, lua_absindex(L, index));
     if (lua_type(L, index) == LUA_TSTRING) {
-        auto lines = help_for(machine, lua_tostring(L, index));
+        auto lines = help_for(machine, string_at(L, index));
         if (!lines.empty()) return lines;
     }
     return {short_text(L, index) + " · " + describe_type(L, index)};
@@ -414,7 +414,7 @@ int find(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING)
         throw Error(ErrorKind::wrong_type, "find: needs a text, not " + describe_type(L, 1));
     Machine& machine = machine_of(L);
-    for (std::string& line : find_lines(machine, lua_tostring(L, 1)))
+    for (std::string& line : find_lines(machine, string_at(L, 1)))
         print_line(machine, std::move(line));
     return 0;
 }

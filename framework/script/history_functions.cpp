@@ -51,7 +51,7 @@ int edit(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING || lua_type(L, 2) != LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type, "edit: needs a name and a function");
     Machine& machine = machine_of(L);
-    machine.tree.begin_edit(lua_tostring(L, 1));
+    machine.tree.begin_edit(string_at(L, 1));
     struct End {
         property::Tree& tree;
         ~End() { tree.end_edit(); }
@@ -67,7 +67,7 @@ Place property_at(lua_State* L, const char* what) {
         throw Error(ErrorKind::wrong_type, std::string(what) +
                                                ": needs a path like \"world.ball.mass\", not " +
                                                describe_type(L, 1));
-    Place place = property::resolve(machine.tree, lua_tostring(L, 1));
+    Place place = property::resolve(machine.tree, string_at(L, 1));
     if (place.property == nullptr)
         throw Error(ErrorKind::wrong_type, std::string(what) + ": " +
                                                machine.tree.path(place.instance) +

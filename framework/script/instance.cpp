@@ -4,6 +4,7 @@
 
 #include "instance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fettle/property/error.h>
@@ -16,6 +17,7 @@
 #include "machine.h"
 #include "methods.h"
 #include "script_classes.h"
+#include "synonyms.h"
 #include "writes.h"
 
 namespace fettle::script {
@@ -48,8 +50,14 @@ namespace {
 
 [[noreturn]] void unknown_name(Machine& machine, Handle instance, std::string_view name) {
     const auto names = names_of(machine, instance);
+    std::string hint = property::suggestion(name, names);
+    if (hint.empty())
+        for (const std::string_view way : property_synonyms(name))
+            if (hint.empty() &&
+                std::find(names.begin(), names.end(), way.substr(0, way.find(' '))) != names.end())
+                hint = " (did you mean \"" + std::string(way.substr(0, way.find(' '))) + "\"?)";
     throw Error(ErrorKind::unknown_name, machine.tree.path(instance) + property::path_suffix(name) +
-                                             ": no such name" + property::suggestion(name, names));
+                                             ": no such name" + hint);
 }
 
 [[gnu::noinline]] void push_other(lua_State* L, const Value& value, Handle instance,
@@ -144,12 +152,6 @@ const Dispatch& look_up(lua_State* L, Machine& machine, DispatchTable& members) 
     return learn(L, machine, members, key, {name, length});
 }
 
-Handle nth_child(Machine& machine, Handle instance, lua_Integer n) {
-    Handle child = n >= 1 ? machine.tree.first_child(instance) : Handle{};
-    for (; child && n > 1; --n) child = machine.tree.next_sibling(child);
-    return child;
-}
-
 /// What was deleted still tells what it was called and of which class it was.
 bool push_remains(lua_State* L, Machine& machine, Handle instance) {
     if (machine.tree.alive(instance) || lua_type(L, 2) != LUA_TSTRING) return false;
@@ -175,7 +177,9 @@ bool push_remains(lua_State* L, Machine& machine, Handle instance) {
     machine.tree.require(instance);
     if (refresh_class(machine, self)) return read_slowly(L, machine, self);
     if (lua_isinteger(L, 2)) {
-        push_instance(L, nth_child(machine, instance, lua_tointeger(L, 2)));
+        const lua_Integer n = lua_tointeger(L, 2);
+        push_instance(
+            L, n < 1 ? Handle{} : machine.tree.nth_child(instance, static_cast<std::uint64_t>(n)));
         return 1;
     }
     if (lua_type(L, 2) != LUA_TSTRING)
@@ -426,7 +430,7 @@ int next_member(lua_State* L) {
         lua_pushinteger(L, index);
         lua_replace(L, lua_upvalueindex(2));
         if (lua_rawgeti(L, lua_upvalueindex(1), index) == LUA_TNIL) return 1;
-        const char* name = lua_tostring(L, -1);
+        const std::string name = string_at(L, -1);
         if (machine.tree.find(self, name) || machine.tree.child(self, name)) break;
         lua_pop(L, 1);  // gone since
     }
@@ -464,9 +468,9 @@ void open_instance(lua_State* L, Machine& machine) {
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, instance_newindex);
     lua_setfield(L, -2, "__newindex");
-    add_function<instance_tostring>(L, "__tostring");
-    add_function<instance_length>(L, "__len");
-    add_function<instance_pairs>(L, "__pairs");
+    add_pure<instance_tostring>(L, "__tostring");
+    add_pure<instance_length>(L, "__len");
+    add_pure<instance_pairs>(L, "__pairs");
     name_metatable(L, "instance");
     machine.instance_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 

@@ -63,7 +63,7 @@ std::string property_name(lua_State* L, const char* what) {
                                                ": needs the name of a property, "
                                                "not " +
                                                describe_type(L, 2));
-    return lua_tostring(L, 2);
+    return string_at(L, 2);
 }
 
 int set_all(lua_State* L) {
@@ -111,6 +111,7 @@ int add_all(lua_State* L) {
 int each_of(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 2);
+    check_function(L, 2, "each");
     for (const Handle handle : members(L, "each")) {
         if (!machine.tree.alive(handle)) continue;
         lua_pushvalue(L, 2);
@@ -141,7 +142,7 @@ int set_index(lua_State* L) {
         lua_pushnil(L);  // past the end
         return 1;
     }
-    const std::string name = lua_tostring(L, 2);
+    const std::string name = string_at(L, 2);
     luaL_getmetafield(L, 1, "methods");
     lua_pushvalue(L, 2);
     if (lua_rawget(L, -2) != LUA_TNIL) return 1;
@@ -155,7 +156,7 @@ int query(lua_State* L) {
         throw Error(ErrorKind::wrong_type,
                     "query: needs a pattern such as \"world.*.mass\", not " + describe_type(L, 1));
     Machine& machine = machine_of(L);
-    const property::Pattern pattern(lua_tostring(L, 1));
+    const property::Pattern pattern(string_at(L, 1));
     std::vector<Handle> instances;
     std::vector<std::pair<Handle, const Property*>> properties;
     machine.tree.each_below(machine.tree.root(), [&](Handle handle) {
@@ -185,11 +186,11 @@ int query(lua_State* L) {
 
 void open_sets(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<set_index>(L, "__index");
+    add_pure<set_index>(L, "__index");
     lua_newtable(L);
     add_function<set_all>(L, "set");
     add_function<add_all>(L, "add");
-    add_function<each_of>(L, "each");
+    add_pure<each_of>(L, "each");
     add_function<delete_all>(L, "delete");
     lua_setfield(L, -2, "methods");
     name_metatable(L, "instances");
@@ -197,7 +198,7 @@ void open_sets(lua_State* L, Machine& machine) {
 }
 
 void open_query(lua_State* L) {
-    add_function<query>(L, "query");
+    add_pure<query>(L, "query");
 }
 
 }  // namespace fettle::script

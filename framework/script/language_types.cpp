@@ -154,6 +154,7 @@ TypeDoc method_description() {
              {"name", "string", "What it is called."},
              {"owner", "Class?", "The class that declares it."},
              {"parameters", "FieldDescription[]", "What it takes."},
+             {"pure", "boolean", "Whether it changes nothing, so that formulas can call it."},
              {"returns", "FieldDescription[]",
               "What it returns: fields of a record, or one entry for a plain value."},
              {"signature", "string", "As help shows it."}}};

@@ -151,12 +151,12 @@ int list_pairs(lua_State* L) {
 
 void open_list(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<list_index>(L, "__index");
-    add_function<list_newindex>(L, "__newindex");
-    add_function<list_length>(L, "__len");
-    add_function<list_equal>(L, "__eq");
-    add_function<list_tostring>(L, "__tostring");
-    add_function<list_pairs>(L, "__pairs");
+    add_pure<list_index>(L, "__index");
+    add_pure<list_newindex>(L, "__newindex");
+    add_pure<list_length>(L, "__len");
+    add_pure<list_equal>(L, "__eq");
+    add_pure<list_tostring>(L, "__tostring");
+    add_pure<list_pairs>(L, "__pairs");
     name_metatable(L, "list");
     machine.list_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }

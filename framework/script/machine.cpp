@@ -90,6 +90,7 @@ Machine::Machine(property::Tree& property_tree, Options runtime_options)
     alive = std::make_shared<lua_State*>(main);
     running = main;
     *static_cast<Machine**>(lua_getextraspace(main)) = this;
+    watchdog.limit(options.call_seconds, {});
     tree.add_part(part);
     arena.on_refusal = [this](const Arena::Refusal& refusal) { budget.memory_refused(refusal); };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
@@ -108,6 +109,7 @@ Machine::~Machine() {
 
 void Machine::leave() {
     if (std::exchange(in_tree, false) && !tree_life.expired()) {
+        tree.mark_weight(INT64_MAX, {});
         tree.compile_formulas_with({});
         tree.remove_part(part);
     }
@@ -122,6 +124,12 @@ void Machine::end() {
     arena.set_limit(static_cast<std::size_t>(-1));
     *alive = nullptr;
     lua_close(main);
+}
+
+Limits Machine::command_limits() const {
+    return {.instructions = options.console_budget,
+            .memory = command_memory ? command_memory() : options.console_memory,
+            .raised_by = memory_property};
 }
 
 DispatchTable& Machine::dispatch_of(const property::Class& of) {

@@ -18,11 +18,13 @@
 #include "arena.h"
 #include "budget.h"
 #include "dispatch.h"
+#include "hints.h"
 #include "lua_api.h"
 #include "random.h"
 #include "runtime_part.h"
 #include "timers.h"
 #include "values.h"
+#include "watchdog.h"
 
 namespace fettle::script {
 
@@ -67,6 +69,7 @@ struct Machine {
     std::shared_ptr<lua_State*> alive;  // what outlives Lua asks here; nullptr inside once closed
     lua_State* running = nullptr;       // thread that runs now; exact, since we make every switch
     Budget budget{*this};
+    Watchdog watchdog{*this};
     std::vector<std::unique_ptr<DispatchTable>> dispatch;  // by the number of the class
     std::size_t dynamic_names = 0;  // in them, of things that no class declares
     Random random;
@@ -74,9 +77,14 @@ struct Machine {
     std::unique_ptr<Subscriptions> subscriptions;
     std::unique_ptr<ScriptClasses> classes;
     RuntimePart part{*this};
+    Hints hints{*this};
     std::function<void(std::string_view)> command_sink;
-    std::function<void(double)> rewind;  // by seconds; empty: there is no timeline
-    std::size_t snapshots = 0;           // that scripts hold
+    std::function<std::size_t()> command_memory;  // bytes; empty: as the options say
+    std::string memory_property;                  // that says so, for messages
+    std::function<void(double)> rewind;           // by seconds; empty: there is no timeline
+    std::size_t snapshots = 0;                    // that scripts hold
+    std::size_t snapshot_bytes = 0;               // these take
+    std::size_t snapshot_size = 0;                // of the last one
     Recording recording;
 
     std::unordered_map<const property::Method*, int> method_references;
@@ -102,12 +110,17 @@ struct Machine {
     std::unordered_map<std::string, std::string> sources;  // text by chunk name
     std::function<void(const ScriptError&)> error_sink;
     std::function<void(std::string_view)> print_sink;
+    std::function<void(std::string_view)> note_sink;
     std::optional<int> quit_status;
     std::vector<std::string> assigned;  // globals that game and console made
     property::Handle it;
     property::Painter* painter = nullptr;  // while drawing
     double now = 0;                        // simulation time, seconds
 
+    // Functions whose errors are as the script wants them: `error`, `assert`, those of wrapped
+    // coroutines.
+    std::vector<lua_CFunction> raise_as_told;
+    std::unordered_map<lua_CFunction, std::string> function_names;  // for errors
     std::optional<ScriptError> caught;        // described where it was raised, not yet reported
     std::optional<ScriptError> thread_error;  // raised in a coroutine, on its way out of it
     property::Writer writer = property::Writer::script;  // who writes when a script runs
@@ -116,6 +129,8 @@ struct Machine {
     std::vector<property::Handle> unplaced;
     std::size_t unplaced_limit = 64;
 
+    /// What a console command may use.
+    Limits command_limits() const;
     DispatchTable& dispatch_of(const property::Class& of);
     /// Ends what the scripts have in the tree, and leaves it, if there still is one.
     void leave();

@@ -50,6 +50,8 @@ int call_method(lua_State* L) {
     if (of.method(method.symbol) != &method)
         throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " + of.name() +
                                                " has no " + method.name);
+    if (method.effect != property::Effect::nothing && !machine.tree.changeable())
+        machine.tree.require_changeable("call " + method.name);
     std::array<Value, most_parameters> values;
     const int given = lua_gettop(L) - 1;
     if (given > static_cast<int>(std::min(most_parameters, method.parameters.size())))
@@ -93,8 +95,8 @@ int read_record(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         std::vector<std::string> names;
         for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
-            if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
-        const std::string name = lua_tostring(L, 2);
+            if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
+        const std::string name = string_at(L, 2);
         push_registry(L, machine_of(L).record_meta);
         lua_getfield(L, -1, "nil_fields");
         lua_pushvalue(L, 2);
@@ -192,7 +194,7 @@ void push_result(lua_State* L, const Result& result) {
 
 void open_records(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<read_record>(L, "__index");
+    add_pure<read_record>(L, "__index");
     lua_newtable(L);
     lua_setfield(L, -2, "nil_fields");
     name_metatable(L, "record");

@@ -244,10 +244,10 @@ int gsub(lua_State* L) {
 
 void open_patterns(lua_State* L) {
     lua_getfield(L, -1, "string");
-    add_function<find>(L, "find");
-    add_function<match>(L, "match");
-    add_function<gmatch>(L, "gmatch");
-    add_function<gsub>(L, "gsub");
+    add_pure<find>(L, "find");
+    add_pure<match>(L, "match");
+    add_pure<gmatch>(L, "gmatch");
+    add_pure<gsub>(L, "gsub");
     lua_pop(L, 1);
 }
 

@@ -145,7 +145,7 @@ int point(lua_State* L) {
 
 property::TextAlign align_at(lua_State* L, int index) {
     if (lua_isnoneornil(L, index)) return property::TextAlign::middle;
-    const std::string name = lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : "";
+    const std::string name = lua_type(L, index) == LUA_TSTRING ? string_at(L, index) : "";
     if (name == "middle") return property::TextAlign::middle;
     if (name == "left") return property::TextAlign::left;
     if (name == "right") return property::TextAlign::right;
@@ -197,7 +197,7 @@ int pen_index(lua_State* L) {
     if (lua_rawget(L, -2) != LUA_TNIL) return 1;
     const std::vector<std::string> names = {"circle", "box",  "polygon", "line",
                                             "point",  "text", "screen"};
-    const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : short_text(L, 2);
+    const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : short_text(L, 2);
     throw Error(ErrorKind::unknown_name, "pen has no " + name + property::suggestion(name, names));
 }
 
@@ -207,7 +207,7 @@ void open_pen(lua_State* L, Machine& machine) {
     auto* made = static_cast<PenBox*>(lua_newuserdatauv(L, sizeof(PenBox), 0));
     made->tag = Tag::pen;
     lua_newtable(L);
-    add_function<pen_index>(L, "__index");
+    add_pure<pen_index>(L, "__index");
     lua_newtable(L);
     add_function<circle>(L, "circle");
     add_function<box>(L, "box");

@@ -106,9 +106,9 @@ int random_seed(lua_State* L) {
 }  // namespace
 
 void open_random(lua_State* L) {
-    add_function<random_number>(L, "random");
+    add_varying<random_number>(L, "random");
     lua_getfield(L, -1, "math");
-    add_function<math_random>(L, "random");
+    add_varying<math_random>(L, "random");
     add_function<random_seed>(L, "randomseed");
     lua_pop(L, 1);
 }

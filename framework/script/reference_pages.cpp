@@ -129,7 +129,10 @@ class ClassPage {
         if (own.empty() && of_.base() != nullptr) return;
         out_ += "\n## Methods\n";
         for (const Method* method : own) {
-            out_ += "\n### `:" + signature(*method) + "`\n\n" + method->doc + "\n";
+            out_ += "\n### `:" + signature(*method) + "`\n\n" + method->doc +
+                    (method->effect == property::Effect::nothing
+                         ? " It changes nothing, so formulas can call it.\n"
+                         : "\n");
             if (!method->parameters.empty())
                 out_ += "\nTakes:\n\n" + fields(method->parameters, method->required);
             if (!method->returns.empty())

@@ -34,7 +34,7 @@ const DescriptionKind field_kind{
     {"name", "type", "unit", "doc", "element", "class", "nullable", "optional"}};
 const DescriptionKind method_kind{
     "a description of a method",
-    {"name", "doc", "signature", "parameters", "returns", "many", "owner"}};
+    {"name", "doc", "signature", "parameters", "returns", "many", "pure", "owner"}};
 const DescriptionKind event_kind{"a description of an event", {"name", "doc", "fields", "owner"}};
 
 // --- Into the table on top
@@ -144,6 +144,7 @@ const std::string& push_method(lua_State* L, Machine& machine, const property::M
     put(L, "signature", signature(method));
     put(L, "many", method.many);
     put_class(L, machine, "owner", method.owner);
+    put(L, "pure", method.effect == property::Effect::nothing);
     put_fields(L, machine, "parameters", method.parameters, method.required);
     put_fields(L, machine, "returns", method.returns, method.returns.size());
     seal_description(L, machine, method_kind);
@@ -242,7 +243,7 @@ int describe_instance(lua_State* L) {
         throw Error(
             ErrorKind::wrong_type,
             "describe: needs the name of a property, method or event, not " + describe_type(L, 2));
-    const std::string name = lua_tostring(L, 2);
+    const std::string name = string_at(L, 2);
     const Class& of = machine.tree.class_of(self);
     if (const Property* property = machine.tree.find(self, name)) {
         push_property(L, machine, *property);

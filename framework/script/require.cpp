@@ -88,12 +88,13 @@ int require(lua_State* L) {
     if (lua_rawget(L, 2) != LUA_TNIL) {
         if (lua_islightuserdata(L, -1))
             throw Error(ErrorKind::bad_structure,
-                        std::string("require: \"") + lua_tostring(L, 1) +
+                        std::string("require: \"") + string_at(L, 1) +
                             "\" is being loaded already; two modules require each other");
         return 1;
     }
     lua_pop(L, 1);
-    const std::string name = lua_tostring(L, 1);
+    const std::string name = string_at(L, 1);
+    machine.tree.require_changeable("load the module \"" + name + "\"");
     if (machine.folder.empty())
         throw Error(ErrorKind::rejected, "require: there is no game folder");
     const std::string file = module_file(name);
@@ -125,7 +126,7 @@ int require(lua_State* L) {
 }  // namespace
 
 void open_require(lua_State* L) {
-    add_function<require>(L, "require");
+    add_pure<require>(L, "require");
 }
 
 }  // namespace fettle::script

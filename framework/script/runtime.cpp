@@ -31,6 +31,9 @@ Runtime::Runtime(property::Tree& tree, Options options)
         std::fwrite(text.data(), 1, text.size(), stdout);
         std::fputc('\n', stdout);
     };
+    state_->note_sink = [](std::string_view text) {
+        std::fprintf(stderr, "note: %.*s\n", static_cast<int>(text.size()), text.data());
+    };
 }
 
 Runtime::~Runtime() {
@@ -58,6 +61,7 @@ void forget_game(Machine& machine) {
     machine.timers.clear();
     machine.subscriptions->clear();
     machine.classes->forget_functions();
+    machine.hints.forget();
     machine.caught.reset();
     lua_State* L = machine.main;
     for (const int reference : {machine.loaded, machine.declared}) {
@@ -120,12 +124,15 @@ bool Runtime::load(const std::filesystem::path& game) {
     machine.folder = folder;
     bool ok = run_chunk(machine, text, file.filename().string(), "load");
     if (ok) ok = machine.classes->deliver_ready() && call_ready(machine, "start", {});
+    if (ok) machine.hints.game_loaded();
     return ok;
 }
 
 bool Runtime::run(std::string_view chunk, const std::string& name) {
     Machine& machine = live();
     const Machine::Use use(machine);
+    const Budget::Scope budget(machine.budget,
+                               {.memory = machine.options.memory_limit, .who = "a chunk"});
     const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
     return machine.classes->deliver_ready() && ok;
 }
@@ -191,12 +198,25 @@ property::Handle Runtime::it() const {
 
 // --- Towards the host
 
+void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
+    state_->watchdog.limit(seconds, std::move(go_on));
+}
+
+void Runtime::on_command_memory(std::function<std::size_t()> bytes, std::string property) {
+    state_->command_memory = std::move(bytes);
+    state_->memory_property = std::move(property);
+}
+
 void Runtime::on_error(std::function<void(const ScriptError&)> sink) {
     state_->error_sink = std::move(sink);
 }
 
 void Runtime::on_print(std::function<void(std::string_view)> sink) {
     state_->print_sink = std::move(sink);
+}
+
+void Runtime::on_note(std::function<void(std::string_view)> sink) {
+    state_->note_sink = std::move(sink);
 }
 
 void Runtime::on_rewind(std::function<void(double)> rewind) {

@@ -123,6 +123,7 @@ std::function<void()> ScriptClasses::restore(property::ByteReader& from) {
         members_ = members;
         waiting_ = waiting;
         known_ = known;
+        looked_at_ = {};
         adopted_.clear();
     };
 }
@@ -141,6 +142,7 @@ void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
             !machine_.tree.is_below(instance, machine_.tree.root()))
             waiting_.push_back({instance, true});
     }
+    looked_at_ = {};
 }
 
 }  // namespace fettle::script

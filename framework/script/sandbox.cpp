@@ -36,10 +36,15 @@ void copy_library(lua_State* L, const char* from, std::initializer_list<const ch
 
 // Into the environment on top.
 void allow(lua_State* L) {
-    for (const char* name : {"assert", "error", "ipairs", "next", "rawequal", "rawget", "rawlen",
-                             "rawset", "select", "tonumber", "type"}) {
+    for (const char* name : {"assert", "error", "next", "rawequal", "rawget", "rawlen", "rawset",
+                             "select", "tonumber", "type"}) {
         lua_getglobal(L, name);
         lua_setfield(L, -2, name);
+    }
+    for (const char* name : {"assert", "error"}) {
+        lua_getglobal(L, name);
+        machine_of(L).raise_as_told.push_back(lua_tocfunction(L, -1));
+        lua_pop(L, 1);
     }
     lua_pushstring(L, LUA_VERSION);
     lua_setfield(L, -2, "_VERSION");
@@ -105,6 +110,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_vec(L);
     open_color(L, machine);
     open_list(L, machine);
+    note_names(L);
     open_globals(L, machine);
     lua_pushvalue(L, -1);
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);

@@ -84,7 +84,7 @@ int saves(lua_State* L) {
 void open_saves(lua_State* L) {
     add_function<save_game>(L, "save_game");
     add_function<load_game>(L, "load_game");
-    add_function<saves>(L, "saves");
+    add_pure<saves>(L, "saves");
     add_function<delete_save>(L, "delete_save");
 }
 

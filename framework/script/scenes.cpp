@@ -62,7 +62,7 @@ int load(lua_State* L) {
         if (lua_type(L, 3) != LUA_TSTRING)
             throw Error(ErrorKind::wrong_type,
                         "scene.load: needs a name, not " + describe_type(L, 3));
-        name = lua_tostring(L, 3);
+        name = string_at(L, 3);
     }
     const auto found = [&](const fs::path& folder) {
         return !folder.empty() && machine.files.exists(folder / file);

@@ -1,6 +1,7 @@
 #include "script_classes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
@@ -86,6 +87,11 @@ const Class* ScriptClasses::definer(const Class& of, std::string_view name) {
 
 bool ScriptClasses::has_function(const Class& of, std::string_view name) {
     return any_functions_ && definer(of, name) != nullptr;
+}
+
+std::vector<std::string> ScriptClasses::own_functions(const Class& of) const {
+    const auto found = infos_.find(&of);
+    return found == infos_.end() ? std::vector<std::string>() : found->second.function_names;
 }
 
 void ScriptClasses::add_function_names(const Class& of, std::vector<std::string>& names) {
@@ -307,6 +313,9 @@ void ScriptClasses::explain_integer(const Property& property, const Value& value
 
 bool ScriptClasses::deliver_ready() {
     if (waiting_.empty()) return true;
+    // What waits for a place has none as long as nothing moved.
+    const auto now = std::pair(machine_.tree.structure(), waiting_.size());
+    if (std::exchange(looked_at_, now) == now) return true;
     struct Due {
         std::size_t depth;
         Waiting what;
@@ -349,6 +358,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
     bool ok = true;
     calling_ = true;
     std::size_t kept = 0;
+    bool stopped = false;
     // Whatever the functions create joins at the next call.
     const std::size_t count = members_.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -359,13 +369,14 @@ bool ScriptClasses::call_all(const char* name, Push push) {
         }
         members_[kept++] = instance;
         const Class& of = machine_.tree.class_of(instance);
-        if (!has_function(of, name) || !machine_.tree.is_below(instance, root)) continue;
+        if (stopped || !has_function(of, name) || !machine_.tree.is_below(instance, root)) continue;
         ok &= protected_run(machine_, Context(of.name() + ":" + name, instance), [&](lua_State* L) {
             if (!push_function(L, of, name)) return;
             push_instance(L, instance);
             push(L);
             lua_call(L, 2, 0);
         });
+        stopped = machine_.watchdog.stopped();
     }
     members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(kept),
                    members_.begin() + static_cast<std::ptrdiff_t>(count));

@@ -33,6 +33,8 @@ class ScriptClasses {
     bool push_function(lua_State* L, const property::Class& of, const char* name);
     bool has_function(const property::Class& of, std::string_view name);
     void add_function_names(const property::Class& of, std::vector<std::string>& names);
+    /// Of the class itself.
+    std::vector<std::string> own_functions(const property::Class& of) const;
     /// The function on top of the stack becomes the class's own; taken.
     void set_function(lua_State* L, const property::Class& of, const std::string& name);
 
@@ -103,9 +105,12 @@ class ScriptClasses {
         property::Handle instance;
         bool announce;  // nobody else emits its `ready`
     };
-    std::vector<Waiting> waiting_;  // made, and not told yet that they are ready
+    std::pair<std::uint64_t, std::size_t> looked_at_;  // structure of the tree, size of the next
+    std::vector<Waiting> waiting_;                     // made, and not told yet that they are ready
 };
 
+/// Why an instance of a class that is not creatable cannot be made, as the end of a sentence.
+std::string why_not_creatable(const property::Tree& tree, const property::Class& of);
 /// Class objects; `class` among the globals on top.
 void open_classes(lua_State* L, Machine& machine);
 void open_class_function(lua_State* L);

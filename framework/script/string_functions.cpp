@@ -35,10 +35,7 @@ int format(lua_State* L) {
         }
     }
     machine_of(L).budget.charge(L, length / 4);
-    lua_pushvalue(L, lua_upvalueindex(1));
-    lua_insert(L, 1);
-    lua_call(L, lua_gettop(L) - 1, 1);
-    return 1;
+    return call_original(L);
 }
 
 int repeat(lua_State* L) {
@@ -51,27 +48,15 @@ int repeat(lua_State* L) {
         return 1;
     }
     machine_of(L).budget.charge(L, static_cast<std::uint64_t>(count) / 8);
-    lua_pushvalue(L, lua_upvalueindex(1));
-    lua_insert(L, 1);
-    lua_call(L, lua_gettop(L) - 1, 1);
-    return 1;
-}
-
-template <int (*function)(lua_State*)>
-void wrap(lua_State* L, const char* name) {
-    lua_getglobal(L, "string");
-    lua_getfield(L, -1, name);
-    lua_remove(L, -2);
-    lua_pushcclosure(L, guarded<function>, 1);
-    lua_setfield(L, -2, name);
+    return call_original(L);
 }
 
 }  // namespace
 
 void open_strings(lua_State* L) {
     lua_getfield(L, -1, "string");
-    wrap<format>(L, "format");
-    wrap<repeat>(L, "rep");
+    wrap_pure<format>(L, "string", "format");
+    wrap_pure<repeat>(L, "string", "rep");
     lua_pop(L, 1);
 }
 

@@ -69,7 +69,6 @@ ConnectionBox& connection_at(lua_State* L, const char* what) {
 int connection_stop(lua_State* L) {
     const ConnectionBox& box = connection_at(L, "stop");
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("stop a connection");
     if (box.source == Source::tree)
         machine.subscriptions->stop(box.id);
     else
@@ -293,14 +292,13 @@ Connection connect_event(lua_State* L, Machine& machine, Handle instance, const 
 
 int subscribe_event(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("connect a handler");
     lua_settop(L, 3);
     const Class* whole = class_object_at(L, 1);
     const Handle self = whole ? Handle{} : check_instance(L, 1, "on");
     if (lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::wrong_type,
                     "on: needs the name of an event, not " + describe_type(L, 2));
-    const std::string name = lua_tostring(L, 2);
+    const std::string name = string_at(L, 2);
     const Class& of = whole ? *whole : machine.tree.class_of(self);
     machine.subscriptions->push(L, connect_event(L, machine, self, of, name, whole != nullptr));
     return 1;
@@ -308,7 +306,6 @@ int subscribe_event(lua_State* L) {
 
 int subscribe_property(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("watch");
     const Class* whole = class_object_at(L, 1);
     const Handle self = whole ? Handle{} : check_instance(L, 1, "watch");
     const int last = lua_gettop(L) >= 3 ? 3 : 2;
@@ -322,7 +319,7 @@ int subscribe_property(lua_State* L) {
     if (lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::wrong_type,
                     "watch: needs the name of a property, not " + describe_type(L, 2));
-    const std::string name = lua_tostring(L, 2);
+    const std::string name = string_at(L, 2);
     if (!whole) {
         machine.subscriptions->push(L, machine.tree.watch(self, name, handler, options));
         return 1;
@@ -340,13 +337,12 @@ namespace {
 // watch("world.*.velocity", fn)
 int watch_pattern(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("watch");
     lua_settop(L, 2);
     if (lua_type(L, 1) != LUA_TSTRING)
         throw Error(
             ErrorKind::wrong_type,
             "watch: needs a pattern such as \"world.*.velocity\", not " + describe_type(L, 1));
-    const std::string pattern = lua_tostring(L, 1);
+    const std::string pattern = string_at(L, 1);
     if (pattern.find('*') == std::string::npos) {
         // Without a wildcard it names one thing; a slip in it must not go unnoticed.
         const property::Place place = property::resolve(machine.tree, pattern);
@@ -371,10 +367,10 @@ void open_watch(lua_State* L) {
 
 void open_subscriptions(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<connection_index>(L, "__index");
+    add_pure<connection_index>(L, "__index");
     lua_newtable(L);
     add_function<connection_stop>(L, "stop");
-    add_function<connection_active>(L, "active");
+    add_pure<connection_active>(L, "active");
     lua_setfield(L, -2, "methods");
     name_metatable(L, "connection");
     machine.connection_meta = luaL_ref(L, LUA_REGISTRYINDEX);

@@ -30,12 +30,13 @@ void charge(lua_State* L, const char* what, lua_Integer from, lua_Integer to) {
     machine_of(L).budget.charge(L, count);
 }
 
-// The original function, upvalue 1, with the arguments as they are.
-int original(lua_State* L) {
-    lua_pushvalue(L, lua_upvalueindex(1));
-    lua_insert(L, 1);
-    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
-    return lua_gettop(L);
+// What has elements; else an error as Lua's own functions raise it, before anything is done with
+// it.
+void check_list(lua_State* L) {
+    if (lua_type(L, 1) == LUA_TTABLE || list_at(L, 1) != nullptr) return;
+    if (luaL_getmetafield(L, 1, "__index") == LUA_TNIL || lua_type(L, 1) == LUA_TSTRING)
+        luaL_checktype(L, 1, LUA_TTABLE);
+    lua_pop(L, 1);
 }
 
 // --- Lists of properties
@@ -66,6 +67,7 @@ std::size_t position(lua_State* L, int index, std::size_t most, const char* what
 }
 
 int insert(lua_State* L) {
+    check_list(L);
     if (const auto* box = list_at(L, 1)) {
         List list = list_value(L, *box).list();
         const bool placed = lua_gettop(L) >= 3;
@@ -78,10 +80,11 @@ int insert(lua_State* L) {
     }
     if (lua_gettop(L) >= 3 && lua_isinteger(L, 2))
         charge(L, "table.insert", lua_tointeger(L, 2), luaL_len(L, 1));
-    return original(L);
+    return call_original(L);
 }
 
 int remove(lua_State* L) {
+    check_list(L);
     if (const auto* box = list_at(L, 1)) {
         List list = list_value(L, *box).list();
         if (list.empty()) {
@@ -96,30 +99,33 @@ int remove(lua_State* L) {
         return 1;
     }
     if (lua_isinteger(L, 2)) charge(L, "table.remove", lua_tointeger(L, 2), luaL_len(L, 1));
-    return original(L);
+    return call_original(L);
 }
 
 int concat(lua_State* L) {
+    check_list(L);
     const lua_Integer from = luaL_optinteger(L, 3, 1);
     const lua_Integer to = lua_isnoneornil(L, 4) ? luaL_len(L, 1) : luaL_checkinteger(L, 4);
     charge(L, "table.concat", from, to);
-    return original(L);
+    return call_original(L);
 }
 
 int move(lua_State* L) {
     charge(L, "table.move", luaL_checkinteger(L, 2), luaL_checkinteger(L, 3));
-    return original(L);
+    return call_original(L);
 }
 
 int unpack(lua_State* L) {
+    check_list(L);
     const lua_Integer from = luaL_optinteger(L, 2, 1);
     const lua_Integer to = lua_isnoneornil(L, 3) ? luaL_len(L, 1) : luaL_checkinteger(L, 3);
     charge(L, "table.unpack", from, to);
-    return original(L);
+    return call_original(L);
 }
 
 // n log n, roughly.
 int sort(lua_State* L) {
+    check_list(L);
     const lua_Integer length = luaL_len(L, 1);
     charge(L, "table.sort", 1, length);
     std::uint64_t rounds = 0;
@@ -129,28 +135,19 @@ int sort(lua_State* L) {
     if (list_at(L, 1))
         throw Error(ErrorKind::rejected,
                     "table.sort: sort a table of your own and assign it to the property");
-    return original(L);
-}
-
-template <int (*function)(lua_State*)>
-void wrap(lua_State* L, const char* name) {
-    lua_getglobal(L, "table");
-    lua_getfield(L, -1, name);
-    lua_remove(L, -2);
-    lua_pushcclosure(L, guarded<function>, 1);
-    lua_setfield(L, -2, name);
+    return call_original(L);
 }
 
 }  // namespace
 
 void open_table_guards(lua_State* L) {
     lua_getfield(L, -1, "table");
-    wrap<insert>(L, "insert");
-    wrap<remove>(L, "remove");
-    wrap<concat>(L, "concat");
-    wrap<move>(L, "move");
-    wrap<unpack>(L, "unpack");
-    wrap<sort>(L, "sort");
+    wrap_pure<insert>(L, "table", "insert");
+    wrap_pure<remove>(L, "table", "remove");
+    wrap_pure<concat>(L, "table", "concat");
+    wrap_pure<move>(L, "table", "move");
+    wrap_pure<unpack>(L, "table", "unpack");
+    wrap_pure<sort>(L, "table", "sort");
     lua_pop(L, 1);
 }
 

@@ -24,14 +24,34 @@ namespace {
 // A snapshot holds a whole game; what a script forgets to let go of must not fill the memory.
 constexpr std::size_t most_snapshots = 64;
 
+/// For so many more, as large as the last was.
+void require_room(const Machine& machine, std::size_t more) {
+    if (machine.snapshot_bytes + more * machine.snapshot_size <= machine.options.memory_limit)
+        return;
+    throw Error(ErrorKind::rejected, "snapshot: those that scripts hold already take " +
+                                         std::to_string(machine.snapshot_bytes >> 20) + " of " +
+                                         std::to_string(machine.options.memory_limit >> 20) +
+                                         " MB; let go of some");
+}
+
 struct Held {
     Snapshot snapshot;  // empty until the barrier
+    std::size_t bytes = 0;
     std::shared_ptr<lua_State*> alive;
     Machine* machine;
 
     explicit Held(Machine& of) : alive(of.alive), machine(&of) { ++of.snapshots; }
     ~Held() {
-        if (*alive != nullptr) --machine->snapshots;
+        if (*alive == nullptr) return;
+        --machine->snapshots;
+        machine->snapshot_bytes -= bytes;
+    }
+    /// At the barrier.
+    void take() {
+        require_room(*machine, 1);
+        snapshot = machine->tree.snapshot();
+        bytes = machine->snapshot_size = snapshot.payload().size();
+        machine->snapshot_bytes += bytes;
     }
     Held(const Held&) = delete;
 };
@@ -61,25 +81,24 @@ int describe(lua_State* L) {
 
 int snapshot(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("take a snapshot");
     if (machine.snapshots >= most_snapshots) lua_gc(L, LUA_GCCOLLECT);
     if (machine.snapshots >= most_snapshots)
         throw Error(ErrorKind::rejected, "snapshot: " + std::to_string(most_snapshots) +
                                              " are held already; let go of some");
+    require_room(machine, 1);
     auto* box = static_cast<SnapshotBox*>(lua_newuserdatauv(L, sizeof(SnapshotBox), 0));
     *box = {Tag::snapshot, nullptr};
     push_registry(L, machine.snapshot_meta);
     lua_setmetatable(L, -2);
     box->held = new std::shared_ptr<Held>(std::make_shared<Held>(machine));
-    machine.tree.at_barrier([&tree = machine.tree, held = std::weak_ptr<Held>(*box->held)] {
-        if (const auto wanted = held.lock()) wanted->snapshot = tree.snapshot();
+    machine.tree.at_barrier([held = std::weak_ptr<Held>(*box->held)] {
+        if (const auto wanted = held.lock()) wanted->take();
     });
     return 1;
 }
 
 int restore(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("restore a snapshot");
     const auto* box = box_at<SnapshotBox>(L, 1, Tag::snapshot);
     if (box == nullptr)
         throw Error(ErrorKind::wrong_type,
@@ -91,7 +110,6 @@ int restore(lua_State* L) {
 
 int rewind(lua_State* L) {
     Machine& machine = machine_of(L);
-    machine.tree.require_changeable("rewind");
     const double seconds = check_number(L, 1, "rewind");
     if (!(seconds >= 0) || std::isinf(seconds))
         throw Error(ErrorKind::out_of_range, "rewind: " + property::number_text(seconds) +
@@ -110,8 +128,8 @@ int rewind(lua_State* L) {
 void open_time(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_newtable(L);
-    add_function<release>(L, "__gc");
-    add_function<describe>(L, "__tostring");
+    add_pure<release>(L, "__gc");
+    add_pure<describe>(L, "__tostring");
     name_metatable(L, "snapshot");
     machine.snapshot_meta = luaL_ref(L, LUA_REGISTRYINDEX);
     add_function<snapshot>(L, "snapshot");

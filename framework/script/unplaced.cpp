@@ -3,6 +3,7 @@
 // step, once enough of them have gathered), never whenever it happens to run.
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "instance.h"
 #include "machine.h"
@@ -14,11 +15,13 @@ using property::Value;
 
 namespace {
 
+std::uint64_t key(Handle handle) {
+    return std::uint64_t{handle.generation} << 32 | handle.index;
+}
+
 bool has_proxy(lua_State* L, const Machine& machine, Handle handle) {
     push_registry(L, machine.proxies);
-    lua_rawgeti(L, -1,
-                static_cast<lua_Integer>(std::uint64_t{handle.generation} << 32 |
-                                         std::uint64_t{handle.index}));
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(key(handle)));
     const bool found = !lua_isnil(L, -1);
     lua_pop(L, 2);
     return found;
@@ -67,27 +70,26 @@ void collect_unplaced(Machine& machine) {
         lua_gc(L, LUA_GCCOLLECT);
         // What the tree or a script refers to stays, and so does what that refers to.
         std::vector<Handle> reachable = {machine.tree.root()};
-        std::vector<Handle> kept;
-        std::vector<Handle> rest = unplaced;
+        std::unordered_set<std::uint64_t> rest;
         for (const Handle handle : unplaced)
-            if (held_by_script(L, machine, handle)) reachable.push_back(handle);
+            if (held_by_script(L, machine, handle))
+                reachable.push_back(handle);
+            else
+                rest.insert(key(handle));
         while (!reachable.empty()) {
             const Handle top = reachable.back();
             reachable.pop_back();
-            std::erase(rest, top);
             std::vector<Handle> references;
             references_below(machine, top, references);
             for (const Handle handle : references) {
                 if (!machine.tree.alive(handle)) continue;
                 const Handle other = top_of(machine, handle);
-                if (std::find(rest.begin(), rest.end(), other) != rest.end()) {
-                    std::erase(rest, other);
-                    reachable.push_back(other);
-                }
+                if (rest.erase(key(other)) > 0) reachable.push_back(other);
             }
         }
-        for (const Handle handle : rest)
-            if (machine.tree.alive(handle)) machine.tree.destroy(handle);
+        for (const Handle handle : unplaced)
+            if (rest.contains(key(handle)) && machine.tree.alive(handle))
+                machine.tree.destroy(handle);
         std::erase_if(unplaced, [&](Handle handle) { return !machine.tree.alive(handle); });
     }
     machine.unplaced_limit = std::max<std::size_t>(64, 2 * unplaced.size());

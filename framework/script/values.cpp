@@ -311,7 +311,7 @@ Value table_to_list(lua_State* L, int index, int depth) {
     lua_Unsigned keys = 0;
     for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
         if (lua_type(L, -2) == LUA_TSTRING) {
-            const std::string key = lua_tostring(L, -2);
+            const std::string key = string_at(L, -2);
             lua_pop(L, 2);
             throw Error(ErrorKind::wrong_type,
                         "a table with named keys (" + key +
@@ -359,12 +359,18 @@ property::Color check_color(lua_State* L, int index, const char* what) {
     if (const auto* box = color_at(L, index)) return box->color;
     if (lua_type(L, index) == LUA_TSTRING) {
         property::Color color;
-        if (property::parse_color(lua_tostring(L, index), color)) return color;
+        if (property::parse_color(string_at(L, index), color)) return color;
         throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": \"" + lua_tostring(L, index) + "\" is no color");
+                    std::string(what) + ": \"" + string_at(L, index) + "\" is no color");
     }
     throw Error(ErrorKind::wrong_type,
                 std::string(what) + ": needs a color, not " + describe_type(L, index));
+}
+
+void check_function(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a function, not " + describe_type(L, index));
 }
 
 double check_number(lua_State* L, int index, const char* what) {

@@ -92,11 +92,19 @@ inline ListBox* list_at(lua_State* L, int index) {
     return box_at<ListBox>(L, index, Tag::list);
 }
 
+/// The text at `index`, which is one; it may hold zero bytes.
+inline std::string string_at(lua_State* L, int index) {
+    std::size_t size = 0;
+    const char* chars = lua_tolstring(L, index, &size);
+    return {chars, size};
+}
+
 /// The instance at `index`, alive; else an error that names `what`.
 property::Handle check_instance(lua_State* L, int index, const char* what);
 property::Vec2 check_vec(lua_State* L, int index, const char* what);
 property::Color check_color(lua_State* L, int index, const char* what);
 double check_number(lua_State* L, int index, const char* what);
+void check_function(lua_State* L, int index, const char* what);
 
 void push_vec(lua_State* L, const property::Vec2& v);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);

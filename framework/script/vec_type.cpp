@@ -223,30 +223,30 @@ int vec_make(lua_State* L) {
 
 void define_vec(lua_State* L, Machine& machine) {
     lua_newtable(L);
-    add_function<vec_index>(L, "__index");
-    add_function<vec_newindex>(L, "__newindex");
-    add_function<vec_add>(L, "__add");
-    add_function<vec_subtract>(L, "__sub");
-    add_function<vec_multiply>(L, "__mul");
-    add_function<vec_divide>(L, "__div");
-    add_function<vec_negate>(L, "__unm");
-    add_function<vec_equal>(L, "__eq");
-    add_function<vec_tostring>(L, "__tostring");
+    add_pure<vec_index>(L, "__index");
+    add_pure<vec_newindex>(L, "__newindex");
+    add_pure<vec_add>(L, "__add");
+    add_pure<vec_subtract>(L, "__sub");
+    add_pure<vec_multiply>(L, "__mul");
+    add_pure<vec_divide>(L, "__div");
+    add_pure<vec_negate>(L, "__unm");
+    add_pure<vec_equal>(L, "__eq");
+    add_pure<vec_tostring>(L, "__tostring");
     lua_newtable(L);
-    add_function<vec_length>(L, "length");
-    add_function<vec_normalized>(L, "normalized");
-    add_function<vec_dot>(L, "dot");
-    add_function<vec_cross>(L, "cross");
-    add_function<vec_rotated>(L, "rotated");
-    add_function<vec_lerp>(L, "lerp");
-    add_function<vec_angle>(L, "angle");
+    add_pure<vec_length>(L, "length");
+    add_pure<vec_normalized>(L, "normalized");
+    add_pure<vec_dot>(L, "dot");
+    add_pure<vec_cross>(L, "cross");
+    add_pure<vec_rotated>(L, "rotated");
+    add_pure<vec_lerp>(L, "lerp");
+    add_pure<vec_angle>(L, "angle");
     lua_setfield(L, -2, "methods");
     name_metatable(L, "vec");
     machine.vec_meta = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 
 void open_vec(lua_State* L) {
-    add_function<vec_make>(L, "vec");
+    add_pure<vec_make>(L, "vec");
 }
 
 }  // namespace fettle::script

@@ -110,6 +110,7 @@ void clear_property(Machine& machine, Handle instance, const Property& property)
 void add_property(Machine& machine, Handle instance, std::string_view name, const Value& value) {
     if (!machine.recording.active) {
         machine.tree.set_or_add(instance, name, value);
+        machine.hints.property_added(instance, name);
         return;
     }
     const Property* before = machine.tree.find(instance, name);
@@ -123,6 +124,7 @@ void add_property(Machine& machine, Handle instance, std::string_view name, cons
         }
         edit->after = machine.tree.get(instance, property);
     }
+    machine.hints.property_added(instance, name);
 }
 
 namespace {

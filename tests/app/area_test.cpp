@@ -114,4 +114,26 @@ TEST_CASE(
     CHECK(star(20'000) < 20 * 20'000);
 }
 
+TEST_CASE("a tangle of very many edges is filled as exactly as one of few") {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<float> place(-20, 120);
+    std::vector<Points> outlines(1);
+    for (int i = 0; i < 700; ++i) outlines[0].push_back({place(generator), place(generator)});
+    const auto rule = GENERATE(Area::Rule::forward, Area::Rule::any_way);
+    const auto inside = cut(outlines, rule);
+    int wrong = 0;
+    for (int y = 0; y < 100; y += 3)
+        for (int x = 0; x < 100; x += 3) {
+            const float cx = static_cast<float>(x) + 0.5f, cy = static_cast<float>(y) + 0.5f;
+            if (doubtful(outlines, cx, cy)) continue;
+            const int round = winding(outlines, cx, cy);
+            const bool expected = rule == Area::Rule::forward ? round > 0 : round != 0;
+            wrong += covers(inside, x, y) != (expected ? 1 : 0);
+        }
+    CHECK(wrong == 0);
+    // However many corners: no more spans than there are pixels to see them.
+    for (int i = 0; i < 40'000; ++i) outlines[0].push_back({place(generator), place(generator)});
+    CHECK(cut(outlines, rule).size() <= 100 * 71);
+}
+
 }  // namespace fettle::app

@@ -104,7 +104,7 @@ TEST_CASE("a replay writes nothing to the files of the game and goes on as the r
                  "--at",
                  "10:keep('world.**') scene.save('copy.json', ball) ball.gravity_scale = 2",  //
                  "--at",
-                 "12:edit('more', function() ball.friction = 1 end)",  //
+                 "12:edit('more', function() ball.bounces = 1 end)",  //
                  "--at",
                  "15:drop_tweaks('**') save_game('late')",  //
                  "--at",

@@ -9,10 +9,12 @@ TEST_CASE("a script that is interrupted stops wherever it is and the next ones t
         as<std::string>{}, "while true do end", "while true do pcall(error) end",
         "while true do pcall(function() while true do end end) end",
         "xpcall(function() while true do end end, function() while true do end end)",
-        "local f = coroutine.wrap(function() while true do coroutine.yield() end end) while true do "
+        "local f = coroutine.wrap(function() while true do coroutine.yield() end end) while true "
+        "do "
         "f() end",
         "while true do coroutine.resume(coroutine.create(function() while true do end end)) end",
-        "(('a'):rep(30000)):match('.-.-.-.-b')", "for i = 1, 1e12 do world.gravity = vec(0, i) end");
+        "(('a'):rep(30000)):match('.-.-.-.-b')",
+        "for i = 1, 1e12 do world.gravity = vec(0, i) end");
     Stage s;
     // As a signal handler does it, at a moment when the script runs.
     s.runtime->on_print([&](std::string_view) { s.runtime->interrupt(); });
@@ -26,8 +28,9 @@ TEST_CASE("a script that is interrupted stops wherever it is and the next ones t
     CHECK_FALSE(s.runtime->interrupted());
     s.errors.clear();
     s.run("n = 0 for i = 1, 1000 do n = n + i end assert(n == 500500)");
-    s.run("local co = coroutine.wrap(function() for i = 1, 9 do coroutine.yield(i) end end) "
-          "assert(co() == 1 and co() == 2)");
+    s.run(
+        "local co = coroutine.wrap(function() for i = 1, 9 do coroutine.yield(i) end end) "
+        "assert(co() == 1 and co() == 2)");
     CHECK(s.console("n") == "500500");
 }
 
@@ -52,7 +55,8 @@ TEST_CASE("out of memory is told with its place and the limit") {
         "local s = ('x'):rep(1e6)\nfor i = 1, 10 do s = s .. s end",
         "local s = ('x'):rep(1e6)\ns = s:gsub('x', ('y'):rep(100))",
         "local t = {}\nfor i = 1, 1e6 do t[i] = ('x'):rep(100) end t = table.concat(t)",
-        "local f\nf = coroutine.wrap(function() local t = {} for i = 1, 1e9 do t[i] = i end end) f()");
+        "local f\nf = coroutine.wrap(function() local t = {} for i = 1, 1e9 do t[i] = i end end) "
+        "f()");
     CHECK_FALSE(s.runtime->run(chunk, "chunk"));
     REQUIRE(s.errors.size() == 1);
     INFO(chunk << "\n" << s.errors[0].message);

@@ -73,4 +73,9 @@ class Stage {
 
 std::string joined(const std::vector<std::string>& lines);
 
+/// Matches a text that begins so.
+inline auto starts_with(const std::string& part) {
+    return Catch::Matchers::StartsWith(part);
+}
+
 }  // namespace stage

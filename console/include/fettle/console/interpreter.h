@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Interpreter {
     std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>
         complete{};
     std::function<void(property::Handle instance)> set_it{};
+    std::function<void(std::function<std::size_t()> bytes, std::string property)> limit_memory{};
 };
 
 /// The runtime must outlive it.

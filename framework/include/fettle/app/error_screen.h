@@ -1,5 +1,6 @@
 #pragma once
-// The error screen: a script went wrong, and its author sees where, why and with which values.
+// The error screen: a script went wrong, or does not come back, and its author sees where, why and
+// with which values.
 
 #include <functional>
 #include <optional>
@@ -26,7 +27,15 @@ class ErrorScreen : public Layer {
     /// Shows an error; one that is shown already stays, since the first is the cause of the rest.
     void show(const script::ScriptError& error);
     void hide() { error_.reset(); }
-    bool visible() const { return error_.has_value(); }
+    bool visible() const { return error_.has_value() || running_.has_value(); }
+
+    /// Shows where a script is that does not come back, and asks what is to become of it; to be
+    /// called again and again while it goes on.
+    void show_running(const script::LongCall& call);
+    /// Whether it is to be stopped.
+    bool stop_wanted() const { return stop_wanted_; }
+    /// It has come back.
+    void came_back();
     const std::optional<script::ScriptError>& error() const { return error_; }
 
     bool handle(const InputEvent& event) override;
@@ -35,11 +44,17 @@ class ErrorScreen : public Layer {
   private:
     struct FETTLE_APP_PRIVATE Line;
     std::vector<Line> lines() const;
+    std::vector<Line> lines_of_error() const;
+    std::vector<Line> lines_of_running() const;
+    bool handle_key(const std::string& key);
 
     Actions actions_;
     std::optional<script::ScriptError> error_;
     std::size_t further_errors_ = 0;
-    int scroll_ = 0;  // lines
+    std::optional<script::LongCall> running_;
+    bool stop_wanted_ = false;
+    bool waits_ = false;  // the author knows, and does not want to be told more than that
+    int scroll_ = 0;      // lines
 };
 
 /// As it is written to stderr: message, where, source line, traceback, local variables.

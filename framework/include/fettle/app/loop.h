@@ -85,6 +85,8 @@ class Loop {
     void turn();
     /// Draws the game and the layers. `seconds`: real time since the last.
     void draw(Screen& screen, double seconds);
+    /// Draws the layers alone: the game is in the middle of something.
+    void draw_layers(Screen& screen, double seconds);
 
     /// Steps this run has made; a moment gone back to and lived again counts again. Turns of a
     /// headless run count although they make no step while paused.

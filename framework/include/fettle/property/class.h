@@ -209,8 +209,10 @@ struct Record {
 /// What a method returns: nothing (nil), a value, a record or a list of records.
 using Result = std::variant<Value, Record, std::vector<Record>>;
 
-/// What a method changes. `nothing`: it asks. `tree`: properties and instances, by the tree's own
-/// members. `memory`: its module's memory, which nobody else hears of.
+/// What a method changes. `nothing`: it asks, and a formula may call it. `tree`: properties and
+/// instances, by the tree's own members. `memory`: its module's memory, which nobody else hears of.
+/// Formulas, and what is asked in the middle of a step or of a query, may call neither of the last
+/// two.
 enum class Effect : std::uint8_t { nothing, tree, memory };
 
 struct Method {

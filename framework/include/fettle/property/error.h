@@ -30,10 +30,18 @@ enum class ErrorKind {
 
 class Error : public std::runtime_error {
   public:
-    Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+    Error(ErrorKind kind, const std::string& message)
+        : std::runtime_error(shown(message)), kind_(kind) {}
     ErrorKind kind() const { return kind_; }
 
   private:
+    /// A zero byte, which a name or a text in the message may hold, would end it.
+    static std::string shown(std::string message) {
+        for (std::size_t at = message.find('\0'); at != std::string::npos;
+             at = message.find('\0', at + 2))
+            message.replace(at, 1, "\\0");
+        return message;
+    }
     ErrorKind kind_;
 };
 

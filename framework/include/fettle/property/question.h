@@ -28,7 +28,7 @@ class Inquiry {
     Inquiry(const Inquiry&) = delete;
     Inquiry& operator=(const Inquiry&) = delete;
 
-    [[noreturn]] void refuse(const char* what) const;
+    [[noreturn]] void refuse(std::string_view what) const;
 
   private:
     Tree& tree_;

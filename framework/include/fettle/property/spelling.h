@@ -20,7 +20,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 
 /// Whether `name` is so near to `declared` that it is surely a slip: other case, one edit or one
 /// transposition. Names under four letters are compared by case only, since they are near
-/// everything.
+/// everything; names that differ only in what counts them (wheel1 and wheel2, item_a and item_b)
+/// are different names.
 bool near_miss(std::string_view name, std::string_view declared);
 
 /// The candidate nearest to `name`, or "" when none is near enough to be worth suggesting.

@@ -16,7 +16,11 @@ namespace fettle::property {
 /// An interned name. Interning is thread-safe; symbols live as long as the process.
 class Symbol {
   public:
+    /// Different names a process can have: nobody needs so many, and none is ever given back.
+    static constexpr std::uint32_t most = std::uint32_t{1} << 22;
+
     Symbol() = default;
+    /// Throws Error(bad_name) when there are too many different names.
     explicit Symbol(std::string_view text);
     /// The symbol of `text` if anyone has interned it, else the empty symbol. Never grows the
     /// table, so that names typed by a user or read from a file leave nothing behind.

@@ -104,9 +104,13 @@ class Tree {
     Handle next_sibling(Handle instance) const;
     std::vector<Handle> children(Handle instance) const;
     std::size_t child_count(Handle instance) const;
+    /// From 1; a null handle when there are not so many. Fast when they are asked for in order.
+    Handle nth_child(Handle instance, std::uint64_t n) const;
     /// Null handle when there is none.
     Handle child(Handle instance, std::string_view name) const;
     bool is_below(Handle instance, Handle ancestor) const;
+    /// Another number whenever an instance came, went or got another place or name.
+    std::uint64_t structure() const;
     /// Number of living instances, and their visit in a fixed order (parents before children).
     std::size_t size() const;
     void each_below(Handle top, const std::function<void(Handle)>& visit) const;
@@ -215,10 +219,12 @@ class Tree {
     std::size_t formula_count() const;
     /// True while a formula runs: nothing may be changed then.
     bool in_formula() const;
-    /// Throws Error "..., it cannot `what`" while a formula runs or a function is asked something
+    /// Throws Error "..., it cannot `what`", naming the formula that runs or what is asked
     /// (`Inquiry`). What changes the tree does so by itself; this is for what changes a game
-    /// otherwise.
-    void require_changeable(const char* what) const;
+    /// otherwise. `what`: "call quit".
+    void require_changeable(std::string_view what) const;
+    /// False while a formula runs or a function is asked something.
+    bool changeable() const;
     /// Whoever knows the language formulas are written in says how they are made of their text, so
     /// that files can hold them. Empty: nobody does.
     void compile_formulas_with(FormulaCompiler compiler);
@@ -302,6 +308,18 @@ class Tree {
     void unobserve(Observer& observer);
     /// Not owned; told of what people edit, instead of the one before. Null: nobody.
     void observe_edits(EditObserver* observer);
+
+    // --- Growth
+    // --------------------------------------------------------------------------------------------------
+
+    /// About how many bytes instances, values, watchers and what else lasts have come to take, an
+    /// estimate that is the same in every run: for telling how much something adds.
+    std::int64_t weight() const;
+    /// Something else that was made for good, or given back.
+    void add_weight(std::int64_t bytes);
+    /// `passed` is called, once, when the weight comes to be more than `mark`; it may set another
+    /// mark, and changes nothing else. It is called in the middle of what makes the tree grow.
+    void mark_weight(std::int64_t mark, std::function<void()> passed);
 
     // --- Snapshots
     // --------------------------------------------------------------------------------------------------

@@ -30,9 +30,13 @@ struct FETTLE_SCRIPT_PRIVATE Machine;
 
 struct Options {
     std::uint64_t seed = 0;
-    std::size_t memory_limit = std::size_t{512} << 20;    // bytes, whole Lua state
-    std::size_t console_memory = std::size_t{128} << 20;  // bytes one console command may add
-    std::uint64_t console_budget = 50'000'000;            // Lua instructions of one console command
+    std::size_t memory_limit = std::size_t{512} << 20;  // bytes, whole Lua state
+    // Bytes one console command may add: in Lua and in the tree. A chunk of `run`: memory_limit.
+    std::size_t console_memory = std::size_t{128} << 20;
+    std::uint64_t console_budget = 50'000'000;  // Lua instructions of one console command
+    /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: as
+    /// long as it likes. `limit_calls` says more, and can change it.
+    double call_seconds = 10;
     std::filesystem::path assets;  // where files are looked for that the game's folder lacks
     // Not owned; a game has none of what is missing.
     property::GameSaves* saves = nullptr;
@@ -58,6 +62,12 @@ struct ScriptError {
 
 /// The error as a console shows it: message, then the source line and a caret under what is wrong.
 std::vector<std::string> error_lines(const ScriptError& error);
+
+/// A call into the game's scripts that does not come back.
+struct LongCall {
+    ScriptError where;   // it has no message
+    double seconds = 0;  // that it has lasted
+};
 
 /// What came of one console command.
 struct Evaluation {
@@ -94,7 +104,9 @@ class Runtime {
     /// elsewhere: links that lead out of it are not followed. Throws property::FileError when the
     /// file cannot be read, and Error(bad_structure) while a script of this runtime runs.
     bool load(const std::filesystem::path& game);
-    /// Runs a chunk as part of the game (`--eval`). False when it raised.
+    /// Runs a chunk as part of the game (`--eval`). It may add `Options::memory_limit` bytes, in
+    /// Lua and in the tree, and like every call take `Options::call_seconds`: then it is stopped.
+    /// False when it raised or was stopped; the error goes to the sink.
     bool run(std::string_view chunk, const std::string& name);
 
     /// Calls a global function of the game if it has one ("update", "key_pressed" ...). False when
@@ -121,14 +133,33 @@ class Runtime {
     void set_it(property::Handle instance);
     property::Handle it() const;
 
+    // --- Calls that do not come back
+    // --------------------------------------------------------------------------------
+
+    /// A call into the game's scripts (main.lua, a chunk, a callback, a timer, a handler, drawing)
+    /// that takes longer than `seconds` is asked about, ten times a second from then on: `go_on`
+    /// says whether it may; it may look at events, draw, and evaluate commands meanwhile. Without
+    /// it the call is stopped, as by an error: so it is after `Options::call_seconds` until this is
+    /// called. 0: calls last as long as they like. A runtime whose calls are limited has a thread
+    /// of its own from its first call on, and uses the signal SIGURG, whose handler it sets.
+    void limit_calls(double seconds, std::function<bool(const LongCall&)> go_on);
+
     // --- Towards the host
     // -------------------------------------------------------------------------------------------
 
     void on_error(std::function<void(const ScriptError&)> sink);
     /// print() outside console commands.
     void on_print(std::function<void(std::string_view)> sink);
+    /// What is no error and has surely another effect than its author thinks: a property added
+    /// under the name that another engine has for a declared one, a function that nothing calls and
+    /// that is nearly called like a callback. Each is told once.
+    void on_note(std::function<void(std::string_view)> sink);
     /// What rewind(seconds) does, at a barrier between steps. Without it rewind is refused.
     void on_rewind(std::function<void(double seconds)> rewind);
+    /// Asked before every console command how many bytes it may add, in Lua and in the tree
+    /// together, instead of what the options say. `property` is named by the error of a command
+    /// that needs more. Empty: the options again.
+    void on_command_memory(std::function<std::size_t()> bytes, std::string property);
     /// Told of every console command before it runs.
     void on_command(std::function<void(std::string_view)> sink);
     /// Stops the script that runs, wherever it is, and every other one until `go_on`; each tells

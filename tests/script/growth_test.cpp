@@ -1,0 +1,299 @@
+// What grows, and what must not: limits of what one command may make, and operations whose cost
+// must not depend on how much there is. The great numbers below take under a second each; where the
+// cost grows with the square of what there is, they take hours.
+
+#include <fettle/property/path.h>
+
+#include "stage.h"
+
+using stage::Stage;
+using stage::starts_with;
+
+namespace {
+
+fettle::script::Options small_memory() {
+    fettle::script::Options options;
+    options.console_memory = std::size_t{8} << 20;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("a command that makes the tree grow without end is stopped and says what it made") {
+    const std::string attack = GENERATE(
+        as<std::string>{}, "while true do world:add(Body {}) end",
+        "while true do pcall(function() world:add(Body {}) end) end",
+        "local b = Object { Object {}, Object {} } while true do b = Object { b:clone(), b } end",
+        "local b = Object {} while true do for i = 1, 50 do b:add(Object {}) end b = b:clone() end",
+        "while true do world:watch('scale', print) end",
+        "while true do watch('world.*.mass', print) end",
+        "while true do world:on('deleted', print) end", "while true do after(1, print) end",
+        "while true do every(1, print) end",
+        "local n = 0 while true do n = n + 1 world['k' .. n] = n end",
+        "local n = 0 while true do n = n + 1 world['k' .. n] = Object {} end",
+        "local n = 0 while true do n = n + 1 class('K' .. n, Object) {} end",
+        "local l = {} while true do local o = Object {} l[#l + 1] = o o.f = formula(print) end",
+        "local n = 0 while true do n = n + 1 local o = Object {} o.t = ('x'):rep(1000) .. n "
+        "world:add(o) end",
+        "local t = {} for i = 1, 1000 do t[i] = i end while true do local o = Object {} o.t = t "
+        "world:add(o) end",
+        "while true do local c = coroutine.create(function() world:add(Body {}) end) "
+        "coroutine.resume(c) end");
+    Stage s(small_memory());
+    CAPTURE(attack);
+    const std::size_t before = s.tree->size();
+    const auto e = s.runtime->evaluate(attack);
+    CHECK_FALSE(e.ok);
+    REQUIRE(e.error);
+    CHECK_THAT(e.error->message,
+               starts_with("console:1: stopped: it needs more memory than a command may use, 8 MB; "
+                           "it made "));
+    CHECK(s.tree->size() - before < 40'000);
+    CHECK(s.console("1 + 1") == "2");
+}
+
+TEST_CASE("what a command made and gave back does not count") {
+    Stage s(small_memory());
+    CHECK(s.console("for i = 1, 100000 do local o = Object { t = ('x'):rep(200) } o:delete() end "
+                    "return 1") == "1");
+    CHECK(s.console("for i = 1, 100000 do world:watch('scale', print):stop() end return 2") == "2");
+    CHECK(s.console("for i = 1, 100000 do after(1, print):stop() end return 3") == "3");
+    CHECK(
+        s.console("for i = 1, 100000 do world.text = ('x'):rep(200) .. i end return #world.text > "
+                  "0") != "");
+}
+
+TEST_CASE("a command that writes two cells in turn keeps their ends and no more") {
+    Stage s(small_memory());
+    s.run("world.a = 1 world.b = 1");
+    CHECK_THAT(s.console("for i = 1, 200000 do world.a = i world.b = i end return 1"),
+               contains("world.a: 1 → 200000"));
+    s.console("undo");
+    CHECK(s.get("world.a").integer() == 1);
+    CHECK(s.get("world.b").integer() == 1);
+}
+
+TEST_CASE("the limit of a command can be set") {
+    Stage s;
+    std::size_t megabytes = 4;
+    s.runtime->on_command_memory([&] { return megabytes << 20; }, "console.memory_limit");
+    const std::string command = "for i = 1, 20000 do world:add(Object {}) end return 1";
+    CHECK_THAT(s.console(command), contains("a command may use, 4 MB") &&
+                                       contains(" instances, ") &&
+                                       contains("console.memory_limit raises the limit"));
+    megabytes = 64;
+    CHECK_THAT(s.console(command), contains("1"));
+}
+
+TEST_CASE("a chunk may make what the scripts of a game may and no more") {
+    fettle::script::Options options;
+    options.memory_limit = std::size_t{16} << 20;
+    Stage s(options);
+    CHECK_THAT(
+        s.fails("\nwhile true do world:add(Object {}) end"),
+        starts_with("main.lua:2: stopped: it needs more memory than a chunk may use, 16 MB"));
+    CHECK_THAT(s.fails("local t = {} while true do t[#t + 1] = {} end"),
+               contains("the scripts of a game may use 16 MB"));
+    s.run("for i = 1, 60000000 do end");
+}
+
+TEST_CASE("snapshots that scripts hold are held to a limit of memory") {
+    fettle::script::Options options;
+    options.memory_limit = std::size_t{16} << 20;
+    Stage s(options);
+    s.run("for i = 1, 20000 do world:add(Object {}) end held = {}");
+    s.step();
+    std::vector<std::string> told;
+    s.tree->on_handler_error(
+        [&](const fettle::property::HandlerError& error) { told.push_back(error.message); });
+    for (int i = 0; i < 30; ++i) {
+        (void)s.runtime->run("held[#held + 1] = snapshot()", "main.lua");
+        s.tree->barrier();
+    }
+    REQUIRE(!s.errors.empty());
+    CHECK_THAT(s.errors.back().message, contains("of 16 MB; let go of some"));
+    // Those that were not taken for want of room say so when they are to be restored.
+    s.errors.clear();
+    s.run("held = nil collectgarbage() held = { snapshot() }");
+    s.tree->barrier();
+    CHECK(s.errors.empty());
+}
+
+TEST_CASE("a tree has a thousand levels at most and says so") {
+    Stage s;
+    const std::string told = s.fails(R"lua(
+local deep = world
+while true do deep = deep:add(Object {}) end
+)lua");
+    CHECK_THAT(told, contains("nothing can hang so deep; a tree has 1000 levels at most"));
+    CHECK(told.size() < 300);
+    // From below, and by moving.
+    CHECK_THAT(s.fails("local top = Object {} while true do top = Object { top } end"),
+               contains("1000 levels at most"));
+    s.run(R"lua(
+local a, b = Object {}, Object {}
+world.a, world.b = a, b
+local deep = a
+for i = 1, 900 do deep = deep:add(Object {}) end
+local other = b
+for i = 1, 900 do other = other:add(Object {}) end
+assert(not pcall(function() b:move(deep) end))
+assert(b.parent == world)
+assert(#tostring(deep) > 900)
+local copy = a:clone()
+a:delete()
+copy:delete()
+)lua");
+    s.step();
+}
+
+TEST_CASE("an undo that would bring something back too deep says so") {
+    Stage s;
+    s.run(R"lua(
+world.p = Object {}
+local deep = world.p:add(Object {}, "top")
+for i = 1, 600 do deep = deep:add(Object {}) end
+world.q = Object {}
+bottom = world.q
+for i = 1, 600 do bottom = bottom:add(Object {}) end
+)lua");
+    s.console("world.p.top = nil");
+    s.run("world.p:move(bottom)");
+    CHECK_THAT(s.console("undo"),
+               contains("cannot be brought back: what it hung under hangs deeper"));
+}
+
+TEST_CASE("children are reached by number however many there are") {
+    Stage s;
+    CHECK(s.prints(R"lua(
+local n = 300000
+local box = Object {}
+world.box = box
+while #box < n do box:add(Object {}) end
+local sum = 0
+for i = 1, n do if box[i].parent == box then sum = sum + 1 end end
+for i = n, 1, -1 do if box[i].parent == box then sum = sum + 1 end end
+for i, child in ipairs(box) do sum = sum + 1 end
+print(sum, box[n + 1], box[0], box[-1])
+while #box > n / 2 do box[#box]:delete() end
+while #box > 0 do box[1]:delete() end
+print(#box, box[1])
+)lua") == "900000\tnil\tnil\tnil|0\tnil");
+}
+
+TEST_CASE("a child's number follows what comes and goes") {
+    Stage s;
+    s.run(R"lua(
+local box = Object {}
+world.box = box
+for i = 1, 60 do box["c" .. i] = Object {} end
+local function check()
+    local names = {}
+    for _, child in ipairs(box:children()) do names[#names + 1] = child.name end
+    assert(#box == #names)
+    for i = 1, #names do assert(box[i].name == names[i], i) end
+    for i = #names, 1, -1 do assert(box[i].name == names[i], i) end
+    assert(box[#names + 1] == nil and box[#names * 3] == nil)
+end
+check()
+for i = 1, 400 do
+    local k = random(1, #box)
+    local _ = box[k]
+    if i % 4 == 0 then box[random(1, #box)]:delete()
+    elseif i % 4 == 1 then box:add(Object {}) box:add(Object {})
+    elseif i % 4 == 2 then box[k]:move(nil)
+    else box[k].name = "r" .. i end
+    check()
+end
+)lua");
+}
+
+TEST_CASE("watchers and timers are stopped in any order however many there are") {
+    Stage s;
+    s.run(R"lua(
+local n = 300000
+world.ball = Body {}
+local kept = {}
+for i = 1, n do kept[i] = world:watch("scale", print) end
+for i = 1, n do kept[i]:stop() end
+for i = 1, n do kept[i] = world.ball:watch("position", print) end
+for i = 1, n do kept[i]:stop() end
+for i = 1, n do kept[i] = after(1, print) end
+for i = 1, n do kept[i]:stop() end
+for i = 1, n do world.ball:on("deleted", function() told = (told or 0) + 1 end) end
+told = 0
+world.ball = nil
+)lua");
+    s.tree->barrier();
+    CHECK(s.prints("print(told)") == "300000");
+    CHECK(s.tree->watcher_count() == 0);
+}
+
+TEST_CASE("a pattern costs the same however many others are watched") {
+    Stage s;
+    s.run(R"lua(
+local kept = {}
+for i = 1, 20000 do kept[i] = watch("world.*.p" .. i, print) end
+for i = 1, 20000 do kept[i]:stop() end
+)lua");
+    CHECK(s.tree->watcher_count() == 0);
+}
+
+TEST_CASE("any number of formulas may read one source and end in any order") {
+    Stage s;
+    s.run(R"lua(
+local n = 100000
+world.v = 1
+box = Object {}
+world.box = box
+for i = 1, n do
+    local o = box:add(Object {})
+    o.f = formula(function() return world.v + i end)
+    assert(o.f == 1 + i)
+end
+for i = 1, n do world.v = i end
+for _, o in ipairs(box:children()) do o.f = nil end
+)lua");
+    CHECK(s.tree->formula_count() == 0);
+    s.run(
+        "for _, o in ipairs(box:children()) do o.f = formula(function() return time end) end "
+        "box:delete()");
+    CHECK(s.tree->formula_count() == 0);
+}
+
+TEST_CASE("a source that is written again and again marks its formulas once") {
+    Stage s;
+    CHECK(s.prints(R"lua(
+world.v = 0
+for i = 1, 20000 do
+    local o = Object {}
+    world["o" .. i] = o
+    o.f = formula(function() return world.v end)
+    local _ = o.f
+end
+for i = 1, 100000 do world.v = i end
+print(world.o1.f, world.o20000.f)
+world.v = 5
+print(world.o1.f)
+world.v = 6
+print(world.o1.f, world.o2.f)
+)lua") == "100000\t100000|5|6\t6");
+}
+
+TEST_CASE("a formula somewhere does not make names of what comes and goes stay for ever") {
+    Stage s;
+    s.run("world.n = formula(function() return 1 end) local _ = world.n");
+    s.run("for i = 1, 200 do local o = world:add(Object {}, 'unheard_of_' .. i) o:delete() end");
+    CHECK_FALSE(fettle::property::Symbol::find("unheard_of_17"));
+}
+
+TEST_CASE("there is an end to classes and to names of ad-hoc properties") {
+    Stage s;
+    CHECK_THAT(s.fails("for i = 1, 20000 do class('K' .. i, Object) {} end"),
+               contains("K") && contains("there are 10000 classes already"));
+    Stage names;
+    CHECK_THAT(names.fails("local o = Object {} for i = 1, 200000 do o['n' .. i] = 1 o['n' .. i] = "
+                           "nil end"),
+               contains("different names were added already; keep what is counted in a list"));
+    CHECK(names.prints("local o = Object { n17 = 3 } print(o.n17)") == "3");
+}

@@ -1,0 +1,183 @@
+// Calls into scripts that do not come back.
+
+#include <thread>
+
+#include "stage.h"
+
+using fettle::script::LongCall;
+using stage::Stage;
+using stage::starts_with;
+
+namespace {
+
+constexpr double patience = 0.1;  // s: the loops in here end no sooner, however fast the machine is
+
+}  // namespace
+
+TEST_CASE("a loop without end in a game is stopped when nobody lets it go on") {
+    const std::string loop =
+        GENERATE(as<std::string>{}, "while true do end", "while true do pcall(error) end",
+                 "while true do pcall(function() while true do end end) end",
+                 "coroutine.wrap(function() while true do end end)()",
+                 "while true do coroutine.wrap(function() for i = 1, 900 do end end)() end",
+                 "xpcall(function() while true do end end, function() while true do end end)",
+                 "local x <close> = setmetatable({}, { __close = function() while true do end end "
+                 "}) while true do end",
+                 "goto top ::top:: goto top", "return (('a'):rep(30000)):match('.-.-.-.-b')",
+                 "table.sort({3, 2, 1, 4, 5}, function() while true do end end)",
+                 "while true do world.scale = world.scale + 1 end",
+                 "string.gsub(('x'):rep(1e6), '.', function() while true do end end)",
+                 "return tostring(setmetatable({}, { __tostring = function() while true do end end "
+                 "}))");
+    Stage s;
+    s.runtime->limit_calls(patience, {});
+    CAPTURE(loop);
+    s.errors.clear();
+    CHECK_FALSE(s.runtime->run("local n = 1\n" + loop, "main.lua"));
+    REQUIRE(s.errors.size() == 1);
+    CHECK_THAT(s.errors.front().message, starts_with("main.lua:2: stopped: it ran for "));
+    CHECK(s.errors.front().line == 2);
+    CHECK(s.errors.front().source_line != "");
+    // The game lives on, and what comes back in time is left alone.
+    CHECK(s.prints("local n = 0 for i = 1, 1000000 do n = n + 1 end print(n)") == "1000000");
+    CHECK(s.console("1 + 1") == "2");
+}
+
+TEST_CASE("a loop without end is stopped wherever the host called the script") {
+    Stage s;
+    s.run(R"lua(
+function update() if loops == "update" then while true do end end end
+Thing = class("Thing", Object) {}
+calls = 0
+function Thing:step() calls = calls + 1 if loops == "step" then while true do end end end
+for i = 1, 5 do world["t" .. i] = Thing {} end
+world:watch("scale", function() if loops == "watcher" then while true do end end end)
+after(0.01, function() if loops == "timer" then while true do end end end)
+loops = ""
+)lua");
+    s.runtime->limit_calls(patience, {});
+    const auto told = [&] {
+        REQUIRE(s.errors.size() == 1);
+        const auto error = s.errors.front();
+        s.errors.clear();
+        CHECK_THAT(error.message, contains("stopped: it ran for "));
+        return error.context + " " + std::to_string(error.line);
+    };
+    s.run("loops = 'update'");
+    CHECK_FALSE(s.runtime->call("update", {}));
+    CHECK(told() == "update 2");
+    s.run("loops = 'timer'");
+    s.step();
+    CHECK(told() == "timer 8");
+    // The first of the class that does not come back is enough: the others wait for the next step.
+    s.run("loops = 'step' calls = 0");
+    s.step();
+    CHECK(told() == "Thing:step of world.t1 5");
+    CHECK(s.prints("print(calls)") == "1");
+    s.run("loops = 'watcher' world.scale = 3");
+    s.tree->barrier();
+    CHECK(told() == "watcher of world.scale 7");
+    s.run("loops = ''");
+    s.step(3);
+    CHECK(s.errors.empty());
+}
+
+TEST_CASE("who is asked about a long call sees where it is and may let it go on") {
+    Stage s;
+    std::vector<std::string> places;
+    std::string said;
+    s.runtime->limit_calls(patience, [&](const LongCall& call) {
+        places.push_back(call.where.file + ":" + std::to_string(call.where.line) + " " +
+                         call.where.source_line);
+        CHECK(call.seconds >= patience);
+        CHECK_THAT(call.where.traceback, contains("in function spin"));
+        CHECK_THAT(call.where.locals, contains("apples = 7"));
+        // A console that is opened meanwhile works, and its commands have their budget.
+        if (places.size() == 1) said = s.console("while true do end");
+        if (places.size() == 3) said += "|" + s.console("done = true");
+        return true;
+    });
+    s.run(R"lua(
+done = false
+local function spin()
+    local apples = 7
+    while not done do end
+    return apples
+end
+result = spin()
+)lua");
+    CHECK(places.size() >= 3);
+    CHECK(places.front() == "main.lua:5     while not done do end");
+    CHECK_THAT(said, starts_with("error: console:1: stopped"));
+    CHECK(s.prints("print(result)") == "7");
+}
+
+TEST_CASE("a call that takes long is asked about again and again until it is stopped") {
+    Stage s;
+    int asked = 0;
+    s.runtime->limit_calls(patience, [&](const LongCall&) { return ++asked < 4; });
+    s.fails("while true do end");
+    CHECK(asked == 4);
+    // With a coroutine on top.
+    asked = 0;
+    s.fails("coroutine.wrap(function() while true do end end)()");
+    CHECK(asked == 4);
+}
+
+TEST_CASE("no call is limited unless the host asks for it") {
+    Stage s;
+    s.runtime->limit_calls(patience, {});
+    s.runtime->limit_calls(0, {});
+    s.run("local t = os.clock() while os.clock() - t < 0.5 do end");
+    CHECK(s.errors.empty());
+}
+
+TEST_CASE("a console command keeps its own budget while calls are limited") {
+    Stage s;
+    int asked = 0;
+    s.runtime->limit_calls(patience, [&](const LongCall&) { return ++asked > 0; });
+    CHECK_THAT(s.console("while true do end"), contains("instructions") || contains("seconds"));
+    CHECK(asked == 0);
+}
+
+TEST_CASE("a call into a script returns by itself however a host made the runtime") {
+    CHECK(fettle::script::Options().call_seconds == 10);
+    fettle::script::Options options;
+    options.call_seconds = patience;
+    Stage s(options);
+    s.run("function update() while true do end end function draw() while true do end end");
+    CHECK_FALSE(s.runtime->run("while true do end", "chunk"));
+    CHECK_FALSE(s.runtime->call("update", {}));
+    REQUIRE(s.errors.size() == 2);
+    CHECK_THAT(s.errors[0].message, starts_with("chunk:1: stopped: it ran for "));
+    CHECK_THAT(s.errors[1].message, starts_with("main.lua:1: stopped: it ran for "));
+    s.errors.clear();
+    s.run("x = 1");
+}
+
+TEST_CASE("calls of two runtimes one inside the other are limited each for itself") {
+    fettle::script::Options options;
+    options.call_seconds = patience;
+    Stage inner(options), outer(options);
+    int told = 0;
+    outer.runtime->on_print([&](std::string_view) {
+        ++told;
+        CHECK_FALSE(inner.runtime->run("while true do end", "inner"));
+    });
+    CHECK_FALSE(outer.runtime->run("print('go') while true do end", "outer"));
+    CHECK(told == 1);
+    REQUIRE(inner.errors.size() == 1);
+    CHECK_THAT(inner.errors[0].message, starts_with("inner:1: stopped"));
+    REQUIRE(outer.errors.size() == 1);
+    CHECK_THAT(outer.errors[0].message, starts_with("outer:1: stopped"));
+}
+
+TEST_CASE("a runtime whose calls are limited may be called on any thread") {
+    fettle::script::Options options;
+    options.call_seconds = patience;
+    Stage s(options);
+    s.run("x = 1");
+    std::thread([&] { CHECK_FALSE(s.runtime->run("while true do end", "chunk")); }).join();
+    REQUIRE(s.errors.size() == 1);
+    CHECK_THAT(s.errors[0].message, starts_with("chunk:1: stopped"));
+}

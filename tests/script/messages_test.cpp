@@ -1,0 +1,262 @@
+// Messages as who reads them for the first time needs them: file, line, what is wrong with what,
+// and what may have been meant.
+
+#include <fettle/property/spelling.h>
+
+#include "stage.h"
+
+using stage::Stage;
+using stage::starts_with;
+
+TEST_CASE("functions of Lua with a wrong argument name the line and the argument") {
+    const auto [call, told] = GENERATE(table<std::string, std::string>({
+        {"ipairs(nil)", "ipairs: needs a list, not nil"},
+        {"ipairs(3)", "ipairs: needs a list, not an integer"},
+        {"ipairs('abc')", "ipairs: needs a list, not a text"},
+        {"ipairs()", "bad argument #1 to 'ipairs'"},
+        {"for i, v in ipairs(items) do end", "ipairs: needs a list, not nil"},
+        {"pairs(nil)", "pairs: needs a table, not nil"},
+        {"setmetatable(nil, {})", "setmetatable: needs a table, not nil"},
+        {"setmetatable({}, 3)", "setmetatable: the second argument is a table or nil"},
+        {"string.rep()", "bad argument #1 to 'rep'"},
+        {"('x'):rep()", "bad argument #1 to 'rep'"},
+        {"('x'):rep({})", "bad argument #1 to 'rep'"},
+        {"string.format(nil)", "bad argument #1 to 'format'"},
+        {"string.format('%d', 'x')", "bad argument #2 to 'format'"},
+        {"string.format('%d')", "bad argument #2 to 'format'"},
+        {"string.sub()", "bad argument #1 to 'sub'"},
+        {"string.upper(nil)", "bad argument #1 to 'upper'"},
+        {"table.concat(nil)", "bad argument #1 to 'concat' (table expected, got nil)"},
+        {"table.concat({{}})", "for 'concat'"},
+        {"table.concat({1}, {})", "bad argument #2 to 'concat'"},
+        {"table.insert(nil, 1)", "bad argument #1 to 'insert' (table expected, got nil)"},
+        {"table.insert({}, 5, 1)", "bad argument #2 to 'insert'"},
+        {"table.insert({})", "wrong number of arguments to 'insert'"},
+        {"table.remove(nil)", "bad argument #1 to 'remove' (table expected, got nil)"},
+        {"table.remove({}, 7)", "to 'remove' (position out of bounds)"},
+        {"table.unpack(nil)", "bad argument #1 to 'unpack' (table expected, got nil)"},
+        {"table.sort(nil)", "bad argument #1 to 'sort' (table expected, got nil)"},
+        {"table.sort({ 1, 'x' })", "attempt to compare"},
+        {"table.sort({ 3, 1, 2 }, 5)", "bad argument #2 to 'sort'"},
+        {"table.move({}, 1, 2)", "bad argument #4 to 'move'"},
+        {"math.floor(nil)", "bad argument #1 to 'floor'"},
+        {"math.max()", "bad argument #1 to 'max'"},
+        {"math.random(2, 1)", "nothing lies between 2 and 1"},
+        {"tonumber({}, 10)", "bad argument #1 to 'tonumber'"},
+        {"select(0)", "bad argument #1 to 'select'"},
+        {"next({}, 'none')", "invalid key to 'next'"},
+        {"rawset(nil, 1, 2)", "bad argument #1 to 'rawset'"},
+        {"rawset({}, nil, 2)", "index is nil"},
+        {"utf8.char(-1)", "bad argument #1 to 'char'"},
+        {"os.date('%')", "bad argument #1 to 'date'"},
+        {"coroutine.create(3)", "coroutine.create: needs a function, not an integer"},
+        {"coroutine.wrap(nil)", "coroutine.create: needs a function, not nil"},
+        {"return #nil", "attempt to get length of a nil value"},
+        {"local t = {} return t.x + 1", "attempt to perform arithmetic on a nil value (field 'x')"},
+        {"local t = {} t.foo()", "attempt to call a nil value (field 'foo')"},
+        {"local t t.x = 1", "attempt to index a nil value (local 't')"},
+        {"return {} < 1", "attempt to compare"},
+        {"return 'a' .. {}", "attempt to concatenate a table value"},
+        {"world:watch('mass', 5)", "watch: needs a function, not an integer"},
+        {"world:watch('scale')", "watch: needs a function, not a text"},
+        {"world:watch(5, print)", "watch: needs the name of a property, not an integer"},
+        {"world:on('deleted', 5)", "on: needs a function, not an integer"},
+        {"world:on(5, print)", "on: needs the name of an event, not an integer"},
+        {"watch(5, print)", "watch: needs a pattern"},
+        {"after('x')", "after: needs a number, not a text"},
+        {"after(1)", "after: needs a function, not nil"},
+        {"after(1, 'print')", "after: needs a function, not a text"},
+        {"every(1, {})", "every: needs a function, not a table"},
+        {"formula(5)", "formula: needs a function that returns the value, not an integer"},
+        {"edit('x', 5)", "edit: needs a name and a function"},
+        {"world:each(5)", "each: needs a function, not an integer"},
+        {"world:each('Body', 5)", "each: needs a function, not an integer"},
+        {"world:find('Body', 5)", "find: needs a function, not an integer"},
+        {"world:children():each(5)", "each: needs a function, not an integer"},
+        {"xpcall(print)", "xpcall: the second argument is a function, not nil"},
+        {"load(5)", "load: needs a text or a function, not an integer"},
+        {"query(5)", "query: needs a pattern"},
+        {"require(5)", "require: needs the name of a module, not an integer"},
+    }));
+    CAPTURE(call);
+    Stage s;
+    CHECK_THAT(s.fails("items = nil\n\n" + call), starts_with("main.lua:3: ") && contains(told));
+    // A caught error says as much.
+    const std::string caught =
+        s.prints("local ok, message = pcall(function()\n" + call + "\nend) print(message)");
+    CHECK_THAT(caught, starts_with("main.lua:2: ") && contains(told));
+}
+
+TEST_CASE("what a script raises without a position stays without one") {
+    Stage s;
+    CHECK(s.prints("print(pcall(error, 'plain', 0)) print(select(2, pcall(assert, false, 'told'))) "
+                   "print(select(2, pcall(coroutine.wrap(function() error('inside', 0) end))))") ==
+          "false\tplain|told|inside");
+}
+
+TEST_CASE("an error is told whole whatever bytes are in it") {
+    Stage s;
+    s.fails("local function inner() error('a\\0b') end inner()");
+    const auto& error = s.errors.front();
+    CHECK(error.message == "main.lua:1: a\\0b");
+    CHECK_THAT(error.traceback, contains("in function inner"));
+    CHECK_THAT(s.fails("error('\\27[31mred\\7')"), contains("\\27[31mred\\7"));
+    CHECK_THAT(s.fails("error('two\\nlines')"), contains("two\nlines"));
+    CHECK_THAT(s.fails("world['a\\0b'] = Object {}"),
+               contains("world: the name \"a\\0b\" holds a zero byte"));
+    CHECK_THAT(s.fails("world['a\\0b'] = 3"), contains("zero byte"));
+    CHECK_THAT(s.fails("world.scale = 'a\\0b'"), contains("got text \"a\\000b\""));
+    CHECK_THAT(s.fails("local _ = world['a\\0b']"), contains("a\\0b\"]: no such name"));
+    CHECK_THAT(s.fails("world:on('deleted\\0x', print)"), contains("no event \"deleted\\0x\""));
+    CHECK_THAT(s.fails("class('A\\0B', Object) {}"), contains("A\\0B"));
+    CHECK_THAT(s.fails("class('Z', Object) { ['a\\0b'] = 1 }"), contains("a\\0b"));
+    CHECK_THAT(s.fails("color('red\\0')"), contains("red\\0"));
+    CHECK(s.prints("print('a\\0b', #tostring('a\\0b'), string.format('%s', 'a\\0b') == 'a\\0b')") ==
+          std::string("a\0b\t3\ttrue", 10));
+}
+
+TEST_CASE("errors that are objects tell what they say of themselves") {
+    Stage s;
+    CHECK_THAT(s.fails("error(setmetatable({}, { __tostring = function() return 'out of fuel' end "
+                       "}))"),
+               contains("main.lua:1: out of fuel"));
+    CHECK_THAT(s.fails("error(setmetatable({ code = 3 }, { __tostring = function() error('no') end "
+                       "}))"),
+               contains("a table: {code = 3}"));
+    CHECK_THAT(
+        s.fails("error(setmetatable({ code = 3 }, { __tostring = function() return 5 end }))"),
+        contains("a table: {code = 3}"));
+    CHECK_THAT(s.fails("error(setmetatable({}, { __tostring = function() return ('x'):rep(1e8) end "
+                       "}))"),
+               contains("main.lua:1: "));
+    CHECK_THAT(s.fails("error(42)"), contains("42"));
+    CHECK_THAT(s.fails("error()"), contains("main.lua:1: error() was called with nil"));
+    CHECK_THAT(s.fails("coroutine.wrap(function() error({ deep = true }) end)()"),
+               contains("{deep = true}"));
+}
+
+TEST_CASE("names that differ in what counts them are different names") {
+    using fettle::property::near_miss;
+    for (const auto& [a, b] :
+         std::vector<std::pair<std::string, std::string>>{{"wheel1", "wheel2"},
+                                                          {"leg1", "leg2"},
+                                                          {"leg1", "leg10"},
+                                                          {"color", "color2"},
+                                                          {"item_a", "item_b"},
+                                                          {"radius_x", "radius_y"},
+                                                          {"pointA", "pointB"},
+                                                          {"row1x", "row2x"},
+                                                          {"level12", "level21"}}) {
+        CAPTURE(a, b);
+        CHECK_FALSE(near_miss(a, b));
+        CHECK_FALSE(near_miss(b, a));
+    }
+    for (const auto& [a, b] :
+         std::vector<std::pair<std::string, std::string>>{{"frictoin", "friction"},
+                                                          {"Friction", "friction"},
+                                                          {"frictio", "friction"},
+                                                          {"frictions", "friction"},
+                                                          {"masa", "mass"},
+                                                          {"mas5", "mass"},
+                                                          {"gravity_scal", "gravity_scale"}}) {
+        CAPTURE(a, b);
+        CHECK(near_miss(a, b));
+    }
+}
+
+TEST_CASE("a game may name its own properties as it likes beside each other") {
+    Stage s;
+    s.run(R"lua(
+Car = class("Car", Body) { wheel1 = 1, wheel2 = 2, item_a = 1, item_b = 2, live = 1 }
+Bus = class("Bus", Car) { wheel3 = 3, wheel12 = 4, item_c = 5, lives = 3 }
+local bus = Bus { wheel2 = 7 }
+bus.wheel4 = 1
+bus.item_d = 1
+bus.color2 = color("red")
+local o = Object { leg1 = 1 }
+o.leg2 = 2
+function key_pressed2() end
+function Car:contact_begin2() end
+assert(bus.wheel3 == 3 and bus.wheel2 == 7 and o.leg2 == 2)
+)lua");
+    // What the framework declares is protected from slips as before, and so is a written slip.
+    CHECK_THAT(s.fails("class('Tram', Body) { frictoin = 1 }"),
+               contains("did you mean \"friction\""));
+    CHECK_THAT(s.fails("class('Tram', Car) { frictoin = 1 }"),
+               contains("did you mean \"friction\""));
+    CHECK_THAT(s.fails("Car { frictoin = 1 }"), contains("did you mean \"friction\""));
+    CHECK_THAT(s.fails("Car { wheels1 = 1 }"), contains("did you mean \"wheel1\""));
+}
+
+TEST_CASE("a class that cannot be made says truly why") {
+    Stage s;
+    fettle::property::ClassDescriptor shape;
+    shape.name = "Shape";
+    shape.creatable = false;
+    s.tree->define(shape);
+    for (const char* name : {"Square", "Disc"}) {
+        fettle::property::ClassDescriptor kind;
+        kind.name = name;
+        kind.base = "Shape";
+        s.tree->define(kind);
+    }
+    fettle::property::ClassDescriptor gauge;
+    gauge.name = "Gauge";
+    gauge.creatable = false;
+    const auto& gauges = s.tree->define(gauge);
+    CHECK_THAT(s.fails("Shape {}"),
+               contains("Shape: cannot be made; it is what these have in common: Square, Disc"));
+    CHECK_THAT(s.fails("World {}"),
+               contains("World: cannot be made; the framework makes the one there is, world"));
+    CHECK_THAT(s.fails("Gauge {}"),
+               contains("Gauge: cannot be made; only the framework makes them"));
+    s.tree->create(gauges, s.world);
+    s.tree->create(gauges, s.world);
+    CHECK_THAT(s.fails("Gauge {}"), contains("only the framework makes them"));
+    CHECK_THAT(s.fails("class('Star', Shape)"),
+               contains("no class can derive from Shape; it is what these have in common"));
+    CHECK_THAT(s.fails("world:clone()"),
+               contains("world: cannot be cloned; the framework makes the one"));
+}
+
+TEST_CASE("a class without its braces says what is missing") {
+    Stage s;
+    CHECK_THAT(s.fails("local A = class('A', Body)\nreturn A.name"),
+               contains("main.lua:2: A: is no class yet; braces with its properties are missing"));
+    CHECK_THAT(s.fails("local A = class('A', Body)\nfunction A:step() end"),
+               contains("main.lua:2: A: is no class yet"));
+    s.run("A = class('A', Body) {} assert(A.name == 'A')");
+}
+
+TEST_CASE("a point written as a list says how it is written") {
+    Stage s;
+    CHECK_THAT(s.fails("Body { position = { 1, 2.5 } }"),
+               contains("got list {1, 2.5} (write vec(1, 2.5))"));
+}
+
+TEST_CASE("names of other engines are told once and change nothing") {
+    Stage s;
+    std::vector<std::string> notes;
+    s.runtime->on_note([&](std::string_view note) { notes.emplace_back(note); });
+    s.run(R"lua(
+for i = 1, 3 do
+    local c = Circle { r = 3 }
+    assert(c.r == 3 and c.radius == 0.5)
+end
+local b = Body { x = 3, rotation = 1, linearVelocity = vec(1, 0), texture = "brick.png", hp = 5,
+                 radius = 2, Circle {} }
+local o = Object { x = 3, size = 2, r = 1 }
+)lua");
+    REQUIRE(notes.size() == 4);
+    CHECK(notes[0] ==
+          "main.lua:3: Circle has no property \"r\", so it was added to this one and "
+          "changes nothing (did you mean radius?)");
+    CHECK_THAT(notes[1], contains("\"linearVelocity\"") && contains("(did you mean velocity?)"));
+    CHECK_THAT(notes[2], contains("\"radius\"") && contains("; its Circle has radius"));
+    CHECK_THAT(notes[3], contains("\"x\"") && contains("(did you mean position = vec(x, y)?)"));
+    notes.clear();
+    s.run("Ball = class('Ball', Body) { speed = 3 } local b = Ball { pos = vec(1, 2) } b.pos = 3");
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], contains("Body has no property \"pos\""));
+    CHECK_THAT(s.fails("local _ = (Body {}).rotation"), contains("no such name"));
+}
