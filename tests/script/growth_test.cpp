@@ -298,3 +298,14 @@ TEST_CASE("there is an end to classes and to names of ad-hoc properties") {
                contains("different names were added already; keep what is counted in a list"));
     CHECK(names.prints("local o = Object { n17 = 3 } print(o.n17)") == "3");
 }
+
+TEST_CASE("a hundred restores wait for one barrier and no more") {
+    Stage s;
+    s.run("kept = snapshot()");
+    s.tree->barrier();
+    CHECK_THAT(s.fails("for i = 1, 1e9 do restore(kept) end"),
+               contains("restore: 100 restores and rewinds wait for the next barrier already"));
+    s.tree->barrier();
+    s.run("restore(kept)");
+    s.tree->barrier();
+}
