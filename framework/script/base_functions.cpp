@@ -317,9 +317,19 @@ int call_handler(lua_State* L) {
 // Raising an error costs as much as some hundred instructions.
 constexpr std::uint64_t cost_of_error = 300;
 
+// Lua's own error says neither where nor which limit; it is on top of the stack.
+void tell_refusal(lua_State* L, int status) {
+    if (status != LUA_ERRMEM) return;
+    if (const std::string told = machine_of(L).budget.take_refusal(); !told.empty()) {
+        lua_pop(L, 1);
+        lua_pushlstring(L, told.data(), told.size());
+    }
+}
+
 int finish_pcall(lua_State* L, int status, lua_KContext) {
     if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L) - 1;  // all but the handler
     machine_of(L).budget.charge(L, cost_of_error);
+    tell_refusal(L, status);
     lua_pushboolean(L, 0);
     lua_insert(L, -2);
     return 2;
@@ -336,6 +346,7 @@ int protected_call(lua_State* L) {
 
 int finish_xpcall(lua_State* L, int status, lua_KContext) {
     const bool failed = status != LUA_OK && status != LUA_YIELD;
+    tell_refusal(L, status);
     lua_pushboolean(L, !failed);
     if (failed) {
         machine_of(L).budget.charge(L, cost_of_error);

@@ -188,9 +188,10 @@ void Budget::memory_refused(const Arena::Refusal& refusal) {
     if (now_.stopping) return;
     refused_ = refused_here(refusal);
     const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
-    if (now_.active && refusal.final && (own_limit || now_.counting))
-        stop(machine_.running,
-             refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
+    if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return;
+    stop(machine_.running,
+         refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
+    now_.out_of_room = true;
 }
 
 std::string Budget::take_refusal() {
@@ -208,8 +209,11 @@ void Budget::notice_growth() {
     Arena& arena = machine_.arena;
     const auto grown = static_cast<std::size_t>(
         std::max<std::int64_t>(0, machine_.tree.weight() - now_.weight_before));
-    if (grown + added(arena.bytes(), now_.lua_before) > now_.memory)
-        return stop(machine_.running, too_much_memory());
+    if (grown + added(arena.bytes(), now_.lua_before) > now_.memory) {
+        stop(machine_.running, too_much_memory());
+        now_.out_of_room = true;
+        return;
+    }
     arena.set_limit(std::min(now_.outer_limit, now_.lua_before + now_.memory - grown));
     mark_next();
 }

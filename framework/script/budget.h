@@ -32,6 +32,7 @@ class Budget {
         bool active = false;
         bool counting = false;  // instructions and time
         bool stopping = false;
+        bool out_of_room = false;
         std::int64_t left = 0;
         std::uint64_t instructions = 0;
         std::chrono::steady_clock::time_point deadline;
@@ -70,6 +71,8 @@ class Budget {
 
     bool counting() const { return now_.counting; }
     bool stopping() const { return now_.stopping; }
+    /// Whether it stops because the tree, or Lua, came to take too much memory.
+    bool out_of_room() const { return now_.stopping && now_.out_of_room; }
     /// Why and where: "console:3: stopped ...".
     const std::string& reason() const { return now_.reason; }
     const std::string& file() const { return now_.file; }

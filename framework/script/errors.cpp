@@ -200,7 +200,10 @@ void add_missing_position(lua_State* L, lua_State* from, int level) {
     error.message = string_at(from, -1);
     place_from_message(error);
     if (error.line > 0) return;
-    const std::string placed = position(L) + error.message;
+    std::string placed = position(L) + error.message;
+    if (error.message == out_of_memory)
+        if (std::string refusal = machine_of(L).budget.take_refusal(); !refusal.empty())
+            placed = std::move(refusal);
     lua_pop(from, 1);
     lua_pushlstring(from, placed.data(), placed.size());
 }

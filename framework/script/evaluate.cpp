@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include <fettle/property/error.h>
+#include <fettle/property/observer.h>
 #include <fettle/property/path.h>
 
 #include "errors.h"
@@ -222,6 +223,33 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
     add_results(L, machine, command, evaluation);
 }
 
+/// What a command makes. One that is stopped because it made too much leaves none of it: a game may
+/// be unable to bear a hundred thousand bodies at one place.
+class Made : public property::Observer {
+  public:
+    explicit Made(Machine& machine) : machine_(machine) { machine.tree.observe(*this); }
+    ~Made() override {
+        if (!machine_.tree_life.expired()) machine_.tree.unobserve(*this);
+    }
+    Made(const Made&) = delete;
+    void created(property::Handle instance) override { all_.push_back(instance); }
+    /// How many went.
+    std::size_t destroy() {
+        const std::vector<property::Handle> all = std::move(all_);
+        std::size_t count = 0;
+        for (const property::Handle instance : all) {
+            if (!machine_.tree.alive(instance)) continue;
+            machine_.tree.each_below(instance, [&](property::Handle) { ++count; });
+            machine_.tree.destroy(instance);
+        }
+        return count;
+    }
+
+  private:
+    Machine& machine_;
+    std::vector<property::Handle> all_;
+};
+
 // Everything that must be undone however the command ends.
 class Session {
   public:
@@ -258,12 +286,17 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     machine.sources["console"] = std::string(command);
     {
         const Session session(machine, command);
+        Made made(machine);
         const Budget::Scope budget(machine.budget, machine.command_limits());
         const bool ok = protected_run(
             machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);
         if (!ok) {
             evaluation.error = std::move(machine.caught);
             machine.caught.reset();
+            if (machine.in_tree && machine.budget.out_of_room())
+                if (const std::size_t count = made.destroy(); count > 0)
+                    evaluation.error->message +=
+                        "; these " + std::to_string(count) + " instances are deleted again";
             // What it printed before it failed is worth reading.
             evaluation.lines = std::move(machine.recording.lines);
         }

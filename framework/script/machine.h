@@ -82,6 +82,7 @@ struct Machine {
     std::function<std::size_t()> command_memory;  // bytes; empty: as the options say
     std::string memory_property;                  // that says so, for messages
     std::function<void(double)> rewind;           // by seconds; empty: there is no timeline
+    std::size_t travels = 0;                      // that wait for the next barrier
     std::size_t snapshots = 0;                    // that scripts hold
     std::size_t snapshot_bytes = 0;               // these take
     std::size_t snapshot_size = 0;                // of the last one

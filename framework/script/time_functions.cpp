@@ -24,6 +24,23 @@ namespace {
 // A snapshot holds a whole game; what a script forgets to let go of must not fill the memory.
 constexpr std::size_t most_snapshots = 64;
 
+// Each costs as much as some steps: a barrier comes back from any number that a game may mean.
+constexpr std::size_t most_travels = 100;
+
+/// At the next barrier, one after the other.
+void travel(Machine& machine, const char* what, std::function<void()> go) {
+    if (machine.travels >= most_travels)
+        throw Error(ErrorKind::rejected, std::string(what) + ": " + std::to_string(most_travels) +
+                                             " restores and rewinds wait for the next barrier "
+                                             "already");
+    machine.tree.at_barrier([&machine, alive = machine.alive, go = std::move(go)] {
+        if (*alive == nullptr) return;
+        --machine.travels;
+        go();
+    });
+    ++machine.travels;
+}
+
 /// For so many more, as large as the last was.
 void require_room(const Machine& machine, std::size_t more) {
     if (machine.snapshot_bytes + more * machine.snapshot_size <= machine.options.memory_limit)
@@ -103,8 +120,8 @@ int restore(lua_State* L) {
     if (box == nullptr)
         throw Error(ErrorKind::wrong_type,
                     "restore: needs what snapshot() returned, not " + describe_type(L, 1));
-    machine.tree.at_barrier(
-        [&tree = machine.tree, held = *box->held] { tree.restore(held->snapshot); });
+    travel(machine, "restore",
+           [&tree = machine.tree, held = *box->held] { tree.restore(held->snapshot); });
     return 0;
 }
 
@@ -116,8 +133,7 @@ int rewind(lua_State* L) {
                                                  " s; a time is finite and not negative");
     if (!machine.rewind)
         throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
-    machine.tree.at_barrier([&machine, alive = machine.alive, seconds] {
-        if (*alive == nullptr) return;
+    travel(machine, "rewind", [&machine, seconds] {
         if (const auto go = machine.rewind) go(seconds);  // it may end the runtime
     });
     return 0;

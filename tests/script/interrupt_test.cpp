@@ -65,4 +65,9 @@ TEST_CASE("out of memory is told with its place and the limit") {
     CHECK(s.errors[0].line == 2);
     s.errors.clear();
     s.run("assert(1 + 1 == 2)");
+    // A script that catches the error reads the same.
+    s.run("ok, told = pcall(function() " + chunk + "\nend)");
+    CHECK(s.prints("print(ok, told:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
+    s.run("ok, told = xpcall(function() " + chunk + "\nend, function(e) return e end)");
+    CHECK(s.prints("print(ok, told:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
 }

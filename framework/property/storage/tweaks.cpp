@@ -191,7 +191,7 @@ void Tweaks::State::born(Handle instance) {
 void Tweaks::State::dying(Handle instance) {
     // What was created just now leaves no trace.
     if (is_in_fresh.erase(key(instance)) != 0) {
-        std::erase(fresh, instance);
+        if (is_in_fresh.empty()) fresh.clear();  // else those that went are passed over later
         if (!created.contains(key(instance))) return;
     }
     if (attached(instance)) bury(instance, tree.path(instance));

@@ -41,8 +41,10 @@ void Tweaks::State::barrier() {
 void Tweaks::State::settle_fresh() {
     const std::vector<Handle> born = std::move(fresh);
     fresh.clear();
+    std::unordered_set<std::uint64_t> seen;  // one that went and came back is in the list twice
     for (const Handle instance : born) {
         if (!tree.alive(instance) || !attached(instance)) continue;
+        if (!seen.insert(key(instance)).second) continue;
         // What was made below something new belongs to that.
         bool inside = false;
         for (Handle at = tree.parent(instance); at && !inside; at = tree.parent(at))

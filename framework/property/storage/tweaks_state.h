@@ -91,7 +91,7 @@ struct Tweaks::State : EditObserver {
     std::vector<std::unique_ptr<Entry>> entries;  // number 1 first
     std::unordered_map<std::string, Entry*> by_key;
     std::vector<Entry*> dirty;
-    std::vector<Handle> fresh;  // created since the last barrier, in order
+    std::vector<Handle> fresh;  // created since the last barrier, in order; some have gone again
     std::unordered_set<std::uint64_t> is_in_fresh;
     std::unordered_map<std::uint64_t, Entry*> created;  // by instance
     std::vector<JournalRow> earlier;                    // of earlier runs
