@@ -80,7 +80,7 @@ void Watchdog::limit(double seconds, std::function<bool(const LongCall&)> go_on)
     due_.store(false, std::memory_order_relaxed);
     go_on_ = std::move(go_on);
     patience_ = seconds > 0 ? seconds : 0;
-    if (depth_ > 0 && patience_ > 0) start();
+    if (watched_ && patience_ > 0) start();
 }
 
 void Watchdog::start() {
@@ -101,16 +101,15 @@ void Watchdog::begin_outermost() {
         start();
     host_.store(pthread_self(), std::memory_order_relaxed);
     count_call();
-    stopped_ = false;
+    watched_ = true;
     outer_ = in_call;
     in_call = &machine_;
 }
 
-void Watchdog::end() {
-    if (--depth_ > 0) return;
+void Watchdog::end_outermost() {
+    watched_ = false;
     count_call();
     in_call = outer_;
-    if (thread_ == nullptr) return;
     due_.store(false, std::memory_order_relaxed);
     machine_.budget.call_ended();
 }

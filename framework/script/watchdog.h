@@ -53,11 +53,16 @@ class Watchdog {
     struct Thread;
 
     void begin() {
-        if (depth_++ == 0) begin_outermost();
+        if (depth_++ > 0) return;
+        stopped_ = false;
+        if (patience_ > 0) begin_outermost();
+    }
+    void end() {
+        if (--depth_ == 0 && watched_) end_outermost();
     }
     void start();
     void begin_outermost();
-    void end();
+    void end_outermost();
     void ask(lua_State* L);
     void count_call() {  // no other thread writes it
         serial_.store(serial_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
@@ -67,6 +72,7 @@ class Watchdog {
     double patience_ = 0;       // s; 0: calls last as long as they like
     Machine* outer_ = nullptr;  // in whose call on this thread this one began
     int depth_ = 0;
+    bool watched_ = false;  // the outermost call
     bool asking_ = false;
     bool stopped_ = false;
     std::atomic<std::uint64_t> serial_{0};  // odd while a call is under way
