@@ -1,7 +1,9 @@
 #include <world/world_link.h>
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <vector>
 
 namespace fettle::physics::detail {
@@ -21,9 +23,22 @@ struct Links {
 
 /// Never destroyed: a world or a handle may be a global variable.
 Links& links() {
-    static Links& all = *new Links;
+    alignas(Links) static std::byte room[sizeof(Links)];
+    static Links& all = *new (room) Links;
     return all;
 }
+
+/// Frees the links when the program ends or the library is unloaded, if no world is left.
+struct AtEnd {
+    ~AtEnd() {
+        Links& known = links();
+        const std::lock_guard lock(known.mutex);
+        if (known.unused.size() != known.all.size()) return;
+        known.unused = {};
+        known.all = {};
+    }
+};
+const AtEnd at_end;
 
 }  // namespace
 
