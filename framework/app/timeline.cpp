@@ -188,8 +188,12 @@ void Timeline::take_keyframe() {
     Snapshot taken = tree_.snapshot(std::move(room.buffer.bytes));
     (void)log_->take();  // it is in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
-    Keyframe frame{here_,      nullptr, taken.memories(), taken.held(), tree_.history_bytes(),
-                   forgotten()};
+    Keyframe frame{.step = here_,
+                   .payload = nullptr,
+                   .memories = taken.memories(),
+                   .held = taken.held(),
+                   .history = tree_.history_bytes(),
+                   .forgotten = forgotten()};
     room.buffer.bytes = std::move(taken).take_payload();
     // The first state is that of bodies that touch nothing yet: what comes next takes more.
     const std::size_t later = keyframes_.empty() ? 3 * room.buffer.bytes.size() : 0;
@@ -236,6 +240,7 @@ void Timeline::note_jump() {
     tail_ = {};
     here_ = step;
     take_keyframe();
+    keyframes_.back().jumped_to = true;
 }
 
 void Timeline::drop(std::deque<Step>::iterator step) {
@@ -264,7 +269,7 @@ void Timeline::thin_out() {
     spacing_ *= 2;
     std::deque<Keyframe> kept;
     for (Keyframe& frame : keyframes_)
-        if (kept.empty() || frame.step - kept.back().step >= spacing_)
+        if (kept.empty() || frame.jumped_to || frame.step - kept.back().step >= spacing_)
             kept.push_back(std::move(frame));
     keyframes_ = std::move(kept);
 }
@@ -291,8 +296,10 @@ std::int64_t Timeline::oldest() const {
 }
 
 std::int64_t Timeline::newest() const {
-    if (!steps_.empty()) return steps_.back().number;
-    return keyframes_.empty() ? clock_.step : keyframes_.back().step;
+    if (keyframes_.empty()) return clock_.step;
+    // After a jump the last keyframe is where no step leads.
+    const std::int64_t last = keyframes_.back().step;
+    return steps_.empty() ? last : std::max(last, steps_.back().number);
 }
 
 std::size_t Timeline::Keyframe::memory() const {

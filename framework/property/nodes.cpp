@@ -4,6 +4,8 @@
 #include <charconv>
 #include <iterator>
 
+#include <fettle/property/error.h>
+
 namespace fettle::property {
 namespace {
 
@@ -98,6 +100,8 @@ void Nodes::revive(Handle handle) {
         free_.push_back(count_++);
     }
     Node& node = nodes_[handle.index];
+    if (node.alive())
+        throw Error(ErrorKind::bad_structure, "an instance cannot be made where another one is");
     if (!node.kept) {
         // Nearly always the last: what is done again takes the slots it took.
         const auto found = std::find(free_.rbegin(), free_.rend(), handle.index);

@@ -360,7 +360,12 @@ void WriteLog::Player::move(Handle instance) {
     const auto before = from_.get<Handle>();
     const auto name = from_.get<NodeName>();
     const bool named = from_.boolean();
-    const std::uint32_t left = s_.nodes[instance.index].parent;
+    const std::uint32_t left = s_.require(instance).parent;
+    if (parent) s_.require(parent);
+    const std::uint32_t there = s_.nodes.child(parent.index, name);
+    if (parent == instance || tree_.is_below(parent, instance) ||
+        (parent && there != 0 && there != instance.index))
+        throw Error(ErrorKind::bad_structure, "it cannot be moved there any more");
     s_.nodes.unlink(instance.index);
     s_.nodes.link(instance.index, parent.index, name);
     s_.nodes[instance.index].named = named;

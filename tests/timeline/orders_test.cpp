@@ -101,6 +101,60 @@ TEST_CASE("to rewind after a restore in one frame goes back from what was restor
     played.check(10);
 }
 
+TEST_CASE("what was restored is the newest moment until a step is made from it") {
+    Playing played("world.ball = Body { position = vec(0, 100), Circle {} }");
+    played.play(60);
+    played.console("kept = snapshot()");
+    played.play(60);
+    played.runtime->run("restore(kept) time:go_to(time.newest)", "test");
+    played.play(1);
+    CHECK(played.services.clock.step == 61);
+    CHECK(played.time().newest() == 61);
+    // Also when what was done there is gone back over, and returned to.
+    played.runtime->run("restore(kept)", "test");
+    played.tree.barrier();
+    REQUIRE(played.services.clock.step == 60);
+    played.runtime->run("world.made = Object { Object {} } world.ball:delete()", "test");
+    played.tree.barrier();
+    played.time().go_to(30);
+    CHECK(property::resolve(played.tree, "world.ball").instance);
+    REQUIRE(played.time().newest() == 60);
+    played.time().go_to(60);
+    CHECK_THROWS(property::resolve(played.tree, "world.ball"));
+    CHECK(property::resolve(played.tree, "world.made.object").instance);
+    played.play(70);
+    for (const std::int64_t step : {59, 61, 100, 20, 130}) played.check(step);
+}
+
+TEST_CASE("keyframes that get rarer leave what no step leads to") {
+    // What cannot be packed, so that six keyframes are megabytes.
+    Playing played(R"(
+        world.ball = Body { position = vec(0, 100), Circle {} }
+        local all = {}
+        for i = 1, 400000 do all[i] = string.char(random(1, 255)) end
+        world.text = table.concat(all)
+    )");
+    played.play(200);
+    played.console("kept = snapshot()");
+    played.play(5);
+    played.runtime->run("restore(kept)", "test");
+    played.tree.barrier();
+    played.runtime->run("world.gravity = vec(3, 5)", "test");
+    played.play(30);
+    const std::int64_t step = played.services.clock.step - 20;
+    const std::size_t frames = played.time().keyframes();
+    std::size_t fewest = frames;
+    for (double memory = 8; memory > 1; memory *= 0.9) {
+        played.console("time.rewind_memory = " + std::to_string(memory));
+        played.play(1);
+        if (played.time().oldest() > step) break;
+        fewest = played.time().keyframes();
+        played.check(step);
+        played.time().go_to(played.time().newest());
+    }
+    CHECK(fewest < frames);
+}
+
 TEST_CASE("to restore after a rewind in one frame is to be where was restored") {
     Playing played("world.ball = Body { position = vec(0, 100), Circle {} }");
     played.play(60);

@@ -77,6 +77,7 @@ class Timeline {
     };
     struct Keyframe {
         std::int64_t step = 0;
+        bool jumped_to = false;  // no step leads here
         std::shared_ptr<PackedBytes> payload;
         property::Snapshot::Memories memories;
         std::size_t held = 0;  // bytes of those
