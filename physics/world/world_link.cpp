@@ -34,8 +34,10 @@ struct AtEnd {
         Links& known = links();
         const std::lock_guard lock(known.mutex);
         if (known.unused.size() != known.all.size()) return;
-        known.unused = {};
-        known.all = {};
+        known.unused.clear();
+        known.unused.shrink_to_fit();
+        known.all.clear();
+        known.all.shrink_to_fit();
     }
 };
 const AtEnd at_end;
