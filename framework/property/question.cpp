@@ -42,8 +42,8 @@ Inquiry::~Inquiry() {
 }
 
 void Inquiry::refuse(std::string_view what) const {
-    throw Error(ErrorKind::rejected, std::string(subject_) + " " + std::string(rule_) + " " +
-                                         std::string(what));
+    throw Error(ErrorKind::rejected,
+                std::string(subject_) + " " + std::string(rule_) + " " + std::string(what));
 }
 
 Question* Question::current() {

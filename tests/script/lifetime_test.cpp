@@ -25,15 +25,17 @@ std::string error_of(const std::function<void()>& act) {
 TEST_CASE("a tree has one runtime at a time and another one after it") {
     Stage stage;
     const Handle ball = stage.tree->create(stage.tree->class_named("Body"), stage.world, "ball");
-    stage.run("world.ball.friction = 0 world.ball.mass = formula(function() return world.ball.friction + 2 end)");
+    stage.run(
+        "world.ball.friction = 0 world.ball.mass = formula(function() return world.ball.friction + "
+        "2 end)");
     CHECK(stage.tree->get(ball, "mass") == Value(2.0));
     CHECK(error_of([&] { Runtime second(*stage.tree, {}); }) ==
           "the tree has a runtime already: it has one at a time");
     stage.run("world.ball.friction = 0.25");  // the first goes on
     stage.runtime = nullptr;
     stage.tree->set(ball, "friction", 1);
-    CHECK(stage.tree->problem(ball, stage.tree->property(ball, "mass")).find("its script has ended") !=
-          std::string::npos);
+    CHECK(stage.tree->problem(ball, stage.tree->property(ball, "mass"))
+              .find("its script has ended") != std::string::npos);
     Runtime second(*stage.tree, {});
     CHECK(second.run("world.ball.mass = 3", "main.lua"));
     CHECK(stage.tree->get(ball, "mass") == Value(3.0));
@@ -43,12 +45,12 @@ TEST_CASE("a runtime that outlives its tree says so and ends without harm") {
     auto tree = std::make_unique<Tree>();
     Runtime runtime(*tree, {});
     runtime.on_print([](std::string_view) {});
-    REQUIRE(
-        runtime.run("kept = snapshot() node = Object {} game.node = node\n"
-                    "node.speed = 1 node:watch('speed', print) game.f = formula(function() return 1 end)\n"
-                    "every(1, print) Ball = class('Ball', Object) { lives = 3 }\n"
-                    "function Ball:step() end game.ball = Ball {}",
-                    "main.lua"));
+    REQUIRE(runtime.run(
+        "kept = snapshot() node = Object {} game.node = node\n"
+        "node.speed = 1 node:watch('speed', print) game.f = formula(function() return 1 end)\n"
+        "every(1, print) Ball = class('Ball', Object) { lives = 3 }\n"
+        "function Ball:step() end game.ball = Ball {}",
+        "main.lua"));
     tree.reset();
     struct NoPainter final : fettle::property::Painter {};
     const std::vector<std::function<void()>> calls = {
@@ -158,7 +160,8 @@ TEST_CASE("no game is loaded while a script of the runtime runs") {
 TEST_CASE("a runtime with too little memory is refused and leaves the tree as it was") {
     Tree tree;
     int refused = 0;
-    for (const std::size_t limit : {0u, 1'000u, 5'000u, 10'000u, 20'000u, 50'000u, 100'000u, 150'000u}) {
+    for (const std::size_t limit :
+         {0u, 1'000u, 5'000u, 10'000u, 20'000u, 50'000u, 100'000u, 150'000u}) {
         INFO(limit);
         Options options;
         options.memory_limit = limit;

@@ -127,8 +127,8 @@ TEST_CASE("deep nesting is refused before it does harm") {
     for (int i = 0; i < 10000; ++i) instances += ", \"children\": [{\"class\": \"Object\"";
     CHECK(w.refusal(instances).find("nested deeper than 1000 levels") != std::string::npos);
     const auto lists = [&](std::size_t depth) {
-        return head.substr(0, head.size() - 5) + "\"ad_hoc\": {\"x\": " +
-               std::string(depth, '[') + std::string(depth, ']') + "}}";
+        return head.substr(0, head.size() - 5) + "\"ad_hoc\": {\"x\": " + std::string(depth, '[') +
+               std::string(depth, ']') + "}}";
     };
     CHECK(loads(w, lists(64)));
     CHECK(w.refusal(lists(65)).find("more than 64 deep") != std::string::npos);
