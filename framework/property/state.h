@@ -142,6 +142,8 @@ struct Tree::State {
     [[noreturn]] void refuse_foreign(Handle handle, const Property& property) const;
     void require_own(const Class& of) const;
     void require_event(const Class& of, const Event& event) const;
+    void require_values(Handle instance, const Event& event,
+                        const std::vector<Value>& values) const;
     void require_method(Handle handle, const Method& method) const;
 
     Node& require(Handle handle) {
@@ -185,6 +187,7 @@ struct Tree::State {
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});
     void check_child_name(Handle parent, std::string_view name) const;
+    void require_columns(const Class& of) const;
     void finish_making(Handle self, const Class& of);
     void unmake(Handle self);
     void destroy_one(std::uint32_t index);
