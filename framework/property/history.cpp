@@ -421,11 +421,9 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
         if (const std::uint32_t there = parent == 0 ? 0 : s.nodes.child(parent, name); there != 0) {
             // Below, it can only be what the parent made for itself just now; at the top, the
             // game's own.
-            if (&buried != &existence.buried.front())
-                tree_.destroy(s.nodes.handle(there));
-            else
-                name = s.nodes.free_name(parent, name.base.text());
+            if (&buried != &existence.buried.front()) tree_.destroy(s.nodes.handle(there));
         }
+        if (parent != 0 && s.is_taken(parent, name)) name = s.free_name(parent, name.base.text());
         s.make(*buried.of, parent, name, buried.position.named, buried.handle);
     }
     // Values when all are there, so that references find whom they mean.
@@ -448,7 +446,7 @@ void History::place(Handle instance, const Position& at, UndoResult& result) {
         return;
     }
     try {
-        const bool taken = at.parent && s.nodes.child(at.parent.index, at.name) != 0 &&
+        const bool taken = at.parent && s.is_taken(at.parent.index, at.name) &&
                            s.nodes.child(at.parent.index, at.name) != instance.index;
         if (tree_.parent(instance) != at.parent)
             tree_.move(instance, at.parent, taken ? std::string() : at.name.text());

@@ -295,31 +295,10 @@ void Nodes::index_erase(std::uint32_t index) {
     }
 }
 
-NodeName Nodes::plain_name(std::uint32_t parent, std::string_view stem, bool itself) const {
-    NodeName name{Symbol(stem), 0};
-    if (itself && child(parent, name) == 0) return name;
-    for (name.number = 2; child(parent, name) != 0;) ++name.number;
-    return name;
-}
-
 /// The last number given; the first one at least, if there was none.
 std::uint32_t& Nodes::counter(std::uint32_t parent, Symbol stem) {
     nodes_[parent].counts_children = true;
     return counters_.try_emplace(counter_key(parent, stem), 1).first->second;
-}
-
-NodeName Nodes::free_name(std::uint32_t parent, std::string_view stem) {
-    const Symbol base(stem);
-    NodeName name{base, 1};
-    const bool counted = nodes_[parent].counts_children &&
-                         counters_.find(counter_key(parent, base)) != counters_.end();
-    if (!counted && child(parent, name) == 0) return name;
-    std::uint32_t& last = counter(parent, base);
-    name.number = last;
-    do ++name.number;
-    while (child(parent, name) != 0);
-    last = name.number;
-    return name;
 }
 
 }  // namespace fettle::property

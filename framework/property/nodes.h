@@ -134,10 +134,21 @@ class Nodes {
     std::size_t height(std::uint32_t index) const;
     /// Whatever is done level by level (a path, a copy, a file) need not fear deeper trees.
     static constexpr std::size_t deepest = 1000;
-    /// `stem_1`, `stem_2` ...: never one used before under this parent.
-    NodeName free_name(std::uint32_t parent, std::string_view stem);
-    /// `stem`, `stem_2` ...: the first that is free; `itself`: whether `stem` may be.
-    NodeName plain_name(std::uint32_t parent, std::string_view stem, bool itself) const;
+    /// `stem_1`, `stem_2` ...: never one used before under this parent, and none of which
+    /// `taken(name)` is true; that of every child is.
+    template <class Taken>
+    NodeName free_name(std::uint32_t parent, std::string_view stem, Taken taken) {
+        NodeName name{Symbol(stem), 1};
+        const bool counted =
+            nodes_[parent].counts_children && counters_.contains(counter_key(parent, name.base));
+        if (!counted && !taken(name)) return name;
+        std::uint32_t& last = counter(parent, name.base);
+        name.number = last;
+        do ++name.number;
+        while (taken(name));
+        last = name.number;
+        return name;
+    }
 
   private:
     // Open addressing over (parent, name); a slot holds a node index, 0 is empty. Deletion shifts

@@ -200,6 +200,12 @@ struct Tree::State {
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});
     void check_child_name(Handle parent, std::string_view name) const;
+    /// Whether something of that name is below `parent`: a child, a property or a method.
+    bool is_taken(std::uint32_t parent, const NodeName& name) const;
+    /// `stem_1`, `stem_2` ...: never one used before under this parent.
+    NodeName free_name(std::uint32_t parent, std::string_view stem);
+    /// `stem`, `stem_2` ...: the first that is free.
+    NodeName plain_name(std::uint32_t parent, std::string_view stem) const;
     void finish_making(Handle self, const Class& of);
     void unmake(Handle self);
     /// `remember`: who asks for it later is told who deleted it.

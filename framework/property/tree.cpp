@@ -256,7 +256,7 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
     }
     if (!name.empty()) s.check_child_name(parent, name);
     NodeName chosen = NodeName::make(name.empty() ? std::string_view(instance_class.stem()) : name);
-    if (name.empty() && parent) chosen = s.nodes.free_name(parent.index, instance_class.stem());
+    if (name.empty() && parent) chosen = s.free_name(parent.index, instance_class.stem());
     const Handle made = s.nodes.handle(s.make(instance_class, parent.index, chosen, !name.empty()));
     if (s.history.recording()) s.history.born(made);
     return made;

@@ -71,6 +71,26 @@ void Tree::State::place_subtree(Handle top) {
     });
 }
 
+bool Tree::State::is_taken(std::uint32_t parent, const NodeName& name) const {
+    if (nodes.child(parent, name) != 0) return true;
+    const Symbol symbol = Symbol::find(name.text());
+    if (!symbol) return false;  // no property and no method is called so
+    return tree.find(nodes.handle(parent), symbol) != nullptr ||
+           classes[nodes[parent].class_id].method(symbol) != nullptr;
+}
+
+NodeName Tree::State::free_name(std::uint32_t parent, std::string_view stem) {
+    return nodes.free_name(parent, stem,
+                           [&](const NodeName& name) { return is_taken(parent, name); });
+}
+
+NodeName Tree::State::plain_name(std::uint32_t parent, std::string_view stem) const {
+    NodeName name{Symbol(stem), 0};
+    if (!is_taken(parent, name)) return name;
+    for (name.number = 2; is_taken(parent, name);) ++name.number;
+    return name;
+}
+
 /// Links alone; modules are to be told.
 void Tree::State::hang(Handle instance, const Position& at) {
     Node& node = nodes[instance.index];
@@ -167,16 +187,11 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
             s.check_child_name(new_parent, name);
         chosen = NodeName::make(name);
     } else if (new_parent && node.parent != new_parent.index) {
-        const bool taken = !node.named || s.nodes.child(new_parent.index, node.name) != 0 ||
-                           find(new_parent, node.name.text()) != nullptr ||
-                           class_of(new_parent).method(node.name.text()) != nullptr;
-        if (taken) {
+        if (!node.named || s.is_taken(new_parent.index, node.name)) {
             const std::string_view stem =
                 node.named ? node.name.base.text() : class_of(instance).stem();
-            const bool plain =
-                find(new_parent, stem) == nullptr && class_of(new_parent).method(stem) == nullptr;
-            chosen = first_plain ? s.nodes.plain_name(new_parent.index, stem, plain)
-                                 : s.nodes.free_name(new_parent.index, stem);
+            chosen = first_plain ? s.plain_name(new_parent.index, stem)
+                                 : s.free_name(new_parent.index, stem);
         }
     } else if (node.parent == new_parent.index) {
         return;

@@ -299,27 +299,28 @@ void WriteLog::Player::again(Did did) {
     value(did, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
 }
 
+/// All that is noted is read first: whatever cannot be done leaves the reader at what comes next.
 void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
+    const bool has_value = did == Did::value || did == Did::computed;
+    const Value now = has_value ? from_.value() : Value();
+    const Formula* const formula =
+        did == Did::formula ? &piece_.formulas.at(from_.get<std::uint32_t>()) : nullptr;
     const Property* property = tree_.find(instance, name);
     switch (did) {
         case Did::value:
-            return write(instance, name, from_.value());
-        case Did::computed: {
-            const Value now = from_.value();
+            return write(instance, name, now);
+        case Did::computed:
             if (property == nullptr || is_of_the_present(instance, *property)) return;
             s_.write(instance.index, s_.require(instance), *property, now);
             return;
-        }
         case Did::reset:
             if (property != nullptr && !is_of_the_present(instance, *property))
                 tree_.reset(instance, *property);
             return;
         case Did::removed:
             return tree_.remove_ad_hoc(instance, name.text());
-        case Did::formula: {
-            const Formula& formula = piece_.formulas.at(from_.get<std::uint32_t>());
-            return tree_.set_formula(instance, name.text(), formula);
-        }
+        case Did::formula:
+            return tree_.set_formula(instance, name.text(), *formula);
         case Did::formula_ended:
             return property != nullptr ? tree_.remove_formula(instance, *property) : void();
         default:
@@ -362,9 +363,9 @@ void WriteLog::Player::move(Handle instance) {
     const bool named = from_.boolean();
     const std::uint32_t left = s_.require(instance).parent;
     if (parent) s_.require(parent);
-    const std::uint32_t there = s_.nodes.child(parent.index, name);
-    if (parent == instance || tree_.is_below(parent, instance) ||
-        (parent && there != 0 && there != instance.index))
+    const std::uint32_t there = parent ? s_.nodes.child(parent.index, name) : 0;
+    if (parent && (parent == instance || tree_.is_below(parent, instance) ||
+                   (there != 0 && there != instance.index)))
         throw Error(ErrorKind::bad_structure, "it cannot be moved there any more");
     s_.nodes.unlink(instance.index);
     s_.nodes.link(instance.index, parent.index, name);

@@ -108,7 +108,7 @@ void WorldData::stop_body(const FastBody& fast, FinishedPiece& piece) {
     BodyState& state = states[fast.body];
     const float back = (1.0f - limit) * fast.turn;
     record.center = fast.start + limit * fast.shift;
-    state.angle -= back;
+    state.angle = bounded(state.angle - back, greatest_coordinate);
     const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
     state.cosine = q.c;
     state.sine = q.s;

@@ -400,3 +400,26 @@ TEST_CASE("a saved joint of no type is refused") {
     for (const unsigned type : {12u, 97u, 255u})
         REQUIRE_THROWS_WITH(target.restore(with_type(type)), contains("a joint"));
 }
+
+TEST_CASE("whatever bodies do at the greatest angle can be saved") {
+    World world({.gravity = {0, 0}});
+    Body wall = world.create_body({.type = BodyType::static_body});
+    wall.add(Box{.width = 1, .height = 2000});
+    std::vector<Body> fast;
+    for (int i = 0; i < 200; ++i) {
+        // Each turns back by another part of a turn when the wall stops it.
+        Body body = world.create_body({.position = {-3, float(4 * i - 400)},
+                                       .angle = 1e8f,
+                                       .velocity = {200, 0},
+                                       .angular_velocity = -150.0f - 2.0f * float(i),
+                                       .bullet = i % 2 == 0});
+        body.add(Box{.width = 0.1f, .height = 1});
+        fast.push_back(body);
+    }
+    for (int step = 0; step < 4; ++step) {
+        world.step(frame);
+        for (const Body& body : fast) REQUIRE(std::fabs(body.angle()) <= 1e8f);
+        World other;
+        CHECK_NOTHROW(other.restore(saved(world)));
+    }
+}

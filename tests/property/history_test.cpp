@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+#include <fettle/property/snapshot.h>
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -373,4 +375,27 @@ TEST_CASE_METHOD(Fixture,
     CHECK_THAT(tree.problem(ball, tree.property(ball, "mass")), contains("was deleted"));
     tree.undo();
     CHECK(mass() == 0.5);
+}
+
+TEST_CASE_METHOD(Fixture, "no child is given the name of a property") {
+    const Class& object = tree.object_class();
+    tree.set_or_add(world, "object_1", 3);
+    tree.set_or_add(world, "object_3", "mine");
+    CHECK(tree.name(tree.create(object, world)) == "object_2");
+    const Handle moved = tree.create(object);
+    tree.move(moved, world);
+    CHECK(tree.name(moved) == "object_4");
+    const Handle again = tree.create(object, world);
+    tree.move(again, {});
+    tree.set_or_add(world, "object_5", 1);
+    tree.move(again, world);
+    CHECK(tree.name(again) == "object_6");
+    // Nor is what comes back by undo.
+    console([&] { tree.destroy(again); });
+    tree.set_or_add(world, "object_6", true);
+    tree.undo();
+    CHECK(tree.alive(again));
+    CHECK(tree.name(again) == "object_7");
+    const auto saved = Snapshot::from_bytes(tree.snapshot().to_bytes());
+    CHECK_NOTHROW(tree.check(saved));
 }
