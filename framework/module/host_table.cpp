@@ -1,6 +1,7 @@
 #include "host_table.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fettle/property/acceptance.h>
 #include <fettle/property/drawing.h>
@@ -26,8 +27,10 @@ std::string HostTable::take_reason() {
 }
 
 void HostTable::require(fettle_status status, std::string_view what) {
+    const fettle_status refused = std::exchange(error_status_, FETTLE_OK);
     if (status == FETTLE_OK) return reason_.clear();
     std::string reason = take_reason();
+    if (reason.empty() && status == refused) reason = error_;
     if (reason.empty())
         reason = std::string(what) + " failed with status " + std::to_string(status) +
                  " and gave no reason";

@@ -38,7 +38,8 @@ class HostTable {
     /// Why the module's last callback refused, as it told; "" when it did not say. Forgets it.
     std::string take_reason();
     /// Of the callback that has just returned `status`. Throws std::invalid_argument with the
-    /// module's reason unless it is FETTLE_OK.
+    /// module's reason unless it is FETTLE_OK; where it gives none, with that of the host function
+    /// that refused with the same status, which the callback has handed on.
     void require(fettle_status status, std::string_view what);
 
     // --- For the functions of the table
@@ -55,6 +56,7 @@ class HostTable {
     friend struct HostFunctions;
     fettle_host table_{};
     std::string error_, reason_;
+    fettle_status error_status_ = FETTLE_OK;  // of `error_`, until the callback has returned
     Outgoing outgoing_;
 };
 
@@ -67,13 +69,13 @@ fettle_status HostTable::guarded(Body&& body) noexcept {
         return FETTLE_OK;
     } catch (const property::Error& error) {
         error_ = error.what();
-        return status_of(error.kind());
+        return error_status_ = status_of(error.kind());
     } catch (const std::exception& error) {
         error_ = error.what();
     } catch (...) {
         error_ = "an exception of no known type";
     }
-    return FETTLE_ERR_FAILED;
+    return error_status_ = FETTLE_ERR_FAILED;
 }
 
 /// `painter` as a module sees it. Valid as long as `painter`.

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include <fettle/property/bytes.h>
+#include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 
 #include "plugin_state.h"
@@ -148,9 +149,9 @@ void Plugin::attach(property::Tree& tree) {
     prepare();
     try {
         s.attach_native();
-    } catch (const std::exception& error) {  // not in the trial, but now
+    } catch (...) {  // not in the trial, but now
         for (const auto& c : s.classes) c->abandon();
-        throw LoadError(s.file, "module " + s.name + ": " + error.what());
+        throw LoadError(s.file, "module " + s.name + ": " + property::exception_text());
     }
     if (!s.saves()) return;
     tree.add_part(*this);

@@ -9,6 +9,7 @@
 
 #include <fettle/module/plugin.h>
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
 
 #include "plugin_state.h"
 #include "trial.h"
@@ -162,10 +163,10 @@ class Reload {
                 write(property, tree_.row(instance), value);
             ++report_.values;
             return true;
-        } catch (const std::exception& refused) {
+        } catch (...) {
             if (last)
                 report_.notes.push_back(tree_.path(instance, property) + " = " + tree_.text(value) +
-                                        " was refused: " + refused.what());
+                                        " was refused: " + property::exception_text());
             return false;
         }
     }

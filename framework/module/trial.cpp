@@ -45,10 +45,8 @@ constexpr std::string_view to_its_end = "=\n";
     try {
         body([&](std::string_view phase) { write_all(to, "@" + std::string(phase) + "\n"); });
         write_all(to, to_its_end);
-    } catch (const std::exception& error) {
-        write_all(to, "!" + property::exception_text(error));
     } catch (...) {
-        write_all(to, "!an exception of no known type");
+        write_all(to, "!" + property::exception_text());
     }
     _exit(0);  // nothing of the program's own ends here
 }

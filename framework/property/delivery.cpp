@@ -128,11 +128,7 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
     s.require(instance);
     if (event.listeners == 0) return;
     s.require_event(class_of(instance), event);
-    if (values.size() != event.fields.size())
-        throw Error(ErrorKind::wrong_type, path(instance) + " " + event.name + ": it tells " +
-                                               std::to_string(event.fields.size()) +
-                                               " values, and was given " +
-                                               std::to_string(values.size()));
+    s.require_values(instance, event, values);
     QueueItem item;
     item.kind = QueueItem::Kind::event;
     item.what = Occurrence{.instance = instance,
@@ -231,11 +227,11 @@ void Tree::State::call(const Watcher& watcher, const What& what) {
     if (ending) return;  // one of the handlers has destroyed the tree
     try {
         hand_over(watcher, what);
-    } catch (const std::exception& error) {
+    } catch (...) {
         if (!error_sink || ending) throw;
         error_sink({.path = describe(what),
                     .where = watcher.label,
-                    .message = exception_text(error),
+                    .message = exception_text(),
                     .exception = std::current_exception()});
     }
 }
@@ -372,11 +368,11 @@ void Tree::State::run_actions(std::exception_ptr& first_error) {
         if (ending) return;
         try {
             action();
-        } catch (const std::exception& error) {
+        } catch (...) {
             if (error_sink && !ending)
                 error_sink({.path = "barrier",
                             .where = {},
-                            .message = exception_text(error),
+                            .message = exception_text(),
                             .exception = std::current_exception()});
             else if (!first_error)
                 first_error = std::current_exception();

@@ -16,4 +16,14 @@ std::string exception_text(const std::exception& error) {
     return error.what();
 }
 
+std::string exception_text() {
+    try {
+        throw;
+    } catch (const std::exception& error) {
+        return exception_text(error);
+    } catch (...) {
+        return "an exception of no known type";
+    }
+}
+
 }  // namespace fettle::property

@@ -381,8 +381,8 @@ void Formulas::run(Entry& e) {
     note_into(&found);
     try {
         result = e.formula.function(tree_);
-    } catch (const std::exception& raised) {
-        error = exception_text(raised);
+    } catch (...) {
+        error = exception_text();
         if (error.empty()) error = "failed";
     }
     if (!e.cycle.empty()) error = e.cycle;
@@ -416,8 +416,8 @@ void Formulas::finish(Entry& e, const Value& result) {
             s.written(e.instance, s.require(e.instance), *e.property, old);
             s.tell([&](Observer& o) { o.wrote(e.instance, *e.property, next); });
         }
-    } catch (const std::exception& refusal) {
-        return fail(e, exception_text(refusal));
+    } catch (...) {
+        return fail(e, exception_text());
     }
     if (!(next == e.value) || !e.error.empty()) {
         ++e.version;

@@ -328,8 +328,8 @@ void History::set_cell(Handle instance, Symbol name, const CellState& state, Und
         else if (state.overridden && !(state.formula && state.value.is_nil()))
             tree_.set(instance, *property, state.value);
         if (state.formula) tree_.set_formula(instance, *property, *state.formula);
-    } catch (const std::exception& error) {
-        result.notes.push_back(exception_text(error));
+    } catch (...) {
+        result.notes.push_back(exception_text());
     }
 }
 

@@ -39,6 +39,15 @@ void Tree::State::require_event(const Class& of, const Event& event) const {
                         (event.owner == nullptr ? "no class" : event.owner->name()));
 }
 
+void Tree::State::require_values(Handle instance, const Event& event,
+                                 const std::vector<Value>& values) const {
+    if (values.size() == event.fields.size()) return;
+    throw Error(ErrorKind::wrong_type, tree.path(instance) + " " + event.name + ": it tells " +
+                                           std::to_string(event.fields.size()) +
+                                           " values, and was given " +
+                                           std::to_string(values.size()));
+}
+
 void Tree::State::require_method(Handle handle, const Method& method) const {
     const Class& of = tree.class_of(handle);
     if (method.owner == nullptr || !of.is_a(*method.owner))

@@ -79,6 +79,8 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
          std::size_t changeable) {
     if (event.listeners == 0 || !tree.alive(instance)) return;
     Tree::State& s = tree.state();
+    s.require_event(tree.class_of(instance), event);
+    s.require_values(instance, event, values);
     Question question(tree, instance, event, values, changeable);
     const Inquiry inquiry(tree, event.name, rule);
     const Asking asking(question);

@@ -48,10 +48,17 @@ Snapshot::Snapshot(std::vector<std::byte> payload, Memories memories, std::size_
     : data_(std::make_shared<Data>(Data{std::move(payload), std::move(memories), held})) {}
 
 std::span<const std::byte> Snapshot::payload() const {
+    if (data_ == nullptr) return {};
     return data_->payload;
 }
 
+const Snapshot::Memories& Snapshot::memories() const {
+    static const Memories none;
+    return data_ == nullptr ? none : data_->memories;
+}
+
 std::vector<std::byte> Snapshot::take_payload() && {
+    if (data_ == nullptr) return {};
     const std::shared_ptr<Data> mine = std::exchange(data_, nullptr);
     if (mine.use_count() > 1) return mine->payload;
     return std::move(mine->payload);
@@ -62,6 +69,7 @@ std::uint64_t Snapshot::step() const {
 }
 
 std::vector<std::byte> Snapshot::to_bytes() const {
+    if (data_ == nullptr) throw Error(ErrorKind::damaged, "the snapshot is empty");
     const FileHeader header{.size = data_->payload.size()};
     std::vector<std::byte> out;
     out.reserve(sizeof header + data_->payload.size() + sizeof(FileChecksum));

@@ -150,6 +150,8 @@ struct Tree::State {
     [[noreturn]] void refuse_foreign(Handle handle, const Property& property) const;
     void require_own(const Class& of) const;
     void require_event(const Class& of, const Event& event) const;
+    void require_values(Handle instance, const Event& event,
+                        const std::vector<Value>& values) const;
     void require_method(Handle handle, const Method& method) const;
     void add_weight(std::int64_t bytes) {
         weight += bytes;
@@ -206,6 +208,7 @@ struct Tree::State {
     NodeName free_name(std::uint32_t parent, std::string_view stem);
     /// `stem`, `stem_2` ...: the first that is free.
     NodeName plain_name(std::uint32_t parent, std::string_view stem) const;
+    void require_columns(const Class& of) const;
     void finish_making(Handle self, const Class& of);
     void unmake(Handle self);
     /// `remember`: who asks for it later is told who deleted it.

@@ -165,8 +165,9 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     }
     if (again) nodes.revive(again);
     const std::uint32_t index = again ? again.index : nodes.allocate();
-    add_weight(named && name.number == 0 ? weight_of_instance + weight_of_name
-                                         : weight_of_instance);
+    const std::int64_t bytes =
+        named && name.number == 0 ? weight_of_instance + weight_of_name : weight_of_instance;
+    add_weight(bytes);
     nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
     nodes[index].named = named;
     nodes[index].fresh = true;
@@ -178,17 +179,22 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
         nodes[index].stored_row = row;
     }
     const Lifecycle& lifecycle = of.lifecycle();
-    if (lifecycle.create) {
-        try {
+    bool has_row = false;
+    try {
+        if (lifecycle.create) {
             const Row row = lifecycle.create(lifecycle.context, tree, self);
             nodes[index].row = row;
-        } catch (...) {  // its module has no room for it: it never was
-            if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
-            nodes.unlink(index);
-            nodes.release(index);
-            add_weight(-weight_of_instance);
-            throw;
+            has_row = true;
         }
+        if (!of.columns_found_) require_columns(of);
+    } catch (...) {  // its module has no room for it: it never was
+        if (has_row && lifecycle.destroy)
+            lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
+        if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
+        nodes.unlink(index);
+        nodes.release(index);
+        add_weight(-bytes);
+        throw;
     }
     finish_making(self, of);
     structure_changed(parent, name);
@@ -206,6 +212,18 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
                     .recipients = {}});
     tell([&](Observer& o) { o.created(self); });
     return index;
+}
+
+/// Looked at once, when the class has its first row: reading asks no column whether it is there.
+void Tree::State::require_columns(const Class& of) const {
+    for (const Property* property : of.properties_) {
+        const Binding& binding = property->binding;
+        if (binding.kind == BindingKind::column && binding.base(binding.context) == nullptr)
+            throw Error(ErrorKind::rejected,
+                        of.name() + "." + property->name +
+                            ": it has no memory: the `base` of its column gave a null pointer");
+    }
+    of.columns_found_ = true;
 }
 
 /// What its module may refuse after its row is made. Then the instance came and went, and is told

@@ -281,8 +281,8 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     if (old == next && stands && !had_formula) return;
     try {
         s.write(instance.index, node, property, next);
-    } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+    } catch (...) {
+        s.refused(instance, property);
     }
     s.add_weight(weight_beside(next) - weight_beside(old));
     // A value that was taken replaces the formula; one that was refused leaves it.
@@ -318,8 +318,8 @@ void Tree::reset(Handle instance, const Property& property) {
     const Value old = s.read(instance.index, node, property);
     try {
         property.binding.reset(property.binding.context, node.row);
-    } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected, path(instance, property) + ": " + refusal.what());
+    } catch (...) {
+        s.refused(instance, property);
     }
     if (node.has_formula) s.drop_formula(instance, property);
     if (property.binding.invalidate != nullptr)

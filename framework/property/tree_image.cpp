@@ -303,7 +303,7 @@ void TreeImage::end_rows() {
         if (nodes_.find(gone) == nullptr && by_value(of) && lifecycle.destroy) {
             try {
                 lifecycle.destroy(lifecycle.context, s.tree, gone, s.nodes[i].row);
-            } catch (const std::exception&) {
+            } catch (...) {
                 // Its module knows nothing of it; nothing is left to end.
             }
         }
@@ -363,7 +363,7 @@ void TreeImage::put_formulas() {
             if (!s.formula_compiler || image.formula.source.empty()) continue;
             try {
                 image.formula = s.formula_compiler(image.formula.source);
-            } catch (const std::exception&) {
+            } catch (...) {
                 continue;  // its last value stays
             }
         }
@@ -386,7 +386,7 @@ void TreeImage::make_rows() {
             if (!lifecycle.place || s.nodes[i].parent == 0) return;
             const Row placed = lifecycle.place(lifecycle.context, s.tree, self, row);
             s.nodes[i].row = placed;
-        } catch (const std::exception&) {
+        } catch (...) {
             refused.push_back(self);  // its module has no room for it any more
         }
     };
@@ -418,7 +418,7 @@ void TreeImage::put_values() {
                 if (!(s.read(each.instance.index, node, *property) == value))
                     s.write(each.instance.index, node, *property,
                             s.tree.coerce(each.instance, *property, value));
-            } catch (const std::exception&) {
+            } catch (...) {
                 // Its owner refuses what it once held; what it holds now stays.
             }
         }

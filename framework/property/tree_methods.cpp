@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
@@ -75,6 +76,11 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         } catch (const std::invalid_argument& refusal) {
             if (s.ending) throw;
             throw Error(ErrorKind::rejected, where() + ": " + refusal.what());
+        } catch (const std::exception&) {
+            throw;
+        } catch (...) {
+            if (s.ending) throw;
+            throw Error(ErrorKind::rejected, where() + ": " + exception_text());
         }
     }
     use.finish();

@@ -110,7 +110,7 @@ void Tree::State::hang_back(Handle instance, const Position& was) {
     if (was.parent) nodes.reorder(instance.index, was.before.index);
     try {
         place_subtree(instance);
-    } catch (const std::exception&) {
+    } catch (...) {
         // It has just been there. What cannot go back stays in its module where it was put.
     }
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/tree.h>
 
 #include "coerce.h"
@@ -90,6 +91,10 @@ Value PlainWrite::value() const {
         throw;
     } catch (const std::invalid_argument& refusal) {
         throw Error(ErrorKind::rejected, tree.path(instance, property) + ": " + refusal.what());
+    } catch (const std::exception&) {
+        throw;
+    } catch (...) {
+        throw Error(ErrorKind::rejected, tree.path(instance, property) + ": " + exception_text());
     }
 }
 

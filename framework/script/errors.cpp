@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdio>
 #include <optional>
 
 #include "format.h"
@@ -267,7 +268,19 @@ int describing_handler(lua_State* L) {
     return 1;
 }
 
+/// A sink may run scripts, which may be in error: that ends before the stack does.
 void report(Machine& machine, ScriptError error) {
+    constexpr int deepest = 16;
+    if (machine.reports == deepest) {
+        std::fprintf(stderr, "an error while errors were told, %d deep: %s\n", deepest,
+                     error.message.c_str());
+        return;
+    }
+    struct Depth {
+        int& of;
+        explicit Depth(int& reports) : of(reports) { ++of; }
+        ~Depth() { --of; }
+    } depth(machine.reports);
     if (const auto sink = machine.error_sink) sink(error);  // it may be replaced meanwhile
 }
 

@@ -110,6 +110,7 @@ struct Machine {
     std::filesystem::path folder;                          // of the game
     std::unordered_map<std::string, std::string> sources;  // text by chunk name
     std::function<void(const ScriptError&)> error_sink;
+    int reports = 0;  // calls of the sink that have not returned
     std::function<void(std::string_view)> print_sink;
     std::function<void(std::string_view)> note_sink;
     std::optional<int> quit_status;

@@ -38,12 +38,18 @@ void PhysicsModule::attach(property::Tree& tree) {
     tree.create(*hosting_->world_class, tree.root(), "world");
 }
 
+/// Whoever steps a module before it was attached hears of it.
+Hosting& PhysicsModule::hosting() const {
+    if (!hosting_) throw std::logic_error("physics is attached to no tree: call attach first");
+    return *hosting_;
+}
+
 void PhysicsModule::step(double dt) {
-    const Hosting::Doing step(*hosting_);
-    hosting_->follow_listeners();
-    hosting_->joints.tighten();
+    const Hosting::Doing step(hosting());
+    hosting().follow_listeners();
+    hosting().joints.tighten();
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
-        HostedWorld* hosted = hosting_->world_at(n);
+        HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
         if (hosted->unreported) {  // nobody asked: nothing is kept for who may never do
             hosted->departed_bodies.clear();
@@ -57,30 +63,30 @@ void PhysicsModule::step(double dt) {
 void PhysicsModule::report(property::Tree& tree) {
     tree.stepped();
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
-        HostedWorld* hosted = hosting_->world_at(n);
+        HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->unreported) continue;
         hosted->unreported = false;
-        hosting_->report(*hosted);
+        hosting().report(*hosted);
     }
 }
 
 property::Memory PhysicsModule::save(property::ByteWriter& to) const {
-    hosting_->save(to);
+    hosting().save(to);
     return {};
 }
 
 std::function<void()> PhysicsModule::restore(property::ByteReader& from, const property::Memory&) {
-    return hosting_->restore(from);
+    return hosting().restore(from);
 }
 
 void PhysicsModule::refresh(std::uint64_t what) {
-    hosting_->refresh(what);
+    hosting().refresh(what);
 }
 
 std::uint64_t PhysicsModule::hash() const {
     std::uint64_t combined = 0;
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
-        const HostedWorld* hosted = hosting_->world_at(n);
+        const HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
         // One world alone has its own hash: 0 · anything is 0.
         combined = combined * 0x9e3779b97f4a7c15u ^ hosted->world.hash();
@@ -89,19 +95,19 @@ std::uint64_t PhysicsModule::hash() const {
 }
 
 physics::World& PhysicsModule::world(Handle instance) {
-    if (hosting_->tree.class_of(instance).is_a(*hosting_->world_class))
-        return hosting_->world(hosting_->tree.row(instance));
-    return hosting_->world_at(hosting_->world_above(instance))->world;
+    if (hosting().tree.class_of(instance).is_a(*hosting().world_class))
+        return hosting().world(hosting().tree.row(instance));
+    return hosting().world_at(hosting().world_above(instance))->world;
 }
 
 physics::Body PhysicsModule::body(Handle instance) {
-    require_class(*hosting_, instance, *hosting_->body_class);
-    return hosting_->body(hosting_->tree.row(instance));
+    require_class(hosting(), instance, *hosting().body_class);
+    return hosting().body(hosting().tree.row(instance));
 }
 
 physics::Shape PhysicsModule::shape(Handle instance) {
-    require_class(*hosting_, instance, *hosting_->shape_class);
-    return hosting_->shape(hosting_->tree.row(instance));
+    require_class(hosting(), instance, *hosting().shape_class);
+    return hosting().shape(hosting().tree.row(instance));
 }
 
 Handle PhysicsModule::handle(const physics::Body& body) const {

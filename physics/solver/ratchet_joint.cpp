@@ -19,7 +19,9 @@ void RatchetConstraint::prepare(const Data& data, const JointFrame&, const Joint
     if (data.tooth > 0.0f) {
         // Lying at a tooth, it may be pressed under it a little by what it holds.
         const float slack = min(0.01f, 0.1f * data.tooth);
-        tooth = data.tooth * std::floor((angle + slack) / data.tooth);
+        const float passed = data.tooth * std::floor((angle + slack) / data.tooth);
+        // Teeth too small to be counted are as good as none.
+        if (std::isfinite(passed)) tooth = passed;
     }
     if (!impulses.engaged || tooth > impulses.caught) impulses.caught = tooth;
     impulses.engaged = true;

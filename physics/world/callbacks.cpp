@@ -220,8 +220,8 @@ void World::set_persist_events(bool enabled) {
 
 void World::set_filter(PairFilter filter) {
     WorldData& data = edit(__func__);
+    data.read_all();  // a refresh callback that throws leaves the filter there was
     data.self.filter = std::move(filter);
-    data.read_all();
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
         const ContactRecord& c = data.contacts[slot];

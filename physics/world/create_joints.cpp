@@ -38,8 +38,11 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
         throw std::invalid_argument(
             "body: a mouse joint drags a body, not the bounds of the world");
     record.anchors[0] = to_v2(check_coordinates("target", def.target));
-    record.anchors[1] = to_v2(def.anchor ? check_coordinates("anchor", *def.anchor)
-                                         : body(def.body).local_point(def.target));
+    // A target at one end of the world may be farther from a body at the other than an anchor is
+    // ever set to.
+    record.anchors[1] =
+        def.anchor ? to_v2(check_coordinates("anchor", *def.anchor))
+                   : bounded(to_v2(body(def.body).local_point(def.target)), greatest_coordinate);
     record.enabled = def.enabled;
     record.user_data = def.user_data;
     MouseData mouse;

@@ -244,6 +244,8 @@ void check_contacts(const WorldData& w, Findings& findings) {
     findings.require(w.contact_links.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
         const bool used = c.shape_a != none;
+        findings.require(used || !c.touching,
+                         "a contact");  // World::contacts looks at nothing else
         findings.require(!used || (c.shape_a < w.shapes.size() && c.shape_b < w.shapes.size() &&
                                    c.body_a < w.bodies.size() && c.body_b < w.bodies.size()),
                          "a contact");

@@ -23,8 +23,9 @@ bool is_finite(V2 v) {
 bool is_finite(const Box4& box) {
     return is_finite(box.low) && is_finite(box.high);
 }
-/// Infinite where something weighs so much that nothing moves it.
-bool is_weight(float value) {
+/// Infinite where something weighs so much that nothing moves it, or rests longer than a number
+/// holds.
+bool is_amount(float value) {
     return value >= 0.0f;
 }
 
@@ -43,11 +44,12 @@ void check(const BodyRecord& body, size_t slot) {
                        (!is_given(body.given_inertia) || body.given_inertia > 0.0f) &&
                        is_given(body.given_center.x) == is_given(body.given_center.y) &&
                        (!is_given(body.given_center.x) || is_finite(body.given_center));
-    require(given && is_weight(body.mass) && is_weight(body.inertia), "the mass of body", slot);
+    require(given && is_amount(body.mass) && is_amount(body.inertia), "the mass of body", slot);
     require(is_finite(body.center) && is_finite(body.local_center) &&
                 are_finite(body.inverse_mass, body.inverse_inertia, body.angle_rest, body.extent,
-                           body.thickness, body.sleep_time) &&
-                body.inverse_mass >= 0.0f && body.inverse_inertia >= 0.0f,
+                           body.thickness) &&
+                is_amount(body.sleep_time) && body.inverse_mass >= 0.0f &&
+                body.inverse_inertia >= 0.0f,
             "the state of body", slot);
     check_finite("gravity_scale", body.gravity_scale);
     check_not_negative("linear_damping", body.linear_damping);

@@ -2,6 +2,7 @@
 #include <world/live_shape.h>
 
 #include <stdexcept>
+#include <string>
 
 // What all shapes have: owner, surface, filter, what is derived. Geometry is in shape_geometry.cpp.
 
@@ -11,6 +12,13 @@ using namespace detail;
 
 namespace {
 
+/// What the border takes from the settings of its world would be lost when those are set.
+void refuse_border(const ShapeRecord& record, const char* instead) {
+    if (record.type == ShapeType::border) [[unlikely]]
+        throw std::invalid_argument(std::string("the border of the world: set its ") + instead +
+                                    " instead");
+}
+
 void surface_changed(WorldData& data, uint32_t shape) {
     data.share_surface(shape);
     if (data.forms[shape].body == none) return;
@@ -18,10 +26,13 @@ void surface_changed(WorldData& data, uint32_t shape) {
     data.wake_for_edit(data.forms[shape].body);
 }
 
-/// A filter of the user may read the world: nothing may be out of date when it is called.
-void filter_changed(WorldData& data, uint32_t shape) {
-    data.share_surface(shape);
+/// A filter of the user may read the world: nothing may be out of date when it is called. The
+/// refresh callback may throw, so it comes before the edit.
+template <class T>
+void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) {
     if (data.self.filter) data.read_all();
+    data.shapes[shape].surface.*what = value;
+    data.share_surface(shape);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
     data.for_each_solid(shape, [&](uint32_t solid) { data.refilter(solid); });
     lock.finish();
@@ -44,8 +55,7 @@ World& Shape::world() const {
 
 void Shape::destroy() {
     FETTLE_EDIT_SHAPE
-    if (record.type == ShapeType::border)
-        throw std::invalid_argument("the border of the world: set its bounds instead");
+    refuse_border(record, "bounds");
     data.destroy_shape(id_.index);
 }
 
@@ -74,8 +84,8 @@ void Shape::attach(const Body& body) {
 
 void Shape::detach() {
     FETTLE_EDIT_SHAPE
-    if (record.type == ShapeType::border || form.body == none) return;
-    data.detach_shape(id_.index);
+    refuse_border(record, "bounds");
+    if (form.body != none) data.detach_shape(id_.index);
 }
 
 float Shape::density() const {
@@ -98,6 +108,7 @@ float Shape::friction() const {
 
 void Shape::set_friction(float friction) {
     FETTLE_EDIT_SHAPE
+    refuse_border(record, "bounds_friction");
     record.surface.friction = check_not_negative("friction", friction);
     surface_changed(data, id_.index);
 }
@@ -109,6 +120,7 @@ float Shape::restitution() const {
 
 void Shape::set_restitution(float restitution) {
     FETTLE_EDIT_SHAPE
+    refuse_border(record, "bounds_restitution");
     record.surface.restitution = check_range("restitution", restitution, 0.0f, 1.0f);
     surface_changed(data, id_.index);
 }
@@ -175,8 +187,7 @@ uint64_t Shape::category() const {
 
 void Shape::set_category(uint64_t category) {
     FETTLE_EDIT_SHAPE
-    record.surface.category = category;
-    filter_changed(data, id_.index);
+    set_filtering(data, id_.index, &ShapeDef::category, category);
 }
 
 uint64_t Shape::mask() const {
@@ -186,8 +197,7 @@ uint64_t Shape::mask() const {
 
 void Shape::set_mask(uint64_t mask) {
     FETTLE_EDIT_SHAPE
-    record.surface.mask = mask;
-    filter_changed(data, id_.index);
+    set_filtering(data, id_.index, &ShapeDef::mask, mask);
 }
 
 int32_t Shape::group() const {
@@ -197,8 +207,7 @@ int32_t Shape::group() const {
 
 void Shape::set_group(int32_t group) {
     FETTLE_EDIT_SHAPE
-    record.surface.group = group;
-    filter_changed(data, id_.index);
+    set_filtering(data, id_.index, &ShapeDef::group, group);
 }
 
 float Shape::area() const {

@@ -174,6 +174,7 @@ TEST_CASE("a file that is no module is refused with what it is") {
     says("abort_in_check", "crashed (Aborted) in its own test");
     says("exit_in_check", "ended the process with status 3 in its own test");
     says("fail_in_check", "the barometer is stuck");
+    says("hands_on", "no class is called \"Clowd\"");  // what the host said: it says nothing itself
     says("forgetful", "class Harbor leaves its rows to `save` and `restore`");
     CHECK(refusal(FETTLE_TEST_MODULES).find("found a folder") != std::string::npos);
     CHECK(refusal(built("weather")) == "");

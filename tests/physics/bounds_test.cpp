@@ -75,6 +75,11 @@ TEST_CASE("contacts and rays know the border") {
     REQUIRE(hit->shape.type() == ShapeType::border);
     Shape border = hit->shape;
     REQUIRE_THROWS(border.destroy());
+    // What the settings of the world say is set there alone.
+    REQUIRE_THROWS_WITH(border.detach(), contains("bounds"));
+    REQUIRE_THROWS_WITH(border.set_friction(3), contains("bounds_friction"));
+    REQUIRE_THROWS_WITH(border.set_restitution(1), contains("bounds_restitution"));
+    REQUIRE(border.friction() == world.bounds_friction());
     REQUIRE(world.shapes().size() == 1);
     REQUIRE(world.bodies().size() == 1);
 }

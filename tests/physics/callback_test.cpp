@@ -373,3 +373,33 @@ TEST_CASE("two outlines of several parts touch as one whatever the order of the 
     REQUIRE(begun == 1);
     REQUIRE(ended == 0);
 }
+
+TEST_CASE("an edit of what collides that a refresh callback ends by throwing has changed nothing") {
+    World world;
+    add_floor(world);
+    Body ball = add_ball(world, {0, 0.5f});
+    Shape shape = ball.shapes()[0];
+    run(world, 0.5f);
+    REQUIRE(ball.is_touching());
+    world.set_filter([](const Shape&, const Shape&) { return true; });
+    bool throwing = true;
+    world.on_refresh([&](const Refresh&) {
+        if (throwing) throw std::runtime_error("not now");
+    });
+    shape.set_density(2);  // out of date: who looks asks the callback first
+    const auto mask = shape.mask();
+    REQUIRE_THROWS_WITH(shape.set_category(8), contains("not now"));
+    REQUIRE_THROWS_WITH(shape.set_mask(0), contains("not now"));
+    REQUIRE_THROWS_WITH(shape.set_group(-1), contains("not now"));
+    REQUIRE_THROWS_WITH(world.set_filter([](const Shape&, const Shape&) { return false; }),
+                        contains("not now"));
+    REQUIRE(shape.category() == 1);
+    REQUIRE(shape.mask() == mask);
+    REQUIRE(shape.group() == 0);
+    throwing = false;
+    run(world, 0.1f);
+    REQUIRE(ball.is_touching());
+    shape.set_mask(0);
+    world.step(frame);
+    REQUIRE_FALSE(ball.is_touching());
+}

@@ -128,3 +128,21 @@ TEST_CASE("physics is attached once") {
     Game game;
     CHECK_THROWS_AS(game.physics.attach(game.tree), std::logic_error);
 }
+
+TEST_CASE("a physics module that was never attached says so") {
+    fettle::physics_module::PhysicsModule module;
+    const auto says_so = [](const auto& call) {
+        REQUIRE_THROWS_WITH(call(), contains("physics is attached to no tree"));
+    };
+    fettle::property::Tree tree;
+    says_so([&] { module.step(0.1); });
+    says_so([&] { module.report(tree); });
+    says_so([&] { module.hash(); });
+    says_so([&] { module.world(tree.root()); });
+    says_so([&] { module.body(tree.root()); });
+    says_so([&] { module.shape(tree.root()); });
+    REQUIRE_FALSE(module.handle(fettle::physics::Body()));
+    REQUIRE_FALSE(module.handle(fettle::physics::Shape()));
+    module.attach(tree);
+    module.step(0.1);
+}

@@ -131,6 +131,35 @@ TEST_CASE("what a runtime calls may end it") {
     }
 }
 
+TEST_CASE("an error sink whose scripts are in error themselves comes to an end") {
+    Stage stage;
+    int told = 0;
+    stage.runtime->on_error([&](const ScriptError&) {
+        ++told;
+        stage.runtime->run("error('and again')", "main.lua");
+    });
+    CHECK_FALSE(stage.runtime->run("error('no')", "main.lua"));
+    CHECK(told == 16);
+    CHECK_FALSE(stage.runtime->run("error('no')", "main.lua"));
+    CHECK(told == 32);
+    CHECK(stage.runtime->run("local n = 1", "main.lua"));
+}
+
+TEST_CASE("a method that throws what is no exception is an error of the script") {
+    Stage stage;
+    std::string said;
+    stage.runtime->on_print([&](std::string_view text) { said += text; });
+    stage.tree->define(
+        {.name = "Bomb",
+         .methods = {
+             {.name = "explode",
+              .call = [](void*, Tree&, Handle, fettle::property::Row,
+                         std::span<const Value>) -> fettle::property::Result { throw 5; }}}});
+    CHECK(stage.runtime->run("game.bomb = Bomb {} print(pcall(function() game.bomb:explode() end))",
+                             "main.lua"));
+    CHECK_THAT(said, contains("bomb:explode(): an exception of no known type"));
+}
+
 TEST_CASE("what a runtime calls may replace what it calls") {
     Stage stage;
     std::string said;

@@ -12,6 +12,9 @@
 #ifndef CLASS_NAME
 #define CLASS_NAME "Cloud"
 #endif
+#ifndef FRONT_CLASS
+#define FRONT_CLASS CLASS_NAME
+#endif
 #ifndef MODULE_NAME
 #define MODULE_NAME "weather"
 #endif
@@ -238,7 +241,7 @@ static fettle_status attach(void* context) {
         host->fail(host->self, host->last_error(host->self));
         return FETTLE_ERR_FAILED;
     }
-    return host->create(host->self, CLASS_NAME, host->root(host->self), "front", &made);
+    return host->create(host->self, FRONT_CLASS, host->root(host->self), "front", &made);
 }
 
 static void step(void* context, double dt) {

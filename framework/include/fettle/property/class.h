@@ -350,6 +350,7 @@ class Class {
     std::vector<const Property*>
         initial_;  // inherited natively, with a default of this class's own
     std::uint32_t id_ = 0;
+    mutable bool columns_found_ = false;  // no `base` of a column gave null for the first row
 };
 
 // --- Binding makers

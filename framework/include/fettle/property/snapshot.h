@@ -56,12 +56,12 @@ class Snapshot {
     /// `held`: bytes that the memories take, about.
     Snapshot(std::vector<std::byte> payload, Memories memories, std::size_t held = 0);
     bool empty() const { return data_ == nullptr; }
-    /// The step it was taken at.
+    /// The step it was taken at. Throws Error(damaged), as `to_bytes` does, for an empty one.
     std::uint64_t step() const;
     /// The state itself, without what protects a file.
     std::span<const std::byte> payload() const;
-    const Memories& memories() const { return data_->memories; }
-    std::size_t held() const { return data_->held; }
+    const Memories& memories() const;
+    std::size_t held() const { return empty() ? 0 : data_->held; }
     /// The state itself, out of a snapshot that ends here; a copy of it while others share it.
     std::vector<std::byte> take_payload() &&;
 

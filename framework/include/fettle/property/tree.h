@@ -50,7 +50,8 @@ struct Remains {
 /// until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may outlive the
 /// tree, and are of no use then. A handler, a function given to `at_barrier` or a method may
 /// destroy the tree that calls it: `barrier` or `call` throws Error(deleted) when it has returned.
-/// Formulas, lifecycle functions, bindings and observers must not.
+/// Formulas, lifecycle functions, bindings, observers, and what is asked in the middle of a step or
+/// of a search (question.h, acceptance.h) must not: the program is ended then.
 class Tree {
   public:
     Tree();

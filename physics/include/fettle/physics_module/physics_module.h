@@ -16,7 +16,9 @@ namespace fettle::physics_module {
 class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
 /// Registers the classes World, Body, Shape, Joint and Field with all that derive from them,
-/// creates `game.world`, and steps every world that hangs below the root.
+/// creates `game.world`, and steps every world that hangs below the root. Before `attach` whatever
+/// needs a tree throws std::logic_error; when that tree is gone, nothing but the destructor is
+/// left.
 class PhysicsModule : public module::Module {
   public:
     PhysicsModule();
@@ -54,6 +56,8 @@ class PhysicsModule : public module::Module {
     property::Handle handle(const physics::Shape& shape) const;
 
   private:
+    Hosting& hosting() const;
+
     std::unique_ptr<Hosting> hosting_;
 };
 

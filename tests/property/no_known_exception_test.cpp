@@ -1,0 +1,156 @@
+#include <fettle/property/question.h>
+#include <fettle/property/snapshot.h>
+
+#include "catch.h"
+#include "fixture.h"
+
+// What a caller throws may be of any type: it is an error like others, and leaves a whole tree.
+
+using namespace fettle::property;
+using fettle::property::testing::BallModule;
+using fettle::property::testing::message_of;
+
+namespace {
+
+constexpr const char* unknown = "an exception of no known type";
+
+/// Throws what is no std::exception.
+[[noreturn]] Value throws_a_number() {
+    throw 5;
+}
+
+}  // namespace
+
+TEST_CASE("a formula that throws what is no exception is in error and the tree goes on") {
+    Tree tree;
+    const Handle node = tree.create(tree.object_class(), tree.root(), "node");
+    tree.set_or_add(node, "width", 1.0);
+    tree.set_or_add(node, "height", 2.0);
+    const Property& width = tree.property(node, "width");
+    tree.set_formula(node, width, {.function = [&](const Tree& in) {
+                         in.get(node, "height");
+                         return throws_a_number();
+                     }});
+    CHECK_THROWS_WITH(tree.get(node, width), contains(unknown));
+    CHECK(tree.problem(node, width) == unknown);
+    CHECK_FALSE(tree.in_formula());
+    tree.barrier();
+    CHECK(tree.peek(node, width).number() == 1.0);
+    tree.set(node, "height", 3.0);
+    tree.set_formula(node, width,
+                     {.function = [&](const Tree& in) { return in.get(node, "height"); }});
+    CHECK(tree.get(node, width).number() == 3.0);
+}
+
+TEST_CASE("a handler that throws what is no exception is told of like any other") {
+    Tree tree;
+    const Handle node = tree.create(tree.object_class(), tree.root(), "node");
+    tree.set_or_add(node, "width", 1.0);
+    std::string told;
+    tree.on_handler_error([&](const HandlerError& error) { told += error.message + ";"; });
+    int heard = 0;
+    tree.watch(node, "width", [](const Change&) { throw 5; });
+    tree.watch(node, "width", [&](const Change&) { ++heard; });
+    tree.at_barrier([] { throw "text"; });
+    tree.at_barrier([&] { ++heard; });
+    tree.set(node, "width", 2.0);
+    tree.barrier();
+    CHECK(heard == 2);
+    CHECK(told == std::string(unknown) + ";" + unknown + ";");
+}
+
+TEST_CASE("a setter and a method that throw what is no exception refuse") {
+    Tree tree;
+    ClassDescriptor crate{.name = "Crate"};
+    crate.properties = {Property{.name = "width", .default_value = 0.0}};
+    crate.properties[0].binding = {.kind = BindingKind::accessor,
+                                   .get = [](void*, Row) { return Value(1.0); },
+                                   .set = [](void*, Row, const Value&) { throw 5; },
+                                   .reset = [](void*, Row) { throw 5; }};
+    crate.methods = {Method{
+        .name = "open",
+        .call = [](void*, Tree&, Handle, Row, std::span<const Value>) -> Result { throw "text"; }}};
+    const Handle made = tree.create(tree.define(crate), tree.root(), "crate");
+    const std::string told = std::string("crate.width: ") + unknown;
+    CHECK(message_of([&] { tree.set(made, "width", 3.0); }) == told);
+    CHECK(message_of([&] { tree.reset(made, tree.property(made, "width")); }) == told);
+    CHECK(message_of([&] { tree.call(made, "open", {}); }) ==
+          std::string("crate:open(): ") + unknown);
+}
+
+TEST_CASE("a module that throws what is no exception leaves a restored tree whole") {
+    Tree tree;
+    static bool full;
+    full = false;
+    ClassDescriptor crate{.name = "Crate"};
+    crate.lifecycle.create = [](void*, Tree&, Handle) -> Row {
+        if (full) throw 5;
+        return 0;
+    };
+    const Class& type = tree.define(crate);
+    const Handle kept = tree.create(tree.object_class(), tree.root(), "kept");
+    const Handle gone = tree.create(type, tree.root(), "crate");
+    const Snapshot before = tree.snapshot();
+    tree.destroy(gone);
+    full = true;
+    CHECK_NOTHROW(tree.restore(before));
+    CHECK(tree.alive(kept));
+    CHECK_FALSE(tree.alive(gone));
+    tree.barrier();
+}
+
+TEST_CASE("an empty snapshot holds nothing and says so") {
+    Snapshot empty;
+    CHECK(empty.empty());
+    CHECK(empty.payload().empty());
+    CHECK(empty.memories().empty());
+    CHECK(empty.held() == 0);
+    CHECK_THROWS_AS(empty.step(), Error);
+    CHECK_THROWS_WITH(empty.to_bytes(), contains("the snapshot is empty"));
+    CHECK(Snapshot().take_payload().empty());
+    Snapshot taken = Tree().snapshot();
+    CHECK_FALSE(std::move(taken).take_payload().empty());
+    CHECK(taken.payload().empty());
+}
+
+TEST_CASE("a question tells as many values as its event has fields") {
+    Tree tree;
+    BallModule module(tree);
+    const Handle ball = tree.create(*module.type, tree.root(), "ball");
+    const Event& bounced = *module.type->event("bounced");
+    int asked = 0;
+    tree.on(ball, bounced, [&](const Occurrence&) { ++asked; });
+    std::vector<Value> none, right(bounced.fields.size(), Value(1.0)), many(9, Value(1.0));
+    CHECK_THROWS_WITH(ask(tree, ball, bounced, none, 0), contains("and was given 0"));
+    CHECK_THROWS_WITH(ask(tree, ball, bounced, many, 0), contains("and was given 9"));
+    const Handle node = tree.create(tree.object_class(), tree.root(), "node");
+    CHECK_THROWS_WITH(ask(tree, node, bounced, right, 0), contains("no such event"));
+    CHECK(asked == 0);
+    ask(tree, ball, bounced, right, 0);
+    CHECK(asked == 1);
+}
+
+TEST_CASE("a column without memory is found when the class has its first instance") {
+    Tree tree;
+    static double memory[4] = {};
+    static std::byte* where;
+    static int rows;
+    where = nullptr;
+    rows = 0;
+    ClassDescriptor crate{.name = "Crate"};
+    crate.properties = {Property{.name = "width", .default_value = 0.0}};
+    crate.properties[0].binding = {.kind = BindingKind::column,
+                                   .native = Native::f64,
+                                   .base = [](void*) { return where; },
+                                   .stride = sizeof(double)};
+    crate.lifecycle.create = [](void*, Tree&, Handle) { return Row(rows++); };
+    crate.lifecycle.destroy = [](void*, Tree&, Handle, Row) { --rows; };
+    const Class& type = tree.define(crate);
+    const std::size_t before = tree.size();
+    CHECK(message_of([&] { tree.create(type, tree.root(), "crate"); }) ==
+          "Crate.width: it has no memory: the `base` of its column gave a null pointer");
+    CHECK(tree.size() == before);
+    CHECK(rows == 0);
+    where = reinterpret_cast<std::byte*>(memory);
+    CHECK(tree.get(tree.create(type, tree.root(), "crate"), "width").number() == 0.0);
+}
