@@ -6,7 +6,7 @@ work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 
 # A small project with the commands, and what follows documents.
-project=$work/project
+project=$work/project folder=$work/followed
 mkdir -p "$project/tests" "$project/cmake"
 cp -r "$here" "$project/tests/documents"
 cp "$here/../../play" "$here/../../check" "$project/"
@@ -21,7 +21,7 @@ chmod +x "$work/build/bin/fettle"
 follow() {
     cat >"$work/page.md"
     status=0
-    output=$("$project/tests/documents/follow.sh" "$@" "$work/page.md" "$work/build" "$work/followed" 2>&1) || status=$?
+    output=$("$project/tests/documents/follow.sh" "$@" "$work/page.md" "$work/build" "$folder" 2>&1) || status=$?
 }
 wrong() {
     printf 'wrong: %s\n--- status %s, output:\n%s\n' "$1" "$status" "$output"
@@ -275,6 +275,24 @@ nothing printed this
 ```
 PAGE
     expect_failure "this output belongs to no commands"
+}
+
+case_a_project_may_lie_in_a_folder_with_a_space() {
+    mv "$project" "$work/a project"
+    mv "$work/build" "$work/a project/build"
+    ln -s "$work/a project/build" "$work/build"
+    project="$work/a project" folder="$work/a project/build/followed"
+    follow <<'PAGE'
+```sh
+ls play && test -d $HOME && mkdir $HOME/place && cd $HOME/place
+```
+
+<!-- test: console scripts/showcase at 1 -->
+```console
+› a
+```
+PAGE
+    expect_failure "+[--console]"
 }
 
 case_full_runs_what_is_marked_so_and_nothing_else() {

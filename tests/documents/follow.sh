@@ -21,6 +21,11 @@ if [[ $document == /* ]]; then read_blocks "$document"; else read_blocks "$sourc
 # --- Where it happens -----------------------------------------------------------------------------------------------------
 
 rm -rf -- "$folder"
+# Home folders have no spaces in their names, and documents need not quote them.
+if [[ $folder == *[[:space:]]* ]]; then
+    folder=$(mktemp -d "${TMPDIR:-/tmp}/fettle-documents.XXXXXX")
+    trap 'rm -rf -- "$folder"' EXIT
+fi
 mkdir -p -- "$folder/home"
 folder=$(cd -- "$folder" && pwd -P)
 terminal=$folder/terminal
