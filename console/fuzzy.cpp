@@ -8,7 +8,8 @@ namespace fettle::console {
 namespace {
 
 constexpr int unreachable = std::numeric_limits<int>::min() / 2;
-constexpr int letter = 1, run = 9, word_start = 8, first = 10, exact_case = 1;
+// What a letter of the pattern is worth where it is found.
+constexpr int any_letter = 1, after_last = 9, word_start = 8, name_start = 10, exact_case = 1;
 constexpr std::size_t longest = 256;
 
 char lower(char c) {
@@ -20,8 +21,8 @@ bool alphanumeric(char c) {
 }
 
 int worth(std::string_view candidate, std::size_t at, char typed) {
-    int value = letter + (candidate[at] == typed ? exact_case : 0);
-    if (at == 0) return value + first;
+    int value = any_letter + (candidate[at] == typed ? exact_case : 0);
+    if (at == 0) return value + name_start;
     char before = candidate[at - 1];
     bool camel = before >= 'a' && before <= 'z' && candidate[at] >= 'A' && candidate[at] <= 'Z';
     return value + (!alphanumeric(before) || camel ? word_start : 0);
@@ -30,7 +31,7 @@ int worth(std::string_view candidate, std::size_t at, char typed) {
 }  // namespace
 
 // best[i][j]: the best score with pattern[i] matched at candidate[j]. A match that follows its
-// predecessor directly earns `run`; any other looks back at the best of all earlier columns.
+// predecessor directly earns `after_last`; any other looks back at the best of all earlier columns.
 std::optional<FuzzyMatch> fuzzy_match(std::string_view pattern, std::string_view candidate) {
     if (pattern.empty()) return FuzzyMatch{};
     candidate = candidate.substr(0, longest);
@@ -49,8 +50,8 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view pattern, std::string_view
             if (lower(pattern[i]) != lower(candidate[j]) || reach == unreachable) continue;
             int score = reach;
             std::size_t predecessor = reach_from;
-            if (i > 0 && best[(i - 1) * m + j - 1] + run > score) {
-                score = best[(i - 1) * m + j - 1] + run;
+            if (i > 0 && best[(i - 1) * m + j - 1] + after_last > score) {
+                score = best[(i - 1) * m + j - 1] + after_last;
                 predecessor = j - 1;
             }
             best[i * m + j] = score + worth(candidate, j, pattern[i]);

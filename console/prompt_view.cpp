@@ -12,7 +12,7 @@ namespace fettle::console {
 
 namespace {
 
-constexpr float gutter = 2;  // columns
+constexpr float prompt_gutter = 2;  // columns
 constexpr std::size_t menu_rows = 10;
 constexpr float row_padding = 5;  // pixels
 constexpr double blink_seconds = 0.55;
@@ -47,7 +47,7 @@ void PromptView::draw(float height, float cell, bool focused) {
     follow_caret(size, line_height, cell);
     ImVec2 origin(corner.x + style.FramePadding.x - scroll_.x,
                   corner.y + style.FramePadding.y + 1 - scroll_.y);
-    ImVec2 text_origin(origin.x + gutter * cell, origin.y);
+    ImVec2 text_origin(origin.x + prompt_gutter * cell, origin.y);
     mouse(text_origin, line_height, cell);
     list.PushClipRect(corner, end, true);
     if (prompt_.search()) {
@@ -73,7 +73,7 @@ void PromptView::draw(float height, float cell, bool focused) {
 
 void PromptView::follow_caret(ImVec2 size, float line_height, float cell) {
     const TextEdit& edit = prompt_.edit();
-    float x = (gutter + static_cast<float>(edit.column_of(edit.cursor()))) * cell;
+    float x = (prompt_gutter + static_cast<float>(edit.column_of(edit.cursor()))) * cell;
     float y = static_cast<float>(edit.line_of(edit.cursor())) * line_height;
     float room_x = size.x - 4 * cell;
     float room_y = size.y - line_height - 2 * ImGui::GetStyle().FramePadding.y;

@@ -23,10 +23,10 @@ namespace {
 
 // Of the time a body takes, from the first world to the last.
 const Bound growth_bound = at_most(1.5);
-const Bound bytes_bound = below(1024);  // of a sleeping body with a shape
-constexpr int steps_in_all = 40000;     // over the number of pyramids: each world gets as much time
-constexpr int warm_up = 30;             // steps: the pyramids have settled
-constexpr std::array sizes = {18, 182, 1818};  // pyramids of 55 bodies
+const Bound body_bytes_bound = below(1024);  // of a sleeping body with a shape
+constexpr int steps_in_all = 40000;  // over the number of pyramids: each world gets as much time
+constexpr int settling_steps = 30;   // steps: the pyramids have settled
+constexpr std::array pyramid_counts = {18, 182, 1818};  // pyramids of 55 bodies
 
 struct TimeRow {
     std::size_t bodies = 0;
@@ -47,18 +47,18 @@ void add_stages(const physics::StepStatistics& step, TimeRow& row) {
 
 /// All worlds side by side, in turns: a noisy moment meets all of them.
 std::vector<TimeRow> time_rows(const GrowthOptions& options, Progress& progress) {
-    std::vector<TimeRow> rows(sizes.size());
+    std::vector<TimeRow> rows(pyramid_counts.size());
     std::vector<std::unique_ptr<Engine>> worlds;
     progress.begin("pyramids");
-    for (std::size_t k = 0; k < sizes.size(); ++k) {
-        worlds.push_back(make_fettle(pyramids_of(sizes[k])));
-        rows[k].bodies = static_cast<std::size_t>(sizes[k]) * 55;
-        measured_steps(*worlds[k], warm_up);
+    for (std::size_t k = 0; k < pyramid_counts.size(); ++k) {
+        worlds.push_back(make_fettle(pyramids_of(pyramid_counts[k])));
+        rows[k].bodies = static_cast<std::size_t>(pyramid_counts[k]) * 55;
+        measured_steps(*worlds[k], settling_steps);
     }
     for (int run = 0; run < options.runs; ++run) {
-        for (std::size_t k = 0; k < sizes.size(); ++k) {
+        for (std::size_t k = 0; k < pyramid_counts.size(); ++k) {
             TimeRow& row = rows[k];
-            const int steps = std::max(4, steps_in_all / 10 / sizes[k]);
+            const int steps = std::max(4, steps_in_all / 10 / pyramid_counts[k]);
             const ThreadClock clock;
             for (int i = 0; i < steps; ++i) {
                 worlds[k]->step();
@@ -153,7 +153,7 @@ void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOpt
         for (std::size_t k = 0; k < all.size(); ++k) all[k] += bytes[k];
         if (bytes[1] > 0.1) add(row.memory[i].purpose, bytes, {});
     }
-    add("in all", all, bytes_bound);
+    add("in all", all, body_bytes_bound);
     if (!output.json) std::cout << table.text();
 }
 

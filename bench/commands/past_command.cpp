@@ -20,8 +20,8 @@ namespace fettle::bench {
 namespace {
 
 constexpr double mebibyte = 1048576;
-constexpr int bounded_bodies = 10000;  // what the bounds are for
-constexpr std::int64_t warm_up = 60;   // steps: the first keyframe finds its memory
+constexpr int bounded_bodies = 10000;     // what the bounds are for
+constexpr std::int64_t first_steps = 60;  // steps: the first keyframe finds its memory
 
 struct Run {
     double first_ms = 0;              // step, with the first keyframe
@@ -47,7 +47,7 @@ Run measure(const PastOptions& options, Progress& progress) {
             run.first_ms = ms;
         else if (past.keyframes() > before)
             run.keyframe_ms.push_back(ms);
-        else if (step > warm_up)
+        else if (step > first_steps)
             run.plain_ms.push_back(ms);
         progress.add(0.8 / static_cast<double>(steps));
     }

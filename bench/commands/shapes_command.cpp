@@ -156,7 +156,7 @@ const Column columns[] = {
     {"shape cast", shape_cast},
 };
 
-struct Row {
+struct ShapeRow {
     int corners;
     std::vector<double> values;  ///< one a column
 };
@@ -168,22 +168,22 @@ double median_of(int runs, Measure&& measure) {
     return median(std::move(values));
 }
 
-Row measure(int corners, int runs) {
+ShapeRow measure(int corners, int runs) {
     const physics::Geometry form = rounded(corners);
-    Row row{corners, {}};
+    ShapeRow row{corners, {}};
     for (const Column& column : columns)
         row.values.push_back(median_of(runs, [&] { return column.measure(form); }));
     return row;
 }
 
-std::string name_of(const Row& row) {
+std::string name_of(const ShapeRow& row) {
     return row.corners == 0 ? "ellipse" : std::to_string(row.corners);
 }
 
 }  // namespace
 
 int run_shapes(const ShapesOptions& options) {
-    std::vector<Row> rows;
+    std::vector<ShapeRow> rows;
     {
         const std::vector<int> sizes = {4, 8, 9, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 0};
         Progress progress(static_cast<double>(sizes.size()));
@@ -196,7 +196,7 @@ int run_shapes(const ShapesOptions& options) {
     std::vector<std::string> titles = {"corners"};
     for (const Column& column : columns) titles.emplace_back(column.title);
     Table table(titles);
-    for (const Row& row : rows) {
+    for (const ShapeRow& row : rows) {
         if (options.json) {
             for (std::size_t i = 0; i < row.values.size(); ++i)
                 std::cout << json_line({{"corners", name_of(row)},

@@ -72,7 +72,7 @@ class Side {
 };
 
 /// Of one run, or the median of several.
-struct Result {
+struct ThreadsResult {
     double one_ms = 0, several_ms = 0;  // the mean step
     double speedup = 0;                 // of the mean step
     double median_speedup = 0;          // of the median step, which other work spoils less
@@ -80,7 +80,7 @@ struct Result {
     Stages one = {}, several = {};
 };
 
-Result run_once(const Scene& scene, int threads, int run, Progress& progress) {
+ThreadsResult run_once(const Scene& scene, int threads, int run, Progress& progress) {
     Side one(scene, 1), several(scene, threads);
     const double before = round_trip_ns();
     while (one.steps() < scene.steps) {
@@ -103,24 +103,25 @@ Result run_once(const Scene& scene, int threads, int run, Progress& progress) {
 }
 
 /// Each figure for itself.
-Result median_of(const std::vector<Result>& runs) {
+ThreadsResult median_of(const std::vector<ThreadsResult>& runs) {
     const auto of = [&](auto&& figure_of) {
         std::vector<double> values;
-        for (const Result& run : runs) values.push_back(figure_of(run));
+        for (const ThreadsResult& run : runs) values.push_back(figure_of(run));
         return median(values);
     };
-    Result result;
-    for (double Result::*figure : {&Result::one_ms, &Result::several_ms, &Result::speedup,
-                                   &Result::median_speedup, &Result::round_trip_ns})
-        result.*figure = of([&](const Result& run) { return run.*figure; });
+    ThreadsResult result;
+    for (double ThreadsResult::*figure :
+         {&ThreadsResult::one_ms, &ThreadsResult::several_ms, &ThreadsResult::speedup,
+          &ThreadsResult::median_speedup, &ThreadsResult::round_trip_ns})
+        result.*figure = of([&](const ThreadsResult& run) { return run.*figure; });
     for (std::size_t k = 0; k < stage_names.size(); ++k) {
-        result.one[k] = of([&](const Result& run) { return run.one[k]; });
-        result.several[k] = of([&](const Result& run) { return run.several[k]; });
+        result.one[k] = of([&](const ThreadsResult& run) { return run.one[k]; });
+        result.several[k] = of([&](const ThreadsResult& run) { return run.several[k]; });
     }
     return result;
 }
 
-void print_json(const std::string& scene, int threads, int steps, const Result& result) {
+void print_json(const std::string& scene, int threads, int steps, const ThreadsResult& result) {
     std::cout << json_line({{"scene", scene},
                             {"threads", static_cast<long long>(threads)},
                             {"steps", static_cast<long long>(steps)},
@@ -163,13 +164,13 @@ int run_threads(const ThreadsOptions& options) {
         for (const CatalogueEntry* entry : scenes) {
             Scene scene = entry->make();
             if (options.steps > 0) scene.steps = options.steps;
-            std::vector<Result> runs;
+            std::vector<ThreadsResult> runs;
             for (int run = 0; run < options.runs; ++run) {
                 progress.begin(scene.name + ", run " + std::to_string(run + 1) + " of " +
                                std::to_string(options.runs));
                 runs.push_back(run_once(scene, options.threads, run, progress));
             }
-            const Result result = median_of(runs);
+            const ThreadsResult result = median_of(runs);
             if (options.json) print_json(scene.name, options.threads, scene.steps, result);
             const Bound bound = options.threads == 2 ? least_speedup : Bound{};
             speed.add({scene.name, figure(result.one_ms), figure(result.several_ms),

@@ -72,27 +72,27 @@ BareLua& bare_lua() {
     return lua;
 }
 
-HeadlessGame& game() {
-    static HeadlessGame game;
+HeadlessGame& bench_game() {
+    static HeadlessGame made;
     static const bool running = [] {
         const std::string ball = "world.ball";
-        const bool loaded = game.runtime.run(
+        const bool loaded = made.runtime.run(
             "world.ball = Body { position = vec(0, 8), Circle { radius = 0.5 } }\n" +
                 empty_loop(ball) + scalar_get(ball, "mass") + scalar_get(ball, "angular_velocity") +
                 scalar_get(ball, "position") + scalar_set(ball, "angular_velocity") +
                 scalar_set(ball, "linear_damping") + vec2_set(ball, "velocity"),
             "bench");
         // What an edit leaves to do has been done by a step, as in any game that runs.
-        for (int i = 0; i < 10; ++i) game.loop.turn();
+        for (int i = 0; i < 10; ++i) made.loop.turn();
         return loaded;
     }();
     if (!running) throw std::runtime_error("the script to be measured did not run");
-    return game;
+    return made;
 }
 
 CostLoop in_game(const std::string& function) {
     return [function](benchmark::State& state) {
-        HeadlessGame& playing = game();
+        HeadlessGame& playing = bench_game();
         if (!playing.runtime.defines(function)) throw std::logic_error("no " + function);
         int called = 0;
         for (auto _ : state) {

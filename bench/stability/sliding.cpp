@@ -9,7 +9,7 @@
 namespace fettle::bench {
 namespace {
 
-constexpr double gravity = 10;
+constexpr double sliding_gravity = 10;
 constexpr double slope = 20 * std::numbers::pi / 180;
 
 /// A plank through the origin that falls towards +x by `slope`, its top 0 m above the origin.
@@ -88,7 +88,7 @@ std::vector<Figure> rolling_trial(const EngineKind& kind) {
     run_for(*engine, 1);
     const double second = descent(*engine, 1, scene.bodies[1].position) - first;
     const double acceleration = second - first;  // s(2) - 2 s(1), over 1 s²
-    const double analytic = gravity * std::sin(slope) * 2 / 3;
+    const double analytic = sliding_gravity * std::sin(slope) * 2 / 3;
     return {{"acceleration off by", 100 * std::abs(acceleration / analytic - 1), "%", below(1)}};
 }
 
@@ -99,7 +99,7 @@ std::vector<Figure> sliding_trial(const EngineKind& kind) {
     const double held = slide(kind, 1.05 * limit);
     const double slid = slide(kind, 0.95 * limit);
     const double analytic =
-        0.5 * gravity * (std::sin(slope) - 0.95 * limit * std::cos(slope)) * 2 * 2;
+        0.5 * sliding_gravity * (std::sin(slope) - 0.95 * limit * std::cos(slope)) * 2 * 2;
     return {{"creep when held", 1000 * std::abs(held) / 2, "mm/s", below(5)},
             {"slide off by", 100 * std::abs(slid / analytic - 1), "%", below(10)}};
 }

@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "vectors.h"
 
 namespace fettle::app {
 
 namespace {
 
 using Vector = sf::Vector2f;
-
-float dot(Vector a, Vector b) {
-    return a.x * b.x + a.y * b.y;
-}
-float cross(Vector a, Vector b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 // px. So far outside of an edge one looks for another part: what touches has no border between.
 constexpr float beyond = 0.35f;
@@ -25,7 +19,6 @@ constexpr float overlapping = 0.25f;
 // px. Stretches shorter than that belong to their neighbor.
 constexpr float shortest = 0.3f;
 constexpr std::size_t most_work = 1u << 20;  // edges met by edges
-constexpr float anywhere = std::numeric_limits<float>::max();
 
 }  // namespace
 

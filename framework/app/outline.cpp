@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "vectors.h"
 
 namespace fettle::app {
 
@@ -11,17 +12,9 @@ namespace {
 
 using Vector = sf::Vector2f;
 
-float dot(Vector a, Vector b) {
-    return a.x * b.x + a.y * b.y;
-}
-float cross(Vector a, Vector b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 constexpr float sharp = 0.3f;     // px; rounding below that cannot be seen
 constexpr float miter_limit = 4;  // how far a sharp corner may stick out, in widths
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float anywhere = std::numeric_limits<float>::max();
 
 }  // namespace
 

@@ -93,12 +93,12 @@ void write(const BridgedProperty& p, std::byte* to, const Value& value) {
     }
 }
 
-Value get(void* context, Row row) {
+Value get_cell(void* context, Row row) {
     const auto& p = *static_cast<BridgedProperty*>(context);
     return p.gone ? p.declared->default_value : read(p, cell(p, row));
 }
 
-void set(void* context, Row row, const Value& value) {
+void set_cell(void* context, Row row, const Value& value) {
     const auto& p = *static_cast<BridgedProperty*>(context);
     if (p.gone) throw std::invalid_argument("the module, as it is now, does not have it");
     write(p, cell(p, row), value);
@@ -167,8 +167,8 @@ void bind_column(property::Property& property, BridgedProperty& kept) {
     Binding& binding = property.binding;
     binding.kind = property::BindingKind::accessor;
     binding.context = &kept;
-    binding.get = get;
-    binding.set = set;
+    binding.get = get_cell;
+    binding.set = set_cell;
 }
 
 }  // namespace fettle::module

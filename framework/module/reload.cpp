@@ -30,7 +30,7 @@ struct Saved {
 };
 
 /// Without telling anybody: to everyone but the module nothing has changed.
-void write(const Property& property, property::Row row, const Value& value) {
+void write_back(const Property& property, property::Row row, const Value& value) {
     const property::Binding& binding = property.binding;
     binding.set(binding.context, row, value);
     if (binding.invalidate != nullptr) binding.invalidate(binding.context, row);
@@ -160,7 +160,7 @@ class Reload {
     bool give_back(Handle instance, const Property& property, const Value& value, bool last) {
         try {
             if (!(tree_.peek(instance, property) == value))
-                write(property, tree_.row(instance), value);
+                write_back(property, tree_.row(instance), value);
             ++report_.values;
             return true;
         } catch (...) {

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 void write_all(int to, std::string_view text) {
     while (!text.empty()) {
-        const ssize_t n = write(to, text.data(), text.size());
+        const ssize_t n = ::write(to, text.data(), text.size());
         if (n < 0 && errno != EINTR) return;
         if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
     }
@@ -64,7 +64,7 @@ bool read_until(int from, Clock::time_point deadline, std::string& text) {
             return true;
         }
         char buffer[4096];
-        const ssize_t n = read(from, buffer, sizeof buffer);
+        const ssize_t n = ::read(from, buffer, sizeof buffer);
         if (n == 0) return true;
         if (n > 0) text.append(buffer, static_cast<std::size_t>(n));
     }

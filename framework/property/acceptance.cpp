@@ -11,7 +11,7 @@ namespace {
 
 thread_local Acceptance* in_force = nullptr;
 
-constexpr std::string_view rule =
+constexpr std::string_view acceptance_rule =
     "asks `accept` in the middle of a search: it says what counts, it cannot";
 
 }  // namespace
@@ -37,7 +37,7 @@ bool Acceptance::accepts(Handle instance) noexcept {
     try {
         asked.answers_.push_back(0);
         if (asked.thrown_) return false;
-        const Inquiry inquiry(asked.tree_, asked.method_, rule);
+        const Inquiry inquiry(asked.tree_, asked.method_, acceptance_rule);
         const bool accepted = asked.accepts_(instance);
         asked.answers_.back() = accepted;
         return accepted;

@@ -12,7 +12,7 @@ namespace {
 
 thread_local Question* asked = nullptr;
 
-constexpr std::string_view rule =
+constexpr std::string_view question_rule =
     "is asked inside a step: a handler changes what it is told, it cannot";
 
 /// While it lives, a question is asked on this thread.
@@ -82,7 +82,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     s.require_event(tree.class_of(instance), event);
     s.require_values(instance, event, values);
     Question question(tree, instance, event, values, changeable);
-    const Inquiry inquiry(tree, event.name, rule);
+    const Inquiry inquiry(tree, event.name, question_rule);
     const Asking asking(question);
     // A handler may stop watchers, itself included.
     const Watchers::HandlersRun running(s.watchers);

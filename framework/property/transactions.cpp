@@ -1,20 +1,12 @@
 #include "transactions.h"
 
+#include "weight.h"
+
 namespace fettle::property {
 namespace {
 
 // What the system and a shared pointer keep beside each piece of memory.
 constexpr std::size_t overhead = 32;
-
-std::size_t size_of(const Value& value) {
-    std::size_t bytes = sizeof(Value);
-    if (value.is(Type::text)) bytes += value.text().size() + overhead;
-    if (value.is(Type::list)) {
-        bytes += overhead;
-        for (const Value& element : value.list()) bytes += size_of(element);
-    }
-    return bytes;
-}
 
 std::size_t size_of(const CellState& state) {
     return sizeof state + size_of(state.value) + (state.formula ? bytes_of(*state.formula) : 0);

@@ -9,6 +9,7 @@
 #include "format.h"
 #include "machine.h"
 #include "protected.h"
+#include "words.h"
 
 namespace fettle::script {
 
@@ -44,10 +45,6 @@ void place_from_message(ScriptError& error) {
         std::from_chars(text.data() + colon + 1, text.data() + end, error.line);
         return;
     }
-}
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
 int column_of(const std::string& line, const std::string& word) {

@@ -17,6 +17,7 @@
 #include "machine.h"
 #include "protected.h"
 #include "script_classes.h"
+#include "words.h"
 
 namespace fettle::script {
 
@@ -27,13 +28,6 @@ namespace {
 constexpr std::size_t most_echoes = 20;
 constexpr int most_results = 20;
 constexpr const char* chunk_name = "=console";
-
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 // `a.b["c"].d`: names, dots and brackets only, so that its value is the property read last. The
 // last name goes to `last`.

@@ -9,20 +9,13 @@
 #include "machine.h"
 #include "reflection.h"
 #include "script_classes.h"
+#include "words.h"
 
 namespace fettle::script {
 
 using property::Class;
 using property::Handle;
 using property::Property;
-
-namespace {
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
-}  // namespace
 
 Scan scan(std::string_view text) {
     Scan result;

@@ -6,14 +6,11 @@
 #include <vector>
 
 #include "machine.h"
+#include "words.h"
 
 namespace fettle::script {
 
 namespace {
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// Finds the functions of a chunk: words, strings and comments are all that needs to be told apart.
 class FunctionFinder {

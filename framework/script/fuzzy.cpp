@@ -1,4 +1,5 @@
 #include "fuzzy.h"
+#include "words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -9,12 +10,6 @@
 namespace fettle::script {
 
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
 
 // Each letter continues the last word or begins a later one.
 bool matches_words(std::string_view typed, std::string_view name, std::size_t i, std::size_t at) {

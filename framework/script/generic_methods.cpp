@@ -127,7 +127,7 @@ int add(lua_State* L) {
     return 1;
 }
 
-int move(lua_State* L) {
+int move_instance(lua_State* L) {
     const Handle self = check_instance(L, 1, "move");
     Machine& machine = machine_of(L);
     const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "move");
@@ -155,7 +155,7 @@ int all(lua_State* L) {
     return 1;
 }
 
-int find(lua_State* L) {
+int find_below(lua_State* L) {
     const Handle self = check_instance(L, 1, "find");
     Machine& machine = machine_of(L);
     lua_settop(L, 3);
@@ -336,7 +336,8 @@ const std::vector<GenericMethod>& generic_methods() {
          "Calls the function with everything below of that class.", guarded<each>},
         {"find",
          "find(self: Object, class: Class|string, condition?: fun(instance: Object): boolean): Set",
-         "Everything below of that class for which the condition holds, as a set.", guarded<find>},
+         "Everything below of that class for which the condition holds, as a set.",
+         guarded<find_below>},
         {"formula", "formula(self: Object, property: string): function?",
          "The function that is the property's value, or nil.", guarded<formula_of>},
         {"has", "has(self: Object, name: string): boolean",
@@ -344,7 +345,7 @@ const std::vector<GenericMethod>& generic_methods() {
         {"is_a", "is_a(self: Object, class: Class|string): boolean",
          "Whether it is of that class or of one derived from it.", guarded<is_a>},
         {"move", "move(self: Object, parent?: Object, name?: string): Object",
-         "Gives it another parent; nil detaches it.", guarded<effect<move>>},
+         "Gives it another parent; nil detaches it.", guarded<effect<move_instance>>},
         {"on", "on(self: Object, event: string, handler: fun(told: any)): Connection",
          "Calls the function when the event happens to it.", guarded<effect<subscribe_event>>},
         {"problem", "problem(self: Object, property: string): string?",

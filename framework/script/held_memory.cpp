@@ -8,13 +8,13 @@ namespace {
 // Bytes, as Lua 5.4 has them on 64 bits.
 constexpr std::size_t of_function = 64, of_upvalue = 56, of_table = 56, of_element = 16,
                       of_entry = 40, of_text = 32;
-constexpr std::size_t short_text = 64;  // shorter ones are not worth a look
-constexpr int most_values = 1 << 16, deepest = 16;
+constexpr std::size_t least_text = 64;  // shorter ones are not worth a look
+constexpr int most_values = 1 << 16, deepest_value = 16;
 
 class Measure {
   public:
     Measure(lua_State* L, Machine& machine) : L_(L), machine_(machine) {
-        luaL_checkstack(L, 4 * deepest + 8, "a function's memory");
+        luaL_checkstack(L, 4 * deepest_value + 8, "a function's memory");
         if (machine.counted == 0) make_set();
         push_registry(L, machine.counted);
         set_ = lua_gettop(L);
@@ -23,7 +23,7 @@ class Measure {
     Measure(const Measure&) = delete;
 
     std::size_t of(int index, int depth = 0) {
-        if (--left_ < 0 || depth > deepest) return 0;
+        if (--left_ < 0 || depth > deepest_value) return 0;
         switch (lua_type(L_, index)) {
             case LUA_TSTRING:
                 return text(index);
@@ -66,7 +66,7 @@ class Measure {
     std::size_t text(int index) {
         const std::size_t size = lua_rawlen(L_, index);
         const void* const address = lua_topointer(L_, index);
-        if (size < short_text || address == machine_.counted_text) return 0;
+        if (size < least_text || address == machine_.counted_text) return 0;
         machine_.counted_text = address;
         return size + of_text;
     }

@@ -17,6 +17,7 @@
 #include "sandbox.h"
 #include "script_classes.h"
 #include "signature.h"
+#include "words.h"
 
 namespace fettle::script {
 
@@ -317,12 +318,6 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
 
 namespace {
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
-
 class Search {
   public:
     explicit Search(std::string_view word) : word_(lower(word)) {}
@@ -410,7 +405,7 @@ int help(lua_State* L) {
     return 0;
 }
 
-int find(lua_State* L) {
+int search(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING)
         throw Error(ErrorKind::wrong_type, "find: needs a text, not " + describe_type(L, 1));
     Machine& machine = machine_of(L);
@@ -423,7 +418,7 @@ int find(lua_State* L) {
 
 void open_help(lua_State* L) {
     add_function<help>(L, "help");
-    add_function<find>(L, "find");
+    add_function<search>(L, "find");
 }
 
 }  // namespace fettle::script

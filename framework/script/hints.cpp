@@ -11,6 +11,7 @@
 #include "machine.h"
 #include "script_classes.h"
 #include "synonyms.h"
+#include "words.h"
 
 namespace fettle::script {
 
@@ -18,10 +19,6 @@ using property::Class;
 using property::Property;
 
 namespace {
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 // "position" of "position = vec(x, y)".
 std::string_view name_in(std::string_view way_to_write) {

@@ -8,7 +8,7 @@ namespace fettle::script {
 
 namespace {
 
-constexpr int deepest = 200;
+constexpr int deepest_match = 200;
 constexpr std::uint64_t steps_at_once = 4096;
 
 bool in_class(unsigned char c, unsigned char name) {
@@ -202,7 +202,7 @@ std::size_t PatternMatcher::match(std::size_t start, std::size_t pattern_start) 
 }
 
 std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
-    if (++depth_ > deepest) throw std::invalid_argument("pattern too complex");
+    if (++depth_ > deepest_match) throw std::invalid_argument("pattern too complex");
     struct Leave {
         int& depth;
         ~Leave() { --depth; }

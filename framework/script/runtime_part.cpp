@@ -5,6 +5,7 @@
 #include "machine.h"
 #include "script_classes.h"
 #include "subscriptions.h"
+#include "values.h"
 
 namespace fettle::script {
 
@@ -27,10 +28,6 @@ struct Changes : Held {
     Timers::Changes timers;
     std::vector<Handle> adopted;
 };
-
-std::uint64_t bits(Handle handle) {
-    return std::uint64_t{handle.generation} << 32 | handle.index;
-}
 
 }  // namespace
 
@@ -112,7 +109,7 @@ std::function<void()> ScriptClasses::restore(property::ByteReader& from) {
     std::vector<Handle> members = from.list<Handle>();
     std::unordered_set<std::uint64_t> known;
     for (const Handle member : members)
-        from.require(known.insert(bits(member)).second, "an instance that is stepped twice");
+        from.require(known.insert(bits_of(member)).second, "an instance that is stepped twice");
     std::vector<Waiting> waiting;
     for (std::size_t n = from.count(9); n > 0; --n) {
         const auto instance = from.get<Handle>();
@@ -135,7 +132,7 @@ std::vector<Handle> ScriptClasses::take_adopted() {
 
 void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
     for (const Handle instance : adopted) {
-        if (!known_.insert(bits(instance)).second) continue;
+        if (!known_.insert(bits_of(instance)).second) continue;
         members_.push_back(instance);
         // Whoever hangs somewhere by now was told so then.
         if (machine_.tree.alive(instance) &&

@@ -12,6 +12,7 @@
 #include "protected.h"
 #include "reflection.h"
 #include "subscriptions.h"
+#include "values.h"
 
 namespace fettle::script {
 
@@ -23,10 +24,6 @@ using property::Property;
 using property::Value;
 
 namespace {
-
-std::uint64_t bits(Handle handle) {
-    return std::uint64_t{handle.generation} << 32 | handle.index;
-}
 
 bool is_callback(std::string_view name) {
     return name == "ready" || name == "step" || name == "draw";
@@ -205,11 +202,11 @@ void ScriptClasses::observe(const Class& of) {
 }
 
 void ScriptClasses::adopt(Handle instance, bool announce) {
-    if (!known_.insert(bits(instance)).second) return;
+    if (!known_.insert(bits_of(instance)).second) return;
     if (members_.size() >= prune_at_ && !calling_) {
         std::erase_if(members_, [this](Handle member) {
             if (machine_.tree.alive(member)) return false;
-            known_.erase(bits(member));
+            known_.erase(bits_of(member));
             return true;
         });
         prune_at_ = std::max<std::size_t>(1024, 2 * members_.size());
@@ -364,7 +361,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
     for (std::size_t i = 0; i < count; ++i) {
         const Handle instance = members_[i];
         if (!machine_.tree.alive(instance)) {
-            known_.erase(bits(instance));
+            known_.erase(bits_of(instance));
             continue;
         }
         members_[kept++] = instance;

@@ -1,4 +1,5 @@
 #include "signature.h"
+#include "words.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,12 +7,6 @@
 namespace fettle::script {
 
 namespace {
-
-std::string trimmed(std::string_view text) {
-    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    return std::string(text);
-}
 
 int depth_change(char c) {
     return c == '(' || c == '<' || c == '{' || c == '['   ? 1
@@ -53,10 +48,10 @@ Signature parse_signature(std::string_view text) {
     signature.name = std::string(text.substr(0, open));
     for (const std::string& part : split_list(text.substr(open + 1, close - open - 1)))
         signature.parameters.push_back(parse_parameter(part));
-    const std::string rest = trimmed(text.substr(close + 1));
+    const std::string_view rest = trimmed(text.substr(close + 1));
     if (rest.empty()) return signature;
     if (rest.front() != ':') throw std::invalid_argument("unexpected text after the parameters");
-    signature.returns = split_list(std::string_view(rest).substr(1));
+    signature.returns = split_list(rest.substr(1));
     if (signature.returns.empty()) throw std::invalid_argument("no type after the colon");
     return signature;
 }
@@ -70,7 +65,7 @@ std::vector<std::string> split_list(std::string_view text) {
     for (std::size_t i = 0; i <= text.size(); ++i) {
         if (i < text.size()) depth += depth_change(text[i]);
         if (i < text.size() && (text[i] != ',' || depth != 0)) continue;
-        std::string part = trimmed(text.substr(start, i - start));
+        std::string part(trimmed(text.substr(start, i - start)));
         if (!part.empty()) parts.push_back(std::move(part));
         start = i + 1;
     }

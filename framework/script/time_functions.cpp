@@ -51,14 +51,14 @@ void require_room(const Machine& machine, std::size_t more) {
                                          " MB; let go of some");
 }
 
-struct Held {
+struct HeldSnapshot {
     Snapshot snapshot;  // empty until the barrier
     std::size_t bytes = 0;
     std::shared_ptr<lua_State*> alive;
     Machine* machine;
 
-    explicit Held(Machine& of) : alive(of.alive), machine(&of) { ++of.snapshots; }
-    ~Held() {
+    explicit HeldSnapshot(Machine& of) : alive(of.alive), machine(&of) { ++of.snapshots; }
+    ~HeldSnapshot() {
         if (*alive == nullptr) return;
         --machine->snapshots;
         machine->snapshot_bytes -= bytes;
@@ -70,12 +70,12 @@ struct Held {
         bytes = machine->snapshot_size = snapshot.payload().size();
         machine->snapshot_bytes += bytes;
     }
-    Held(const Held&) = delete;
+    HeldSnapshot(const HeldSnapshot&) = delete;
 };
 
 struct SnapshotBox {
     Tag tag;
-    std::shared_ptr<Held>* held;
+    std::shared_ptr<HeldSnapshot>* held;
 };
 
 int release(lua_State* L) {
@@ -107,8 +107,8 @@ int snapshot(lua_State* L) {
     *box = {Tag::snapshot, nullptr};
     push_registry(L, machine.snapshot_meta);
     lua_setmetatable(L, -2);
-    box->held = new std::shared_ptr<Held>(std::make_shared<Held>(machine));
-    machine.tree.at_barrier([held = std::weak_ptr<Held>(*box->held)] {
+    box->held = new std::shared_ptr<HeldSnapshot>(std::make_shared<HeldSnapshot>(machine));
+    machine.tree.at_barrier([held = std::weak_ptr<HeldSnapshot>(*box->held)] {
         if (const auto wanted = held.lock()) wanted->take();
     });
     return 1;

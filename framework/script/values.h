@@ -30,6 +30,11 @@ enum class Tag : std::uint32_t {
     description
 };
 
+/// A handle as one number, for sets of them.
+inline std::uint64_t bits_of(property::Handle handle) {
+    return std::uint64_t{handle.generation} << 32 | handle.index;
+}
+
 /// Where a value was read: a property, or a place inside a list that is its value. Assigning a
 /// component writes back there. Ad-hoc properties come and go, so they are kept by name.
 struct Origin {

@@ -39,7 +39,7 @@ Binding position(Hosting& hosting) {
         });
 }
 
-Binding angle(Hosting& hosting) {
+Binding body_angle(Hosting& hosting) {
     return accessor(
         hosting, [](Hosting& h, Row row) { return h.state(row).angle; },
         [](Hosting& h, Row row, const Value& value) {
@@ -154,7 +154,7 @@ std::vector<Property> motion(Hosting& hosting) {
          .unit = "rad",
          .range = turns,
          .doc = "How far it is turned, counter-clockwise; not wrapped after a full turn.",
-         .binding = angle(hosting),
+         .binding = body_angle(hosting),
          .simulated = true,
          .single_precision = true},
         {.name = "velocity",

@@ -10,7 +10,7 @@ namespace fettle::physics_module {
 namespace {
 
 /// A simulation may carry a body, and turn it, a little farther than it can be put.
-float within_reach(float x) {
+float settable(float x) {
     constexpr float most = 1e8f;  // m or rad
     return std::clamp(x, -most, most);
 }
@@ -18,8 +18,8 @@ float within_reach(float x) {
 physics::BodyDef description(const physics::Body& body) {
     physics::BodyDef def;
     def.type = body.type();
-    def.position = body.position().unaryExpr(&within_reach);
-    def.angle = within_reach(body.angle());
+    def.position = body.position().unaryExpr(&settable);
+    def.angle = settable(body.angle());
     def.velocity = body.velocity();
     def.angular_velocity = body.angular_velocity();
     def.force = body.force();

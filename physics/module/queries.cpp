@@ -16,8 +16,8 @@ using property::Record;
 using property::Result;
 using Arguments = std::span<const Value>;
 
-const Field from{"from", Type::vec2, "m", "Where the ray starts."};
-const Field to{"to", Type::vec2, "m", "Where it ends."};
+const Field ray_from{"from", Type::vec2, "m", "Where the ray starts."};
+const Field ray_to{"to", Type::vec2, "m", "Where it ends."};
 const Field mask{"mask", Type::integer, "", "Categories to look for, as bits; all when left out."};
 
 Field shape_field(std::string name, std::string doc) {
@@ -35,7 +35,7 @@ const std::vector<Field> hit_fields = {
     {"normal", Type::vec2, "", "Of the surface there, outward; its length is 1."},
     {"fraction", Type::number, "", "How far along the ray, 0 to 1."},
 };
-const std::vector<Field> contact_fields = {
+const std::vector<Field> found_contact_fields = {
     {"body_a", Type::reference, "", "One of the two bodies.", "Body"},
     {"body_b", Type::reference, "", "The other; the world itself for its bounds."},
     shape_field("shape_a", "The shape of body_a."),
@@ -208,7 +208,7 @@ Result explode(Hosting&, HostedWorld& hosted, Arguments a) {
     return Value();
 }
 
-Result contacts(HostedWorld& hosted, Arguments) {
+Result contacts_of_world(HostedWorld& hosted, Arguments) {
     const Instances instances(hosted);
     std::vector<Record> records;
     for (const physics::Contact& contact : hosted.world.contacts()) {
@@ -225,7 +225,7 @@ Result contacts(HostedWorld& hosted, Arguments) {
         for (int k = 0; k < contact.point_count; ++k) {
             const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
             const float share = impulses > 0.0f ? p.normal_impulse / impulses : 0.0f;
-            records.push_back({&contact_fields,
+            records.push_back({&found_contact_fields,
                                {instances.of(body_a), instances.of(body_b), instances.of(shape_a),
                                 instances.of(shape_b), to_value(p.point), to_value(normal),
                                 to_value(p.separation), to_value(share * contact.normal_force)}});
@@ -262,13 +262,13 @@ std::vector<Method> world_methods(Hosting& hosting) {
     const Field opposite{"opposite", Type::vec2, "m", "The corner across."};
     return {
         method<raycast>(hosting, {.name = "raycast",
-                                  .parameters = {from, to, mask, group, accept},
+                                  .parameters = {ray_from, ray_to, mask, group, accept},
                                   .required = 2,
                                   .returns = hit_fields,
                                   .doc = "The first shape a ray meets, or nil. Sensors do not "
                                          "stop it."}),
         method<raycast_all>(hosting, {.name = "raycast_all",
-                                      .parameters = {from, to, mask, group, accept},
+                                      .parameters = {ray_from, ray_to, mask, group, accept},
                                       .required = 2,
                                       .returns = hit_fields,
                                       .many = true,
@@ -342,10 +342,10 @@ std::vector<Method> world_methods(Hosting& hosting) {
                             accept},
              .required = 3,
              .doc = "Pushes bodies away from a point: the farther, the less."}),
-        method<contacts>(hosting, {.name = "contacts",
-                                   .returns = contact_fields,
-                                   .many = true,
-                                   .doc = "Every point where two bodies touch now."}),
+        method<contacts_of_world>(hosting, {.name = "contacts",
+                                            .returns = found_contact_fields,
+                                            .many = true,
+                                            .doc = "Every point where two bodies touch now."}),
     };
 }
 

@@ -8,7 +8,7 @@ namespace {
 using S = RevoluteSettings;
 using physics::RevoluteJoint;
 
-Binding angle(Hosting& hosting) {
+Binding revolute_angle(Hosting& hosting) {
     return accessor(hosting, [](Hosting& h, Row row) {
         const auto& reference = h.joints.settings<S>(row).reference_angle.value;
         return to_value(reference ? angle_between(h.joints, h.joints.at(row)) - *reference : 0.0f);
@@ -18,7 +18,7 @@ Binding angle(Hosting& hosting) {
 std::vector<Property> properties(Hosting& hosting) {
     return {
         joint_figure("angle", "rad", "Of body_b against body_a, less the reference_angle.",
-                     angle(hosting)),
+                     revolute_angle(hosting)),
         found_number(
             "reference_angle", "rad",
             "The angle that counts as 0. Unless one is given, the angle when the joint "

@@ -11,6 +11,8 @@
 #include <fettle/console/console.h>
 #include "catch.h"
 
+namespace history_test {
+
 using fettle::console::History;
 namespace fs = std::filesystem;
 
@@ -143,3 +145,5 @@ TEST_CASE("the history lies in the state folder of the user") {
     ::unsetenv("HOME");
     CHECK(fettle::console::default_history_file().empty());
 }
+
+}  // namespace history_test

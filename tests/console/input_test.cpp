@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "rig.h"
 
+namespace input_test {
+
 using namespace fettle;
 using console::test::Rig;
 using property::Value;
@@ -226,3 +228,5 @@ TEST_CASE("everything typed and clicked within one frame arrives in order") {
     CHECK(rig.value("world.ball.mass") == Value(7.0));
     CHECK(rig.value("world.crate.mass") == Value(8.0));
 }
+
+}  // namespace input_test

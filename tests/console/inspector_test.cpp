@@ -4,6 +4,8 @@
 #include "instance_tree.h"
 #include "rig.h"
 
+namespace inspector_test {
+
 using namespace fettle;
 using console::test::Rig;
 using property::Handle;
@@ -394,3 +396,5 @@ TEST_CASE("a hundred thousand instances are inspected without reading them all")
     CHECK(rig.console.selected() == last);
     CHECK(rig.surface.triangle_count() < 20'000);
 }
+
+}  // namespace inspector_test

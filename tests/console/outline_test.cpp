@@ -8,6 +8,8 @@
 
 #include "rig.h"
 
+namespace outline_test {
+
 using namespace fettle;
 using console::test::Rig;
 using property::Handle;
@@ -76,3 +78,5 @@ TEST_CASE_METHOD(Haunted, "the line round what is selected is where the picture 
     CHECK(std::abs(lit({x + 1, -2}, 8) - lit({x - 1, -2}, 8)) < 6);
     CHECK(std::abs(lit({x + 2, -5}, 8) - lit({x - 2, -5}, 8)) < 6);
 }
+
+}  // namespace outline_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "rig.h"
 
+namespace prompt_test {
+
 using namespace fettle::console;
 using fettle::console::test::Rig;
 using fettle::property::Value;
@@ -277,3 +279,5 @@ TEST_CASE("ctrl L clears the log") {
     rig.draw();
     CHECK(rig.logged("world.ball.mass"));
 }
+
+}  // namespace prompt_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "rig.h"
 
+namespace runtime_test {
+
 using namespace fettle;
 using console::test::Rig;
 using property::Value;
@@ -159,3 +161,5 @@ TEST_CASE("the console is reached through its own properties") {
     rig.lua.draw(rig.surface, 1.0 / 60);
     CHECK(rig.text().find("console.height") != std::string::npos);
 }
+
+}  // namespace runtime_test

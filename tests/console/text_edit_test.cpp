@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "utf8.h"
 
+namespace text_edit_test {
+
 using fettle::console::clean_text;
 using fettle::console::Motion;
 using fettle::console::TextEdit;
@@ -110,3 +112,5 @@ TEST_CASE("a word is selected with underscores and digits") {
     edit.select_word(17);
     CHECK(edit.selected() == "mass");
 }
+
+}  // namespace text_edit_test

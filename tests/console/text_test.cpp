@@ -7,6 +7,8 @@
 #include "highlight.h"
 #include "log.h"
 
+namespace text_test {
+
 using namespace fettle::console;
 using fettle::script::ScriptError;
 
@@ -135,3 +137,5 @@ TEST_CASE("several lines printed at once are several lines") {
     CHECK(log.lines()[2].text.empty());
     CHECK(log.lines()[4].kind == LineKind::continuation);
 }
+
+}  // namespace text_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "rig.h"
 
+namespace time_bar_test {
+
 using namespace fettle;
 using console::test::Rig;
 using property::Value;
@@ -102,3 +104,5 @@ TEST_CASE("one returns from the past to the present with one click") {
     Bar present;
     CHECK(present.bar().return_button().empty());
 }
+
+}  // namespace time_bar_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "rig.h"
 
+namespace tweaks_test {
+
 using namespace fettle;
 using console::Rect;
 using console::test::Rig;
@@ -106,3 +108,5 @@ TEST_CASE("a console without a journal shows nothing of tweaks") {
     CHECK_FALSE(rig.state().tweak_list.available());
     CHECK(rig.state().log_view.line_height() > 0);
 }
+
+}  // namespace tweaks_test

@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "rig.h"
 
+namespace view_test {
+
 using namespace fettle;
 using console::test::RasterSurface;
 using console::test::Rig;
@@ -219,3 +221,5 @@ TEST_CASE("errors and printed text of the game appear in the console") {
     rig.draw(2);
     CHECK(rig.surface.faults() == 0);
 }
+
+}  // namespace view_test

@@ -10,6 +10,8 @@
 #include "catch.h"
 #include "runs/scene_run.h"
 
+namespace determinism_test {
+
 using namespace fettle::scene_run;
 using fettle::physics::Solver;
 using fettle::physics::World;
@@ -88,3 +90,5 @@ TEST_CASE("a crowd ends in the same state under every solver however it is compu
     for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct})
         check_scene(small_crowd, {.solver = solver});
 }
+
+}  // namespace determinism_test

@@ -12,6 +12,8 @@
 #include "catch.h"
 #include "runs/scene_run.h"
 
+namespace soak_test {
+
 using namespace fettle::scene_run;
 using namespace fettle::physics;
 
@@ -94,3 +96,5 @@ TEST_CASE("scenes run on without infinities or escape or growing memory", "[soak
         CHECK(after <= before + before / 4);
     }
 }
+
+}  // namespace soak_test

@@ -5,6 +5,8 @@
 
 #include "program.h"
 
+namespace asked_test {
+
 using namespace program_test;
 
 namespace {
@@ -301,3 +303,5 @@ end)
     CHECK(done.err.empty());
     CHECK(done.out == "true\ttrue\ttrue\ttrue\n");
 }
+
+}  // namespace asked_test

@@ -4,6 +4,8 @@
 
 #include "program.h"
 
+namespace clone_run_test {
+
 using namespace program_test;
 
 namespace {
@@ -92,3 +94,5 @@ TEST_CASE("a deep tree is cloned") {
     CHECK(done.err.empty());
     CHECK(done.out == "999\n4000\n");
 }
+
+}  // namespace clone_run_test

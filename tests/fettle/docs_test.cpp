@@ -15,6 +15,8 @@
 
 #include "luacats.h"
 
+namespace docs_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -299,3 +301,5 @@ TEST_CASE("documents that cannot be written are named") {
     CHECK(text_of(folder.path / "err").find("taken/here") != std::string::npos);
     CHECK(fettle(folder, "docs") == 2);
 }
+
+}  // namespace docs_test

@@ -7,6 +7,8 @@
 
 #include "running_program.h"
 
+namespace end_request_test {
+
 using namespace program_test;
 
 namespace {
@@ -141,3 +143,5 @@ TEST_CASE("a replay and a recording end in order too") {
     CHECK(contains(again.out, "closing\n"));
     CHECK(contains(again.out, "steps, each as it was recorded"));
 }
+
+}  // namespace end_request_test

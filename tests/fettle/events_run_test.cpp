@@ -4,6 +4,8 @@
 
 #include "program.h"
 
+namespace events_run_test {
+
 using namespace program_test;
 
 namespace {
@@ -172,3 +174,5 @@ TEST_CASE("only the fields that a question declares so can be answered with the 
     CHECK(done.status == 1);
     CHECK(contains(done.err, "other_shape is only told, and cannot be changed"));
 }
+
+}  // namespace events_run_test

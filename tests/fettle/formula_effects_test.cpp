@@ -9,6 +9,8 @@
 #include "catch.h"
 #include "program.h"
 
+namespace formula_effects_test {
+
 using namespace program_test;
 
 namespace {
@@ -194,3 +196,5 @@ function step() if time.step == 20 then print(world.b.velocity, world.b:problem(
           "vec(0, 0)\tmain.lua:4: the formula of world.b.gravity_scale computes a value: it cannot "
           "call apply_impulse\n");
 }
+
+}  // namespace formula_effects_test

@@ -8,6 +8,8 @@
 
 #include "program.h"
 
+namespace hostile_visitor_test {
+
 using namespace program_test;
 namespace fs = std::filesystem;
 
@@ -366,3 +368,5 @@ TEST_CASE("out of memory is told with its place and limit") {
     CHECK(contains(tree.err, "the system has none to give"));
     CHECK_FALSE(contains(tree.err, "std::"));
 }
+
+}  // namespace hostile_visitor_test

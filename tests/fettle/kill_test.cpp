@@ -20,6 +20,8 @@
 
 #include "program.h"
 
+namespace kill_test {
+
 using namespace program_test;
 
 namespace {
@@ -295,3 +297,5 @@ TEST_CASE("what is edited undone rewound and kept in the console is there after 
     CHECK_FALSE(contains(next.out, "mass"));
     CHECK_FALSE(contains(next.out, "radius"));
 }
+
+}  // namespace kill_test

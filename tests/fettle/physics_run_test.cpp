@@ -6,6 +6,8 @@
 
 #include "program.h"
 
+namespace physics_run_test {
+
 using namespace program_test;
 
 namespace {
@@ -149,3 +151,5 @@ TEST_CASE("the ragdolls of the demo fall and come to rest in one piece") {
     CHECK(done.err.empty());
     CHECK(done.out == "true\ttrue\n");
 }
+
+}  // namespace physics_run_test

@@ -8,6 +8,8 @@
 
 #include "program.h"
 
+namespace record_test {
+
 using namespace program_test;
 namespace fs = std::filesystem;
 
@@ -287,3 +289,5 @@ TEST_CASE("what a person does about earlier tweaks is replayed") {
     const Outcome without = fettle(folder, {"run", path, "--headless", "--steps", "60", "--hash"});
     CHECK(last_line(without.out) != last_line(made.out));
 }
+
+}  // namespace record_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "program.h"
 
+namespace restore_rewind_test {
+
 using namespace program_test;
 
 TEST_CASE("restore and rewind in one step happen in their order") {
@@ -27,3 +29,5 @@ game:on("restored", function() print(time.step) end)
                           : order.ends_with("(s)")     ? "50\n"
                                                        : "70\n"));
 }
+
+}  // namespace restore_rewind_test

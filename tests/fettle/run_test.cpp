@@ -4,6 +4,8 @@
 
 #include "program.h"
 
+namespace run_test {
+
 using namespace program_test;
 namespace fs = std::filesystem;
 
@@ -205,3 +207,5 @@ TEST_CASE("chunks at a step are run as the run goes on whatever time it is in th
     CHECK(run.out == "at 5\t4\nat 20\t19\nat 30\t14\n");
     CHECK(run.err == "fettle: --at 41 was never reached: the run ended with its step 40\n");
 }
+
+}  // namespace run_test

@@ -6,6 +6,8 @@
 
 #include "program.h"
 
+namespace saves_test {
+
 using namespace program_test;
 namespace fs = std::filesystem;
 
@@ -120,3 +122,5 @@ TEST_CASE("a save that cannot be written is told and the older one stays") {
     CHECK(contains(full.err, "the game was not saved: "));
     CHECK(contains(full.err, "could not be written"));
 }
+
+}  // namespace saves_test

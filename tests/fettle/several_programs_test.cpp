@@ -4,6 +4,8 @@
 
 #include "program.h"
 
+namespace several_programs_test {
+
 using namespace program_test;
 
 TEST_CASE("programs that keep at the same time lose nothing of each other") {
@@ -44,3 +46,5 @@ TEST_CASE("programs that keep at the same time lose nothing of each other") {
     CHECK(next.out == "nothing was tweaked\n");
     CHECK(next.err.empty());
 }
+
+}  // namespace several_programs_test

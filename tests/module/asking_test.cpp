@@ -7,6 +7,8 @@
 
 #include "weather.h"
 
+namespace asking_test {
+
 using namespace fettle;
 using namespace fettle::module::testing;
 using property::Handle;
@@ -153,3 +155,5 @@ TEST_CASE("a handler of before_solve lets a body through a platform of plugged i
     CHECK((tree.get(crate, "position").vec2().y() < 0) == lets_through);
 }
 #endif
+
+}  // namespace asking_test

@@ -10,6 +10,8 @@
 
 #include "weather.h"
 
+namespace plugin_test {
+
 using namespace fettle;
 namespace fs = std::filesystem;
 using namespace fettle::module::testing;
@@ -279,3 +281,5 @@ TEST_CASE("a class that is there already is told of and leaves the game as it wa
     game.set("front.water", 3.0);
     CHECK(game.get("front.water") == Value(3.0));
 }
+
+}  // namespace plugin_test

@@ -4,6 +4,8 @@
 
 #include "weather.h"
 
+namespace reload_test {
+
 using namespace fettle;
 using namespace fettle::module::testing;
 using property::Handle;
@@ -111,3 +113,5 @@ TEST_CASE("what a new module has more than the old one is told") {
     REQUIRE(reloaded.notes.size() == 1);
     CHECK(reloaded.notes[0].find("Cloud.silver is new") != std::string::npos);
 }
+
+}  // namespace reload_test

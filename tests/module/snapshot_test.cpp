@@ -8,6 +8,8 @@
 
 #include "weather.h"
 
+namespace snapshot_test {
+
 using namespace fettle;
 using namespace fettle::module::testing;
 using property::Handle;
@@ -205,3 +207,5 @@ TEST_CASE("physics that is plugged in tells what a read makes it compute and doe
     game.tree.unobserve(told);
 }
 #endif
+
+}  // namespace snapshot_test

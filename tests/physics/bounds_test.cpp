@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace bounds_test {
+
 using namespace scenes;
 
 TEST_CASE("bounds keep bodies of every kind inside") {
@@ -83,3 +85,5 @@ TEST_CASE("contacts and rays know the border") {
     REQUIRE(world.shapes().size() == 1);
     REQUIRE(world.bodies().size() == 1);
 }
+
+}  // namespace bounds_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace breaking_test {
+
 using namespace scenes;
 
 TEST_CASE("a joint breaks at its force and not below") {
@@ -93,3 +95,5 @@ TEST_CASE("sleeping joints are not looked at and go on where they were") {
     REQUIRE_FALSE(world.validate());
     REQUIRE_FALSE(twin.validate());
 }
+
+}  // namespace breaking_test

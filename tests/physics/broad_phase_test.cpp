@@ -14,6 +14,8 @@
 
 #include "catch.h"
 
+namespace broad_phase_test {
+
 using namespace fettle::physics::detail;
 
 TEST_CASE("the pair set agrees with a map through random insertions and deletions") {
@@ -268,3 +270,5 @@ TEST_CASE("a tree from bytes whose flag is no bool is not to be walked") {
     bytes.end()[-1 - std::ptrdiff_t(2 * sizeof(uint32_t))] = std::byte{4};
     REQUIRE_FALSE(read(bytes));
 }
+
+}  // namespace broad_phase_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace callback_test {
+
 using namespace scenes;
 
 namespace {
@@ -403,3 +405,5 @@ TEST_CASE("an edit of what collides that a refresh callback ends by throwing has
     world.step(frame);
     REQUIRE_FALSE(ball.is_touching());
 }
+
+}  // namespace callback_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace chain_test {
+
 using namespace scenes;
 
 namespace {
@@ -275,3 +277,5 @@ TEST_CASE("ten thousand segments cost no more than those that are near") {
     REQUIRE(world.statistics().contacts < 50 * 20);
     REQUIRE(world.statistics().shapes == 51);
 }
+
+}  // namespace chain_test

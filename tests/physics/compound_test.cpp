@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace compound_test {
+
 using namespace scenes;
 
 TEST_CASE("an L of two boxes falls over to its heavy side") {
@@ -61,3 +63,5 @@ TEST_CASE("a shape taken off a compound falls away with its new body") {
     REQUIRE(body.position().y() == Approx(0.5f).margin(0.02));
     REQUIRE_FALSE(world.validate());
 }
+
+}  // namespace compound_test

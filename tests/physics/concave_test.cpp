@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace concave_test {
+
 using namespace scenes;
 
 namespace {
@@ -263,3 +265,5 @@ TEST_CASE("concave polygons pile up without sinking into each other") {
     REQUIRE(deepest > -0.05f);
     REQUIRE_FALSE(world.validate());
 }
+
+}  // namespace concave_test

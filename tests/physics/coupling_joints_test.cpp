@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace coupling_joints_test {
+
 using namespace scenes;
 
 namespace {
@@ -238,3 +240,5 @@ TEST_CASE("what a ratchet caught survives sleep and snapshot and falls anew afte
     run(world, 0.1f);
     REQUIRE(ratchet.caught_angle() == Approx(-1.0f));
 }
+
+}  // namespace coupling_joints_test

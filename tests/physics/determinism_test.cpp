@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace determinism_test {
+
 using namespace scenes;
 
 namespace {
@@ -109,3 +111,5 @@ TEST_CASE("a pile falls the same alone and among so many that they are solved in
     }
     REQUIRE(many.statistics().touching > 4000);
 }
+
+}  // namespace determinism_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace distance_joint_test {
+
 using namespace scenes;
 
 namespace {
@@ -206,3 +208,5 @@ TEST_CASE("an elastic cradle passes the blow on to the last ball") {
     REQUIRE(reached == Approx(length * std::sin(aside)).epsilon(0.03));
     REQUIRE(moved < 0.15f);
 }
+
+}  // namespace distance_joint_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace ellipse_test {
+
 using namespace scenes;
 
 namespace {
@@ -283,3 +285,5 @@ TEST_CASE("needles and grains of ellipses never make a number that is none") {
     run(world, 3.0f);
     REQUIRE_FALSE(world.validate());
 }
+
+}  // namespace ellipse_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace event_test {
+
 using namespace scenes;
 
 TEST_CASE("a contact begins once and ends once") {
@@ -145,3 +147,5 @@ TEST_CASE("the contacts of a resting body carry its weight asleep too") {
         REQUIRE(contacts[0].points[size_t(k)].point.y() == Approx(0.0f).margin(0.01));
     }
 }
+
+}  // namespace event_test

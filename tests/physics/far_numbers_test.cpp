@@ -3,6 +3,8 @@
 
 #include <limits>
 
+namespace far_numbers_test {
+
 // What a world is driven to by numbers at the ends of what is allowed can be saved and comes back.
 
 using namespace scenes;
@@ -96,3 +98,5 @@ TEST_CASE("a saved contact that nobody uses and that touches is refused") {
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("a contact"));
     REQUIRE_NOTHROW(target.restore(saved(world)));
 }
+
+}  // namespace far_numbers_test

@@ -3,6 +3,8 @@
 
 #include <geometry/submerged.h>
 
+namespace field_test {
+
 using namespace scenes;
 
 namespace {
@@ -208,3 +210,5 @@ TEST_CASE("an explosion pushes away what is near by its distance and nothing els
     REQUIRE(near.velocity().y() == 0.0f);
     REQUIRE_THROWS_WITH(world.explode({0, 0}, -1.0f, 1.0f), contains("radius"));
 }
+
+}  // namespace field_test

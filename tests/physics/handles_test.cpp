@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "every_method.h"
 
+namespace handles_test {
+
 // Handles and ids that name nothing, or something of another world.
 
 using namespace scenes;
@@ -247,3 +249,5 @@ TEST_CASE("numbers that are no enumerators are refused") {
     REQUIRE_THROWS_WITH(world.create_body({.center = Vec2(not_a_number, 0)}), contains("center"));
     REQUIRE_THROWS_WITH(world.create_body({.center = Vec2(0, not_a_number)}), contains("center"));
 }
+
+}  // namespace handles_test

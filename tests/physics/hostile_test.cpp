@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace hostile_test {
+
 using namespace scenes;
 
 namespace {
@@ -334,3 +336,5 @@ TEST_CASE("a joint whose impulses overflow has finite forces and works again") {
         }
     }
 }
+
+}  // namespace hostile_test

@@ -10,6 +10,8 @@
 #include "scenes.h"
 #include "world_inside.h"
 
+namespace hubs_test {
+
 using namespace scenes;
 using namespace fettle::physics::detail;
 
@@ -201,3 +203,5 @@ TEST_CASE("a raft sinks as deep as what is on it weighs") {
     CHECK(raft.raft.velocity().norm() < 2e-3f);
     CHECK(raft.raft.position().y() == Approx(-10.0f * mass / stiffness).epsilon(0.01));
 }
+
+}  // namespace hubs_test

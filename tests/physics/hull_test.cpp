@@ -6,6 +6,8 @@
 
 #include "catch.h"
 
+namespace hull_test {
+
 using namespace fettle::physics;
 
 namespace {
@@ -91,3 +93,5 @@ TEST_CASE("many points on a circle all stay corners") {
     REQUIRE(convex_hull(points, hull) == HullStatus::ok);
     REQUIRE(hull.size() == 100);
 }
+
+}  // namespace hull_test

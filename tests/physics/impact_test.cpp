@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace impact_test {
+
 using namespace scenes;
 
 namespace {
@@ -130,3 +132,5 @@ TEST_CASE("a polygon of forty corners rolls and rests like a wheel") {
     run(world, 3.0f);
     REQUIRE(wheel.position().y() == Approx(1.0f).margin(0.02));
 }
+
+}  // namespace impact_test

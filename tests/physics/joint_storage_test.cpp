@@ -3,6 +3,8 @@
 
 #include <functional>
 
+namespace joint_storage_test {
+
 // What all joints have: bodies, sleep, filters, life and death.
 
 using namespace scenes;
@@ -192,3 +194,5 @@ TEST_CASE("joints refuse what has no meaning and then change nothing") {
     REQUIRE_FALSE(rod.body_a());
     REQUIRE(rod.world_anchor_a() == Vec2(0, 0));
 }
+
+}  // namespace joint_storage_test

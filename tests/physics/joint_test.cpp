@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace joint_test {
+
 using namespace scenes;
 
 TEST_CASE("a mouse drags a body to its target and follows it") {
@@ -84,3 +86,5 @@ TEST_CASE("the joints of a body die with it") {
     REQUIRE_THROWS_WITH(a.target(), contains("joint"));
     world.step(frame);
 }
+
+}  // namespace joint_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "twofold.h"
 
+namespace large_pairs_test {
+
 using namespace scenes;
 using namespace fettle::physics::detail;
 
@@ -255,3 +257,5 @@ TEST_CASE("what slides over a large polygon in pieces is held by all of them") {
         CHECK(body.kinetic_energy() == Approx(10.0f * body.mass() * drop).epsilon(0.05));
     }
 }
+
+}  // namespace large_pairs_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "twofold.h"
 
+namespace large_polygon_test {
+
 using namespace scenes;
 using namespace fettle::physics::detail;
 
@@ -138,3 +140,5 @@ TEST_CASE("polygons of many vertices pile up with every other shape") {
     CHECK(deepest > -0.03f);
     REQUIRE_FALSE(world.validate());
 }
+
+}  // namespace large_polygon_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace live_test {
+
 using namespace scenes;
 
 // Live means live: an edit takes effect in the next step, on what rests and on what sleeps.
@@ -365,3 +367,5 @@ TEST_CASE("a body created asleep waits until it is touched") {
     run(world, 1.0f);
     REQUIRE(sleeper.position().x() > 5.1f);
 }
+
+}  // namespace live_test

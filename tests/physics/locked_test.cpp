@@ -9,6 +9,8 @@
 #include "catch.h"
 #include "every_method.h"
 
+namespace locked_test {
+
 // What functions of the user may do inside the library's own, and what becomes of a world when they
 // do something else.
 
@@ -461,3 +463,5 @@ TEST_CASE("several threads may ask one world at the same time") {
     REQUIRE(found[0] > 1000);
     world.wake_all();  // nothing is locked any more
 }
+
+}  // namespace locked_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace mass_test {
+
 using namespace scenes;
 
 namespace {
@@ -150,3 +152,5 @@ TEST_CASE("a shape without a body has an area and weighs on whom it is attached 
     REQUIRE_FALSE(shape.body());
     REQUIRE_FALSE(world.validate());
 }
+
+}  // namespace mass_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace motion_test {
+
 using namespace scenes;
 
 TEST_CASE("a body in free fall follows the parabola") {
@@ -160,3 +162,5 @@ TEST_CASE("a change of the number of substeps or of the time step keeps a stack 
     }
     REQUIRE(stack.back().position().y() == Approx(4.5f).margin(0.02));
 }
+
+}  // namespace motion_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace query_test {
+
 using namespace scenes;
 
 TEST_CASE("a point query finds the shapes under the point") {
@@ -166,3 +168,5 @@ TEST_CASE("a ray agrees with brute force over many random shapes") {
         if (hit) REQUIRE(hit->fraction == Approx(nearest).margin(1e-4));
     }
 }
+
+}  // namespace query_test

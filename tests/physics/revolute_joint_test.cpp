@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace revolute_joint_test {
+
 using namespace scenes;
 
 namespace {
@@ -156,3 +158,5 @@ TEST_CASE(
         REQUIRE(stretch() < 0.02f);
     }
 }
+
+}  // namespace revolute_joint_test

@@ -1,6 +1,8 @@
 #include "every_method.h"
 #include "saved_worlds.h"
 
+namespace seal_test {
+
 // Saved worlds are sealed: no byte of one can change, be missing or be added unnoticed.
 
 using namespace scenes;
@@ -117,3 +119,5 @@ TEST_CASE("what was saved again behind other bytes is sealed by itself") {
     REQUIRE_FALSE(is_refused(target, std::span(bytes).subspan(13)));
     REQUIRE(target.hash() == world.hash());
 }
+
+}  // namespace seal_test

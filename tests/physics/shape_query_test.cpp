@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace shape_query_test {
+
 using namespace scenes;
 
 TEST_CASE("a shape cast stops where the shape first meets another") {
@@ -100,3 +102,5 @@ TEST_CASE("queries see by category and mask and group and function") {
     REQUIRE_FALSE(world.cast_shape(
         Circle{}, {}, {9, 0}, {.accept = [&](const Shape& shape) { return shape.body() != box; }}));
 }
+
+}  // namespace shape_query_test

@@ -1,5 +1,7 @@
 #include "saved_worlds.h"
 
+namespace shape_snapshot_test {
+
 using namespace scenes;
 
 namespace {
@@ -98,3 +100,5 @@ TEST_CASE("shapes without measure are refused or stand") {
         REQUIRE_FALSE(world.validate());
     }
 }
+
+}  // namespace shape_snapshot_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace sliding_joints_test {
+
 using namespace scenes;
 
 namespace {
@@ -198,3 +200,5 @@ TEST_CASE("the motor of a wheel drives a car at its speed and with no more than 
     }
     REQUIRE(chassis.velocity().x() == Approx(20.0f * 0.4f).epsilon(0.02));
 }
+
+}  // namespace sliding_joints_test

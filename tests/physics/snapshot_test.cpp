@@ -6,6 +6,8 @@
 
 #include <functional>
 
+namespace snapshot_test {
+
 using namespace scenes;
 
 namespace {
@@ -423,3 +425,5 @@ TEST_CASE("whatever bodies do at the greatest angle can be saved") {
         CHECK_NOTHROW(other.restore(saved(world)));
     }
 }
+
+}  // namespace snapshot_test

@@ -7,6 +7,8 @@
 
 #include "catch.h"
 
+namespace solver_test {
+
 using namespace fettle::physics::detail;
 
 namespace {
@@ -149,3 +151,5 @@ TEST_CASE("a wide contact computes what a single one does") {
         REQUIRE(wide[i].inverse_mass == single[i].inverse_mass);
     }
 }
+
+}  // namespace solver_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace solvers_test {
+
 // The three solvers: what all of them must do, what each is good at, and changing between them
 // while a world runs.
 
@@ -426,3 +428,5 @@ TEST_CASE("a pyramid under the direct solver stands still from the first step") 
         CHECK(rms_speed(boxes) < 1e-5f);
     }
 }
+
+}  // namespace solvers_test

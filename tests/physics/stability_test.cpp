@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace stability_test {
+
 using namespace scenes;
 
 TEST_CASE("a stack of twelve boxes stands still to a millimetre a second") {
@@ -225,3 +227,5 @@ TEST_CASE("a body thrown at a border at any speed stays inside") {
         }
     }
 }
+
+}  // namespace stability_test

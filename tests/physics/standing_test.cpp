@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace standing_test {
+
 using namespace scenes;
 
 namespace {
@@ -79,3 +81,5 @@ TEST_CASE("625 circles that overlap at first come to rest in their box") {
     }
     REQUIRE(std::sqrt(sum / 625.0) < 0.05);
 }
+
+}  // namespace standing_test

@@ -12,6 +12,8 @@
 #include "scenes.h"
 #include "world_inside.h"
 
+namespace strips_test {
+
 using namespace scenes;
 using namespace fettle::physics::detail;
 
@@ -242,3 +244,5 @@ TEST_CASE("bodies know their places when the list was in no order and then in th
     world.step(1.0f / 60.0f);
     REQUIRE_FALSE(world.validate());
 }
+
+}  // namespace strips_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace surface_test {
+
 using namespace scenes;
 
 TEST_CASE("a box on a slope sticks below and slides above the angle of friction") {
@@ -89,3 +91,5 @@ TEST_CASE("friction mixes by the geometric mean and restitution by the greater")
     REQUIRE(box.contacts()[0].friction == Approx(0.6f));
     REQUIRE(box.contacts()[0].restitution == Approx(0.3f));
 }
+
+}  // namespace surface_test

@@ -11,6 +11,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+namespace threads_test {
+
 using namespace scenes;
 using fettle::physics::detail::share_out_range;
 using fettle::physics::detail::ThreadPool;
@@ -227,3 +229,5 @@ TEST_CASE(
     REQUIRE(run(4, false) == one);
     REQUIRE(run(4, true) == one);
 }
+
+}  // namespace threads_test

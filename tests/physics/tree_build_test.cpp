@@ -11,6 +11,8 @@
 
 #include "catch.h"
 
+namespace tree_build_test {
+
 using namespace fettle::physics::detail;
 
 namespace {
@@ -223,3 +225,5 @@ TEST_CASE("a tree read from bytes goes on node by node like the one that was wri
         REQUIRE(grown.bytes() == restored.bytes());
     }
 }
+
+}  // namespace tree_build_test

@@ -8,6 +8,8 @@
 
 #include "catch.h"
 
+namespace wide_collide_test {
+
 using namespace fettle::physics::detail;
 
 namespace {
@@ -164,3 +166,5 @@ TEST_CASE("points of the same vertices go on with their impulses whatever their 
         }
     }
 }
+
+}  // namespace wide_collide_test

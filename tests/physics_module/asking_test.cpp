@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace asking_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 using property::Occurrence;
@@ -201,3 +203,5 @@ TEST_CASE_METHOD(Game, "a body tells whom it touches where and how hard") {
         CHECK(touch.get("impulse").number() == Approx((below ? 20.0 : 10.0) / 60).epsilon(0.05));
     }
 }
+
+}  // namespace asking_test

@@ -8,6 +8,8 @@
 #include "game.h"
 #include "picture.h"
 
+namespace drawing_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 
@@ -385,3 +387,5 @@ TEST_CASE_METHOD(Drawn, "the box of each kind of shape is the box round what is 
     CHECK((picture.figures.back().points[0] - box[0].vec2()).norm() < 0.02);
     CHECK((picture.figures.back().points[2] - box[1].vec2()).norm() < 0.02);
 }
+
+}  // namespace drawing_test

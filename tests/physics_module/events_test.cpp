@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace events_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 using property::Occurrence;
@@ -243,3 +245,5 @@ TEST_CASE_METHOD(Listening, "what breaks in a step is told to the one that is le
     CHECK(counted[1] == 0);
     CHECK_FALSE(physics.world(world()).validate());
 }
+
+}  // namespace events_test

@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "stage.h"
 
+namespace every_property_test {
+
 using namespace fettle::physics_module::testing;
 using fettle::property::Class;
 using fettle::property::Property;
@@ -101,3 +103,5 @@ TEST_CASE("an edit of any property of a sleeping body has its effect") {
         CHECK_FALSE(try_out(one, name, true, false));
     }
 }
+
+}  // namespace every_property_test

@@ -5,10 +5,10 @@ namespace {
 
 using Settings = std::vector<std::pair<std::string, Value>>;
 
-bool rose(Stage& s) {
+bool was_lifted(Stage& s) {
     return s.game.y(s.body) > 1;
 }
-bool went_right(Stage& s) {
+bool was_pushed_right(Stage& s) {
     return s.game.x(s.body) > 0.3;
 }
 
@@ -33,20 +33,25 @@ Case field(
 
 Cases field_cases() {
     Cases cases;
-    cases["Field.enabled"] = field("Buoyancy", {{"level", 5}, {"enabled", false}}, true, rose);
-    cases["Field.region"] = field(
-        "Buoyancy", {{"level", 5}, {"region", List{Vec2(10, 10), Vec2(20, 20)}}}, Value(), rose);
-    cases["Field.mask"] = field("Buoyancy", {{"level", 5}, {"mask", 2}}, 1, rose);
-    cases["Wind.velocity"] = field("Wind", {{"velocity", Vec2(0, 0)}}, Vec2(30, 0), went_right);
+    cases["Field.enabled"] =
+        field("Buoyancy", {{"level", 5}, {"enabled", false}}, true, was_lifted);
+    cases["Field.region"] =
+        field("Buoyancy", {{"level", 5}, {"region", List{Vec2(10, 10), Vec2(20, 20)}}}, Value(),
+              was_lifted);
+    cases["Field.mask"] = field("Buoyancy", {{"level", 5}, {"mask", 2}}, 1, was_lifted);
+    cases["Wind.velocity"] =
+        field("Wind", {{"velocity", Vec2(0, 0)}}, Vec2(30, 0), was_pushed_right);
     cases["Wind.density"] =
-        field("Wind", {{"velocity", Vec2(30, 0)}, {"density", 0}}, 1.2, went_right);
-    cases["Drag.flow"] = field("Drag", {{"linear", 20}}, Vec2(10, 0), went_right);
-    cases["Drag.linear"] = field("Drag", {{"linear", 0}, {"flow", Vec2(10, 0)}}, 20, went_right);
-    cases["Drag.quadratic"] = field("Drag", {{"linear", 0}, {"flow", Vec2(10, 0)}}, 5, went_right);
-    cases["Buoyancy.level"] = field("Buoyancy", {{"level", -10}}, 5, rose);
+        field("Wind", {{"velocity", Vec2(30, 0)}, {"density", 0}}, 1.2, was_pushed_right);
+    cases["Drag.flow"] = field("Drag", {{"linear", 20}}, Vec2(10, 0), was_pushed_right);
+    cases["Drag.linear"] =
+        field("Drag", {{"linear", 0}, {"flow", Vec2(10, 0)}}, 20, was_pushed_right);
+    cases["Drag.quadratic"] =
+        field("Drag", {{"linear", 0}, {"flow", Vec2(10, 0)}}, 5, was_pushed_right);
+    cases["Buoyancy.level"] = field("Buoyancy", {{"level", -10}}, 5, was_lifted);
     // A fifth of it is below 0.2 m; all of it is above -0.2 m.
-    cases["Buoyancy.normal"] = field("Buoyancy", {{"level", 0.2}}, Vec2(0, -1), rose);
-    cases["Buoyancy.density"] = field("Buoyancy", {{"level", 5}, {"density", 0}}, 2, rose);
+    cases["Buoyancy.normal"] = field("Buoyancy", {{"level", 0.2}}, Vec2(0, -1), was_lifted);
+    cases["Buoyancy.density"] = field("Buoyancy", {{"level", 5}, {"density", 0}}, 2, was_lifted);
     cases["Buoyancy.drag"] = field(
         "Buoyancy", {{"level", 100}, {"density", 1}}, 0,
         [](Stage& s) { return s.game.y(s.body) > 6.3; },
@@ -55,17 +60,18 @@ Cases field_cases() {
             s.game.set(s.body, "velocity", Vec2(0, 5));
         });
     cases["Buoyancy.drag"].steps = 30;
-    cases["Buoyancy.flow"] =
-        field("Buoyancy", {{"level", 100}, {"density", 1}, {"drag", 5}}, Vec2(5, 0), went_right);
+    cases["Buoyancy.flow"] = field("Buoyancy", {{"level", 100}, {"density", 1}, {"drag", 5}},
+                                   Vec2(5, 0), was_pushed_right);
     const Value up = Vec2(0, 100);
-    cases["Attractor.center"] =
-        field("Attractor", {{"strength", 40}, {"falloff", 0}, {"center", Vec2(0, -100)}}, up, rose);
+    cases["Attractor.center"] = field(
+        "Attractor", {{"strength", 40}, {"falloff", 0}, {"center", Vec2(0, -100)}}, up, was_lifted);
     cases["Attractor.strength"] =
-        field("Attractor", {{"strength", 0}, {"falloff", 0}, {"center", up}}, 40, rose);
-    cases["Attractor.falloff"] = field("Attractor", {{"strength", 40}, {"center", up}}, 0, rose);
+        field("Attractor", {{"strength", 0}, {"falloff", 0}, {"center", up}}, 40, was_lifted);
+    cases["Attractor.falloff"] =
+        field("Attractor", {{"strength", 40}, {"center", up}}, 0, was_lifted);
     cases["Attractor.core"] = field(
         "Attractor", {{"strength", 40}, {"falloff", 0}, {"center", Vec2(0, 10.5)}, {"core", 1000}},
-        0.5, rose);
+        0.5, was_lifted);
     return cases;
 }
 

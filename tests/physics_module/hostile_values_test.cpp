@@ -11,6 +11,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace hostile_values_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 using property::Class;
@@ -293,3 +295,5 @@ TEST_CASE_METHOD(Hostile, "bodies that are as far away as can be are tied by eve
         }
     }
 }
+
+}  // namespace hostile_values_test

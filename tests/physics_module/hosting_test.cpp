@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace hosting_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 
@@ -146,3 +148,5 @@ TEST_CASE("a physics module that was never attached says so") {
     module.attach(tree);
     module.step(0.1);
 }
+
+}  // namespace hosting_test

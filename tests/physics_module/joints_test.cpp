@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace joints_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 
@@ -151,3 +153,5 @@ TEST_CASE_METHOD(Game, "a body that was carried far away and turned often moves 
     }
     CHECK_FALSE(physics.world(world()).validate());
 }
+
+}  // namespace joints_test

@@ -10,6 +10,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace live_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 
@@ -458,3 +460,5 @@ TEST_CASE_METHOD(Game, "a velocity written to a body is its velocity though its 
         CHECK(vec(spinning, "velocity") == velocity);
     }
 }
+
+}  // namespace live_test

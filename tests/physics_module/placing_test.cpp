@@ -7,6 +7,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace placing_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 using property::Property;
@@ -345,3 +347,5 @@ TEST_CASE_METHOD(Game, "statistics stay in their world and end with it") {
     step();
     CHECK_FALSE(tree.alive(statistics));
 }
+
+}  // namespace placing_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace queries_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 using property::Record;
@@ -129,3 +131,5 @@ TEST_CASE_METHOD(Game, "arguments without meaning are refused by name") {
     CHECK_THROWS_AS(tree.call(world(), "at", {Vec2(1e200, 0)}), property::Error);
     CHECK_THROWS_AS(tree.call(world(), "at", {Vec2(1e30, 0)}), property::Error);
 }
+
+}  // namespace queries_test

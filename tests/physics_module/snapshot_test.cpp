@@ -9,6 +9,8 @@
 
 #include <world/seal.h>
 
+namespace snapshot_test {
+
 using namespace fettle::physics_module::testing;
 namespace property = fettle::property;
 
@@ -249,3 +251,5 @@ TEST_CASE("a snapshot whose instances have rows that are not their own is refuse
     game.tree.restore(snapshot);
     CHECK(hashes(game, 20) == expected);
 }
+
+}  // namespace snapshot_test

@@ -7,6 +7,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace values_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 using property::Property;
@@ -179,3 +181,5 @@ TEST_CASE_METHOD(Zoo, "an edit refused by the library says path and reason and c
     CHECK_THROWS_WITH(set(all[3], "area", 3), contains("read-only"));
     CHECK_THROWS_WITH(set(crate, "contacts", List{}), contains("read-only"));
 }
+
+}  // namespace values_test

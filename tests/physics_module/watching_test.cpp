@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace watching_test {
+
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 
@@ -98,3 +100,5 @@ TEST_CASE_METHOD(Game, "what is written and what the step makes of it are two ch
     CHECK(heights[0] == 50);
     CHECK(heights[1] < 50);
 }
+
+}  // namespace watching_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace edit_observer_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -100,3 +102,5 @@ TEST_CASE_METHOD(Fixture, "instances that come and go and move are told") {
     tree.redo();
     CHECK(notes.take() == Lines{"born world.b"});
 }
+
+}  // namespace edit_observer_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace edits_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -225,3 +227,5 @@ TEST_CASE("values compare by their bits") {
     CHECK(Value("a") == Value(std::string("a")));
     CHECK(Value(List{Value(1), Value("x")}) == Value(List{Value(1), Value("x")}));
 }
+
+}  // namespace edits_test

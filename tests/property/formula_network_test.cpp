@@ -7,6 +7,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace formula_network_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -176,3 +178,5 @@ TEST_CASE("why follows a chain of thousands of formulas to its source") {
     CHECK(at->path == "home.c0");
     CHECK(at->value == "1");
 }
+
+}  // namespace formula_network_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace formulas_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -301,3 +303,5 @@ TEST_CASE_METHOD(
     tree.barrier();
     CHECK(runs == before);
 }
+
+}  // namespace formulas_test

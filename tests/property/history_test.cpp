@@ -3,6 +3,8 @@
 
 #include <fettle/property/snapshot.h>
 
+namespace history_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -399,3 +401,5 @@ TEST_CASE_METHOD(Fixture, "no child is given the name of a property") {
     const auto saved = Snapshot::from_bytes(tree.snapshot().to_bytes());
     CHECK_NOTHROW(tree.check(saved));
 }
+
+}  // namespace history_test

@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace instances_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -174,3 +176,5 @@ TEST_CASE_METHOD(Fixture,
             tree.child(world, model[i].first) == model[i].second && children[i] == model[i].second;
     CHECK(found == model.size());
 }
+
+}  // namespace instances_test

@@ -12,6 +12,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace model_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -300,3 +302,5 @@ TEST_CASE("random edits and watchers and deletions behave as a naive model says"
     });
     CHECK(holds);
 }
+
+}  // namespace model_test

@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace no_known_exception_test {
+
 // What a caller throws may be of any type: it is an error like others, and leaves a whole tree.
 
 using namespace fettle::property;
@@ -154,3 +156,5 @@ TEST_CASE("a column without memory is found when the class has its first instanc
     where = reinterpret_cast<std::byte*>(memory);
     CHECK(tree.get(tree.create(type, tree.root(), "crate"), "width").number() == 0.0);
 }
+
+}  // namespace no_known_exception_test

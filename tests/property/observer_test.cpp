@@ -3,6 +3,8 @@
 
 #include <fettle/property/observer.h>
 
+namespace observer_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -118,3 +120,5 @@ TEST_CASE_METHOD(Fixture, "only calls that change a module's memory are told to 
     tree.call(made, "honk", {});
     CHECK(notes.take() == Lines{"honk begins", "honk ends"});
 }
+
+}  // namespace observer_test

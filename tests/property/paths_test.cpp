@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace paths_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -279,3 +281,5 @@ TEST_CASE_METHOD(PathFixture, "patterns agree with their plain meaning") {
         CHECK(Pattern(joined(pattern)).matches(tree, at) == plainly_matches(pattern, 0, path, 0));
     }
 }
+
+}  // namespace paths_test

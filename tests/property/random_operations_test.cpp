@@ -10,6 +10,8 @@
 #include "catch.h"
 #include "random_operations.h"
 
+namespace random_operations_test {
+
 using namespace fettle::property::testing;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("random edits of scripts and handlers with formulas agree with a naive
     CHECK(agree(false, from_environment("FETTLE_MODEL_OPERATIONS", 20'000) / 2,
                 from_environment("FETTLE_MODEL_SEED", 1)));
 }
+
+}  // namespace random_operations_test

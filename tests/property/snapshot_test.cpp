@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace snapshot_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -395,3 +397,5 @@ TEST_CASE("a snapshot cannot be restored in a handler and waits for the end of t
     REQUIRE(r.tree.get(a, "lives") == Value(3));
     REQUIRE(heard == std::vector<std::string>{"8", "3"});
 }
+
+}  // namespace snapshot_test

@@ -6,6 +6,8 @@
 
 #include <fettle/property/observer.h>
 
+namespace typed_ways_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -296,3 +298,5 @@ TEST_CASE_METHOD(Fixture,
     tree.barrier();
     CHECK(cause == "script, step 5");
 }
+
+}  // namespace typed_ways_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace untold_events_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -120,3 +122,5 @@ TEST_CASE_METHOD(Meeting, "of what was deleted class and name are still known") 
     CHECK(tree.remains(late)->name == "late");
     CHECK_FALSE(tree.remains(Handle{}));
 }
+
+}  // namespace untold_events_test

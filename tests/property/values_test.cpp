@@ -11,6 +11,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace values_test {
+
 using namespace fettle::property;
 using fettle::property::testing::message_of;
 
@@ -382,3 +384,5 @@ TEST_CASE("hexadecimal colors print as they were read") {
         CHECK(parse_color(name, color));
     }
 }
+
+}  // namespace values_test

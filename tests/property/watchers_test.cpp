@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace watchers_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -309,3 +311,5 @@ TEST_CASE_METHOD(
     tree.barrier();
     CHECK(log == Log{"own world.brief", "deleted"});
 }
+
+}  // namespace watchers_test

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+namespace watching_many_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -180,3 +182,5 @@ TEST_CASE_METHOD(Fixture, "handlers without end are named by what they follow fr
     CHECK(told.find("world.ball_2.velocity by simulation") != std::string::npos);
     CHECK(told.find("world.ball_1.velocity") == std::string::npos);
 }
+
+}  // namespace watching_many_test

@@ -13,6 +13,8 @@
 #define FETTLE_OWN_MALLOC
 #endif
 
+namespace writes_test {
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -109,3 +111,5 @@ TEST_CASE_METHOD(Writing, "what an instance takes hardly grows with the numbers 
     const double each = static_cast<double>(memory_in_use() - before) / 20'000;
     CHECK(each < 3 * 5.5);  // bytes
 }
+
+}  // namespace writes_test

@@ -8,6 +8,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace wrong_calls_test {
+
 // What a caller in C++ can do wrong: each is an error that says what, and harms nothing.
 
 using namespace fettle::property;
@@ -405,3 +407,5 @@ TEST_CASE("a handler that stops itself while it is asked inside of another handl
     asked.stop();
     CHECK(tree.watcher_count() == 0);
 }
+
+}  // namespace wrong_calls_test

@@ -4,6 +4,8 @@
 
 #include "stage.h"
 
+namespace class_test {
+
 using stage::Stage;
 
 TEST_CASE("a class of a script has properties and defaults and functions") {
@@ -414,3 +416,5 @@ end
     s.run("function draw(pen) pen.circle(vec(0/0, 0), 1) end");
     CHECK_FALSE(s.runtime->draw(recorder));
 }
+
+}  // namespace class_test

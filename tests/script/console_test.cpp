@@ -2,6 +2,8 @@
 
 #include "stage.h"
 
+namespace console_test {
+
 using stage::Stage;
 
 TEST_CASE("a bare expression prints its value with the unit of its property") {
@@ -210,3 +212,5 @@ TEST_CASE("completion knows paths and keys and methods and enumerators") {
                             "world.ball.type == \"", "\xff\xfe.", "{{{", "Body{", "= = ="})
         s.runtime->complete(odd, std::string(odd).size() + 5);
 }
+
+}  // namespace console_test

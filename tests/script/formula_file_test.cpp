@@ -8,6 +8,8 @@
 
 #include "stage.h"
 
+namespace formula_file_test {
+
 using stage::Stage;
 
 namespace {
@@ -133,3 +135,5 @@ TEST_CASE("a formula text that does not compile is refused with its place in the
     CHECK_THAT(refusal(" "), contains("has no text"));
     CHECK(s.prints("print(world:has('b'))") == "false");
 }
+
+}  // namespace formula_file_test

@@ -2,6 +2,8 @@
 
 #include "stage.h"
 
+namespace formula_test {
+
 using stage::Stage;
 
 TEST_CASE("a formula of a script follows what it reads") {
@@ -103,3 +105,5 @@ TEST_CASE("what a script does in an edit is undoable and nothing else it does") 
     s.run("undo()");
     CHECK(s.prints("print(world.ball.mass, world.ball.friction > 0)") == "3.0\ttrue");
 }
+
+}  // namespace formula_test

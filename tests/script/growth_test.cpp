@@ -6,6 +6,8 @@
 
 #include "stage.h"
 
+namespace growth_test {
+
 using stage::Stage;
 using stage::starts_with;
 
@@ -318,3 +320,5 @@ TEST_CASE("a hundred restores wait for one barrier and no more") {
     s.run("restore(kept)");
     s.tree->barrier();
 }
+
+}  // namespace growth_test

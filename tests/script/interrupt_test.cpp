@@ -2,6 +2,8 @@
 
 #include "stage.h"
 
+namespace interrupt_test {
+
 using stage::Stage;
 
 TEST_CASE("a script that is interrupted stops wherever it is and the next ones too") {
@@ -71,3 +73,5 @@ TEST_CASE("out of memory is told with its place and the limit") {
     s.run("ok, told = xpcall(function() " + chunk + "\nend, function(e) return e end)");
     CHECK(s.prints("print(ok, told:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
 }
+
+}  // namespace interrupt_test

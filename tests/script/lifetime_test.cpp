@@ -2,6 +2,8 @@
 
 #include "stage.h"
 
+namespace lifetime_test {
+
 // Runtimes that end before, after and while what they are bound to is used.
 
 using namespace stage;
@@ -203,3 +205,5 @@ TEST_CASE("a runtime with too little memory is refused and leaves the tree as it
     Runtime runtime(tree, {});
     CHECK(runtime.run("game.n = 1", "main.lua"));
 }
+
+}  // namespace lifetime_test

@@ -4,6 +4,8 @@
 
 #include "stage.h"
 
+namespace long_call_test {
+
 using fettle::script::LongCall;
 using stage::Stage;
 using stage::starts_with;
@@ -181,3 +183,5 @@ TEST_CASE("a runtime whose calls are limited may be called on any thread") {
     REQUIRE(s.errors.size() == 1);
     CHECK_THAT(s.errors[0].message, starts_with("chunk:1: stopped"));
 }
+
+}  // namespace long_call_test

@@ -5,6 +5,8 @@
 
 #include "stage.h"
 
+namespace messages_test {
+
 using stage::Stage;
 using stage::starts_with;
 
@@ -260,3 +262,5 @@ local o = Object { x = 3, size = 2, r = 1 }
     CHECK_THAT(notes[0], contains("Body has no property \"pos\""));
     CHECK_THAT(s.fails("local _ = (Body {}).rotation"), contains("no such name"));
 }
+
+}  // namespace messages_test

@@ -2,6 +2,8 @@
 
 #include "stage.h"
 
+namespace reflection_test {
+
 using stage::Stage;
 
 TEST_CASE("a script walks the properties of a class") {
@@ -142,3 +144,5 @@ TEST_CASE("every global of the language and every member of its values is explai
     CHECK(s.console("help('pen.circle')").find(".circle(center: vec, radius: number") == 0);
     CHECK(s.console("help('key_pressed')").find("key_pressed(key: string)") == 0);
 }
+
+}  // namespace reflection_test

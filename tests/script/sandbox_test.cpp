@@ -2,6 +2,8 @@
 
 #include "stage.h"
 
+namespace sandbox_test {
+
 using stage::Stage;
 
 namespace {
@@ -222,3 +224,5 @@ assert(not pcall(string.gsub, "a", "a", "%2"))
 assert(not pcall(string.gsub, "a", "a", function() return {} end))
 )lua");
 }
+
+}  // namespace sandbox_test

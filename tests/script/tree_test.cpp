@@ -4,6 +4,8 @@
 
 #include <fettle/property/snapshot.h>
 
+namespace tree_test {
+
 using stage::Stage;
 
 TEST_CASE("a ball bounces in a few lines of Lua") {
@@ -440,3 +442,5 @@ TEST_CASE("instances that nobody keeps go away") {
     s.run("assert(kept:alive() and inner:alive() and inner.parent:alive())");
     s.run("assert(world.owner.list[1].title == 'listed')");
 }
+
+}  // namespace tree_test

@@ -10,6 +10,8 @@
 
 #include "stage.h"
 
+namespace value_matrix_test {
+
 using stage::Handle;
 using stage::Stage;
 using stage::Value;
@@ -162,3 +164,5 @@ TEST_CASE("a hard value that was taken comes back bit for bit from a scene file"
         }
     }
 }
+
+}  // namespace value_matrix_test

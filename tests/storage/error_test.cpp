@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "scene_world.h"
 
+namespace error_test {
+
 using namespace scene_test;
 
 namespace {
@@ -261,3 +263,5 @@ TEST_CASE("loading below a deleted parent is refused") {
     w.tree.destroy(parent);
     CHECK_THROWS_AS(load_scene_text(w.tree, thing(""), "level.json", parent), Error);
 }
+
+}  // namespace error_test

@@ -14,6 +14,8 @@
 #include "catch.h"
 #include "scene_world.h"
 
+namespace file_test {
+
 using namespace scene_test;
 namespace fs = std::filesystem;
 
@@ -259,3 +261,5 @@ TEST_CASE("a process killed while saving leaves the old file or the new one") {
         CHECK((found == versions[0] || found == versions[1]));
     }
 }
+
+}  // namespace file_test

@@ -8,6 +8,8 @@
 #include "catch.h"
 #include "tweak_run.h"
 
+namespace forged_tweaks_test {
+
 using namespace scene_test;
 namespace fs = std::filesystem;
 
@@ -209,3 +211,5 @@ TEST_CASE("a key that a file of kept tweaks does not have is told with the neare
     CHECK(has(run.told[0], "main.tweaks.json:3:3: "));
     CHECK(has(run.told[0], "no key \"valeus\" (did you mean \"values\"?)"));
 }
+
+}  // namespace forged_tweaks_test

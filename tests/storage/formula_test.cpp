@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "scene_world.h"
 
+namespace formula_test {
+
 using namespace scene_test;
 
 namespace {
@@ -131,3 +133,5 @@ TEST_CASE("a formula in error is saved with its last good value") {
     w.tree.set(w.add("Thing", "a"), "number", 4.0);
     CHECK(w.tree.get(c, "number") == Value(8.0));
 }
+
+}  // namespace formula_test

@@ -7,6 +7,8 @@
 
 #include "game_folder.h"
 
+namespace game_files_test {
+
 using namespace fettle::property;
 using scene_test::GameFolder;
 
@@ -83,3 +85,5 @@ TEST_CASE("what is written in memory stays there") {
     CHECK(folder.text("b.json") == "not there then");
     CHECK_FALSE(std::filesystem::exists(folder / "c.json"));
 }
+
+}  // namespace game_files_test

@@ -9,6 +9,8 @@
 #include "game_folder.h"
 #include "scene_world.h"
 
+namespace game_saves_test {
+
 using namespace scene_test;
 namespace fs = std::filesystem;
 
@@ -250,3 +252,5 @@ TEST_CASE("a save that cannot be written is told and the game goes on") {
     CHECK(game.told[0].find("the game was not saved: ") == 0);
     CHECK(game.saves->slots().load("one").info.problem.empty());
 }
+
+}  // namespace game_saves_test

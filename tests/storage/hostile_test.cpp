@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "scene_world.h"
 
+namespace hostile_test {
+
 using namespace scene_test;
 
 namespace {
@@ -159,3 +161,5 @@ TEST_CASE("many keys are compared in reasonable time") {
     CHECK(loads(w, text + "}}"));
     CHECK(w.refusal(text + ", \"k1\": 1}}").find("was given before") != std::string::npos);
 }
+
+}  // namespace hostile_test

@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "tweak_run.h"
 
+namespace image_test {
+
 using namespace scene_test;
 
 TEST_CASE("a tweak that is made again or kept sets the very same value") {
@@ -65,3 +67,5 @@ TEST_CASE("a tweak that is made again or kept sets the very same value") {
     CHECK(run.told.empty());
     check(run);
 }
+
+}  // namespace image_test

@@ -9,6 +9,8 @@
 #include "file_faults.h"
 #include "tweak_run.h"
 
+namespace journal_fault_test {
+
 using namespace scene_test;
 namespace fs = std::filesystem;
 
@@ -217,3 +219,5 @@ TEST_CASE("keeping on a full disk leaves the file as it was and the tweak open")
     CHECK(folder.text("level.json") == text);
     CHECK(run.tweaks->keep("**").count == 1);
 }
+
+}  // namespace journal_fault_test

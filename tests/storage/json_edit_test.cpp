@@ -8,6 +8,8 @@
 
 #include "catch.h"
 
+namespace json_edit_test {
+
 using fettle::property::Document;
 using fettle::property::JsonEdit;
 
@@ -126,3 +128,5 @@ TEST_CASE("any sequence of edits of any text does what was asked and no more") {
                                                edit.text().begin(), edit.text().end(), '\r')));
     }
 }
+
+}  // namespace json_edit_test

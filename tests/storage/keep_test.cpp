@@ -10,6 +10,8 @@
 #include "game_folder.h"
 #include "tweak_run.h"
 
+namespace keep_test {
+
 using namespace scene_test;
 
 namespace {
@@ -372,3 +374,5 @@ TEST_CASE("tweaks of earlier runs are the same tweaks when they went through wor
     CHECK(folder.text(".fettle/main.tweaks.sqlite") == journal);
     CHECK_THROWS_AS(Tweaks(again.tree, folder.path(), {}, {.earlier = {{{"value", "1"}}}}), Error);
 }
+
+}  // namespace keep_test

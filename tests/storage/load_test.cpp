@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "scene_world.h"
 
+namespace load_test {
+
 using namespace scene_test;
 
 namespace {
@@ -256,3 +258,5 @@ TEST_CASE("what cannot be saved says why") {
     w.add("Note", deep, "in");
     CHECK(refusal(top).find("at most 400 instances") != std::string::npos);
 }
+
+}  // namespace load_test

@@ -18,6 +18,8 @@
 #include "catch.h"
 #include "tweak_run.h"
 
+namespace odd_files_test {
+
 using namespace scene_test;
 namespace fs = std::filesystem;
 
@@ -272,3 +274,5 @@ TEST_CASE("a journal with anything else than its own tables is told and left alo
     CHECK(run.lines() == std::vector<std::string>{"world.b.number: 0 → 3"});
     CHECK(Run(folder).lines() == std::vector<std::string>{"earlier world.b.number: 0 → 3"});
 }
+
+}  // namespace odd_files_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "scene_world.h"
 
+namespace round_trip_test {
+
 using namespace scene_test;
 
 namespace {
@@ -340,3 +342,5 @@ TEST_CASE("a child that its parent makes by itself is found again") {
     CHECK(w.tree.child_count(copy) == 1);
     CHECK(w.tree.get(w.tree.child(copy, "service"), "level") == Value(4));
 }
+
+}  // namespace round_trip_test

@@ -13,6 +13,8 @@
 #include "file_faults.h"
 #include "game_folder.h"
 
+namespace saves_test {
+
 using namespace scene_test;
 using namespace fettle::property;
 namespace fs = std::filesystem;
@@ -182,3 +184,5 @@ TEST_CASE("a picture is scaled down by averaging") {
     CHECK(scaled_down({}, 10).empty());
     CHECK(scaled_down(picture(1000, 3), 100).height == 1);
 }
+
+}  // namespace saves_test

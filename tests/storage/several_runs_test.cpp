@@ -17,6 +17,8 @@
 #include "file_faults.h"
 #include "tweak_run.h"
 
+namespace several_runs_test {
+
 using namespace scene_test;
 namespace fs = std::filesystem;
 
@@ -252,3 +254,5 @@ TEST_CASE("on a full disk it is told which file lacks what") {
     CHECK(has(run.told[0], "a file may not become that large here"));
     CHECK(has(run.told[0], "1 wait for it and are lost if the game ends before"));
 }
+
+}  // namespace several_runs_test

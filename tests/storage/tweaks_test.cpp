@@ -6,6 +6,8 @@
 #include "game_folder.h"
 #include "tweak_run.h"
 
+namespace tweaks_test {
+
 using namespace scene_test;
 
 namespace {
@@ -225,3 +227,5 @@ TEST_CASE("a formula that a person defines is a tweak") {
           "{\n  \"fettle_tweaks\": 1,\n  \"values\": {\n    \"world.a.number\": {\"is\": \"twice "
           "b\", \"value\": 8}\n  }\n}\n");
 }
+
+}  // namespace tweaks_test

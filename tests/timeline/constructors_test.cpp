@@ -9,6 +9,8 @@
 #include "folder.h"
 #include "playing.h"
 
+namespace constructors_test {
+
 using namespace fettle;
 using namespace fettle::app;
 using property::Handle;
@@ -259,3 +261,5 @@ TEST_CASE("a world can be copied with all that is in it") {
     CHECK(game.get("twin.j.body_b") ==
           property::Value(property::resolve(game.tree, "twin.b").instance));
 }
+
+}  // namespace constructors_test

@@ -10,6 +10,8 @@
 
 #include "playing.h"
 
+namespace memory_test {
+
 using namespace fettle;
 using namespace fettle::app;
 
@@ -185,3 +187,5 @@ TEST_CASE("undo keeps as much as its share of the memory and one that is too lar
     game.play(5);
     game.check(3);
 }
+
+}  // namespace memory_test

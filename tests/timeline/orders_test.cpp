@@ -6,6 +6,8 @@
 #include "folder.h"
 #include "playing.h"
 
+namespace orders_test {
+
 using namespace fettle;
 using namespace fettle::app;
 
@@ -202,3 +204,5 @@ TEST_CASE("to rewind before there is a past is to stay") {
     REQUIRE(played.errors.size() == 1);
     CHECK(played.errors[0].find("there is no past to go to") != std::string::npos);
 }
+
+}  // namespace orders_test

@@ -5,6 +5,8 @@
 
 #include "playing.h"
 
+namespace reads_test {
+
 using namespace fettle;
 using namespace fettle::app;
 
@@ -195,3 +197,5 @@ TEST_CASE("whatever is edited and asked in whatever order is exact when one goes
     game.play(90);
     for (const int step : {89, 31, 61, 90}) game.check(step);
 }
+
+}  // namespace reads_test

@@ -9,6 +9,8 @@
 
 #include "playing.h"
 
+namespace recording_test {
+
 using namespace fettle;
 using namespace fettle::app;
 
@@ -159,3 +161,5 @@ TEST_CASE("a recording holds the files of its run and the tweaks that were there
     CHECK(recording.files()[3].overwritten);
     CHECK_FALSE(recording.files()[3].content.has_value());
 }
+
+}  // namespace recording_test

@@ -10,6 +10,8 @@
 
 #include "every_class.h"
 
+namespace round_trip_test {
+
 using namespace fettle;
 using namespace fettle::app;
 using property::Handle;
@@ -249,3 +251,5 @@ TEST_CASE("a chain of two points cannot be closed and is closed by a file that g
     const Handle loaded = property::load_scene_text(game.tree, text, "scene", {});
     CHECK(game.tree.get(game.tree.first_child(loaded), "closed") == Value(true));
 }
+
+}  // namespace round_trip_test

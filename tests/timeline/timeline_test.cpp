@@ -4,6 +4,8 @@
 
 #include "playing.h"
 
+namespace timeline_test {
+
 using namespace fettle;
 using namespace fettle::app;
 
@@ -305,3 +307,5 @@ TEST_CASE("steps are counted as the run lives whatever moment it goes back to") 
     REQUIRE(announced.size() == 100);
     for (std::size_t i = 0; i < announced.size(); ++i) REQUIRE(announced[i] == i + 1);
 }
+
+}  // namespace timeline_test

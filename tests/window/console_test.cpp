@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "game_window.h"
 
+namespace console_test {
+
 using fettle::test::GameWindow;
 using fettle::test::missing_tools;
 using fettle::test::Picture;
@@ -158,3 +160,5 @@ TEST_CASE("a game saved in a window has a picture of it") {
     INFO(game.printed());
     CHECK(game.prints("saved\ttrue\tnil"));
 }
+
+}  // namespace console_test

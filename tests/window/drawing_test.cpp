@@ -11,6 +11,8 @@
 #include "catch.h"
 #include "game_window.h"
 
+namespace drawing_test {
+
 using fettle::test::GameWindow;
 using fettle::test::missing_tools;
 using fettle::test::Picture;
@@ -388,3 +390,5 @@ TEST_CASE("what a script draws at the drawn pose of a body lies on the body") {
     CHECK(worst < 4);
     CHECK(box_off <= 3);
 }
+
+}  // namespace drawing_test

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double patience = 30;  // seconds for anything to happen, on however slow a machine
-constexpr auto poll_interval = std::chrono::milliseconds(20);
+constexpr auto look_interval = std::chrono::milliseconds(20);
 constexpr int screen_width = 1280, screen_height = 800;
 
 }  // namespace
@@ -112,7 +112,7 @@ bool GameWindow::eventually(const std::function<bool()>& condition) {
     auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
     while (!condition()) {
         if (std::chrono::steady_clock::now() > deadline) return false;
-        std::this_thread::sleep_for(poll_interval);
+        std::this_thread::sleep_for(look_interval);
     }
     return true;
 }
@@ -126,7 +126,7 @@ Picture GameWindow::settled() {
     Picture last = picture();
     int same = 0;
     for (int i = 0; i < most && same < same_needed; ++i) {
-        std::this_thread::sleep_for(4 * poll_interval);
+        std::this_thread::sleep_for(4 * look_interval);
         Picture next = picture();
         // A blinking caret and a pulsing outline never rest.
         same = next.difference(last) < 3000 ? same + 1 : 0;

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const FileFormat format{
+const FileFormat journal_format{
     .application = 0x4654574b,  // "FTWK"
     .version = 1,
     .tables = {"CREATE TABLE runs (id INTEGER PRIMARY KEY, started INTEGER, process INTEGER)",
@@ -42,7 +42,8 @@ bool may_write(const fs::path& file) {
 void make_tables(Database& database) {
     Transaction transaction(database);
     // Another run may have made them since they were looked for.
-    if (database.integer("SELECT count(*) FROM sqlite_schema") == 0) set_format(database, format);
+    if (database.integer("SELECT count(*) FROM sqlite_schema") == 0)
+        set_format(database, journal_format);
     transaction.commit();
 }
 
@@ -86,7 +87,7 @@ std::string Journal::try_to_open(const fs::path& file, Access access) {
     try {
         auto database = std::make_unique<Database>(file, access);
         database->wait_for_others(long_patience);
-        const bool made = check_format(*database, format);
+        const bool made = check_format(*database, journal_format);
         if (database->read_only()) throw std::runtime_error("it can only be read");
         database->run("PRAGMA synchronous = OFF");
         if (database->text("PRAGMA journal_mode = WAL") != "wal")
@@ -113,7 +114,7 @@ bool Journal::can_be_read(const fs::path& file) {
     unusable_.insert(file);
     try {
         Database database(file, Access::reading);
-        if (!check_format(database, format)) return false;
+        if (!check_format(database, journal_format)) return false;
     } catch (const std::runtime_error&) {
         return false;
     }

@@ -25,7 +25,7 @@ const FileFormat format{
     .version = 2,
     .tables = {"CREATE TABLE save (game TEXT, program TEXT, step INTEGER, time INTEGER, width "
                "INTEGER, height INTEGER, thumbnail BLOB, state BLOB)"}};
-constexpr std::string_view ending = ".sqlite";
+constexpr std::string_view save_ending = ".sqlite";
 constexpr std::size_t largest_thumbnail = std::size_t{16} << 20;  // bytes
 constexpr std::size_t largest_file = std::size_t{Database::size_limit};
 
@@ -108,7 +108,7 @@ void Saves::check_slot(std::string_view slot) {
 
 fs::path Saves::file(const std::string& slot) const {
     check_slot(slot);
-    return folder_ / (slot + std::string(ending));
+    return folder_ / (slot + std::string(save_ending));
 }
 
 // --- Writing -------------------------------------------------------------------------------------
@@ -215,7 +215,7 @@ std::vector<SaveInfo> Saves::list(const Check& problem_of) const {
     std::error_code error;
     for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
         const fs::path& path = it->path();
-        if (path.extension() != ending || path.filename().string().starts_with('.')) continue;
+        if (path.extension() != save_ending || path.filename().string().starts_with('.')) continue;
         SavedGame saved = read(path);
         if (problem_of && saved.info.problem.empty()) saved.info.problem = problem_of(saved);
         all.push_back(std::move(saved.info));

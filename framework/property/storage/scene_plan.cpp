@@ -6,8 +6,6 @@
 
 namespace fettle::property {
 
-using Kind = Document::Kind;
-
 namespace {
 
 std::string in_quotes(std::string_view text) {
@@ -74,7 +72,7 @@ void ScenePlan::warn(std::size_t offset, const std::string& text) {
 
 void ScenePlan::check_version() const {
     const Node& root = document_.root();
-    if (root.kind != Kind::object)
+    if (root.kind != Document::Kind::object)
         document_.fail(
             ErrorKind::bad_structure, root.begin,
             "expected a scene, that is an object, got " + std::string(kind_words(root.kind)));
@@ -87,7 +85,7 @@ void ScenePlan::check_version() const {
                 reason += ", there is only " + in_quotes(document_.key(*other));
         document_.fail(ErrorKind::bad_structure, root.begin, reason);
     }
-    if (version->kind != Kind::integer || version->integer < 1)
+    if (version->kind != Document::Kind::integer || version->integer < 1)
         document_.fail(ErrorKind::bad_structure, version->begin,
                        "the version of the format must be an integer of at least 1");
     if (version->integer > scene_format_version)
@@ -98,7 +96,7 @@ void ScenePlan::check_version() const {
 }
 
 void ScenePlan::read(const Node& node, std::size_t parent) {
-    if (node.kind != Kind::object)
+    if (node.kind != Document::Kind::object)
         document_.fail(
             ErrorKind::bad_structure, node.begin,
             "expected an instance, that is an object, got " + std::string(kind_words(node.kind)));
@@ -106,7 +104,7 @@ void ScenePlan::read(const Node& node, std::size_t parent) {
     instances.push_back({&node, parent, &class_of(node, parent)});
     // The name first: messages about what stands before it in the file say it, too.
     if (const Node* name = document_.member(node, "name")) {
-        if (document_.text(of_kind(*name, Kind::text)).empty())
+        if (document_.text(of_kind(*name, Document::Kind::text)).empty())
             document_.fail(ErrorKind::bad_name, name->begin, "a name cannot be empty");
         instances[self].name = name;
     }
@@ -115,11 +113,11 @@ void ScenePlan::read(const Node& node, std::size_t parent) {
         const std::string& key = document_.key(*member);
         if (key == "class" || key == "name" || (key == version_key && parent == none)) continue;
         if (key == "properties")
-            instances[self].properties = &of_kind(*member, Kind::object);
+            instances[self].properties = &of_kind(*member, Document::Kind::object);
         else if (key == "ad_hoc")
-            instances[self].ad_hoc = &of_kind(*member, Kind::object);
+            instances[self].ad_hoc = &of_kind(*member, Document::Kind::object);
         else if (key == "children")
-            children = &of_kind(*member, Kind::array);
+            children = &of_kind(*member, Document::Kind::array);
         else
             other_key(self, *member);
     }
@@ -151,7 +149,7 @@ const Class& ScenePlan::class_of(const Node& node, std::size_t parent) const {
                 reason += ", only " + in_quotes(document_.key(*other));
         document_.fail(ErrorKind::bad_structure, node.begin, reason);
     }
-    of_kind(*name, Kind::text);
+    of_kind(*name, Document::Kind::text);
     try {
         return tree_.class_named(document_.text(*name));
     } catch (const Error& e) {
@@ -159,7 +157,7 @@ const Class& ScenePlan::class_of(const Node& node, std::size_t parent) const {
         std::string where = parent == none ? "" : path(parent);
         if (parent == none && !name_.empty()) {
             where = future_path(name_);
-        } else if (own != nullptr && own->kind == Kind::text) {
+        } else if (own != nullptr && own->kind == Document::Kind::text) {
             const std::string& text = document_.text(*own);
             where = parent == none ? future_path(text) : where + path_suffix(text);
         }
@@ -167,7 +165,7 @@ const Class& ScenePlan::class_of(const Node& node, std::size_t parent) const {
     }
 }
 
-const Document::Node& ScenePlan::of_kind(const Node& member, Kind kind) const {
+const Document::Node& ScenePlan::of_kind(const Node& member, Document::Kind kind) const {
     if (member.kind == kind) return member;
     document_.fail(ErrorKind::bad_structure, member.begin,
                    in_quotes(document_.key(member)) + " must be " + std::string(kind_words(kind)) +
@@ -224,9 +222,9 @@ void ScenePlan::check_nesting(std::size_t index, const Node* section) const {
         };
         if (is_instance(node)) fail("into the list \"children\" of the instance");
         const bool is_section =
-            (key == "children" && node->kind == Kind::array &&
+            (key == "children" && node->kind == Document::Kind::array &&
              is_instance(document_.first(*node))) ||
-            ((key == "properties" || key == "ad_hoc") && node->kind == Kind::object &&
+            ((key == "properties" || key == "ad_hoc") && node->kind == Document::Kind::object &&
              (declared || document_.count(*node) != 1)) ||
             key == version_key;
         if (is_section) fail("beside it, into the object of the instance");

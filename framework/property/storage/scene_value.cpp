@@ -11,7 +11,6 @@ namespace fettle::property {
 namespace {
 
 using Node = Document::Node;
-using Kind = Document::Kind;
 
 constexpr std::size_t widest_line = 100;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -228,19 +227,19 @@ class ValueReader {
 
     Value read(const Node& node, Type type, Type element) const {
         switch (node.kind) {
-            case Kind::null:
+            case Document::Kind::null:
                 return {};
-            case Kind::boolean:
+            case Document::Kind::boolean:
                 return node.boolean;
-            case Kind::integer:
+            case Document::Kind::integer:
                 return node.integer;
-            case Kind::number:
+            case Document::Kind::number:
                 return node.number;
-            case Kind::text:
+            case Document::Kind::text:
                 return text(node, type);
-            case Kind::array:
+            case Document::Kind::array:
                 return array(node, type, element);
-            case Kind::object:
+            case Document::Kind::object:
                 return tagged(node);
         }
         return {};
@@ -261,17 +260,17 @@ class ValueReader {
 
     bool component(const Node& node, double& out) const {
         switch (node.kind) {
-            case Kind::integer:
+            case Document::Kind::integer:
                 out = static_cast<double>(node.integer);
                 if (out >= 0x1p63 || static_cast<std::int64_t>(out) != node.integer) {
                     fail(node, "the integer " + std::to_string(node.integer) +
                                    " has no exact value as a number");
                 }
                 return true;
-            case Kind::number:
+            case Document::Kind::number:
                 out = node.number;
                 return true;
-            case Kind::text:
+            case Document::Kind::text:
                 if (document_.text(node) != "inf" && document_.text(node) != "-inf") return false;
                 out = document_.text(node) == "inf" ? infinity : -infinity;
                 return true;
@@ -310,7 +309,7 @@ class ValueReader {
         const Node* item = document_.first(node);
         if (item == nullptr || document_.next(*item) != nullptr) fail(node, no_value());
         const std::string& tag = document_.key(*item);
-        if (tag == "bytes" && item->kind == Kind::text) {
+        if (tag == "bytes" && item->kind == Document::Kind::text) {
             std::string bytes;
             if (percent_decoded(document_.text(*item), bytes)) return bytes;
             fail(*item, "expected a text in which % is followed by two hexadecimal digits");
@@ -324,7 +323,7 @@ class ValueReader {
         if (tag == "vec2") return check(Type::vec2, "a vec2 as [x, y]");
         if (tag == "color") return color(*item);
         if (tag == "reference") {
-            if (item->kind == Kind::null) return Handle{};
+            if (item->kind == Document::Kind::null) return Handle{};
             return check(Type::reference, "the path of an instance");
         }
         fail(node, no_value());
@@ -338,7 +337,8 @@ class ValueReader {
 
     Value color(const Node& node) const {
         Color color;
-        if (node.kind == Kind::text && parse_color(document_.text(node), color)) return color;
+        if (node.kind == Document::Kind::text && parse_color(document_.text(node), color))
+            return color;
         Value value = read(node, Type::color, Type::nil);
         if (value.is(Type::color)) return value;
         fail(node, "expected a color as \"#rrggbb\", [r, g, b] or [r, g, b, a]");
@@ -358,10 +358,10 @@ class ValueReader {
 
 FormulaText formula_text(const Document& document, const Node& node) {
     FormulaText found;
-    if (node.kind != Kind::object || document.member(node, "is") == nullptr) return found;
+    if (node.kind != Document::Kind::object || document.member(node, "is") == nullptr) return found;
     for (const Node* member = document.first(node); member; member = document.next(*member)) {
         const std::string& key = document.key(*member);
-        if (key == "is" && member->kind == Kind::text) {
+        if (key == "is" && member->kind == Document::Kind::text) {
             found.is = member;
         } else if (key == "value" && !document.member(*member, "is")) {
             found.value = member;
@@ -401,14 +401,14 @@ Value read_value(const Document& document, const Node& node, Type type, Type ele
 }
 
 bool names_instance(const Document& document, const Node& node, Type type, Type element) {
-    if (node.kind == Kind::text) return type == Type::reference;
-    if (node.kind == Kind::object) {
+    if (node.kind == Document::Kind::text) return type == Type::reference;
+    if (node.kind == Document::Kind::object) {
         if (document.member(node, "is") == nullptr)
             return document.member(node, "reference") != nullptr;
         const Node* value = document.member(node, "value");
         return value != nullptr && names_instance(document, *value, type, element);
     }
-    if (node.kind != Kind::array) return false;
+    if (node.kind != Document::Kind::array) return false;
     for (const Node* item = document.first(node); item; item = document.next(*item)) {
         const Type of_item = type == Type::list ? element : Type::nil;
         if (names_instance(document, *item, of_item, Type::nil)) return true;
