@@ -1,5 +1,6 @@
 #include <fettle/app/screen.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <stdexcept>
@@ -135,7 +136,10 @@ class SfmlWindow : public Window {
   public:
     explicit SfmlWindow(const WindowOptions& options) : title_(options.title) {
         const Silence silence;
-        sfml::open(window_, title_, options.width, options.height, samples);
+        const sf::VideoMode desktop = sf::VideoMode::getDesktopMode();
+        sfml::open(window_, title_, std::min(options.width, sfml::width(desktop)),
+                   std::min(options.height, sfml::height(desktop)), samples);
+        keep_on(desktop);
         window_.setVerticalSyncEnabled(true);
         window_.setKeyRepeatEnabled(true);  // for the console; the game is told of the first only
         canvas_ = std::make_unique<Canvas>(window_);
@@ -194,6 +198,14 @@ class SfmlWindow : public Window {
     }
 
   private:
+    /// Without a window manager, SFML 2 puts a window partly below the edge of the screen.
+    void keep_on(const sf::VideoMode& desktop) {
+        const int spare_x = static_cast<int>(sfml::width(desktop) - window_.getSize().x);
+        const int spare_y = static_cast<int>(sfml::height(desktop) - window_.getSize().y);
+        const sf::Vector2i at = window_.getPosition();
+        if (at.x > spare_x || at.y > spare_y) window_.setPosition({spare_x / 2, spare_y / 2});
+    }
+
     std::string title_;
     sf::RenderWindow window_;
     std::unique_ptr<Canvas> canvas_;

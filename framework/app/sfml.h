@@ -57,6 +57,13 @@ inline int height(const sf::IntRect& r) {
     return r.size.y;
 }
 
+inline unsigned width(const sf::VideoMode& mode) {
+    return mode.size.x;
+}
+inline unsigned height(const sf::VideoMode& mode) {
+    return mode.size.y;
+}
+
 inline void open(sf::RenderWindow& window, const std::string& title, unsigned width,
                  unsigned height, unsigned samples) {
     sf::ContextSettings settings;
@@ -192,6 +199,13 @@ inline int width(const sf::IntRect& r) {
 }
 inline int height(const sf::IntRect& r) {
     return r.height;
+}
+
+inline unsigned width(const sf::VideoMode& mode) {
+    return mode.width;
+}
+inline unsigned height(const sf::VideoMode& mode) {
+    return mode.height;
 }
 
 inline void open(sf::RenderWindow& window, const std::string& title, unsigned width,
