@@ -161,4 +161,26 @@ TEST_CASE("a game saved in a window has a picture of it") {
     CHECK(game.prints("saved\ttrue\tnil"));
 }
 
+TEST_CASE("a script that does not come back is shown in a window and can be stopped there") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    const Picture playing = game.settled();
+    game.key("l");
+    REQUIRE(game.prints("for ever"));
+    // The whole picture, with the keys in its last line.
+    const auto shown = [&](unsigned top, unsigned bottom) {
+        return [&game, playing, top, bottom] {
+            return game.picture().difference(playing, 0, top, 1280, bottom) > 20'000;
+        };
+    };
+    REQUIRE(game.eventually(shown(0, 700)));
+    CHECK(game.eventually(shown(760, 800)));
+    game.picture().save_png(pictures / "long_call.png");
+    game.key("s");
+    INFO(game.printed());
+    CHECK(game.prints("stopped: it ran for"));
+    CHECK(game.running());
+}
+
 }  // namespace console_test
