@@ -45,11 +45,13 @@ struct Canvas::Line {
     template <class Visit>
     float walk(const Atlas& atlas, Visit visit) const {
         const float stop = tab_stops * scale * static_cast<float>(size);
+        const float space = scale * atlas.glyph(U' ', size, face).advance;
         float x = 0;
         char32_t before = 0;
         for (const char32_t c : text) {
             if (c == U'\t') {
-                x = stop * (std::floor(x / stop + 1e-3f) + 1);
+                // Words on both sides of a tab never touch.
+                x = stop * std::ceil((x + space) / stop - 1e-3f);
                 before = 0;
                 continue;
             }
