@@ -292,6 +292,15 @@ TEST_CASE("the classes of a game are described with it") {
           "Tries left.");
 }
 
+TEST_CASE("a class without an explanation stands in the index without a dash") {
+    const Folder folder;
+    std::ofstream(folder.path / "main.lua") << "class('Bare', Body) {}\n";
+    REQUIRE(fettle(folder, "docs out_pages main.lua") == 0);
+    const std::string index = text_of(folder.path / "out_pages" / "README.md");
+    CHECK(index.find("[Bare](classes/Bare.md)\n") != std::string::npos);
+    CHECK(index.find("In a game that plugs in modules there is `modules`") != std::string::npos);
+}
+
 TEST_CASE("documents that cannot be written are named") {
     const Folder folder;
     std::ofstream(folder.path / "taken") << "a file";
