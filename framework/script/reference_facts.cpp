@@ -16,11 +16,6 @@ std::string unit_text(const std::string& unit) {
     return unit.empty() ? "–" : unit;
 }
 
-/// More would fill the page: its text tells where they stand.
-bool few_enumerators(const Property& property) {
-    return !property.enumerators.empty() && property.enumerators.size() <= 16;
-}
-
 std::string range_text(const Property& property) {
     if (few_enumerators(property)) {
         std::string words;
@@ -120,9 +115,13 @@ std::vector<const Member*> own(const Class& of, const std::vector<const Member*>
 
 }  // namespace
 
+bool few_enumerators(const Property& property) {
+    return !property.enumerators.empty() && property.enumerators.size() <= 16;
+}
+
 std::string annotated_type(const Property& property) {
     if (property.any_type) return "any";
-    if (few_enumerators(property)) {
+    if (!property.enumerators.empty()) {
         std::string words;
         for (const std::string& word : property.enumerators)
             words += (words.empty() ? "\"" : "|\"") + word + "\"";

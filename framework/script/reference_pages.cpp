@@ -66,6 +66,11 @@ class ClassPage {
     }
 
   private:
+    static std::string type_in_page(const Property& property) {
+        const bool long_list = !property.enumerators.empty() && !few_enumerators(property);
+        return long_list ? "string" : annotated_type(property);
+    }
+
     static std::string link(const Class& of) { return "[" + of.name() + "](" + of.name() + ".md)"; }
 
     void ancestry() {
@@ -101,7 +106,7 @@ class ClassPage {
                 doc += ".";
             }
             std::string flags = flags_text(*property);
-            out_ += row({code(property->name), code(annotated_type(*property)),
+            out_ += row({code(property->name), code(type_in_page(*property)),
                          unit_text(property->unit), cell(range_text(*property)),
                          code(default_text(tree_, *property)), flags, cell(doc)});
         }

@@ -240,7 +240,9 @@ TEST_CASE("all that a game can use is in annotations and pages with unit and ran
             CHECK(contains(cells[6], row[7].substr(0, row[7].find('|'))));
         } else if (kind == "enumerator") {
             CHECK(contains(annotated.fields.at(row[2]).type, "\"" + row[3] + "\""));
-            CHECK(contains(row_about(page, row[2])[3], "\"" + row[3] + "\""));
+            // Keys would fill the page; it tells how many there are, and its text where they stand.
+            const std::string taken = row_about(page, row[2])[3];
+            CHECK((contains(taken, "\"" + row[3] + "\"") || taken.ends_with(" texts")));
         } else if (kind == "method") {
             REQUIRE(row.size() == 4);
             CHECK(annotated.methods.contains(row[2]));
