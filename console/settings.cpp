@@ -1,5 +1,7 @@
 #include "settings.h"
 
+#include <fettle/app/input.h>
+
 namespace fettle::console {
 
 using property::Handle;
@@ -66,7 +68,8 @@ property::ClassDescriptor console_class() {
     key.type = Type::text;
     key.default_value = Value("grave");
     key.transient = true;
-    key.doc = "The key that opens and closes the console.";
+    key.doc = "The key that opens and closes the console, by its name in the class Keys.";
+    for (const std::string_view name : app::key_names()) key.enumerators.emplace_back(name);
     list.push_back(key);
     return descriptor;
 }

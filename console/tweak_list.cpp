@@ -26,6 +26,17 @@ void colored(ImU32 color, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+/// Cut with an ellipsis at `width`; all of it is shown where the mouse rests on it.
+void fitted(ImU32 color, const std::string& text, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float whole = text_width(text);
+    draw_text_fit(*ImGui::GetWindowDrawList(), at, color, text, width);
+    ImGui::Dummy(ImVec2(std::max(1.0f, std::min(whole, width)), ImGui::GetTextLineHeight()));
+    if (whole > width && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%.*s", static_cast<int>(std::min<std::size_t>(text.size(), 4000)),
+                          text.c_str());
+}
+
 /// As Lua reads it.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
@@ -104,20 +115,27 @@ void TweakList::draw_header() {
 }
 
 void TweakList::draw_change(const Tweak& tweak) {
+    float room = ImGui::GetContentRegionAvail().x;
     if (tweak.value) {
-        colored(palette::dim, tweak.was);
+        const std::string arrow = " → ";
+        const float both = room - text_width(arrow);
+        // The new value gets what the old one leaves, and half of the room at least.
+        const float was =
+            std::min(text_width(tweak.was), std::max(both / 2, both - text_width(tweak.now)));
+        fitted(palette::dim, tweak.was, was);
         ImGui::SameLine(0, 0);
-        colored(palette::faint, " → ");
+        colored(palette::faint, arrow);
         ImGui::SameLine(0, 0);
+        room = both - was;
     }
-    colored(tweak.value ? palette::number : palette::string, tweak.now);
+    fitted(tweak.value ? palette::number : palette::string, tweak.now, room);
 }
 
 void TweakList::draw_row(int row) {
     const Tweak tweak = rows_[static_cast<std::size_t>(row)];  // acting changes the list
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    colored(palette::path, tweak.path);
+    fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked(0) && follow) follow(tweak.path);
     ImGui::TableNextColumn();

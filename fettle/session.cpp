@@ -178,8 +178,9 @@ void Session::start() {
     tweaks_->game_loaded();
     if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)
         note(std::to_string(open) +
-             (open == 1 ? " tweak of an earlier run is" : " tweaks of earlier runs are") +
-             " not kept: tweaks() lists " + (open == 1 ? "it" : "them"));
+             (open == 1 ? " edit of an earlier run is" : " edits of earlier runs are") +
+             " not made again yet: tweaks() lists " + (open == 1 ? "it" : "them") +
+             ", reapply_tweaks(\"**\") makes " + (open == 1 ? "it" : "them") + " again");
     for (const std::string& chunk : options_.evals) {
         if (loop_->stopped() || failed_) return;
         if (!runtime_->run(chunk, "eval") && !runtime_->interrupted()) failed_ = true;

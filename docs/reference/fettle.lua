@@ -97,7 +97,7 @@ function fettle_Connection:stop() end
 
 ---What a watcher is told, besides the new and the old value.
 ---@class Change
----@field cause string Who wrote it: "console", "main.lua:12", "simulation".
+---@field cause string Who wrote it and at which step, as a text for people: "main.lua:14, step 0", "console:1, step 1", "simulation, step 1", "undo, step 29", "restore, step 23".
 ---@field instance Object Whose property it is.
 ---@field path string "world.ball.mass".
 ---@field property string Its name.
@@ -106,10 +106,10 @@ local fettle_Change = {}
 
 ---What handlers of the events "created" and "deleted" are told.
 ---@class Existence
----@field cause string Who did it.
+---@field cause string Who did it and at which step, as that of a Change: "main.lua:14, step 0".
 ---@field instance Object The instance; after its deletion nothing of it can be read.
 ---@field last table<string, any> After a deletion: its last values by name.
----@field path string Where it is, or was.
+---@field path string Where it is, or was: "world.ball". Undo detaches an instance before it deletes it, and then this is "detached body".
 ---@field step integer The fixed step in which it happened.
 local fettle_Existence = {}
 
@@ -130,7 +130,7 @@ local fettle_Snapshot = {}
 ---@field time integer When, in seconds since 1970, as os.time() tells it.
 local fettle_SavedGame = {}
 
----What draw(pen) draws with: world units, y up; inside pen.screen(...) pixels, y down. Colors are values or names; nil or false is no fill, no border. Borders and lines are measured in pixels.
+---What draw(pen) draws with: world units, y up; inside pen.screen(...) pixels, y down. Colors are values or names. A fill of false draws none; without one, or with nil, a figure is white unless it has a border. A border of nil or false draws none. Lines, points and texts are white unless they have a color. Borders and lines are measured in pixels, 1.5 unless a width is given.
 ---@class Pen
 local fettle_Pen = {}
 
@@ -159,7 +159,7 @@ function fettle_Pen.circle(center, radius, fill, border, border_width) end
 ---@param width? number
 function fettle_Pen.line(from, to, stroke, width) end
 
----A dot as many pixels wide as its size says.
+---A dot as many pixels wide as its size says, 4 without one.
 ---@param position vec
 ---@param fill? color|string
 ---@param size? number
@@ -176,7 +176,7 @@ function fettle_Pen.polygon(vertices, fill, border, border_width) end
 ---@param action fun(pen: Pen)
 function fettle_Pen.screen(action) end
 
----A text, half a meter high unless a height is given; the position is the middle of its height. It may have several lines, each aligned by itself, and tabs: a line goes on at the next multiple of twice the height.
+---A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space.
 ---@param position vec
 ---@param text any
 ---@param height? number
@@ -790,7 +790,7 @@ function fettle_Body:to_local(point) end
 function fettle_Body:to_world(point) end
 
 ---What `contacts` lists, with where and how hard: one record a pair of shapes.
----@return Body.touches.result?
+---@return Body.touches.result[]
 function fettle_Body:touches() end
 
 ---How fast that point of the body moves.
@@ -1556,7 +1556,7 @@ Keys = {}
 ---@field middle boolean Whether the button is held down. · true or false · default false · not saved
 ---@field right boolean Whether the button is held down. · true or false · default false · not saved
 ---@field screen vec Where the mouse is on the screen, from the top left corner, y down. · px · any finite vec · default vec(0, 0) · simulated, not saved
----@field wheel number Notches the wheel was turned in this frame, away from the user positive. · any finite number · default 0 · simulated, not saved
+---@field wheel number Notches the wheel was turned in this frame, away from the user positive. Setting it turns it by the difference: `wheel` is called in the next frame, in which it reads these notches. · any finite number · default 0 · simulated, not saved
 ---@field world vec Where the mouse is in the world. Setting it moves the mouse for the game. · m · any finite vec · default vec(0, 0) · simulated, not saved
 local fettle_Mouse = {}
 
@@ -1585,7 +1585,7 @@ Mouse = {}
 ---@field connected boolean Whether there is such a gamepad. One that goes lets go of everything first. · true or false · default false · not saved
 ---@field left vec The left stick, right and up positive. Setting it moves it: gamepad_axis is called with "left_x" and "left_y". · -1 to 1 · default vec(0, 0) · not saved
 ---@field left_trigger number How far the left trigger is pulled. Setting it pulls it: gamepad_axis is called with "left_trigger". · 0 to 1 · default 0 · not saved
----@field pad vec The directional pad, right and up positive: -1, 0 or 1. Setting it moves it: gamepad_axis is called with "pad_x" and "pad_y". · -1 to 1 · default vec(0, 0) · not saved
+---@field pad vec The directional pad, right and up positive. A player moves it to -1, 0 or 1; a script may set what lies between. Setting it moves it: gamepad_axis is called with "pad_x" and "pad_y". · -1 to 1 · default vec(0, 0) · not saved
 ---@field right vec The right stick, right and up positive. Setting it moves it: gamepad_axis is called with "right_x" and "right_y". · -1 to 1 · default vec(0, 0) · not saved
 ---@field right_trigger number How far the right trigger is pulled. Setting it pulls it: gamepad_axis is called with "right_trigger". · 0 to 1 · default 0 · not saved
 local fettle_Gamepad = {}
@@ -1600,7 +1600,7 @@ Gamepad = {}
 ---@field height number Height of the console as a share of the window. · 0.15 to 1 · default 0.45 · not saved
 ---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
 ---@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
----@field key string The key that opens and closes the console. · any text · default "grave" · not saved
+---@field key "a"|"b"|"c"|"d"|"e"|"f"|"g"|"h"|"i"|"j"|"k"|"l"|"m"|"n"|"o"|"p"|"q"|"r"|"s"|"t"|"u"|"v"|"w"|"x"|"y"|"z"|"0"|"1"|"2"|"3"|"4"|"5"|"6"|"7"|"8"|"9"|"space"|"enter"|"escape"|"tab"|"backspace"|"delete"|"insert"|"left"|"right"|"up"|"down"|"home"|"end"|"page_up"|"page_down"|"left_shift"|"right_shift"|"left_control"|"right_control"|"left_alt"|"right_alt"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"minus"|"equal"|"left_bracket"|"right_bracket"|"backslash"|"semicolon"|"apostrophe"|"comma"|"period"|"slash"|"numpad_0"|"numpad_1"|"numpad_2"|"numpad_3"|"numpad_4"|"numpad_5"|"numpad_6"|"numpad_7"|"numpad_8"|"numpad_9"|"numpad_add"|"numpad_subtract"|"numpad_multiply"|"numpad_divide"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. · 101 texts · default "grave" · not saved
 ---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
 ---@field opacity number Of the background. · 0.3 to 1 · default 0.94 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
@@ -1734,7 +1734,7 @@ function help(anything) end
 ---Lists what was edited, the latest first.
 function history() end
 
----Writes the tweaks that match into the files their instances came from: keep("world.ball.*").
+---Writes the tweaks that match into files: of what came from a scene file into that file, of what a script made into `main.tweaks.json` beside `main.lua`, which the next run reads. keep("world.ball.*").
 ---@param pattern string
 function keep(pattern) end
 
@@ -1751,7 +1751,7 @@ function query(pattern) end
 ---@param status? integer|boolean
 function quit(status) end
 
----A random number in [0, 1), from 1 to n, or from one to the other; the same for the same seed.
+---A random number in [0, 1), from 1 to n, or from one to the other; random(0) is any integer, as in Lua. The same for the same seed.
 ---@return number
 ---@overload fun(n: integer): integer
 ---@overload fun(from: integer, to: integer): integer
@@ -1778,7 +1778,7 @@ function restore(taken) end
 ---@param seconds number
 function rewind(seconds) end
 
----Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot before the barrier are one save, as the last of them wants it; more than 1000 calls are an error.
+---Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot before the barrier are one save, as the last of them wants it; more than 1000 calls are an error. Saves lie in a folder for each game in `~/.local/share/fettle/`.
 ---@param slot string
 function save_game(slot) end
 
@@ -1826,7 +1826,7 @@ function wait(seconds) end
 ---@return Connection
 function watch(pattern, handler) end
 
----Tells who wrote a property last, and at which step.
+---Tells who wrote a property last, and at which step: "console:1, step 49". What rewind, restore or load_game took back reads "restore, step 30". The file and line of a script are told of what was watched when it was written; else only "script".
 ---@param path string
 function who(path) end
 

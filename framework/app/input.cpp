@@ -34,6 +34,11 @@ std::string utf8(char32_t c) {
     return text;
 }
 
+/// Some windows tell escape, backspace, tab and delete as text as well. They are keys.
+bool is_control(char32_t c) {
+    return c < 0x20 || (c >= 0x7F && c < 0xA0);
+}
+
 std::string axis_name(std::string_view stick, int component) {
     return std::string(stick) + (component == 0 ? "_x" : "_y");
 }
@@ -124,7 +129,7 @@ void Input::apply(const InputEvent& event) {
             set_switch(s.keys_instance, event.name, false);
             break;
         case EventKind::text:
-            s.queue("text_input", {utf8(event.character)});
+            if (!is_control(event.character)) s.queue("text_input", {utf8(event.character)});
             break;
         case EventKind::mouse_pressed:
         case EventKind::mouse_released:
@@ -230,6 +235,7 @@ void Input::release_all() {
 
 bool Input::deliver(script::Runtime& runtime) {
     // What a callback presses is delivered in the next frame.
+    state_->wheel_told = state_->wheel;
     const std::vector<State::Call> calls = std::exchange(state_->calls, {});
     for (const State::Call& call : calls) {
         if (!runtime.call(call.callback, call.arguments)) return false;
@@ -240,10 +246,12 @@ bool Input::deliver(script::Runtime& runtime) {
 
 void Input::drop() {
     state_->calls.clear();
+    state_->wheel_told = state_->wheel;
 }
 
 void Input::end_frame() {
-    state_->wheel = 0;
+    // What a script has turned meanwhile is of the next frame, as its callback is.
+    state_->wheel -= std::exchange(state_->wheel_told, 0);
 }
 
 namespace {

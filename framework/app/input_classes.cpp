@@ -72,7 +72,9 @@ std::vector<Property> mouse_properties(State& state) {
              .derives_from = {"world"}},
             {.name = "wheel",
              .type = Type::number,
-             .doc = "Notches the wheel was turned in this frame, away from the user positive.",
+             .doc = "Notches the wheel was turned in this frame, away from the user positive. "
+                    "Setting it turns it by the difference: `wheel` is called in the next frame, "
+                    "in which it reads these notches.",
              .binding = accessor(
                  state, [](State& s, Row) { return s.wheel; },
                  [](State& s, Row, const Value& notches) { s.turn_wheel(notches.number()); }),
@@ -85,8 +87,8 @@ constexpr std::array<const char*, gamepad_stick_names.size()> stick_docs{
     "\"left_x\" and \"left_y\".",
     "The right stick, right and up positive. Setting it moves it: gamepad_axis is called with "
     "\"right_x\" and \"right_y\".",
-    "The directional pad, right and up positive: -1, 0 or 1. Setting it moves it: gamepad_axis is "
-    "called with \"pad_x\" and \"pad_y\"."};
+    "The directional pad, right and up positive. A player moves it to -1, 0 or 1; a script may set "
+    "what lies between. Setting it moves it: gamepad_axis is called with \"pad_x\" and \"pad_y\"."};
 constexpr std::array<const char*, gamepad_trigger_names.size()> trigger_docs{
     "How far the left trigger is pulled. Setting it pulls it: gamepad_axis is called with "
     "\"left_trigger\".",

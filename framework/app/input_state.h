@@ -60,7 +60,8 @@ struct Input::State {
     std::array<GamepadAxis, gamepad_trigger_names.size()> gamepad_triggers{};
     std::array<GamepadButton, gamepad_buttons> gamepad_button_columns{};
     property::Vec2 mouse{0, 0};  // px
-    double wheel = 0;            // notches in this frame
+    double wheel = 0;            // notches in this frame, and those a script turned in it
+    double wheel_told = 0;       // notches whose callbacks belong to this frame
     std::vector<Call> calls{};
     bool silent = false;  // the mouse moves, but the game is not told
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr float line_height = 1.2f;  // of the size
 constexpr float tab_stops = 2;       // apart, of the size
+constexpr float tab_gap = 0.3f;      // as wide as a space; of the size
 
 /// Lines of a text: "\n", "\r\n" and "\r" each end one.
 std::vector<std::u32string> lines_of(std::string_view text) {
@@ -45,11 +46,13 @@ struct Canvas::Line {
     template <class Visit>
     float walk(const Atlas& atlas, Visit visit) const {
         const float stop = tab_stops * scale * static_cast<float>(size);
+        const float gap = tab_gap * scale * static_cast<float>(size);
         float x = 0;
         char32_t before = 0;
         for (const char32_t c : text) {
             if (c == U'\t') {
-                x = stop * (std::floor(x / stop + 1e-3f) + 1);
+                // Words on both sides of a tab never touch.
+                x = stop * std::ceil((x + gap) / stop - 1e-3f);
                 before = 0;
                 continue;
             }

@@ -267,6 +267,12 @@ std::string expectation_in(const Property& property, const Range& range) {
             return "a value";
     }
     if (property.enumerators.empty()) return "a text" + nil;
+    // Names of keys, say: the nearest one tells more than all of them.
+    constexpr std::size_t most_listed = 16;
+    if (property.enumerators.size() > most_listed)
+        return "one of " + std::to_string(property.enumerators.size()) + " texts like \"" +
+               property.enumerators.front() + "\" and \"" + property.enumerators.back() + "\"" +
+               nil;
     std::string names = "one of ";
     for (std::size_t i = 0; i < property.enumerators.size(); ++i)
         names += (i == 0 ? "\"" : ", \"") + property.enumerators[i] + "\"";

@@ -45,6 +45,7 @@ bool Transition::watched(Handle self, const Node& node, const Property& property
 
 void Transition::finish() {
     const Tree::CauseScope scope(state_.tree, Writer::restore);
+    if (state_.step < left_) state_.writes.went_back(state_.step);
     for (const std::uint32_t index : state_.fresh) state_.nodes[index].fresh = false;
     state_.fresh.clear();
     drop_queued();

@@ -394,6 +394,11 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     if (near != members.end())
         refuse(ErrorKind::near_miss,
                of.name() + " has no property " + quoted + " (did you mean \"" + *near + "\"?)");
+    // Input and the like are of the present only: nothing that is added there could be restored.
+    if (of.snapshots() == Snapshots::never)
+        refuse(ErrorKind::unknown_name, of.name() + " has no property " + quoted +
+                                            ", and none can be added to it" +
+                                            suggestion(name, members));
     const Property& added = ad_hoc_property(Symbol(name));
     const Value next = tree.coerce(instance, added, value);
     put_ad_hoc(instance, added, next);

@@ -41,6 +41,14 @@ void WritesLog::take_back(PlainWrite& entry) {
         entry.instance = {};  // others came after it: nobody's
 }
 
+void WritesLog::went_back(std::uint64_t step) {
+    for (Run& run : runs_)
+        if (run.step > step) run = {.end = run.end, .step = step, .writer = Writer::restore};
+    for (auto& [cell, written] : full_)
+        if (written.second.step > step)
+            written.second = {.writer = Writer::restore, .where = {}, .step = step};
+}
+
 /// Of the writes in full chunks, by their numbers since `first_`.
 PackedWrites::Found WritesLog::last_packed(std::uint32_t index, Symbol property) const {
     for (std::size_t piece = packed_.size(); piece > 0; --piece) {

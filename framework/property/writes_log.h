@@ -60,6 +60,9 @@ class WritesLog {
         if (full_.size() >= most) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause};
     }
+    /// The tree is what it was at `step`: whatever was written later is no longer there, and what
+    /// there is in its place was restored.
+    void went_back(std::uint64_t step);
     Provenance find(Handle instance, Symbol property) const;
 
   private:

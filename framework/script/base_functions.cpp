@@ -53,6 +53,7 @@ void push_text(lua_State* L, int index) {
             lua_pushstring(L, "table");
             return;
         default:
+            if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return;
             lua_pushstring(L, luaL_typename(L, index));
             return;
     }

@@ -190,9 +190,14 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
     return true;
 }
 
+/// Functions without arguments that people type as words.
+bool is_word(std::string_view command) {
+    return command == "undo" || command == "redo" || command == "history" || command == "tweaks";
+}
+
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (add_help(L, machine, command, evaluation)) return;
-    if (command == "undo" || command == "redo") {
+    if (is_word(command)) {
         lua_getglobal(L, std::string(command).c_str());
         lua_call(L, 0, 0);
         evaluation.lines = std::move(machine.recording.lines);

@@ -193,6 +193,11 @@ std::string brief(lua_State* L, int index, int depth) {
             return std::string("(") + error.what() + ")";
         }
     }
+    if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
+        std::string name = string_at(L, -1);
+        lua_pop(L, 1);
+        return name;
+    }
     return describe_type(L, index).substr(2);
 }
 

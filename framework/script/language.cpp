@@ -34,8 +34,9 @@ const std::vector<GlobalDoc>& global_docs() {
         {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
         {"history", "history()", "Lists what was edited, the latest first."},
         {"keep", "keep(pattern: string)",
-         "Writes the tweaks that match into the files their instances came from: "
-         "keep(\"world.ball.*\")."},
+         "Writes the tweaks that match into files: of what came from a scene file into that file, "
+         "of what a script made into `main.tweaks.json` beside `main.lua`, which the next run "
+         "reads. keep(\"world.ball.*\")."},
         {"load_game", "load_game(slot: string)",
          "Goes on with a saved game, from the next barrier. One that is damaged, newer or of "
          "another game is an error, and nothing changes. `game` tells `restored`."},
@@ -48,8 +49,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "random(n: integer): integer\n"
          "random(from: integer, to: integer): integer\n"
          "random(from: number, to: number): number",
-         "A random number in [0, 1), from 1 to n, or from one to the other; the same for the same "
-         "seed."},
+         "A random number in [0, 1), from 1 to n, or from one to the other; random(0) is any "
+         "integer, as in Lua. The same for the same seed."},
         {"reapply_tweaks", "reapply_tweaks(pattern: string)",
          "Makes the tweaks of earlier runs that match again."},
         {"redo", "redo()", "Does again what undo took back."},
@@ -65,7 +66,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
          "Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot "
          "before the barrier are one save, as the last of them wants it; more than 1000 calls are "
-         "an error."},
+         "an error. Saves lie in a folder for each game in `~/.local/share/fettle/`."},
         {"saves", "saves(): SavedGame[]",
          "The saved games by slot, those that cannot be loaded too."},
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
@@ -92,7 +93,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "watch(pattern: string, handler: fun(new: any, old: any, change: Change)): Connection",
          "Calls the function after a property that matches has changed: "
          "watch(\"world.*.velocity\", handler)."},
-        {"who", "who(path: string)", "Tells who wrote a property last, and at which step."},
+        {"who", "who(path: string)",
+         "Tells who wrote a property last, and at which step: \"console:1, step 49\". What rewind, "
+         "restore or load_game took back reads \"restore, step 30\". The file and line of a script "
+         "are told of what was watched when it was written; else only \"script\"."},
         {"why", "why(path: string)",
          "Tells where the value of a property comes from: its formula, and what that reads."},
     };

@@ -64,7 +64,10 @@ TypeDoc connection_type() {
 TypeDoc change_type() {
     return {"Change",
             "What a watcher is told, besides the new and the old value.",
-            {{"cause", "string", "Who wrote it: \"console\", \"main.lua:12\", \"simulation\"."},
+            {{"cause", "string",
+              "Who wrote it and at which step, as a text for people: \"main.lua:14, step 0\", "
+              "\"console:1, step 1\", \"simulation, step 1\", \"undo, step 29\", \"restore, step "
+              "23\"."},
              {"instance", "Object", "Whose property it is."},
              {"path", "string", "\"world.ball.mass\"."},
              {"property", "string", "Its name."},
@@ -74,10 +77,14 @@ TypeDoc change_type() {
 TypeDoc deletion_type() {
     return {"Existence",
             "What handlers of the events \"created\" and \"deleted\" are told.",
-            {{"cause", "string", "Who did it."},
+            {{"cause", "string",
+              "Who did it and at which step, as that of a Change: \"main.lua:14, step 0\"."},
              {"instance", "Object", "The instance; after its deletion nothing of it can be read."},
              {"last", "table<string, any>", "After a deletion: its last values by name."},
-             {"path", "string", "Where it is, or was."},
+             {"path", "string",
+              "Where it is, or was: \"world.ball\". Undo detaches an instance before it deletes "
+              "it, and "
+              "then this is \"detached body\"."},
              {"step", "integer", "The fixed step in which it happened."}}};
 }
 
@@ -186,8 +193,11 @@ TypeDoc pen_type() {
     TypeDoc pen{
         "Pen",
         "What draw(pen) draws with: world units, y up; inside pen.screen(...) pixels, y down. "
-        "Colors are values or names; nil or false is no fill, no border. Borders and lines are "
-        "measured in pixels.",
+        "Colors are values or names. A fill of false draws none; without one, or with nil, a "
+        "figure "
+        "is white unless it has a border. A border of nil or false draws none. Lines, points and "
+        "texts are white unless they have a color. Borders and lines are measured in pixels, 1.5 "
+        "unless a width is given.",
         {{"box",
           "box(center: vec, width: number, height: number, fill?: color|string|false, border?: "
           "color|string|false, border_width?: number, angle?: number)",
@@ -198,7 +208,7 @@ TypeDoc pen_type() {
           "A circle."},
          {"line", "line(from: vec, to: vec, stroke?: color|string, width?: number)", "A line."},
          {"point", "point(position: vec, fill?: color|string, size?: number)",
-          "A dot as many pixels wide as its size says."},
+          "A dot as many pixels wide as its size says, 4 without one."},
          {"polygon",
           "polygon(vertices: vec[], fill?: color|string|false, border?: color|string|false, "
           "border_width?: number)",
@@ -210,9 +220,12 @@ TypeDoc pen_type() {
          {"text",
           "text(position: vec, text: any, height?: number, fill?: color|string, align?: "
           "\"middle\"|\"left\"|\"right\")",
-          "A text, half a meter high unless a height is given; the position is the middle of its "
-          "height. It may have several lines, each aligned by itself, and tabs: a line goes on at "
-          "the next multiple of twice the height."}}};
+          "A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; "
+          "the "
+          "position is the middle of its height. It may have several lines, each aligned by "
+          "itself, "
+          "in the middle unless another alignment is given, and tabs: a line goes on at the next "
+          "multiple of twice the height that leaves room for a space."}}};
     pen.by_dot = true;
     return pen;
 }

@@ -8,6 +8,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
+#include "format.h"
 #include "guard.h"
 #include "machine.h"
 
@@ -37,6 +38,17 @@ std::string signature(const Method& method) {
 namespace {
 
 constexpr std::size_t most_parameters = 8;
+
+/// A function is meant for `accept`, wherever it stands.
+void check_no_function(lua_State* L, int index, const std::string& path, const Method& method) {
+    if (lua_type(L, index) != LUA_TFUNCTION) return;
+    for (std::size_t i = 0; i < method.parameters.size(); ++i)
+        if (method.parameters[i].name == property::Acceptance::parameter)
+            throw Error(ErrorKind::wrong_type,
+                        path + ":" + method.name + ": argument " + std::to_string(index - 1) +
+                            " is a function; the function is argument " + std::to_string(i + 1) +
+                            ", " + method.parameters[i].name + ": " + signature(method));
+}
 
 // Upvalue 1: the method.
 int call_method(lua_State* L) {
@@ -76,6 +88,7 @@ int call_method(lua_State* L) {
             });
             continue;
         }
+        check_no_function(L, index, machine.tree.path(self->handle), method);
         try {
             values[static_cast<std::size_t>(i)] = to_value(L, i + 2);
         } catch (const Error& error) {
@@ -108,6 +121,12 @@ int read_record(lua_State* L) {
                     name + ": no such field" + property::suggestion(name, names));
     }
     lua_pushnil(L);
+    return 1;
+}
+
+int record_text(lua_State* L) {
+    const std::string text = short_text(L, 1);
+    lua_pushlstring(L, text.data(), text.size());
     return 1;
 }
 
@@ -195,6 +214,7 @@ void push_result(lua_State* L, const Result& result) {
 void open_records(lua_State* L, Machine& machine) {
     lua_newtable(L);
     add_pure<read_record>(L, "__index");
+    add_pure<record_text>(L, "__tostring");
     lua_newtable(L);
     lua_setfield(L, -2, "nil_fields");
     name_metatable(L, "record");

@@ -6,10 +6,12 @@
 //   pen.point(position [, color [, size]])
 //   pen.text(position, text [, height [, color [, "middle" | "left" | "right"]]])
 //   pen.screen(function)
-// Colors are values or names; nil or false draws no fill, no border.
+// Colors are values or names; false draws no fill, no border. Without a fill a figure is white
+// unless it has a border.
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/error.h>
@@ -33,11 +35,19 @@ namespace {
 
 struct PenBox {
     Tag tag;
+    bool on_screen = false;  // inside pen.screen(...)
 };
 
 Painter& painter(lua_State* L) {
     if (Painter* found = machine_of(L).painter) return *found;
     throw Error(ErrorKind::rejected, "pen: draws only while draw(pen) is called");
+}
+
+bool& on_screen(lua_State* L) {
+    push_registry(L, machine_of(L).pen);
+    bool& on = box_at<PenBox>(L, -1, Tag::pen)->on_screen;
+    lua_pop(L, 1);  // the registry keeps it
+    return on;
 }
 
 // pen:circle(...) is as good as pen.circle(...).
@@ -61,11 +71,19 @@ void check_finite(double value, const char* what) {
                     std::string(what) + ": " + property::number_text(value) + " cannot be drawn");
 }
 
-/// In pixels; nothing is thinner than nothing.
+void check_not_below_0(double value, const char* what, const char* of) {
+    if (value < 0)
+        throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
+                                                 property::number_text(value) + " is no " + of +
+                                                 ", which is 0 or more");
+}
+
+/// In pixels.
 float width_or(lua_State* L, int index, const char* what, double otherwise) {
     const double value = number_or(L, index, what, otherwise);
     check_finite(value, what);
-    return static_cast<float>(std::clamp(value, 0.0, 1e4));
+    check_not_below_0(value, what, "width in pixels");
+    return static_cast<float>(std::min(value, 1e4));
 }
 
 Paint paint_at(lua_State* L, int index, const char* what) {
@@ -84,15 +102,16 @@ Vec2 point_at(lua_State* L, int index, const char* what) {
     return v;
 }
 
-double length_at(lua_State* L, int index, const char* what) {
+double length_at(lua_State* L, int index, const char* what, const char* of) {
     const double value = check_number(L, index, what);
     check_finite(value, what);
-    return std::abs(value);
+    check_not_below_0(value, what, of);
+    return value;
 }
 
 int circle(lua_State* L) {
     drop_self(L);
-    painter(L).circle(point_at(L, 1, "pen.circle"), length_at(L, 2, "pen.circle"),
+    painter(L).circle(point_at(L, 1, "pen.circle"), length_at(L, 2, "pen.circle", "radius"),
                       paint_at(L, 3, "pen.circle"));
     return 0;
 }
@@ -100,7 +119,8 @@ int circle(lua_State* L) {
 int box(lua_State* L) {
     drop_self(L);
     const Vec2 center = point_at(L, 1, "pen.box");
-    const double w = length_at(L, 2, "pen.box") / 2, h = length_at(L, 3, "pen.box") / 2;
+    const double w = length_at(L, 2, "pen.box", "width") / 2;
+    const double h = length_at(L, 3, "pen.box", "height") / 2;
     const double angle = number_or(L, 7, "pen.box", 0);
     check_finite(angle, "pen.box");
     const double c = std::cos(angle), s = std::sin(angle);
@@ -165,7 +185,8 @@ int text(lua_State* L) {
     }
     lua_settop(L, 5);
     const Vec2 position = point_at(L, 1, "pen.text");
-    const double height = lua_isnil(L, 3) ? 0.5 : length_at(L, 3, "pen.text");
+    const double height =
+        lua_isnil(L, 3) ? on_screen(L) ? 16 : 0.5 : length_at(L, 3, "pen.text", "height");
     const Color color = color_or(L, 4, "pen.text", {1, 1, 1, 1});
     const auto align = align_at(L, 5);
     push_text(L, 2);
@@ -182,9 +203,16 @@ int screen(lua_State* L) {
                     "pen.screen: needs a function, not " + describe_type(L, 1));
     struct Pixels {
         Painter& painter;
-        explicit Pixels(Painter& p) : painter(p) { painter.begin_screen(); }
-        ~Pixels() { painter.end_screen(); }
-    } pixels(painter(L));
+        bool& on;
+        bool before;
+        Pixels(Painter& p, bool& flag) : painter(p), on(flag), before(std::exchange(flag, true)) {
+            painter.begin_screen();
+        }
+        ~Pixels() {
+            painter.end_screen();
+            on = before;
+        }
+    } pixels(painter(L), on_screen(L));
     lua_settop(L, 1);
     push_registry(L, machine_of(L).pen);
     lua_call(L, 1, 0);
@@ -198,14 +226,18 @@ int pen_index(lua_State* L) {
     const std::vector<std::string> names = {"circle", "box",  "polygon", "line",
                                             "point",  "text", "screen"};
     const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : short_text(L, 2);
-    throw Error(ErrorKind::unknown_name, "pen has no " + name + property::suggestion(name, names));
+    // What other libraries call it is too far away for the letters to tell.
+    const std::string hint = name == "rect" || name == "rectangle"
+                                 ? " (did you mean \"box\"?)"
+                                 : property::suggestion(name, names);
+    throw Error(ErrorKind::unknown_name, "pen has no " + name + hint);
 }
 
 }  // namespace
 
 void open_pen(lua_State* L, Machine& machine) {
     auto* made = static_cast<PenBox*>(lua_newuserdatauv(L, sizeof(PenBox), 0));
-    made->tag = Tag::pen;
+    *made = {.tag = Tag::pen};
     lua_newtable(L);
     add_pure<pen_index>(L, "__index");
     lua_newtable(L);

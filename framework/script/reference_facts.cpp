@@ -17,12 +17,14 @@ std::string unit_text(const std::string& unit) {
 }
 
 std::string range_text(const Property& property) {
-    if (!property.enumerators.empty()) {
+    if (few_enumerators(property)) {
         std::string words;
         for (const std::string& word : property.enumerators)
             words += (words.empty() ? "\"" : ", \"") + word + "\"";
         return words;
     }
+    if (!property.enumerators.empty())
+        return std::to_string(property.enumerators.size()) + " texts";
     if (property.any_type) return "any value";
     if (has_range(property) && property.range.bounded())
         return property::number_text(property.range.min) + " to " +
@@ -112,6 +114,10 @@ std::vector<const Member*> own(const Class& of, const std::vector<const Member*>
 }
 
 }  // namespace
+
+bool few_enumerators(const Property& property) {
+    return !property.enumerators.empty() && property.enumerators.size() <= 16;
+}
 
 std::string annotated_type(const Property& property) {
     if (property.any_type) return "any";

@@ -19,6 +19,8 @@ std::string default_text(const property::Tree& tree, const property::Property& p
 std::string flags_text(const property::Property& property);
 
 /// The type as editors' annotations have it: `number`, `vec`, `Body?`, `"a"|"b"`, `Shape[]`.
+/// Whether all of them can stand in a page; the text of a property with more tells where they are.
+bool few_enumerators(const property::Property& property);
 std::string annotated_type(const property::Property& property);
 std::string annotated_type(const property::Field& field);
 /// What a method returns: `nil`, a type, or a record named `World.raycast.result`.

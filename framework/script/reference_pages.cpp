@@ -66,6 +66,11 @@ class ClassPage {
     }
 
   private:
+    static std::string type_in_page(const Property& property) {
+        const bool long_list = !property.enumerators.empty() && !few_enumerators(property);
+        return long_list ? "string" : annotated_type(property);
+    }
+
     static std::string link(const Class& of) { return "[" + of.name() + "](" + of.name() + ".md)"; }
 
     void ancestry() {
@@ -101,7 +106,7 @@ class ClassPage {
                 doc += ".";
             }
             std::string flags = flags_text(*property);
-            out_ += row({code(property->name), code(annotated_type(*property)),
+            out_ += row({code(property->name), code(type_in_page(*property)),
                          unit_text(property->unit), cell(range_text(*property)),
                          code(default_text(tree_, *property)), flags, cell(doc)});
         }
@@ -254,7 +259,7 @@ std::string values_page() {
 
 void add_tree(const Tree& tree, const Class& of, int depth, std::string& text) {
     text += std::string(static_cast<std::size_t>(2 * depth), ' ') + "- [" + of.name() +
-            "](classes/" + of.name() + ".md) – " + of.doc() + "\n";
+            "](classes/" + of.name() + ".md)" + (of.doc().empty() ? "" : " – " + of.doc()) + "\n";
     for (const Class* each : tree.classes())
         if (each->base() == &of) add_tree(tree, *each, depth + 1, text);
 }
@@ -270,9 +275,17 @@ std::string index_page(const Tree& tree) {
     add_tree(tree, tree.object_class(), 0, text);
     text += "\n## From the beginning\n\nWhat hangs below `game`; each is a global too.\n\n" +
             head({"name", "class", "what it is"});
-    for (const auto& [name, of] : fixed_children(tree, tree.class_of(tree.root())))
+    const auto fixed = fixed_children(tree, tree.class_of(tree.root()));
+    for (const auto& [name, of] : fixed)
         text += row(
             {code(name), "[" + of->name() + "](classes/" + of->name() + ".md)", cell(of->doc())});
+    const bool plugged = std::any_of(fixed.begin(), fixed.end(),
+                                     [](const auto& each) { return each.first == "modules"; });
+    if (!plugged)
+        text +=
+            "\nIn a game that plugs in modules there is `modules` as well: `modules.NAME` has "
+            "`version`, `file`, `reloads`, `problem`, `follow` (it is taken in anew whenever its "
+            "file has changed) and `reload()`. `fettle docs FOLDER GAME` writes their pages.\n";
     return text + "\n" + written_by;
 }
 

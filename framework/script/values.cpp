@@ -6,6 +6,7 @@
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
 
 #include "description.h"
 #include "guard.h"
@@ -361,7 +362,8 @@ property::Color check_color(lua_State* L, int index, const char* what) {
         property::Color color;
         if (property::parse_color(string_at(L, index), color)) return color;
         throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": \"" + string_at(L, index) + "\" is no color");
+                    std::string(what) + ": \"" + string_at(L, index) + "\" is no color" +
+                        property::suggestion(string_at(L, index), property::color_names()));
     }
     throw Error(ErrorKind::wrong_type,
                 std::string(what) + ": needs a color, not " + describe_type(L, index));

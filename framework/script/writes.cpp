@@ -7,6 +7,7 @@
 
 #include "function_source.h"
 #include "machine.h"
+#include "synonyms.h"
 
 namespace fettle::script {
 
@@ -107,15 +108,36 @@ void clear_property(Machine& machine, Handle instance, const Property& property)
     });
 }
 
+namespace {
+
+/// What other engines call a property, or a key, is too far from its name for the letters to tell.
+void set_or_add(Machine& machine, Handle instance, std::string_view name, const Value& value) {
+    try {
+        machine.tree.set_or_add(instance, name, value);
+    } catch (const property::Error& error) {
+        const std::string_view told = error.what();
+        if (error.kind() != property::ErrorKind::unknown_name ||
+            told.find("did you mean") != std::string_view::npos)
+            throw;
+        for (const std::string_view meant : property_synonyms(name))
+            if (machine.tree.class_of(instance).property(meant) != nullptr)
+                throw property::Error(error.kind(), std::string(told) + " (did you mean \"" +
+                                                        std::string(meant) + "\"?)");
+        throw;
+    }
+}
+
+}  // namespace
+
 void add_property(Machine& machine, Handle instance, std::string_view name, const Value& value) {
     if (!machine.recording.active) {
-        machine.tree.set_or_add(instance, name, value);
+        set_or_add(machine, instance, name, value);
         machine.hints.property_added(instance, name);
         return;
     }
     const Property* before = machine.tree.find(instance, name);
     const Value old = before ? machine.tree.get(instance, *before) : Value();
-    machine.tree.set_or_add(instance, name, value);
+    set_or_add(machine, instance, name, value);
     const Property& property = machine.tree.property(instance, name);
     if (Recording::Edit* edit = record(machine, instance, property.symbol)) {
         if (edit->path.empty()) {

@@ -164,6 +164,7 @@ std::vector<property::Property> touch_properties(Hosting& hosting) {
 property::Method touches_method(Hosting& hosting) {
     return {.name = "touches",
             .returns = touch_fields,
+            .many = true,
             .doc = "What `contacts` lists, with where and how hard: one record a pair of shapes.",
             .context = &hosting,
             .call = touches,

@@ -27,7 +27,7 @@ end
 function help.draw(pen, hint)
     pen.screen(function(screen)
         local left, top, line = 16, 16, 18
-        frame(screen, left, top, 396, 48 + #rows * line)
+        frame(screen, left, top, 412, 56 + #rows * line)
         screen.text(vec(left + 16, top + 22), "Fettle", 20, ink, "left")
         screen.text(vec(left + 88, top + 24), showcase.scene, 14, dim, "left")
         for i, row in ipairs(rows) do

@@ -167,6 +167,57 @@ TEST_CASE("the wheel counts the notches of a frame") {
     CHECK(game.get("input.mouse.wheel").number() == 0);
 }
 
+TEST_CASE("a wheel that a script turns is seen by the next update as the mouse's is") {
+    Game game(std::string(listener) + R"(
+        local todo = { 2, false, 1, false }
+        function wheel(delta) print("wheel", delta, input.mouse.wheel) end
+        function update()
+            print(input.mouse.wheel)
+            local more = table.remove(todo, 1)
+            if more then input.mouse.wheel = input.mouse.wheel + more end
+        end)");
+    InputEvent notch = event(EventKind::wheel);
+    notch.delta = 1;
+    game.loop.handle(notch);
+    game.loop.frame(tick);
+    CHECK(game.heard().ends_with("wheel\t1.0\t1.0 1.0"));
+    game.loop.handle(notch);
+    game.loop.frame(tick);
+    CHECK(game.heard().ends_with("wheel\t2.0\t3.0 wheel\t1.0\t3.0 3.0"));
+    game.loop.frame(tick);
+    CHECK(game.heard() == "0.0");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "wheel\t1.0\t1.0 1.0");
+    game.loop.frame(tick);
+    CHECK(game.heard() == "0.0");
+}
+
+TEST_CASE("keys that windows tell as text are no text") {
+    Game game(listener);
+    InputEvent text = event(EventKind::text);
+    for (const char32_t c : {U'\b', U'\t', U'\r', U'\x1B', U'\x7F', U'\x85', U'a', U' ', U'\xA0'}) {
+        text.character = c;
+        game.loop.handle(text);
+    }
+    game.loop.frame(tick);
+    CHECK(game.heard() == "text a text   text \u00A0");
+}
+
+TEST_CASE("no property can be added to the input") {
+    Game game;
+    const auto [code, told] = GENERATE(table<std::string, std::string>(
+        {{"input.keys.ctrl = true", "(did you mean \"left_control\"?)"},
+         {"input.keys.spcae = true", "(did you mean \"space\"?)"},
+         {"input.mouse.wheels = 1", "(did you mean \"wheel\"?)"},
+         {"input.gamepad_1.trigger = 1", "Gamepad has no property \"trigger\""},
+         {"input.gamepad_1.button_17 = true", "none can be added to it"},
+         {"input.shake = 1", "Input has no property \"shake\", and none can be added to it"}}));
+    CHECK_FALSE(game.runtime.run(code, "test"));
+    REQUIRE(game.errors.size() == 1);
+    INFO(game.errors[0].message);
+    CHECK(game.errors[0].message.find(told) != std::string::npos);
+}
+
 TEST_CASE("losing the focus lets go of everything held") {
     Game game(listener);
     game.press("left");

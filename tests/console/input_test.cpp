@@ -77,6 +77,16 @@ TEST_CASE("another key can open the console") {
     CHECK(rig.input() == "`");
 }
 
+TEST_CASE("what is no key cannot open the console") {
+    Rig rig;
+    CHECK_THROWS_WITH(property::set(rig.tree, "console.key", Value("esc")),
+                      contains("console.key: expected one of"));
+    CHECK_THROWS_WITH(property::set(rig.tree, "console.key", Value("f_1")),
+                      contains("(did you mean \"f1\"?)"));
+    CHECK(rig.key("grave"));
+    CHECK(rig.console.is_open());
+}
+
 TEST_CASE("keys typed into the console never reach the game") {
     Rig rig;
     CHECK_FALSE(rig.key("space"));

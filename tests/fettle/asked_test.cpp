@@ -304,4 +304,26 @@ end)
     CHECK(done.out == "true\ttrue\ttrue\ttrue\n");
 }
 
+TEST_CASE("a function that stands too early in a call is told where it belongs") {
+    const Folder folder;
+    const std::string game = folder.write(
+        "main.lua", "world:raycast(vec(0, 0), vec(1, 0), function() return true end)\n");
+    const Outcome outcome = fettle(folder, {"run", game, "--headless", "--steps", "1"});
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.err,
+               contains("world:raycast: argument 3 is a function; the function is argument 5, "
+                        "accept: raycast(from, to [, mask] [, group] [, accept])"));
+}
+
+TEST_CASE("who wrote what going back took back is told as restored") {
+    const Folder folder;
+    const std::string game = folder.write("main.lua", "world.ball = Body { mass = 2 }\n");
+    const Outcome outcome = fettle(
+        folder, {"run", game, "--headless", "--steps", "60", "--console", "49:world.ball.mass = 5",
+                 "--console", "50:who('world.ball.mass')", "--console", "50:rewind(0.5)",
+                 "--console", "54:snapshot()", "--console", "55:why('world.ball.mass')"});
+    CHECK_THAT(outcome.out, contains("world.ball.mass: console:1, step 4"));
+    CHECK_THAT(outcome.out, contains("world.ball.mass: restore, step "));
+    CHECK_THAT(outcome.out, contains("› snapshot()\n  snapshot\n"));
+}
 }  // namespace asked_test

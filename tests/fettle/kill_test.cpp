@@ -292,6 +292,9 @@ TEST_CASE("what is edited undone rewound and kept in the console is there after 
     INFO(next.out);
     CHECK(next.status == 0);
     CHECK(contains(next.out, "earlier, and not kept"));
+    CHECK(contains(next.err,
+                   "edits of earlier runs are not made again yet: tweaks() lists them, "
+                   "reapply_tweaks(\"**\") makes them again"));
     CHECK(contains(next.out, "world.things.ball.gravity_scale: 1 → 3   step 202, "));
     CHECK(contains(next.out, "world.things.lamp.position: vec(0, 0) m → is vec("));
     CHECK_FALSE(contains(next.out, "mass"));

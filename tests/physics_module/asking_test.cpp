@@ -193,6 +193,7 @@ TEST_CASE_METHOD(Game, "a body tells whom it touches where and how hard") {
     const Handle crate = body("Box", {0, 0.5}), top = body("Box", {0, 1.5});
     step(30);
     const auto touches = std::get<std::vector<Record>>(tree.call(crate, "touches", {}));
+    CHECK(tree.class_of(crate).method("touches")->many);
     REQUIRE(touches.size() == 2);
     for (const Record& touch : touches) {
         const bool below = touch.get("other") == ground;

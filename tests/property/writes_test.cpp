@@ -112,4 +112,28 @@ TEST_CASE_METHOD(Writing, "what an instance takes hardly grows with the numbers 
     CHECK(each < 3 * 5.5);  // bytes
 }
 
+TEST_CASE_METHOD(Writing, "what was written after the moment gone back to was restored") {
+    make(2);
+    const Property& mass = property("mass");
+    const Property& charge = property("charge");
+    const auto write = [&](std::uint64_t step, const Property& of, double value) {
+        tree.set_step(step);
+        const Tree::CauseScope cause(tree, Writer::console);
+        tree.set(balls[0], of, value);
+    };
+    write(10, mass, 5);
+    tree.barrier();
+    const Snapshot snapshot = tree.snapshot();
+    write(20, charge, 2);
+    write(30, charge, 3);
+    tree.barrier();
+    CHECK(tree.who(balls[0], charge).cause.step == 30);
+    tree.restore(snapshot);
+    CHECK(tree.step() == 10);
+    CHECK(tree.who(balls[0], mass).cause.writer == Writer::console);
+    CHECK(tree.who(balls[0], mass).cause.step == 10);
+    CHECK(tree.who(balls[0], charge).cause.text() == "restore, step 10");
+    write(12, charge, 4);
+    CHECK(tree.who(balls[0], charge).cause.text() == "console, step 12");
+}
 }  // namespace writes_test

@@ -359,6 +359,7 @@ namespace {
 
 struct Recorder : fettle::property::Painter {
     std::string log;
+    std::vector<double> heights;  // of texts
     void circle(const stage::Vec2& c, double r, const fettle::property::Paint& p) override {
         log += "circle " + std::to_string(int(c.x())) + " " + std::to_string(int(r)) + " " +
                fettle::property::color_text(p.fill) + ";";
@@ -374,8 +375,9 @@ struct Recorder : fettle::property::Painter {
         log += "line;";
     }
     void point(const stage::Vec2&, stage::Color, float) override { log += "point;"; }
-    void text(const stage::Vec2&, std::string_view t, double, stage::Color,
+    void text(const stage::Vec2&, std::string_view t, double height, stage::Color,
               fettle::property::TextAlign) override {
+        heights.push_back(height);
         log += "text " + std::string(t) + ";";
     }
     void part_of(std::uint64_t) override {}
@@ -417,4 +419,43 @@ end
     CHECK_FALSE(s.runtime->draw(recorder));
 }
 
+TEST_CASE("a pen tells what it cannot draw") {
+    Stage s;
+    Recorder recorder;
+    const auto [call, told] = GENERATE(table<std::string, std::string>({
+        {"pen.circle(vec(0, 0), 1, 'golden')",
+         "pen.circle: \"golden\" is no color (did you mean \"gold\"?)"},
+        {"pen.rect(vec(0, 0), 1, 1)", "pen has no rect (did you mean \"box\"?)"},
+        {"pen.circle(vec(0, 0), -1)", "pen.circle: -1 is no radius, which is 0 or more"},
+        {"pen.box(vec(0, 0), 1, -2)", "pen.box: -2 is no height, which is 0 or more"},
+        {"pen.box(vec(0, 0), -1, 2)", "pen.box: -1 is no width, which is 0 or more"},
+        {"pen.text(vec(0, 0), 'x', -2)", "pen.text: -2 is no height, which is 0 or more"},
+        {"pen.line(vec(0, 0), vec(1, 0), 'red', -1)",
+         "pen.line: -1 is no width in pixels, which is 0 or more"},
+        {"pen.circle(vec(0, 0), 1, nil, 'red', -1)",
+         "pen.circle: -1 is no width in pixels, which is 0 or more"},
+    }));
+    s.run("function draw(pen) " + call + " end");
+    CHECK_FALSE(s.runtime->draw(recorder));
+    CHECK_THAT(s.errors.back().message, contains(told));
+    CHECK(recorder.log == "");
+}
+
+TEST_CASE("a text without a height can be read in the world and on the screen") {
+    Stage s;
+    s.run(
+        "function draw(pen) "
+        "pen.text(vec(0, 0), 'a') pen.screen(function() pen.text(vec(0, 0), 'b') end) "
+        "pen.text(vec(0, 0), 'c') end");
+    Recorder recorder;
+    CHECK(s.runtime->draw(recorder));
+    CHECK(recorder.heights == std::vector<double>{0.5, 16, 0.5});
+    // However the function ends.
+    s.run(
+        "function draw(pen) pcall(pen.screen, function() error('x') end) "
+        "pen.text(vec(0, 0), 'a') end");
+    recorder.heights.clear();
+    CHECK(s.runtime->draw(recorder));
+    CHECK(recorder.heights == std::vector<double>{0.5});
+}
 }  // namespace class_test

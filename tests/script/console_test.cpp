@@ -213,4 +213,22 @@ TEST_CASE("completion knows paths and keys and methods and enumerators") {
         s.runtime->complete(odd, std::string(odd).size() + 5);
 }
 
+TEST_CASE("what takes no arguments works as a word") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 }");
+    s.console("world.ball.mass = 5");
+    CHECK_THAT(s.console("history"), contains("world.ball.mass = 5   console, step 0"));
+    CHECK_THAT(s.console("tweaks"), contains("tweaks: this game has no journal of tweaks"));
+    CHECK(s.console("undo") == "undo: world.ball.mass = 5");
+}
+
+TEST_CASE("records and objects without fields are shown alike by print and the console") {
+    Stage s;
+    s.run("world.crate = Body {} hit = world:raycast(vec(-1, 0), vec(5, 0))");
+    const std::string shown = s.prints("print(hit)");
+    CHECK_THAT(shown, contains("body = world.crate") && contains("point = vec(2, 0)"));
+    CHECK(s.console("print(hit)") == shown);
+    CHECK(s.console("world:watch('gravity', print)") == "connection");
+    CHECK(s.prints("print(formula(function() return 1 end))") == "formula");
+}
 }  // namespace console_test

@@ -297,6 +297,7 @@ TEST_CASE("a text breaks where its newlines are and each line is aligned") {
             pen.text(vec(-3, 5), "HHHH\nHH\r\n\nHHHHHH", 1, "black")
             pen.text(vec(14, 5), "HHHH\nHH\r\n\nHHHHHH", 1, "black", "right")
             pen.text(vec(-15, -5), "H\tH\nHH\tH\nHHHH\tH", 1, "black", "left")
+            pen.text(vec(1, -5), "HH\tH\nHHi\tH", 1, "black", "left")
         end
     )");
     struct Line {
@@ -340,6 +341,10 @@ TEST_CASE("a text breaks where its newlines are and each line is aligned") {
     REQUIRE(tabs.size() == 3);
     CHECK(std::abs((tabs[0].right - tabs[1].right)) <= 1);
     CHECK(std::abs((tabs[2].right - tabs[1].right) - 80) <= 1);
+    // What ends just before a multiple goes on at the next one: words do not touch.
+    const auto near = lines_in(660, 1280, 450, 790);
+    REQUIRE(near.size() == 2);
+    CHECK(std::abs((near[1].right - near[0].right) - 80) <= 1);
 }
 
 TEST_CASE("what a script draws at the drawn pose of a body lies on the body") {
