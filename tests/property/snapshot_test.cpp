@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+#include <fettle/property/write_log.h>
+
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
@@ -394,4 +396,32 @@ TEST_CASE("a snapshot cannot be restored in a handler and waits for the end of t
     r.tree.barrier();
     REQUIRE(r.tree.get(a, "lives") == Value(3));
     REQUIRE(heard == std::vector<std::string>{"8", "3"});
+}
+
+TEST_CASE("a log that is played again leaves the same names to come") {
+    Rig r;
+    const Class& ball = r.tree.class_named("Ball");
+    const Handle a = r.make("a"), b = r.make("b");
+    WriteLog log(r.tree);
+    const Snapshot before = r.tree.snapshot();
+    const auto next = [&](const Class& of, Handle below) {
+        return r.tree.path(r.tree.create(of, below));
+    };
+    for (int i = 0; i < 3; ++i) {
+        r.tree.destroy(r.tree.create(r.thing, r.tree.root()));
+        const Handle moved = r.tree.create(ball, a);
+        r.tree.move(moved, b);
+        r.tree.move(moved, a);
+        r.tree.rename(moved, "ball_" + std::to_string(20 - i));
+        r.tree.rename(moved, "named");
+        r.tree.destroy(moved);
+    }
+    const LoggedWrites piece = log.take();
+    const auto names = [&] {
+        return std::vector{next(r.thing, r.tree.root()), next(ball, a), next(ball, b)};
+    };
+    const auto there = names();
+    CHECK(there[0] == "thing_4");
+    r.tree.restore(before, [&] { log.play(piece); });
+    CHECK(names() == there);
 }
