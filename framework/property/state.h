@@ -113,6 +113,7 @@ struct Tree::State {
     std::function<std::string()>* locate = nullptr;
     std::vector<Observer*> observers;
     std::vector<WriteLog*> logs;       // told of numbers, too
+    std::vector<std::string> remarks;  // what could not be as it was, of the last restore
     FormulaCompiler formula_compiler;
     Handle root;
     const Event* ready_event = nullptr;
