@@ -37,8 +37,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "Writes the tweaks that match into the files their instances came from: "
          "keep(\"world.ball.*\")."},
         {"load_game", "load_game(slot: string)",
-         "Goes on with a saved game, from the next barrier. One that is damaged, newer or of "
-         "another game is an error, and nothing changes. `game` tells `restored`."},
+         "Goes on with a saved game, from the next barrier. One that is damaged, newer, of "
+         "another game or of classes that are not defined is an error, and nothing changes. "
+         "`game` tells `restored`."},
         {"query", "query(pattern: string): Set|table<string, any>",
          "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
         {"quit", "quit(status?: integer|boolean)",
@@ -63,7 +64,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "past is kept (`time.oldest`)."},
         {"save_game", "save_game(slot: string)",
          "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
-         "Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot "
+         "Lua, and of a formula that uses local variables its value only. A slot is called by "
+         "letters, digits, spaces, - and _. Several calls for one slot "
          "before the barrier are one save, as the last of them wants it; more than 1000 calls are "
          "an error."},
         {"saves", "saves(): SavedGame[]",
