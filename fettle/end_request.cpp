@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <string_view>
 
 #include <fettle/script/runtime.h>
 
@@ -19,17 +20,35 @@ std::atomic<script::Runtime*> stopped{nullptr};
 static_assert(std::atomic<script::Runtime*>::is_always_lock_free, "a signal handler reads it");
 std::array<struct sigaction, signals.size() + 1> before;
 
+/// How often scripts are stopped, once a second, before the run is ended from outside: what is
+/// stuck then is no script.
+constexpr int most_alarms = 10;
+volatile std::sig_atomic_t alarms = 0;
+
+/// In a signal handler: no stream, no allocation.
+void tell_at_once(std::string_view text) {
+    const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+    (void)written;  // there is nobody else to tell
+}
+
 void on_signal(int number) {
     if (asked_by != 0) {
+        tell_at_once("fettle: a second signal: the run ends at once\n");
         std::signal(number, SIG_DFL);
         std::raise(number);  // delivered as soon as this handler returns
         return;
     }
     asked_by = number;
+    alarms = 0;
     ::alarm(1);
 }
 
 void on_alarm(int) {
+    alarms = alarms + 1;
+    if (alarms > most_alarms) {
+        tell_at_once("fettle: the run did not end in time: it ends at once\n");
+        ::_exit(128 + asked_by);
+    }
     if (script::Runtime* runtime = stopped.load()) runtime->interrupt();
     ::alarm(1);
 }
@@ -63,6 +82,7 @@ int EndRequest::asked() {
 }
 
 void EndRequest::allow(unsigned seconds) {
+    alarms = 0;
     ::alarm(seconds);
 }
 

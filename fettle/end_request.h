@@ -1,6 +1,7 @@
 #pragma once
 // A run that is asked to end by a signal: Ctrl+C, `kill`, a terminal that goes. It ends in order,
-// as if its window were closed; a second signal ends it at once.
+// as if its window were closed; a second signal ends it at once, and so does the time it
+// may take.
 
 namespace fettle::script {
 class Runtime;

@@ -150,6 +150,16 @@ class Nodes {
         return name;
     }
 
+    /// The last number that `free_name` has given; 0: none that must be kept.
+    std::uint32_t last_number(std::uint32_t parent, Symbol stem) const {
+        if (!nodes_[parent].counts_children) return 0;
+        const auto found = counters_.find(counter_key(parent, stem));
+        return found == counters_.end() ? 0 : found->second;
+    }
+    void set_last_number(std::uint32_t parent, Symbol stem, std::uint32_t last) {
+        counter(parent, stem) = last;
+    }
+
   private:
     // Open addressing over (parent, name); a slot holds a node index, 0 is empty. Deletion shifts
     // back, no tombstones.

@@ -19,7 +19,8 @@ namespace fettle::property {
 namespace {
 
 constexpr std::array<char, 8> magic = {'F', 'e', 't', 't', 'l', 'e', 's', '1'};
-constexpr std::uint64_t version = 3;
+constexpr std::uint64_t version = 4;
+constexpr std::uint64_t oldest_version = 3;  // without the makers of the rows (TreeImage)
 
 /// What a file begins with. Behind it comes the state, and then the checksum of all before it:
 /// no byte of the file is outside of it (docs/design/time.md).
@@ -85,9 +86,9 @@ Snapshot Snapshot::from_bytes(std::span<const std::byte> bytes) {
     if (bytes.size() < sizeof header) refuse("it ends too early");
     std::memcpy(&header, bytes.data(), sizeof header);
     if (header.magic != magic) refuse("it is none");
-    if (header.version != version)
+    if (header.version < oldest_version || header.version > version)
         refuse("it is of format " + std::to_string(header.version) + ", and this Fettle reads " +
-               std::to_string(version));
+               std::to_string(oldest_version) + " to " + std::to_string(version));
     const std::size_t rest = bytes.size() - sizeof header;
     if (rest < sizeof(FileChecksum) || rest - sizeof(FileChecksum) < header.size)
         refuse("it ends too early");

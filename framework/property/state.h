@@ -29,6 +29,8 @@
 
 namespace fettle::property {
 
+class WriteLog;
+
 /// What the simulation did to watched cells, found at one barrier.
 struct Motion {
     std::vector<CellChange> changes;
@@ -110,6 +112,8 @@ struct Tree::State {
     bool records = false;  // history.recording(writer), kept by note_recording
     std::function<std::string()>* locate = nullptr;
     std::vector<Observer*> observers;
+    std::vector<WriteLog*> logs;       // told of numbers, too
+    std::vector<std::string> remarks;  // what could not be as it was, of the last restore
     FormulaCompiler formula_compiler;
     Handle root;
     const Event* ready_event = nullptr;
@@ -206,6 +210,9 @@ struct Tree::State {
     bool is_taken(std::uint32_t parent, const NodeName& name) const;
     /// `stem_1`, `stem_2` ...: never one used before under this parent.
     NodeName free_name(std::uint32_t parent, std::string_view stem);
+    /// Logs note the number that was given last, so that a step that is made again gives the same
+    /// ones. To be called where it may have changed and nothing is told that changes it again.
+    void note_number(std::uint32_t parent, Symbol stem);
     /// `stem`, `stem_2` ...: the first that is free.
     NodeName plain_name(std::uint32_t parent, std::string_view stem) const;
     void require_columns(const Class& of) const;

@@ -1,5 +1,12 @@
 #include "stored_columns.h"
 
+#include <cmath>
+#include <optional>
+
+#include <fettle/property/error.h>
+
+#include "coerce.h"
+
 namespace fettle::property {
 namespace {
 
@@ -29,7 +36,84 @@ void write(std::vector<Value>& column, std::uint32_t row, const Value& v) {
     column[row] = v;
 }
 
+/// What a column of any kind holds. Flags are checked, bytes of other types are what they are.
+template <class T>
+std::vector<Value> plain_values(ByteReader& from, std::uint32_t rows) {
+    const std::vector<T> saved = from.list<T>();
+    from.require(saved.size() == rows, "a column of another length");
+    std::vector<Value> all;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        if constexpr (std::is_same_v<T, std::uint8_t>)
+            from.require(saved[row] <= 1, "neither true nor false");
+        all.push_back(read(saved, row));
+    }
+    return all;
+}
+
+std::vector<Value> any_values(ByteReader& from, std::uint8_t kind, std::uint32_t rows) {
+    switch (kind) {
+        case 0:
+            return plain_values<std::uint8_t>(from, rows);
+        case 1:
+            return plain_values<std::int64_t>(from, rows);
+        case 2:
+            return plain_values<double>(from, rows);
+        case 3:
+            return plain_values<Vec2>(from, rows);
+        case 4:
+            return plain_values<Color>(from, rows);
+        case 5: {
+            std::vector<Value> all;
+            for (std::uint32_t row = 0; row < rows; ++row) all.push_back(from.value());
+            return all;
+        }
+        default:
+            from.fail("a column of no kind");
+    }
+}
+
+bool is_of_its_type(const Property& property, const Value& value) {
+    return property.any_type || value.is(property.type) ||
+           (property.nullable && value.is(Type::nil));
+}
+
+/// The value as one of the type of the property, if it is worth one.
+std::optional<Value> converted(const Property& property, const Value& saved) {
+    Value value = saved;
+    if (property.type == Type::number && saved.is(Type::integer))
+        value = Value(static_cast<double>(saved.integer()));
+    // Below 2^63 every whole number is an integer; that bound itself is none.
+    constexpr double bound = 9223372036854775808.0;
+    if (property.type == Type::integer && saved.is(Type::number) &&
+        saved.number() == std::floor(saved.number()) && std::abs(saved.number()) < bound)
+        value = Value(static_cast<std::int64_t>(saved.number()));
+    if (!value.is(property.type) || value.is(Type::reference)) return std::nullopt;
+    try {
+        return coerce_value(
+            property, value,
+            {.tree = nullptr, .path = [](const void*) { return std::string(); }, .what = nullptr});
+    } catch (const Error&) {
+        return std::nullopt;  // out of its range
+    }
+}
+
 }  // namespace
+
+Value StoredColumns::fitted(const Property& property, Value saved, Misfits& misfits) {
+    if (is_of_its_type(property, saved)) return saved;
+    if (std::optional<Value> value = converted(property, saved)) return *std::move(value);
+    if (misfits.count++ == 0) misfits.first = std::move(saved);
+    return property.default_value;
+}
+
+std::string StoredColumns::Misfits::text(const Class& of, const Property& property) const {
+    if (count == 0) return {};
+    return of.name() + "." + property.name + ": the saved value " + value_text(first) +
+           (count == 1 ? std::string() : " and " + std::to_string(count - 1) + " more") +
+           " cannot be " + expectation(property) +
+           ", which it is by now: " + (count == 1 ? "it is" : "they are") + " the default, " +
+           value_text(property.default_value);
+}
 
 StoredColumns::Column StoredColumns::column_for(const Property& property) {
     if (property.nullable || property.any_type) return std::vector<Value>();
@@ -112,7 +196,8 @@ void StoredColumns::save(ByteWriter& to) const {
     }
 }
 
-StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t most_rows) {
+StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t most_rows,
+                                  std::vector<std::string>& remarks) {
     StoredColumns read(of);
     read.rows_ = from.get<std::uint32_t>();
     from.require(read.rows_ <= most_rows, "more rows than it has instances");
@@ -130,24 +215,32 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
         const Property* property = of.property(name);
         if (property == nullptr || property->binding.kind != BindingKind::stored) continue;
         Column& column = read.columns_[property->stored_index];
-        if (kind != column.index()) continue;  // it has another type by now
+        Misfits misfits;
         std::visit(
             [&](auto& values) {
                 using Values = std::remove_reference_t<decltype(values)>;
-                if constexpr (std::is_same_v<Values, std::vector<Value>>) {
-                    for (std::uint32_t row = 0; row < read.rows_; ++row)
-                        values.push_back(block.value());
-                } else {
-                    values = block.list<typename Values::value_type>();
-                    block.require(values.size() == read.rows_, "a column of another length");
-                    if constexpr (std::is_same_v<Values, std::vector<std::uint8_t>>)
-                        for (const std::uint8_t flag : values)
-                            block.require(flag <= 1, "neither true nor false");
+                constexpr bool any = std::is_same_v<Values, std::vector<Value>>;
+                if constexpr (!any) {
+                    if (kind == column.index()) {
+                        values = block.list<typename Values::value_type>();
+                        block.require(values.size() == read.rows_, "a column of another length");
+                        if constexpr (std::is_same_v<Values, std::vector<std::uint8_t>>)
+                            for (const std::uint8_t flag : values)
+                                block.require(flag <= 1, "neither true nor false");
+                        return;
+                    }
                 }
+                // It may have another type by now.
+                std::vector<Value> saved = any_values(block, kind, read.rows_);
+                values.resize(read.rows_);
+                for (std::uint32_t row = 0; row < read.rows_; ++row)
+                    if (!free[row])
+                        write(values, row, fitted(*property, std::move(saved[row]), misfits));
             },
             column);
         block.finish();
         found[property->stored_index] = true;
+        if (misfits.count > 0) remarks.push_back(misfits.text(of, *property));
     }
     for (const Property* property : of.stored_) {
         if (found[property->stored_index]) continue;

@@ -2,6 +2,7 @@
 // Stored properties: values the tree keeps for instances of a class, one typed column a property.
 
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -32,9 +33,20 @@ class StoredColumns {
     std::vector<bool> free_rows() const;
 
     // Snapshots: columns by the names of their properties, so that a class may have changed since.
-    // What it did not have then starts with its default.
+    // What it did not have then starts with its default; a value of another type becomes one of the
+    // type by now, or that default, of which `remarks` gets a line a property.
     void save(ByteWriter& to) const;
-    static StoredColumns load(ByteReader& from, const Class& of, std::size_t most_rows);
+    static StoredColumns load(ByteReader& from, const Class& of, std::size_t most_rows,
+                              std::vector<std::string>& remarks);
+    /// A saved value as a property that may have another type by now would hold it; its default
+    /// where that cannot be, and then `misfits` counts one and keeps the first.
+    struct Misfits {
+        std::size_t count = 0;
+        Value first{};
+        /// What is said of them; "": nothing.
+        std::string text(const Class& of, const Property& property) const;
+    };
+    static Value fitted(const Property& property, Value saved, Misfits& misfits);
 
   private:
     // A nullable or untyped property needs room for nil: it lives in a column of values.

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+#include <fettle/property/snapshot_remarks.h>
 
 #include "restored_values.h"
 #include "state.h"
@@ -29,6 +31,12 @@ std::vector<const Property*> saved_by_value(const Class& of) {
 
 bool by_value(const Class& of) {
     return of.snapshots() == Snapshots::by_value;
+}
+
+/// What a game that has changed its classes is told of a save that is whole.
+[[noreturn]] void refuse_changed(const std::string& what) {
+    throw Error(ErrorKind::rejected,
+                "the classes of the game have changed since the snapshot was taken: " + what);
 }
 
 }  // namespace
@@ -105,7 +113,32 @@ std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& s, ByteWrit
         to.put(image.property.text());
         to.put(image.formula.not_saved.empty() ? image.formula.source : std::string());
     }
+    for (std::uint32_t i = 0; i < s.classes.size(); ++i) to.put(maker_of(s.classes[i]).name());
     return memory;
+}
+
+/// Of a class, the nearest up the chain whose module makes the rows.
+const Class& TreeImage::maker_of(const Class& of) {
+    const Class* maker = &of;
+    while (maker->base_ != nullptr && maker->lifecycle_ == maker->base_->lifecycle_)
+        maker = maker->base_;
+    return *maker;
+}
+
+std::vector<std::string> unsaved_formulas(const Tree& tree) {
+    std::vector<std::string> all;
+    for (const Formulas::Image& image : tree.state().formulas.images()) {
+        const std::string& why = image.formula.not_saved;
+        if (why.empty() && !image.formula.source.empty()) continue;
+        if (const Property* property = tree.find(image.instance, image.property))
+            all.push_back(tree.path(image.instance, *property) + ": its formula " +
+                          (why.empty() ? "has no text" : why));
+    }
+    return all;
+}
+
+const std::vector<std::string>& restore_remarks(const Tree& tree) {
+    return tree.state().remarks;
 }
 
 // --- Reading
@@ -121,10 +154,12 @@ TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
     for (std::uint32_t i = 0; i < state_.nodes.end(); ++i)
         before_.push_back(state_.nodes[i].alive() ? state_.nodes[i].generation : 0);
     read_columns(from);
+    add_columns();
     read_ad_hoc(from);
     check_instances(from);
     read_values(from);
     read_formulas(from, memory);
+    if (!from.at_end()) read_makers(from);  // one of format 3 does not tell them
     check_rows(from);
     check_values(from);
 }
@@ -139,6 +174,21 @@ void TreeImage::read_classes(ByteReader& from) {
         from.require(std::find(classes_.begin(), classes_.end(), here->id()) == classes_.end(),
                      "one class twice");
         classes_.push_back(static_cast<std::uint16_t>(here->id()));
+    }
+}
+
+/// That the rows are of the kind that this game would make: a class may derive from another one by
+/// now.
+void TreeImage::read_makers(ByteReader& from) const {
+    for (const std::uint16_t id : classes_) {
+        const std::string then(from.text());
+        const Class& of = state_.classes[id];
+        const std::string& now = maker_of(of).name();
+        if (then == now) continue;
+        for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+            if (nodes_[i].alive() && nodes_[i].class_id == id)
+                refuse_changed(of.name() + " was a kind of " + then + " and is a kind of " + now +
+                               " by now");
     }
 }
 
@@ -168,8 +218,10 @@ void TreeImage::check_instances(const ByteReader& from) const {
         const Class& above = state_.classes[nodes_[node.parent].class_id];
         const Symbol name = Symbol::find(node.name.text());
         if (name && (above.property(name) != nullptr || above.method(name) != nullptr))
-            from.fail("a child is called \"" + name.text() + "\" like a property or a method of " +
-                      above.name());
+            refuse_changed("an instance of " + above.name() + " has a child called \"" +
+                           name.text() + "\", which is a " +
+                           (above.property(name) != nullptr ? "property" : "method") + " of " +
+                           above.name() + " by now");
     }
 }
 
@@ -217,8 +269,24 @@ void TreeImage::read_columns(ByteReader& from) {
         if (state_.stored[here] == nullptr || state_.classes[here].snapshots() == Snapshots::never)
             continue;
         columns_.emplace_back(here, std::make_unique<StoredColumns>(StoredColumns::load(
-                                        block, state_.classes[here], nodes_.end())));
+                                        block, state_.classes[here], nodes_.end(), remarks_)));
         block.finish();
+    }
+}
+
+/// Of classes whose instances had no values that the tree keeps, and have some by now.
+void TreeImage::add_columns() {
+    for (const std::uint16_t here : classes_) {
+        if (state_.stored[here] == nullptr || state_.classes[here].snapshots() == Snapshots::never)
+            continue;
+        const bool there = std::any_of(columns_.begin(), columns_.end(),
+                                       [&](const auto& each) { return each.first == here; });
+        if (there) continue;
+        auto columns = std::make_unique<StoredColumns>(state_.classes[here]);
+        for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+            if (nodes_[i].alive() && nodes_[i].class_id == here)
+                nodes_[i].stored_row = columns->add();
+        columns_.emplace_back(here, std::move(columns));
     }
 }
 
@@ -233,14 +301,36 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
                      "a property of nobody");
         from.require(seen.emplace(own.index, own.name).second, "one property twice");
         const Class& of = state_.classes[nodes_[own.index].class_id];
-        from.require(of.method(own.name) == nullptr &&
-                         nodes_.child(own.index, NodeName::look_up(own.name)) == 0,
-                     "a property called like a method or a child");
-        // What the class has by now of that name is what the game means.
-        if (of.property(own.name) == nullptr) ad_hoc_.push_back(std::move(own));
+        from.require(nodes_.child(own.index, NodeName::look_up(own.name)) == 0,
+                     "a property called like a child");
+        if (of.method(own.name) != nullptr)
+            refuse_changed("an instance of " + of.name() + " has a property called \"" + own.name +
+                           "\", which is a method of " + of.name() + " by now");
+        if (const Property* property = of.property(own.name))
+            take_over(*property, std::move(own));
+        else
+            ad_hoc_.push_back(std::move(own));
     }
+    for (const auto& [property, misfits] : misfits_)
+        remarks_.push_back(misfits.text(*property->owner, *property));
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) nodes_[i].has_ad_hoc = false;
     for (const AdHoc& own : ad_hoc_) nodes_[own.index].has_ad_hoc = true;
+}
+
+/// An instance had a property of its own that its class has declared since: what it held is the
+/// value of that one.
+void TreeImage::take_over(const Property& property, AdHoc own) {
+    const Node& node = nodes_[own.index];
+    if (property.binding.kind != BindingKind::stored) return;  // what its module says
+    for (const auto& [id, columns] : columns_)
+        if (id == node.class_id && node.stored_row < columns->rows()) {
+            StoredColumns::Misfits misfits;
+            Value value = StoredColumns::fitted(property, std::move(own.value), misfits);
+            columns->set(property, node.stored_row, value);
+            if (misfits.count == 0) continue;
+            StoredColumns::Misfits& all = misfits_[&property];
+            if (all.count++ == 0) all.first = std::move(misfits.first);
+        }
 }
 
 void TreeImage::read_values(ByteReader& from) {
@@ -274,10 +364,28 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
                      "a formula of what is read only");
         formulas_.push_back(std::move(image));
     }
-    if (memory == nullptr) return;
+    if (memory == nullptr) {
+        for (Formulas::Image& image : formulas_)
+            if (const Formula* own = formula_of_game(image)) image.formula = *own;
+        return;
+    }
     const auto& held = *static_cast<const TreeMemory*>(memory.get());
     history_ = held.history;
     formulas_ = held.formulas;
+}
+
+/// A formula whose text no file can hold: the one that the running game has at the same path stands
+/// for it. nullptr: the game has none there, or the text is there.
+const Formula* TreeImage::formula_of_game(const Formulas::Image& image) const {
+    if (!image.formula.source.empty()) return nullptr;
+    std::vector<NodeName> way;
+    std::uint32_t top = image.instance.index;
+    for (; nodes_[top].parent != 0; top = nodes_[top].parent) way.push_back(nodes_[top].name);
+    const Node* const here = state_.nodes.find(nodes_.handle(top));
+    if (here == nullptr || here->parent != 0) return nullptr;
+    for (; !way.empty() && top != 0; way.pop_back()) top = state_.nodes.child(top, way.back());
+    if (top == 0) return nullptr;
+    return state_.formulas.find({top, image.property});
 }
 
 // --- Putting into place
@@ -359,16 +467,26 @@ void TreeImage::put_formulas() {
         if (s.nodes.find(image.instance) == nullptr) continue;
         const Property* property = s.tree.find(image.instance, image.property);
         if (property == nullptr) continue;
-        if (!image.formula.function) {
-            if (!s.formula_compiler || image.formula.source.empty()) continue;
-            try {
-                image.formula = s.formula_compiler(image.formula.source);
-            } catch (...) {
-                continue;  // its last value stays
-            }
-        }
-        s.formulas.set(image.instance, *property, image.formula);
+        put_formula(image, *property);
     }
+}
+
+void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
+    Tree::State& s = state_;
+    const auto lost = [&](const std::string& why) {
+        remarks_.push_back(s.tree.path(image.instance, property) + ": its formula " + why +
+                           "; it keeps the value that it had");
+    };
+    if (!image.formula.function) {
+        if (image.formula.source.empty()) return lost("was not saved");
+        if (!s.formula_compiler) return lost("cannot be compiled here");
+        try {
+            image.formula = s.formula_compiler(image.formula.source);
+        } catch (...) {
+            return lost("does not compile any more: " + exception_text());
+        }
+    }
+    s.formulas.set(image.instance, property, image.formula);
 }
 
 /// Rows of those whose module makes them anew; parents before children.
@@ -423,6 +541,7 @@ void TreeImage::put_values() {
             }
         }
     put_formulas();
+    s.remarks = std::move(remarks_);
 }
 
 }  // namespace fettle::property

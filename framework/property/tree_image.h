@@ -2,6 +2,7 @@
 // A tree as bytes: instances, the values the tree keeps, formulas. Read as a whole and checked
 // before anything changes; then put into place.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -60,9 +61,15 @@ class TreeImage {
     };
     void read_classes(ByteReader& from);
     void read_columns(ByteReader& from);
+    void add_columns();
     void read_ad_hoc(ByteReader& from);
     void read_values(ByteReader& from);
+    void take_over(const Property& property, AdHoc own);
     void read_formulas(ByteReader& from, const Memory& memory);
+    const Formula* formula_of_game(const Formulas::Image& image) const;
+    static const Class& maker_of(const Class& of);
+    void read_makers(ByteReader& from) const;
+    void put_formula(Formulas::Image& image, const Property& property);
     void check_instances(const ByteReader& from) const;
     void check_rows(const ByteReader& from) const;
     void check_values(const ByteReader& from) const;
@@ -79,6 +86,9 @@ class TreeImage {
     std::vector<AdHoc> ad_hoc_;
     std::vector<ByValue> values_;
     std::vector<Formulas::Image> formulas_;
+    std::vector<std::string> remarks_;  // what cannot be as it was, a line each
+    // Of one class each: own properties that the class has declared since.
+    std::map<const Property*, StoredColumns::Misfits> misfits_;
     std::uint64_t step_ = 0;
     Memory history_;
     std::vector<std::uint32_t> before_;  // generation of who lived in each slot, 0: nobody

@@ -6,6 +6,7 @@
 
 #include <fettle/property/path.h>
 #include <fettle/property/tree.h>
+#include <fettle/property/write_log.h>
 
 #include "state.h"
 
@@ -80,8 +81,17 @@ bool Tree::State::is_taken(std::uint32_t parent, const NodeName& name) const {
 }
 
 NodeName Tree::State::free_name(std::uint32_t parent, std::string_view stem) {
-    return nodes.free_name(parent, stem,
-                           [&](const NodeName& name) { return is_taken(parent, name); });
+    const NodeName name = nodes.free_name(
+        parent, stem, [&](const NodeName& taken) { return is_taken(parent, taken); });
+    note_number(parent, name.base);
+    return name;
+}
+
+void Tree::State::note_number(std::uint32_t parent, Symbol stem) {
+    if (logs.empty() || replaying || parent == 0) return;
+    const std::uint32_t last = nodes.last_number(parent, stem);
+    if (last == 0) return;
+    for (WriteLog* log : logs) log->numbered(nodes.handle(parent), stem, last);
 }
 
 NodeName Tree::State::plain_name(std::uint32_t parent, std::string_view stem) const {
@@ -106,7 +116,10 @@ void Tree::State::hang(Handle instance, const Position& at) {
 
 /// A module refused a place: those that had taken theirs go back, and nothing has happened.
 void Tree::State::hang_back(Handle instance, const Position& was) {
+    const Position left = history.position(instance);
     hang(instance, was);
+    note_number(left.parent.index, left.name.base);
+    note_number(was.parent.index, was.name.base);
     if (was.parent) nodes.reorder(instance.index, was.before.index);
     try {
         place_subtree(instance);

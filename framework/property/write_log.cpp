@@ -25,6 +25,7 @@ enum class WriteLog::Did : std::uint8_t {
     created,        // handle, class, parent, name, named
     destroyed,      // handle, whether its slot was kept for it
     moved,          // handle, parent, sibling in front, name, named
+    numbered,       // parent, stem, number
     called,         // handle, method, arguments, handles made meanwhile, answers of `accept`
     refreshed       // number of the part, what: because it was read
 };
@@ -40,11 +41,14 @@ std::size_t LoggedWrites::memory() const {
 
 WriteLog::WriteLog(Tree& tree) : tree_(tree), life_(tree.lifetime()) {
     tree_.observe(*this);
+    tree_.state().logs.push_back(this);
     note_history();
 }
 
 WriteLog::~WriteLog() {
-    if (!life_.expired()) tree_.unobserve(*this);
+    if (life_.expired()) return;
+    std::erase(tree_.state().logs, this);
+    tree_.unobserve(*this);
 }
 
 LoggedWrites WriteLog::take() {
@@ -195,6 +199,15 @@ void WriteLog::moved(Handle instance) {
     to.put(std::uint8_t{at.named});
 }
 
+void WriteLog::numbered(Handle parent, Symbol stem, std::uint32_t last) {
+    if (!notes()) return;
+    ByteWriter to(bytes_);
+    to.put(Did::numbered);
+    to.put(parent);
+    to.put(stem.id());
+    to.put(last);
+}
+
 void WriteLog::call_begins(Handle instance, const Method& method,
                            std::span<const Value> arguments) {
     const bool outermost = notes();
@@ -262,6 +275,7 @@ class WriteLog::Player {
     void structure(Did did, Handle instance);
     void create(Handle instance);
     void move(Handle instance);
+    void number(Handle parent);
     void call(Handle instance);
     void write(Handle instance, Symbol name, const Value& now) {
         if (const Property* property = tree_.find(instance, name)) {
@@ -338,6 +352,8 @@ void WriteLog::Player::structure(Did did, Handle instance) {
             return tree_.destroy(instance);
         case Did::moved:
             return move(instance);
+        case Did::numbered:
+            return number(instance);
         default:
             return call(instance);
     }
@@ -367,11 +383,21 @@ void WriteLog::Player::move(Handle instance) {
     if (parent && (parent == instance || tree_.is_below(parent, instance) ||
                    (there != 0 && there != instance.index)))
         throw Error(ErrorKind::bad_structure, "it cannot be moved there any more");
-    s_.nodes.unlink(instance.index);
-    s_.nodes.link(instance.index, parent.index, name);
+    // Of who stays where it is, only the place among its siblings may be another.
+    if (left != parent.index || s_.nodes[instance.index].name != name) {
+        s_.nodes.unlink(instance.index);
+        s_.nodes.link(instance.index, parent.index, name);
+    }
     s_.nodes[instance.index].named = named;
     s_.nodes.reorder(instance.index, before.index);
     if (left != parent.index) s_.place_subtree(instance);
+}
+
+/// Of a parent that is not there yet, the instances below it are made, and counted, with it.
+void WriteLog::Player::number(Handle parent) {
+    const auto stem = std::bit_cast<Symbol>(from_.get<std::uint32_t>());
+    const auto last = from_.get<std::uint32_t>();
+    if (tree_.alive(parent)) s_.nodes.set_last_number(parent.index, stem, last);
 }
 
 void WriteLog::Player::call(Handle instance) {

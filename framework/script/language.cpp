@@ -38,8 +38,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "of what a script made into `main.tweaks.json` beside `main.lua`, which the next run "
          "reads. keep(\"world.ball.*\")."},
         {"load_game", "load_game(slot: string)",
-         "Goes on with a saved game, from the next barrier. One that is damaged, newer or of "
-         "another game is an error, and nothing changes. `game` tells `restored`."},
+         "Goes on with a saved game, from the next barrier. One that is damaged, newer, of "
+         "another game or of classes that are not defined is an error, and nothing changes. "
+         "`game` tells `restored`."},
         {"query", "query(pattern: string): Set|table<string, any>",
          "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
         {"quit", "quit(status?: integer|boolean)",
@@ -64,7 +65,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "past is kept (`time.oldest`)."},
         {"save_game", "save_game(slot: string)",
          "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
-         "Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot "
+         "Lua, and of a formula that uses local variables its value only. A slot is called by "
+         "letters, digits, spaces, - and _. Several calls for one slot "
          "before the barrier are one save, as the last of them wants it; more than 1000 calls are "
          "an error. Saves lie in a folder for each game in `~/.local/share/fettle/`."},
         {"saves", "saves(): SavedGame[]",

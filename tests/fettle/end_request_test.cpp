@@ -111,6 +111,23 @@ TEST_CASE("a second signal ends a run at once") {
     const RunningProgram::End end = program.end();
     CHECK(end.signal == SIGTERM);
     CHECK(end.status == 143);
+    CHECK(contains(end.err, "fettle: a second signal: the run ends at once\n"));
+}
+
+TEST_CASE("what is stuck and no script is ended after some seconds with a message") {
+    const Folder folder;
+    // A search that nothing stops, of a minute and more: as a step of the physics can be.
+    const std::string file =
+        folder.write("main.lua",
+                     "function step() scene.save('playing.json', Object {})\n"
+                     "local _ = (('a'):rep(4000000)):find(('a'):rep(2000000) .. 'b', 1, true) end");
+    RunningProgram program(folder, run(file));
+    REQUIRE(program.makes("playing.json"));
+    program.send(SIGTERM);
+    const RunningProgram::End end = program.end();
+    CHECK(end.signal == 0);
+    CHECK(end.status == 143);
+    CHECK(contains(end.err, "fettle: the run did not end in time: it ends at once\n"));
 }
 
 TEST_CASE("a signal that the program was told to ignore stays ignored") {

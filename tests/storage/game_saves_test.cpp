@@ -212,6 +212,43 @@ TEST_CASE("a save that the game cannot restore is listed with its problem") {
     const auto listed = game.saves->list();
     REQUIRE(listed.size() == 1);
     CHECK(listed.front().problem.find("Lamp") != std::string::npos);
+    // And asked for, it is refused at once, where a script can catch it.
+    std::string refused;
+    try {
+        game.saves->load("lit");
+    } catch (const Error& error) {
+        refused = error.what();
+    }
+    CHECK(refused.find("the saved game \"lit\" cannot be loaded: ") == 0);
+    CHECK(refused.find("Lamp") != std::string::npos);
+    game.tree.barrier();
+    CHECK(game.told.empty());
+}
+
+TEST_CASE("a formula that cannot be saved is told once and again when it is lost") {
+    const GameFolder folder;
+    {
+        Game game(folder);
+        const Handle a = game.add("Thing", "a");
+        game.tree.set_formula(a, "number",
+                              {.function = [](const Tree&) { return Value(3.0); },
+                               .not_saved = "uses the local variable \"speed\" of main.lua:12"});
+        for (int i = 0; i < 3; ++i) {
+            game.saves->save("one");
+            game.tree.barrier();
+        }
+        REQUIRE(game.told.size() == 1);
+        CHECK(game.told[0] ==
+              game.tree.path(a) +
+                  ".number: its formula uses the local variable \"speed\" of main.lua:12: saved "
+                  "games hold its last value, and no formula");
+    }
+    Game game(folder);
+    game.saves->load("one");
+    game.tree.barrier();
+    REQUIRE(game.told.size() == 1);
+    CHECK(game.told[0].find("the saved game \"one\": ") == 0);
+    CHECK(game.told[0].find(".number: its formula was not saved") != std::string::npos);
 }
 
 TEST_CASE("a load finds the save that is still to be made or to be written") {

@@ -97,6 +97,24 @@ TEST_CASE_METHOD(Fixture, "a slot has a name that is safe in any folder") {
         CHECK_THROWS_AS(saves.remove(bad), Error);
     }
     CHECK_FALSE(fs::exists(place));
+    // A file that has none is listed with the reason, since nobody can ask for it.
+    saves.save("good", 1, state_of(1, 1));
+    fs::copy_file(place / "good.sqlite", place / "bad name!.sqlite");
+    const auto all = saves.list();
+    REQUIRE(all.size() == 2);
+    CHECK(has(all.front().problem, "\"bad name!\" is no name of a slot"));
+    CHECK(all.back().problem.empty());
+}
+
+TEST_CASE_METHOD(Fixture, "a link that leads nowhere is told alike in the list and by a load") {
+    fs::create_directories(place);
+    fs::create_symlink("round.sqlite", place / "round.sqlite");
+    const auto all = saves.list();
+    REQUIRE(all.size() == 1);
+    CHECK(has(all.front().problem, "could not be read: "));
+    CHECK(has(refusal(saves, "round"), all.front().problem));
+    saves.remove("round");
+    CHECK(saves.list().empty());
 }
 
 TEST_CASE_METHOD(Fixture, "a saved game with any byte changed is refused") {

@@ -3,10 +3,12 @@
 
 #include <fettle/app/loop.h>
 #include <fettle/physics_module/physics_module.h>
+#include <fettle/property/bytes.h>
 #include <fettle/property/path.h>
 #include <fettle/property/storage/game_saves.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,6 +25,9 @@ struct Playing {
     std::unique_ptr<Loop> loop;
     std::vector<std::string> printed, errors;
     std::vector<std::uint64_t> hashes{0};
+    /// (parent, stem) -> the last number that was given to a name; a step of `hashes` each.
+    using Numbers = std::map<std::pair<std::uint32_t, std::string>, std::uint32_t>;
+    std::vector<Numbers> numbers{{}};
 
     /// `slots`: where saved games go; "": nowhere.
     explicit Playing(std::string_view script, const std::filesystem::path& slots = {}) {
@@ -46,6 +51,34 @@ struct Playing {
         loop->timeline().set_share(1e9);  // keyframes where they are every time
         runtime->run(script, "test");
         hashes[0] = loop->hash();
+        numbers[0] = given_numbers();
+    }
+    /// No value and no hash shows which names are to come. Snapshots do: the block of the tree,
+    /// which begins with the nodes (Nodes::save).
+    Numbers given_numbers() const {
+        const property::Snapshot snapshot = tree.snapshot();
+        property::ByteReader from(snapshot.payload());
+        from.get<std::uint64_t>();
+        from.get<std::uint64_t>();
+        REQUIRE(from.text() == "tree");
+        from = from.block();
+        from.get<std::uint64_t>();
+        from.get<property::Handle>();
+        for (std::size_t n = from.count(); n > 0; --n) from.text();
+        std::map<std::uint32_t, std::string> names;
+        for (std::size_t n = from.count(); n > 0; --n) {
+            const auto id = from.get<std::uint32_t>();
+            names[id] = from.text();
+        }
+        const auto node = from.get<std::uint32_t>();
+        for (std::size_t n = from.count() * node; n > 0; --n) from.get<std::byte>();
+        from.list<std::uint32_t>();
+        Numbers given;
+        for (std::size_t n = from.count(); n > 0; --n) {
+            const auto key = from.get<std::uint64_t>();
+            given[{key >> 32, names.at(std::uint32_t(key))}] = from.get<std::uint32_t>();
+        }
+        return given;
     }
     static script::Options options() {
         script::Options options;
@@ -57,6 +90,8 @@ struct Playing {
             loop->turn();
             hashes.resize(std::size_t(services.clock.step));
             hashes.push_back(loop->hash());
+            numbers.resize(std::size_t(services.clock.step));
+            numbers.push_back(given_numbers());
         }
         CAPTURE(errors);
         REQUIRE(errors.empty());
@@ -67,6 +102,7 @@ struct Playing {
         time().go_to(step);
         REQUIRE(services.clock.step == step);
         REQUIRE(loop->hash() == hashes[std::size_t(step)]);
+        REQUIRE(given_numbers() == numbers[std::size_t(step)]);
     }
     property::Value get(std::string_view path) { return property::get(tree, path); }
     void console(std::string_view command) { runtime->evaluate(command); }

@@ -308,4 +308,41 @@ TEST_CASE("steps are counted as the run lives whatever moment it goes back to") 
     for (std::size_t i = 0; i < announced.size(); ++i) REQUIRE(announced[i] == i + 1);
 }
 
+TEST_CASE("names that are given after going back are those that were to come") {
+    constexpr const char* script = R"(
+        game.other = World {}
+        kept = Body { Circle {} }
+        world:add(kept)
+        function step(dt)
+            local body = Body {}
+            world:add(body)
+            body:delete()
+            local guest = Body { Circle {} }
+            world:add(guest)
+            guest:move(game.other)
+            guest:move(world)
+            guest:move(nil)
+            kept:add(Circle {})
+            kept:children(Circle)[1]:delete()
+            pcall(function() kept:move(kept:children(Circle)[1]) end)
+        end
+    )";
+    Playing game(script), other(script);
+    game.play(130);
+    other.play(130);
+    const auto next_name = [](property::Tree& tree, std::string_view path, std::string_view of) {
+        const property::Handle made =
+            tree.create(tree.class_named(of), property::resolve(tree, path).instance);
+        std::string name = tree.path(made);
+        tree.destroy(made);
+        return name;
+    };
+    for (const int step : {129, 1, 10, 59, 60, 61, 130}) game.check(step);
+    for (const auto& [path, of] : {std::pair("world", "Body"), std::pair("other", "Body"),
+                                   std::pair("world.body_1", "Circle")}) {
+        const std::string name = next_name(game.tree, path, of);
+        CHECK(name == next_name(other.tree, path, of));
+        CHECK(name.size() > std::string_view("body_9").size());
+    }
+}
 }  // namespace timeline_test

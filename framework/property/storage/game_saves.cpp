@@ -4,6 +4,7 @@
 
 #include <fettle/property/exception_text.h>
 #include <fettle/property/snapshot.h>
+#include <fettle/property/snapshot_remarks.h>
 
 #include "temporary_file.h"
 
@@ -51,6 +52,8 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
     } catch (const Error& error) {
         return warn("the game was not saved: " + exception_text(error));
     }
+    for (const std::string& formula : unsaved_formulas(tree_))
+        warn_once(formula + ": saved games hold its last value, and no formula");
     if (!options_.writes) {
         unwritten_.insert_or_assign(slot, std::move(state));
         return;
@@ -89,11 +92,19 @@ void GameSaves::load(const std::string& slot) {
     const bool to_come = requested != requested_.end();
     if (to_come) loaded_[requested->second] = slot;
     const Snapshot found = to_come ? Snapshot() : saved(slot);
+    if (!found.empty()) try {
+            tree_.check(found);
+        } catch (const Error& error) {
+            throw Error(error.kind(),
+                        "the saved game \"" + slot + "\" cannot be loaded: " + error.what());
+        }
     tree_.at_barrier([alive = alive_, slot, found] {
         if (*alive == nullptr) return;
         GameSaves& self = **alive;
         try {
             self.tree_.restore(found.empty() ? self.saved(slot) : found);
+            for (const std::string& remark : restore_remarks(self.tree_))
+                self.warn("the saved game \"" + slot + "\": " + remark);
         } catch (const Error& error) {
             self.warn("the saved game \"" + slot + "\" was not loaded: " + error.what());
         }
@@ -121,6 +132,11 @@ std::vector<SaveInfo> GameSaves::list() const {
 
 void GameSaves::warn(const std::string& what) const {
     if (options_.warn) options_.warn(what);
+}
+
+/// Of formulas: a game that saves itself every minute says it the first time.
+void GameSaves::warn_once(const std::string& what) {
+    if (told_.insert(what).second) warn(what);
 }
 
 }  // namespace fettle::property

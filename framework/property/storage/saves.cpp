@@ -190,8 +190,9 @@ void Saves::read(Database& database, SavedGame& into) const {
 }
 
 bool Saves::exists(const std::string& slot) const {
+    // A link that leads nowhere is there, too: whoever reads it says what is wrong with it.
     std::error_code ignored;
-    return fs::exists(file(slot), ignored);
+    return fs::exists(fs::symlink_status(file(slot), ignored));
 }
 
 fs::path Saves::existing(const std::string& slot) const {
@@ -217,6 +218,11 @@ std::vector<SaveInfo> Saves::list(const Check& problem_of) const {
         const fs::path& path = it->path();
         if (path.extension() != save_ending || path.filename().string().starts_with('.')) continue;
         SavedGame saved = read(path);
+        try {
+            check_slot(saved.info.slot);
+        } catch (const Error& refused) {
+            saved.info.problem = refused.what();  // whatever is in it, nobody can ask for it
+        }
         if (problem_of && saved.info.problem.empty()) saved.info.problem = problem_of(saved);
         all.push_back(std::move(saved.info));
     }

@@ -60,6 +60,8 @@ class WriteLog : public Observer {
     void call_ends(Handle instance, const Method& method) override;
     void refreshing(SnapshotPart& part, std::uint64_t what) override;
     void restored() override;
+    /// The last number that was given to a name of that stem below `parent`.
+    void numbered(Handle parent, Symbol stem, std::uint32_t last);
 
   private:
     enum class Did : std::uint8_t;

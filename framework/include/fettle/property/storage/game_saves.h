@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,8 @@ class GameSaves {
         /// Without, saves have none and are made at the barrier.
         bool pictures = false;
         /// Told of a save that could not be written, or a snapshot that this game cannot restore:
-        /// both happen at a barrier, where nobody can catch.
+        /// both happen at a barrier, where nobody can catch. Also told, once each, of formulas that
+        /// a file cannot hold, and of what a loaded game could not take as it was.
         std::function<void(const std::string&)> warn{};
     };
     GameSaves(Tree& tree, Saves saves, Options options);
@@ -42,8 +44,9 @@ class GameSaves {
     static constexpr std::size_t most_requests = 1000;
     /// Restores at the next barrier what was saved last in that slot: by a `save` that still waits
     /// for that barrier or for its picture, else what stands in the file, which is read and
-    /// checked at once. Throws as `Saves::load` does, and Error(damaged) for a state that is none;
-    /// the game goes on as it was.
+    /// checked at once, as far as it can be before the barrier. Throws as `Saves::load` does, and
+    /// Error(damaged, unknown_name, rejected) for a state that this game cannot restore, as it is
+    /// when it is asked; the game goes on as it was.
     void load(const std::string& slot);
     /// Of the file and of a save that still waits. Throws as `Saves::remove` does.
     void remove(const std::string& slot);
@@ -64,6 +67,7 @@ class GameSaves {
     void take(const std::string& slot, std::size_t request);
     Snapshot saved(const std::string& slot) const;
     void warn(const std::string& what) const;
+    void warn_once(const std::string& what);
 
     Tree& tree_;
     Saves saves_;
@@ -74,6 +78,7 @@ class GameSaves {
         loaded_;                    // those that are loaded before the next of its slot
     std::vector<Waiting> waiting_;  // for a picture
     std::map<std::string, std::vector<std::byte>> unwritten_;  // by slot
+    std::set<std::string> told_;                               // of formulas that are not saved
     /// What was asked for at a barrier may come when this is gone.
     std::shared_ptr<GameSaves*> alive_;
 };
