@@ -97,13 +97,42 @@ TEST_CASE("a save of other classes is refused and the game goes on") {
                             "Lamp = class('Lamp', Object) { lit = true } world.lamp = Lamp {}",
                             "--at", "2:save_game('a')"})
                 .status == 0);
-    const Outcome run = fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
-                                        "3:load_game('a')", "--at", "9:print(world.score)"});
+    const Outcome run =
+        fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                        "3:print(pcall(load_game, 'a'))", "--at", "9:print(world.score)"});
     INFO(run.out << run.err);
     CHECK(run.status == 0);
-    CHECK(run.out == "8\n");
-    CHECK(contains(run.err, "the saved game \"a\" was not loaded: "));
-    CHECK(contains(run.err, "Lamp"));
+    CHECK(contains(run.out, "the saved game \"a\" cannot be loaded: "));
+    CHECK(contains(run.out, "Lamp"));
+    CHECK(run.out.ends_with("\n8\n"));
+}
+
+TEST_CASE("a formula that uses a local variable is told and is the game's own after a load") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", R"(
+        local factor = 2
+        game.o = Object {}
+        game.o.steps = 0
+        game.o.double = formula(function() return game.o.steps * factor end)
+        function step() game.o.steps = game.o.steps + 1 end
+    )");
+    const Outcome saved = fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                                          "4:save_game('a')", "--at", "6:save_game('a')"});
+    CHECK(saved.status == 0);
+    const std::string told = "o.double: its formula uses the local variable \"factor\"";
+    CHECK(contains(saved.err, told));
+    CHECK(saved.err.find(told) == saved.err.rfind(told));
+    const Outcome run =
+        fettle(folder, {"run", file, "--headless", "--steps", "9", "--at", "2:load_game('a')",
+                        "--at", "9:print(game.o.double / game.o.steps)"});
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK(run.out == "2.0\n");
+    const Outcome without =
+        fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                        "2:game.o.double = 0 load_game('a')", "--at", "9:print(game.o.double)"});
+    CHECK(without.out == "10\n");
+    CHECK(contains(without.err, "o.double: its formula was not saved"));
 }
 
 TEST_CASE("a save that cannot be written is told and the older one stays") {
