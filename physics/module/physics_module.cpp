@@ -1,6 +1,8 @@
 #include <fettle/physics_module/physics_module.h>
 
+#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include <fettle/property/error.h>
 
@@ -9,6 +11,8 @@
 
 namespace fettle::physics_module {
 namespace {
+
+constexpr std::string_view world_name = "world";
 
 const property::Class& require_class(const Hosting& hosting, Handle instance,
                                      const property::Class& wanted) {
@@ -20,6 +24,35 @@ const property::Class& require_class(const Hosting& hosting, Handle instance,
     return is;
 }
 
+void define_all(Hosting& hosting) {
+    define_step_statistics(hosting);
+    define_world(hosting);
+    define_body(hosting);
+    define_shapes(hosting);
+    define_joints(hosting);
+    define_fields(hosting);
+}
+
+/// Throws where a tree has something that is in the way of what `attach` adds. Classes cannot be
+/// taken back, so they are defined in a tree of their own first.
+void require_room(const property::Tree& tree, property::SnapshotPart& part) {
+    const auto refuse = [](const std::string& what) {
+        throw property::Error(property::ErrorKind::bad_name, "physics cannot be attached: " + what);
+    };
+    property::Tree trial;
+    const std::size_t known = trial.classes().size();
+    Hosting hosting(trial, part);
+    define_all(hosting);
+    const std::vector<const property::Class*> classes = trial.classes();
+    for (std::size_t i = known; i < classes.size(); ++i)
+        if (tree.find_class(classes[i]->name()) != nullptr)
+            refuse("the tree has a class \"" + classes[i]->name() + "\" already");
+    const Handle root = tree.root();
+    if (tree.child(root, world_name) || tree.find(root, world_name) != nullptr ||
+        tree.class_of(root).method(world_name) != nullptr)
+        refuse("the root has a \"" + std::string(world_name) + "\" already");
+}
+
 }  // namespace
 
 PhysicsModule::PhysicsModule() = default;
@@ -27,15 +60,12 @@ PhysicsModule::~PhysicsModule() = default;
 
 void PhysicsModule::attach(property::Tree& tree) {
     if (hosting_) throw std::logic_error("physics is attached to a tree already");
-    hosting_ = std::make_unique<Hosting>(tree, *this);
+    tree.require_changeable("attach physics");
+    require_room(tree, *this);
     tree.add_part(*this);
-    define_step_statistics(*hosting_);
-    define_world(*hosting_);
-    define_body(*hosting_);
-    define_shapes(*hosting_);
-    define_joints(*hosting_);
-    define_fields(*hosting_);
-    tree.create(*hosting_->world_class, tree.root(), "world");
+    hosting_ = std::make_unique<Hosting>(tree, *this);
+    define_all(*hosting_);
+    tree.create(*hosting_->world_class, tree.root(), world_name);
 }
 
 /// Whoever steps a module before it was attached hears of it.
@@ -45,6 +75,9 @@ Hosting& PhysicsModule::hosting() const {
 }
 
 void PhysicsModule::step(double dt) {
+    if (!(dt >= 0) || dt > std::numeric_limits<float>::max())
+        throw std::invalid_argument("PhysicsModule::step: dt = " + std::to_string(dt) +
+                                    ": expected a time in seconds, at least 0");
     const Hosting::Doing step(hosting());
     hosting().follow_listeners();
     hosting().joints.tighten();
@@ -61,6 +94,9 @@ void PhysicsModule::step(double dt) {
 }
 
 void PhysicsModule::report(property::Tree& tree) {
+    if (&tree != &hosting().tree)
+        throw std::invalid_argument(
+            "PhysicsModule::report: expected the tree that physics is attached to, got another");
     tree.stepped();
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
