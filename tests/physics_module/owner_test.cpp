@@ -97,6 +97,14 @@ TEST_CASE("physics that cannot be attached to a tree is attached to none") {
         tree.define({.name = "Body"});
         refused(tree, module, "has a class \"Body\" already");
     }
+    const Game game;
+    for (const auto* of : game.tree.classes()) {
+        PhysicsModule module;
+        Tree tree;
+        if (tree.find_class(of->name()) != nullptr) continue;
+        tree.define({.name = of->name()});
+        refused(tree, module, ("has a class \"" + of->name() + "\" already").c_str());
+    }
     {
         PhysicsModule module;
         Tree tree;
