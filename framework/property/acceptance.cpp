@@ -14,12 +14,17 @@ thread_local Acceptance* in_force = nullptr;
 constexpr std::string_view acceptance_rule =
     "asks `accept` in the middle of a search: it says what counts, it cannot";
 
+std::function<bool(Handle)> required(std::function<bool(Handle)> accepts) {
+    if (!accepts) throw Error(ErrorKind::wrong_type, "Acceptance: `accepts` needs a function");
+    return accepts;
+}
+
 }  // namespace
 
 Acceptance::Acceptance(Tree& tree, std::string method, std::function<bool(Handle)> accepts)
     : tree_(tree),
       method_(std::move(method)),
-      accepts_(std::move(accepts)),
+      accepts_(required(std::move(accepts))),
       outer_(std::exchange(in_force, this)) {
     // In the search formulas keep the values they have now.
     Tree::State& s = tree.state();

@@ -115,20 +115,23 @@ void Tree::State::queue_farewell(Existence gone, bool only_own) {
 }
 
 bool Tree::listens(const Event& event) const {
-    return event.listeners != 0;
+    if (event.listeners == 0) return false;
+    if (event.owner != nullptr) state_->require_own(*event.owner);
+    return true;
 }
 
 bool Tree::listens(Handle instance, const Event& event) const {
+    if (!alive(instance)) return false;
+    state_->require_event(instance, event);
     return event.listeners != 0 &&
            !state_->watchers.of_event(instance, event, state_->watchers.last_id()).empty();
 }
 
 void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) {
     State& s = *state_;
-    s.require(instance);
-    if (event.listeners == 0) return;
-    s.require_event(class_of(instance), event);
+    s.require_event(instance, event);
     s.require_values(instance, event, values);
+    if (event.listeners == 0) return;
     QueueItem item;
     item.kind = QueueItem::Kind::event;
     item.what = Occurrence{.instance = instance,

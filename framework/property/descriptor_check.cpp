@@ -32,6 +32,28 @@ Type type_of(Native native) {
     return Type::nil;
 }
 
+std::size_t size_of(Native native) {
+    switch (native) {
+        case Native::f32:
+        case Native::i32:
+            return 4;
+        case Native::f64:
+        case Native::i64:
+        case Native::vec2f:
+            return 8;
+        case Native::vec2d:
+        case Native::color:
+            return 16;
+        case Native::boolean:
+        case Native::enumeration:
+            return 1;
+    }
+    return 0;
+}
+
+/// Of a row: with any row below 2³² an address is still one.
+constexpr std::size_t largest_stride = std::size_t{1} << 30;
+
 std::string in_quotes(std::string_view name) {
     return "\"" + std::string(name) + "\"";
 }
@@ -45,6 +67,7 @@ class DescriptorCheck {
         if (!of_.stem.empty() && !is_word(of_.stem))
             refuse(ErrorKind::bad_name, "stem " + in_quotes(of_.stem),
                    "expected letters, digits and underscores");
+        check_number("how its rows are saved", "`snapshots`", of_.snapshots, Snapshots::never);
         for (const Property& property : of_.properties) check(property);
         for (const Method& method : of_.methods) check(method);
         for (const Event& event : of_.events) check(event);
@@ -95,6 +118,10 @@ class DescriptorCheck {
             if (field.name.empty() && may_be_one_without_name && fields.size() == 1) continue;
             if (field.name.empty())
                 refuse(ErrorKind::bad_name, member, std::string("a ") + what + " has no name");
+            check_number(member, ("the type of the " + std::string(what)).c_str(), field.type,
+                         Type::list);
+            check_number(member, ("the element type of the " + std::string(what)).c_str(),
+                         field.element, Type::list);
             if (!seen.insert(field.name).second)
                 refuse(
                     ErrorKind::bad_name, member,
@@ -113,6 +140,7 @@ class DescriptorCheck {
             return;
         }
         check_type(member, property);
+        check_default(member, property);
         check_range(member, property);
         check_binding(member, property);
     }
@@ -134,7 +162,18 @@ class DescriptorCheck {
                    inherited.owner->name() + " declares it as a value that has no default");
     }
 
+    template <class Enum>
+    void check_number(const std::string& member, const char* what, Enum value, Enum last) const {
+        if (static_cast<unsigned>(value) > static_cast<unsigned>(last))
+            refuse(ErrorKind::wrong_type, member,
+                   std::string(what) + " is number " +
+                       std::to_string(static_cast<unsigned>(value)) + ", expected 0 to " +
+                       std::to_string(static_cast<unsigned>(last)));
+    }
+
     void check_type(const std::string& member, const Property& property) const {
+        check_number(member, "its type", property.type, Type::list);
+        check_number(member, "the type of its elements", property.element, Type::list);
         const bool is_list = property.type == Type::list;
         if (!property.enumerators.empty() && property.type != Type::text)
             refuse(ErrorKind::wrong_type, member,
@@ -158,6 +197,17 @@ class DescriptorCheck {
                        std::string(type_name(property.type)));
         if (property.type == Type::nil && !property.any_type)
             refuse(ErrorKind::wrong_type, member, "it is of no type, and does not take any");
+    }
+
+    /// A class has no instance to name. What else a default may be is seen to when it is coerced.
+    void check_default(const std::string& member, const Property& property) const {
+        if (names_somebody(property.default_value))
+            refuse(ErrorKind::wrong_type, member,
+                   "its default names an instance: a reference begins as nobody");
+    }
+    static bool names_somebody(const Value& value) {
+        if (value.is(Type::list)) return std::ranges::any_of(value.list(), names_somebody);
+        return value.is(Type::reference) && value.reference();
     }
 
     void check_range(const std::string& member, const Property& property) const {
@@ -198,8 +248,14 @@ class DescriptorCheck {
 
     void check_column(const std::string& member, const Property& property) const {
         const Binding& binding = property.binding;
+        check_number(member, "the native type of its column", binding.native, Native::enumeration);
         if (binding.base == nullptr)
             refuse(ErrorKind::bad_structure, member, "its column has no `base`");
+        if (binding.stride < size_of(binding.native) || binding.stride > largest_stride)
+            refuse(ErrorKind::bad_structure, member,
+                   "its column goes on by " + std::to_string(binding.stride) +
+                       " bytes a row, expected " + std::to_string(size_of(binding.native)) +
+                       " to " + std::to_string(largest_stride));
         if (property.type != type_of(binding.native) || property.any_type)
             refuse(ErrorKind::wrong_type, member,
                    "its column holds values of type " +
@@ -217,6 +273,7 @@ class DescriptorCheck {
         take_name("method", method.name, false);
         const std::string member = "method " + in_quotes(method.name);
         if (method.call == nullptr) refuse(ErrorKind::bad_structure, member, "it has no `call`");
+        check_number(member, "its effect", method.effect, Effect::memory);
         if (method.required > method.parameters.size())
             refuse(ErrorKind::bad_structure, member,
                    std::to_string(method.required) + " of its " +

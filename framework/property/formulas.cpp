@@ -468,7 +468,8 @@ std::string Formulas::problem(Cell cell) {
     return {};
 }
 
-Explanation Formulas::why(Handle instance, const Property& property, std::vector<Cell>& seen) {
+Explanation Formulas::why(Handle instance, const Property& property, std::vector<Cell>& seen,
+                          int levels) {
     Explanation out;
     out.path = tree_.path(instance, property);
     const Cell cell{instance.index, property.symbol};
@@ -483,10 +484,16 @@ Explanation Formulas::why(Handle instance, const Property& property, std::vector
         return out;
     }
     seen.push_back(cell);
+    if (levels == 0) {
+        Explanation& rest = out.from.emplace_back();
+        rest.path = "…";
+        rest.value = "what is below is left out";
+        return out;
+    }
     const std::vector<Dependency> dependencies = e->dependencies;
     for (const Dependency& d : dependencies)
         if (d.property != nullptr && tree_.alive(d.instance))
-            out.from.push_back(why(d.instance, *d.property, seen));
+            out.from.push_back(why(d.instance, *d.property, seen, levels - 1));
     return out;
 }
 

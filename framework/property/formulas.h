@@ -62,7 +62,10 @@ class Formulas {
     /// All of them, in order of making; errors stay with the cells.
     void settle_all(bool stepped);
     std::string problem(Cell cell);
-    Explanation why(Handle instance, const Property& property, std::vector<Cell>& seen);
+    /// Formulas of formulas are told `levels` deep: whoever reads that goes down by calls.
+    Explanation why(Handle instance, const Property& property, std::vector<Cell>& seen,
+                    int levels = most_levels);
+    static constexpr int most_levels = 3000;
 
   private:
     enum class State : std::uint8_t { clean, check, dirty };

@@ -1,3 +1,4 @@
+#include <atomic>
 #include <utility>
 
 #include <fettle/property/tree.h>
@@ -5,6 +6,11 @@
 #include "state.h"
 
 namespace fettle::property {
+
+std::uint64_t Tree::State::next_number() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 std::int64_t Tree::weight() const {
     return state_->weight;
@@ -22,6 +28,7 @@ void Tree::mark_weight(std::int64_t mark, std::function<void()> passed) {
 void Tree::State::pass_mark() {
     weight_mark = INT64_MAX;
     // It may set another.
+    const Pin pin(*this, "the function given to mark_weight");
     if (const auto passed = std::exchange(mark_passed, {})) passed();
 }
 

@@ -86,6 +86,7 @@ void Nodes::release(std::uint32_t index, bool keep) {
     child_counts_.erase(index);
     if (numbered_.parent == index) numbered_ = {};
     node.dead = 1;
+    node.dying = 0;
     node.kept = keep;
     // Of a slot that is kept the generation still tells whose it was.
     node.generation = keep ? node.generation + 1 : next_generation(index, node.generation);

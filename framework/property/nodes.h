@@ -51,7 +51,8 @@ struct Node {
     std::uint8_t has_dependents : 1 = 0;  // a formula read something of it
     std::uint8_t named : 1 = 0;           // the user named it, so that a new parent keeps the name
     std::uint8_t counts_children : 1 = 0;
-    std::uint8_t kept : 1 = 0;  // dead, and its slot waits for it to come back
+    std::uint8_t kept : 1 = 0;   // dead, and its slot waits for it to come back
+    std::uint8_t dying : 1 = 0;  // it is being deleted
 
     bool alive() const { return !dead; }
     /// Its cells say what its properties are.

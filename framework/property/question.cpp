@@ -77,10 +77,11 @@ void Question::answer(std::size_t field, const Value& value) {
 
 void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
          std::size_t changeable) {
-    if (event.listeners == 0 || !tree.alive(instance)) return;
+    if (!tree.alive(instance)) return;
     Tree::State& s = tree.state();
-    s.require_event(tree.class_of(instance), event);
+    s.require_event(instance, event);
     s.require_values(instance, event, values);
+    if (event.listeners == 0) return;
     Question question(tree, instance, event, values, changeable);
     const Inquiry inquiry(tree, event.name, question_rule);
     const Asking asking(question);

@@ -240,6 +240,18 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
     if (s.in_barrier || s.replaying)
         throw Error(ErrorKind::bad_structure,
                     "a snapshot cannot be restored in a handler: wait for the next barrier");
+    s.require_no_deletion("restore a snapshot");
+    if (s.restoring || s.pinned != nullptr)
+        throw Error(ErrorKind::bad_structure,
+                    "a snapshot cannot be restored by " +
+                        (s.restoring ? "what another is restored by" : std::string(s.pinned)) +
+                        ": wait for the next barrier");
+    struct Restoring {
+        bool& flag;
+        explicit Restoring(bool& f) : flag(f) { flag = true; }
+        ~Restoring() { flag = false; }
+    } restoring(s.restoring);
+    const State::Pin pin(s, "what restores a snapshot");
     s.tell_plain_writes();  // what was done before it was done in the time that is left
     if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
     Prepared prepared = prepare(s, snapshot);

@@ -7,7 +7,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -60,7 +63,10 @@ struct Tombstone {
 struct Tree::State {
     explicit State(Tree& owner) : tree(owner), watchers(owner), formulas(owner), history(owner) {}
 
+    static std::uint64_t next_number();
+
     Tree& tree;
+    const std::uint64_t number = next_number();  // no other tree of the process has it
     ClassRegistry classes;
     Nodes nodes;
     std::vector<std::unique_ptr<StoredColumns>>
@@ -111,9 +117,13 @@ struct Tree::State {
     Writer writer = Writer::module;
     bool records = false;  // history.recording(writer), kept by note_recording
     std::function<std::string()>* locate = nullptr;
-    std::vector<Observer*> observers;
+    std::vector<Observer*> observers;  // null: it left while they were told
+    int telling = 0;                   // calls of them that go on
     std::vector<WriteLog*> logs;       // told of numbers, too
     std::vector<std::string> remarks;  // what could not be as it was, of the last restore
+    const char* pinned = nullptr;      // what is called and must not destroy the tree, if anything
+    int deletions = 0;                 // that go on, one inside the other
+    bool restoring = false;
     FormulaCompiler formula_compiler;
     Handle root;
     const Event* ready_event = nullptr;
@@ -139,12 +149,33 @@ struct Tree::State {
         State& state_;
     };
 
+    /// While it lives, what is called must not destroy the tree: when it does so nevertheless, the
+    /// program is ended with a message that names `what`: "a lifecycle function".
+    class Pin {
+      public:
+        Pin(State& state, const char* what)
+            : state_(state), outer_(std::exchange(state.pinned, what)) {}
+        ~Pin() { state_.pinned = outer_; }
+        Pin(const Pin&) = delete;
+
+      private:
+        State& state_;
+        const char* outer_;
+    };
+    /// Throws where the tree must not be destroyed; from its destructor, which ends the program.
+    void require_unpinned() const;
+    /// Throws where the instance, or one below it, is being deleted. `what`: "move an instance".
+    void require_staying(Handle instance, std::string_view what) const;
+    /// Throws while anything is being deleted, for what changes the tree as a whole.
+    void require_no_deletion(std::string_view what) const;
+
     // membership.cpp: what is handed in belongs to this tree, and to that instance
     bool has(const Node& node, const Property& property) const {
         const Class& of = classes[node.class_id];
-        return property.owner == &of || inherits(of, property);
+        return property.owner == &of || has_otherwise(node, property);
     }
-    static bool inherits(const Class& of, const Property& property);
+    /// Inherited, or added to this very instance.
+    bool has_otherwise(const Node& node, const Property& property) const;
     const Node& require(Handle handle, const Property& property) const {
         const Node& node = require(handle);
         if (!has(node, property)) [[unlikely]]
@@ -154,6 +185,9 @@ struct Tree::State {
     [[noreturn]] void refuse_foreign(Handle handle, const Property& property) const;
     void require_own(const Class& of) const;
     void require_event(const Class& of, const Event& event) const;
+    /// Of an instance of this tree.
+    void require_event(Handle instance, const Event& event) const;
+    static void refuse_unless_of(const Class& of, const Event& event);
     void require_values(Handle instance, const Event& event,
                         const std::vector<Value>& values) const;
     void require_method(Handle handle, const Method& method) const;
@@ -193,8 +227,21 @@ struct Tree::State {
     template <class What>
     void tell(What what) {
         tell_plain_writes();
-        if (replaying) return;
-        for (Observer* observer : observers) what(*observer);
+        if (!replaying && !observers.empty()) tell_each(what);
+    }
+    /// Who is told may come and go meanwhile.
+    template <class What>
+    void tell_each(What what) {
+        struct Telling {
+            State& state;
+            Pin pin{state, "an observer"};
+            explicit Telling(State& s) : state(s) { ++state.telling; }
+            ~Telling() {
+                if (--state.telling == 0) std::erase(state.observers, nullptr);
+            }
+        } now(*this);
+        for (std::size_t i = 0; i < observers.size(); ++i)
+            if (Observer* const observer = observers[i]) what(*observer);
     }
     void tell_plain_writes() {
         if (writes.any_untold()) tell_untold();
@@ -219,8 +266,10 @@ struct Tree::State {
     void finish_making(Handle self, const Class& of);
     void unmake(Handle self);
     /// `remember`: who asks for it later is told who deleted it.
-    void destroy_one(std::uint32_t index, const Cause& cause, bool remember);
-    void destroy_below(std::uint32_t top);
+    /// What a module throws is kept in `problem`, the first of it, and the deletion goes on.
+    void destroy_one(std::uint32_t index, const Cause& cause, bool remember, std::string& problem);
+    /// What modules have thrown, the first of it; "": nothing.
+    std::string destroy_below(std::uint32_t top);
     void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
 
     // tree_placing.cpp
@@ -234,6 +283,7 @@ struct Tree::State {
 
     // tree_edit.cpp
     Value read(std::uint32_t index, const Node& node, const Property& property) const;
+    Value coerce(Handle instance, const Property& property, const Value& value) const;
     void write(std::uint32_t index, const Node& node, const Property& property, const Value& value);
     void written(Handle handle, const Node& node, const Property& property, const Value& old_value);
     const Property& ad_hoc_property(Symbol name);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <fettle/property/drawing.h>
+#include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -37,6 +38,7 @@ Tree::Tree() : state_(std::make_unique<State>(*this)) {
 Tree::~Tree() {
     // Modules may still be alive and own rows: they are told, children first.
     State& s = *state_;
+    s.require_unpinned();
     s.life.reset();
     s.ending = true;
     for (std::uint32_t i = 1; i < s.nodes.end(); ++i)
@@ -167,6 +169,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
     const std::uint32_t index = again ? again.index : nodes.allocate();
     const std::int64_t bytes =
         named && name.number == 0 ? weight_of_instance + weight_of_name : weight_of_instance;
+    const Pin pin(*this, "a lifecycle function");
     add_weight(bytes);
     nodes[index].class_id = static_cast<std::uint16_t>(of.id_);
     nodes[index].named = named;
@@ -188,8 +191,11 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
         }
         if (!of.columns_found_) require_columns(of);
     } catch (...) {  // its module has no room for it: it never was
-        if (has_row && lifecycle.destroy)
-            lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
+        if (has_row && lifecycle.destroy) try {
+                lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
+            } catch (...) {
+                // Why there was no room is told.
+            }
         if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
         nodes.unlink(index);
         nodes.release(index);
@@ -257,20 +263,33 @@ void Tree::State::unmake(Handle self) {
     destroy_below(self.index);
 }
 
-void Tree::State::destroy_below(std::uint32_t top) {
+std::string Tree::State::destroy_below(std::uint32_t top) {
+    const Pin pin(*this, "a lifecycle function");
+    struct Deleting {
+        int& count;
+        explicit Deleting(int& c) : count(c) { ++count; }
+        ~Deleting() { --count; }
+    } deleting(deletions);
     std::vector<std::uint32_t> order;
-    visit_below(top, [&](std::uint32_t i) { order.push_back(i); });
+    visit_below(top, [&](std::uint32_t i) {
+        order.push_back(i);
+        nodes[i].dying = 1;
+    });
     const Cause by = tree.cause();
+    std::string problem;
     for (std::size_t left = order.size(); left > 0; --left)
-        destroy_one(order[left - 1], by, left <= most_tombstones);
+        destroy_one(order[left - 1], by, left <= most_tombstones, problem);
+    return problem;
 }
 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
     State& s = *state_;
     s.require_changeable("create an instance");
     s.require_own(instance_class);
+    if (s.ending)
+        throw Error(ErrorKind::deleted, "no instance is made while the tree is being destroyed");
     if (parent) {
-        s.require(parent);
+        if (s.require(parent).dying) s.require_staying(parent, "create an instance below it");
         s.require_room_below(parent, 1);
     }
     if (!name.empty()) s.check_child_name(parent, name);
@@ -309,7 +328,9 @@ void Tree::State::visit_below(std::uint32_t top,
 
 void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) const {
     state_->require(top);
+    if (!visit) throw Error(ErrorKind::wrong_type, "each_below needs a function");
     if (in_formula()) state_->formulas.note_structure();
+    const State::Pin pin(*state_, "the function given to each_below");
     std::vector<Handle> all;
     state_->visit_below(top.index,
                         [&](std::uint32_t i) { all.push_back(state_->nodes.handle(i)); });
@@ -317,10 +338,18 @@ void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) cons
         if (alive(handle)) visit(handle);
 }
 
-void Tree::State::destroy_one(std::uint32_t index, const Cause& cause, bool remember) {
+void Tree::State::destroy_one(std::uint32_t index, const Cause& cause, bool remember,
+                              std::string& problem) {
     const Handle self = nodes.handle(index);
     const Class& of = classes[nodes[index].class_id];
-    queue_deletion(self, of, cause);
+    const auto of_module = [&](const auto& call) {
+        try {
+            call();
+        } catch (...) {
+            if (problem.empty()) problem = tree.path(self) + ": " + exception_text();
+        }
+    };
+    of_module([&] { queue_deletion(self, of, cause); });
     if (remember) bury({self, &of, nodes[index].name.text(), tree.path(self), cause});
     shadows.forget(tree, self);
     note_listeners();
@@ -330,7 +359,8 @@ void Tree::State::destroy_one(std::uint32_t index, const Cause& cause, bool reme
     const NodeName name = nodes[index].name;
     const bool has_dependents = nodes[index].has_dependents;
     const Lifecycle& lifecycle = of.lifecycle();
-    if (lifecycle.destroy) lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
+    if (lifecycle.destroy)
+        of_module([&] { lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row); });
     if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
     add_weight(-weight_of_instance);
     if (nodes[index].has_ad_hoc) {
@@ -351,11 +381,15 @@ void Tree::destroy(Handle instance) {
     s.require_changeable("delete an instance");
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
+    s.require_staying(instance, "delete it");
     // Nobody will undo the end of the tree, and its modules may be gone already.
     if (!s.ending && s.history.recording()) s.history.dying(instance);
     if (!s.ending) s.tell([&](Observer& o) { o.destroying(instance); });
-    s.destroy_below(instance.index);
+    const std::string problem = s.destroy_below(instance.index);
     s.history.deletion_done();
+    if (!problem.empty() && !s.ending)
+        throw Error(ErrorKind::rejected,
+                    problem + " (thrown by its module as it was deleted; it is gone)");
 }
 
 void Tree::State::bury(Tombstone gone) {
@@ -481,6 +515,7 @@ void Tree::draw(Handle top, Painter& painter, double alpha) const {
     const State& s = *state_;
     s.require(top);
     const Drawing drawing(alpha);
+    const State::Pin pin(*state_, "a lifecycle function");
     std::vector<std::uint32_t> over;
     s.visit_below(top.index, [&](std::uint32_t i) {
         const Lifecycle& lifecycle = s.classes[s.nodes[i].class_id].lifecycle();

@@ -203,9 +203,14 @@ Value Tree::get(Handle instance, std::string_view name) const {
 // --- Editing
 // ---------------------------------------------------------------------------------------------------------
 
+Value Tree::State::coerce(Handle instance, const Property& property, const Value& value) const {
+    const CellName cell{tree, instance, property};
+    return coerce_value(property, value, {.tree = &tree, .path = &path_of_cell, .what = &cell});
+}
+
 Value Tree::coerce(Handle instance, const Property& property, const Value& value) const {
-    const CellName cell{*this, instance, property};
-    return coerce_value(property, value, {.tree = this, .path = &path_of_cell, .what = &cell});
+    state_->require(instance, property);
+    return state_->coerce(instance, property, value);
 }
 
 void Tree::State::write(std::uint32_t index, const Node& node, const Property& property,
@@ -269,7 +274,8 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
             return remove_ad_hoc(instance, property.name);
         return reset(instance, property);
     }
-    const Value next = coerce(instance, property, value);
+    const State::Pin pin(s, "a binding of a property");
+    const Value next = s.coerce(instance, property, value);
     std::optional<History::CellState> before;
     if (s.history.recording() && property.binding.kind != BindingKind::node)
         before = s.history.capture(instance, property);
@@ -313,6 +319,7 @@ void Tree::reset(Handle instance, const Property& property) {
                             property.owner->base()->property(property.symbol) != nullptr;
     if (property.binding.reset == nullptr || redeclared)
         return set(instance, property, property.default_value);
+    const State::Pin pin(s, "a binding of a property");
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
     const Value old = s.read(instance.index, node, property);
@@ -400,7 +407,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
                                             ", and none can be added to it" +
                                             suggestion(name, members));
     const Property& added = ad_hoc_property(Symbol(name));
-    const Value next = tree.coerce(instance, added, value);
+    const Value next = coerce(instance, added, value);
     put_ad_hoc(instance, added, next);
     tell([&](Observer& o) { o.wrote(instance, added, next); });
     if (history.recording()) history.edited(instance, added, {});

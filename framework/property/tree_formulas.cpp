@@ -33,6 +33,7 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
     State& s = *state_;
     s.require(instance, property);
     s.require_changeable("define a formula");
+    if (s.nodes[instance.index].dying) s.require_staying(instance, "define a formula of it");
     if (!formula.function)
         throw Error(ErrorKind::wrong_type,
                     path(instance, property) + ": a formula needs a function");
@@ -106,10 +107,12 @@ void Tree::end_edit() {
 }
 UndoResult Tree::undo() {
     state_->require_changeable("undo");
+    state_->require_no_deletion("undo");
     return state_->history.undo();
 }
 UndoResult Tree::redo() {
     state_->require_changeable("redo");
+    state_->require_no_deletion("redo");
     return state_->history.redo();
 }
 std::vector<HistoryEntry> Tree::history() const {

@@ -38,6 +38,7 @@ void Tree::rename(Handle instance, std::string_view name) {
     if (instance == s.root)
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
     s.require_movable(instance);
+    s.require_staying(instance, "rename it");
     const std::uint32_t parent = node.parent;
     s.check_child_name(s.nodes.handle(parent), name);
     std::optional<History::Position> before;
@@ -63,6 +64,7 @@ void Tree::rename(Handle instance, std::string_view name) {
 }
 
 void Tree::State::place_subtree(Handle top) {
+    const Pin pin(*this, "a lifecycle function");
     tree.each_below(top, [this](Handle handle) {
         const Class& of = tree.class_of(handle);
         if (!of.lifecycle().place) return;
@@ -152,7 +154,7 @@ std::function<void()> Tree::way_back(Handle instance) {
     const Position was = state_->history.position(instance);
     return [this, instance, was] {
         State& s = *state_;
-        if (!alive(instance) || (was.parent && !alive(was.parent))) return;
+        if (!alive(instance) || (was.parent && !alive(was.parent)) || s.deletions != 0) return;
         const Position left = s.history.position(instance);
         s.hang_back(instance, was);
         if (s.history.recording()) s.history.moved(instance, left);
@@ -165,6 +167,8 @@ void Tree::replace(Handle old, Handle by) {
     s.require(old);
     s.require(by);
     s.require_changeable("replace an instance");
+    s.require_staying(old, "replace it");
+    s.require_staying(by, "move it");
     const Position at = s.history.position(old), was = s.history.position(by);
     s.require_movable(old);
     if (!at.parent || was.parent || by == s.root || old == by || is_below(old, by))
@@ -185,8 +189,9 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
     s.require_changeable("move an instance");
     if (instance == s.root) throw Error(ErrorKind::bad_structure, "the root cannot be moved");
     s.require_movable(instance);
+    s.require_staying(instance, "move it");
     if (new_parent) {
-        s.require(new_parent);
+        if (s.require(new_parent).dying) s.require_staying(new_parent, "move an instance below it");
         s.require_room_below(new_parent, s.nodes.height(instance.index));
         if (new_parent == instance || is_below(new_parent, instance))
             throw Error(

@@ -170,8 +170,8 @@ void Tree::State::tell_untold() {
     const PlainWrites told = writes.untold();
     // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
     writes.tell(writer, step);
-    if (replaying) return;
-    for (Observer* observer : observers) observer->wrote_plain(told);
+    if (!replaying && !observers.empty())
+        tell_each([&](Observer& observer) { observer.wrote_plain(told); });
 }
 
 bool Tree::read(Handle instance, const Property& property, double& number) const {

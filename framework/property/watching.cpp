@@ -1,6 +1,8 @@
 // Watching: how watchers are registered, and what has to be kept for them. Delivery is
 // delivery.cpp.
 
+#include <algorithm>
+
 #include <fettle/property/tree.h>
 
 #include "state.h"
@@ -293,7 +295,10 @@ void Tree::observe(Observer& observer) {
 
 void Tree::unobserve(Observer& observer) {
     state_->tell_plain_writes();
-    std::erase(state_->observers, &observer);
+    if (state_->telling == 0)
+        std::erase(state_->observers, &observer);
+    else  // the places of the others stay until all are told
+        std::ranges::replace(state_->observers, &observer, nullptr);
 }
 
 std::size_t Tree::watcher_count() const {

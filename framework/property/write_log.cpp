@@ -81,11 +81,16 @@ void WriteLog::put_plain(std::vector<std::byte>& bytes, std::span<const PlainWri
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-// The buffer stays, so that a step's worth of writes is one allocation of the right size.
+// The buffer stays, so that a step's worth of writes is one allocation of the right size. What is
+// noted speaks of the tree's own symbols, classes and properties: its number comes first.
 std::vector<std::byte> WriteLog::joined() const {
     std::vector<std::byte> all;
+    if (!any()) return all;
+    const std::uint64_t number = tree_.state().number;
     constexpr std::size_t head = sizeof(Did) + sizeof(std::uint32_t);
-    all.reserve(bytes_.size() + kept_.size() * head + kept_count_ * sizeof(PlainWrite));
+    all.reserve(sizeof number + bytes_.size() + kept_.size() * head +
+                kept_count_ * sizeof(PlainWrite));
+    ByteWriter(all).put(number);
     auto from = bytes_.begin();
     const auto copy_up_to = [&](std::vector<std::byte>::const_iterator end) {
         all.insert(all.end(), from, end);
@@ -256,6 +261,9 @@ class WriteLog::Player {
         : tree_(tree), s_(tree.state()), piece_(piece), from_(piece.bytes, "log of writes") {}
 
     void play() {
+        if (from_.at_end()) return;
+        if (from_.get<std::uint64_t>() != s_.number)
+            throw Error(ErrorKind::rejected, "this piece of a log of writes is of another tree");
         while (!from_.at_end()) {
             const auto did = from_.get<Did>();
             auto times = did == Did::plain ? from_.get<std::uint32_t>() : 1u;
@@ -421,6 +429,7 @@ void WriteLog::Player::call(Handle instance) {
 }
 
 void WriteLog::play(const LoggedWrites& piece) {
+    if (life_.expired()) throw Error(ErrorKind::deleted, "the tree of this log of writes is gone");
     Player(tree_, piece).play();
     if (piece.history != nullptr) tree_.state().history.restore(piece.history);
 }

@@ -191,13 +191,13 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
 }
 
 /// Functions without arguments that people type as words.
-bool is_word(std::string_view command) {
+bool is_bare_command(std::string_view command) {
     return command == "undo" || command == "redo" || command == "history" || command == "tweaks";
 }
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (add_help(L, machine, command, evaluation)) return;
-    if (is_word(command)) {
+    if (is_bare_command(command)) {
         lua_getglobal(L, std::string(command).c_str());
         lua_call(L, 0, 0);
         evaluation.lines = std::move(machine.recording.lines);

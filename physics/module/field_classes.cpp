@@ -105,7 +105,9 @@ property::Lifecycle lifecycle(Hosting& hosting) {
         return static_cast<Hosting*>(context)->place_field(self, row);
     };
     lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
-        static_cast<Hosting*>(context)->field(row).destroy();
+        auto& h = *static_cast<Hosting*>(context);
+        const Hosting::Placing placing(h);
+        h.field(row).destroy();
     };
     hosting.field_kinds.emplace_back(lifecycle.create, decltype(FieldDef::force)(Force{}).index());
     return lifecycle;
@@ -180,11 +182,13 @@ physics::Field Hosting::field(Row row) {
 }
 
 Row Hosting::create_field(Handle self, const physics::FieldDef& def) {
+    const Placing placing(*this);
     const std::uint32_t number = world_above(self);
     return make_row(number, worlds_[number]->world.create_field(def).id().index);
 }
 
 Row Hosting::place_field(Handle self, Row row) {
+    const Placing placing(*this);
     const std::uint32_t number = world_above(self);
     if (number == world_number(row)) return row;
     const Row placed = create_field(self, field(row).definition());

@@ -175,6 +175,16 @@ class Hosting {
         int& doing_;
     };
 
+    /// The same for what makes and ends objects in the worlds, which nobody else may do.
+    class Placing {
+      public:
+        explicit Placing(Hosting& hosting) : doing_(hosting), acting_(hosting.owner_) {}
+
+      private:
+        Doing doing_;
+        physics::Owner::Acting acting_;
+    };
+
     // --- Looks (looks.cpp)
     property::Color fill_of(Row shape);
     property::Color border_of(Row shape);
@@ -220,6 +230,9 @@ class Hosting {
               const AddRest& add_rest);
 
     property::SnapshotPart& part_;
+    physics::Owner owner_{
+        "this world belongs to a property tree, which makes and ends what is in it: create or "
+        "destroy the instance instead"};
     std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;
     int doing_ = 0;
     /// What the libraries are asked to tell, since somebody listens.

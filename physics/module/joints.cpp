@@ -126,6 +126,7 @@ float Joints::angle_of(const JointRecord& record, std::size_t side) const {
 }
 
 void Joints::disconnect(JointRecord& record) {
+    const Hosting::Placing placing(hosting_);
     physics::World& world = world_of(record);
     if (world.is_valid(record.native)) world.joint(record.native).destroy();
     record.native = {};
@@ -181,6 +182,7 @@ property::Handle Joints::broke(physics::JointId native, physics::World& world) {
 /// False where the library takes what the joint is set to for impossible. What is written is
 /// checked when it is, so this is not expected; but nothing may throw out of a step.
 bool Joints::begin(JointRecord& record) try {
+    const Hosting::Placing placing(hosting_);
     std::visit(
         [&](auto& settings) {
             const auto made = make(record, settings);

@@ -1,6 +1,8 @@
 #include <fettle/physics_module/physics_module.h>
 
+#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include <fettle/property/error.h>
 
@@ -9,6 +11,8 @@
 
 namespace fettle::physics_module {
 namespace {
+
+constexpr std::string_view world_name = "world";
 
 const property::Class& require_class(const Hosting& hosting, Handle instance,
                                      const property::Class& wanted) {
@@ -20,6 +24,43 @@ const property::Class& require_class(const Hosting& hosting, Handle instance,
     return is;
 }
 
+void define_all(Hosting& hosting) {
+    define_step_statistics(hosting);
+    define_world(hosting);
+    define_body(hosting);
+    define_shapes(hosting);
+    define_joints(hosting);
+    define_fields(hosting);
+}
+
+/// What `define_all` defines; a test compares it with that. Classes cannot be taken back, so that
+/// none is there already is seen before the first is defined.
+constexpr const char* class_names[] = {"StepStatistics", "World",         "Body",
+                                       "Shape",          "Circle",        "Box",
+                                       "Segment",        "Capsule",       "Polygon",
+                                       "Ellipse",        "Concave",       "Chain",
+                                       "Joint",          "PairJoint",     "MouseJoint",
+                                       "DistanceJoint",  "RevoluteJoint", "PrismaticJoint",
+                                       "PinSlotJoint",   "GrooveJoint",   "WheelJoint",
+                                       "WeldJoint",      "MotorJoint",    "PulleyJoint",
+                                       "GearJoint",      "RatchetJoint",  "Field",
+                                       "Wind",           "Drag",          "Buoyancy",
+                                       "Attractor"};
+
+/// Throws where a tree has something that is in the way of what `attach` adds.
+void require_room(const property::Tree& tree) {
+    const auto refuse = [](const std::string& what) {
+        throw property::Error(property::ErrorKind::bad_name, "physics cannot be attached: " + what);
+    };
+    for (const char* name : class_names)
+        if (tree.find_class(name) != nullptr)
+            refuse("the tree has a class \"" + std::string(name) + "\" already");
+    const Handle root = tree.root();
+    if (tree.child(root, world_name) || tree.find(root, world_name) != nullptr ||
+        tree.class_of(root).method(world_name) != nullptr)
+        refuse("the root has a \"" + std::string(world_name) + "\" already");
+}
+
 }  // namespace
 
 PhysicsModule::PhysicsModule() = default;
@@ -27,15 +68,17 @@ PhysicsModule::~PhysicsModule() = default;
 
 void PhysicsModule::attach(property::Tree& tree) {
     if (hosting_) throw std::logic_error("physics is attached to a tree already");
-    hosting_ = std::make_unique<Hosting>(tree, *this);
+    require_room(tree);
     tree.add_part(*this);
-    define_step_statistics(*hosting_);
-    define_world(*hosting_);
-    define_body(*hosting_);
-    define_shapes(*hosting_);
-    define_joints(*hosting_);
-    define_fields(*hosting_);
-    tree.create(*hosting_->world_class, tree.root(), "world");
+    try {
+        hosting_ = std::make_unique<Hosting>(tree, *this);
+        define_all(*hosting_);
+    } catch (...) {
+        tree.remove_part(*this);
+        hosting_.reset();
+        throw;
+    }
+    tree.create(*hosting_->world_class, tree.root(), world_name);
 }
 
 /// Whoever steps a module before it was attached hears of it.
@@ -45,6 +88,9 @@ Hosting& PhysicsModule::hosting() const {
 }
 
 void PhysicsModule::step(double dt) {
+    if (!(dt >= 0) || dt > std::numeric_limits<float>::max())
+        throw std::invalid_argument("PhysicsModule::step: dt = " + std::to_string(dt) +
+                                    ": expected a time in seconds, at least 0");
     const Hosting::Doing step(hosting());
     hosting().follow_listeners();
     hosting().joints.tighten();
@@ -61,6 +107,9 @@ void PhysicsModule::step(double dt) {
 }
 
 void PhysicsModule::report(property::Tree& tree) {
+    if (&tree != &hosting().tree)
+        throw std::invalid_argument(
+            "PhysicsModule::report: expected the tree that physics is attached to, got another");
     tree.stepped();
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);

@@ -40,20 +40,20 @@ void Hosting::destroy_world(Row row) {
 // --- Bodies
 
 Row Hosting::create_body(Handle self) {
-    const Doing placing(*this);
+    const Placing placing(*this);
     const std::uint32_t number = world_above(self);
     const physics::Body made = worlds_[number]->world.create_body({.user_data = pack(self)});
     return row_of(number, made);
 }
 
 Row Hosting::place_body(Handle self, Row row) {
-    const Doing placing(*this);
+    const Placing placing(*this);
     const std::uint32_t number = world_above(self);
     return number == world_number(row) ? row : migrate_body(row, number);
 }
 
 void Hosting::destroy_body(Row row) {
-    const Doing placing(*this);
+    const Placing placing(*this);
     HostedWorld& in = hosted(row);
     const physics::Body gone = body(row);
     if (gone.is_touching()) in.departed_bodies[gone.id().generation] = unpack(gone.user_data());
@@ -66,7 +66,7 @@ void Hosting::destroy_body(Row row) {
 // --- Shapes
 
 Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
-    const Doing placing(*this);
+    const Placing placing(*this);
     const Handle owner = body_above(self);
     const Row owner_row = owner ? tree.row(owner) : make_row(limbo, 0);
     HostedWorld& in = hosted(owner_row);
@@ -77,7 +77,7 @@ Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
 }
 
 Row Hosting::place_shape(Handle self, Row row) {
-    const Doing placing(*this);
+    const Placing placing(*this);
     const Handle owner = body_above(self);
     if (!owner) {
         if (world_number(row) != limbo) return migrate_shape(row, limbo, {});
@@ -93,7 +93,7 @@ Row Hosting::place_shape(Handle self, Row row) {
 }
 
 void Hosting::destroy_shape(Row row) {
-    const Doing placing(*this);
+    const Placing placing(*this);
     note_departure(row);
     hosted(row).looks.forget(slot_of(row));
     shape(row).destroy();

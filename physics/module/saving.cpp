@@ -117,6 +117,7 @@ constexpr std::uint64_t refresh_code(std::uint32_t world, const physics::Refresh
 
 std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
     auto made = std::make_unique<HostedWorld>();
+    made->world.set_owner(&owner_);
     made->world.on_refresh([this, number](const physics::Refresh& wanted) {
         if (doing_ == 0) tree.refreshing(part_, refresh_code(number, wanted));
     });
@@ -179,6 +180,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
     }
     check_rows(*this, objects, from);
     return [this, worlds, hits_wanted, put_joints, found] {
+        const Placing placing(*this);
         for (std::uint32_t number = 0; number < most_worlds; ++number)
             if (!found[number]) worlds_[number].reset();
         for (Saved& saved : *worlds) {

@@ -110,7 +110,7 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
 }  // namespace
 
 void World::restore(std::span<const std::byte> bytes) {
-    WorldData& data = edit(__func__);
+    WorldData& data = populate(__func__);
     ArchiveReader read = unsealed(bytes);
     WorldData fresh;
     world_members(read, fresh);
@@ -124,8 +124,8 @@ void World::restore(std::span<const std::byte> bytes) {
 
 void World::take(World&& other) {
     if (this == &other) return;
-    WorldData& data = edit(__func__);
-    WorldData& given = other.edit(__func__);
+    WorldData& data = populate(__func__);
+    WorldData& given = other.populate(__func__);
     data.take(std::move(given));
     WorldData empty;
     empty.self.link = &take_link();

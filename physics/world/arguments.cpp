@@ -77,6 +77,18 @@ float check_range(const char* what, float value, float low, float high) {
     return value;
 }
 
+int check_count(const char* what, int value, int low, int high) {
+    if (value < low || value > high)
+        refuse(what, std::to_string(value),
+               "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return value;
+}
+
+int check_simd_width(const char* what, int value) {
+    if (value != 4 && value != 8 && value != 16) refuse(what, std::to_string(value), "4, 8 or 16");
+    return value;
+}
+
 const Vec2& check_coordinates(const char* what, const Vec2& value) {
     const float limit = greatest_coordinate;
     if (!(std::fabs(value.x()) <= limit && std::fabs(value.y()) <= limit)) {
@@ -112,7 +124,7 @@ const Vec2& check_point(const char* what, const Vec2& p) {
 
 void check(const WorldDef& def) {
     check_finite("gravity", def.gravity);
-    check_range("substeps", float(def.substeps), 1.0f, 64.0f);
+    check_count("substeps", def.substeps, 1, 64);
     if (def.bounds) check_bounds(*def.bounds);
     check_not_negative("bounds_friction", def.bounds_friction);
     check_range("bounds_restitution", def.bounds_restitution, 0.0f, 1.0f);

@@ -36,6 +36,9 @@ inline float check_not_negative(const char* what, float value) {
     return value;
 }
 float check_range(const char* what, float value, float low, float high);
+int check_count(const char* what, int value, int low, int high);
+/// 4, 8 or 16.
+int check_simd_width(const char* what, int value);
 [[noreturn]] void refuse_enumerator(const char* what, int value, int last);
 /// Enumerations count from 0 to `last`; a number cast to one may be anything.
 template <class Enum>

@@ -63,6 +63,7 @@ World& Body::world() const {
 
 void Body::destroy() {
     FETTLE_EDIT_BODY
+    data.self.may_populate("Body", __func__);
     data.destroy_body(id_.index);
 }
 
@@ -395,6 +396,7 @@ float Body::kinetic_energy() const {
 
 Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
     FETTLE_EDIT_BODY
+    data.self.may_populate("Body", __func__);
     const Shape shape = link_->world->create_shape(geometry, def);
     data.attach_shape(shape.index(), id_.index);
     return shape;
@@ -439,7 +441,7 @@ uint64_t Body::user_data() const {
 
 void Body::set_user_data(uint64_t value) {
     FETTLE_LIVE_BODY
-    data.self.may_edit("Body", __func__);
+    data.self.may_populate("Body", __func__);
     record.user_data = value;
 }
 

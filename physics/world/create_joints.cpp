@@ -30,7 +30,7 @@ JointRecord checked(const World& world, const JointDef& def) {
 }  // namespace
 
 MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
-    WorldData& data = edit(__func__);
+    WorldData& data = populate(__func__);
     if (def.body == BodyId()) throw std::invalid_argument("body: a mouse joint drags a body");
     JointRecord record;
     record.bodies[1] = slot_of(*this, "body", def.body);
@@ -64,61 +64,61 @@ Any make(World& world, WorldData& data, const JointDef& def, const Data& setting
 }  // namespace
 
 DistanceJoint World::create_distance_joint(const JointDef& def) {
-    auto joint = make<DistanceJoint>(*this, edit(__func__), def, DistanceData{});
+    auto joint = make<DistanceJoint>(*this, populate(__func__), def, DistanceData{});
     joint.set_length(joint.distance());
     return joint;
 }
 
 RevoluteJoint World::create_revolute_joint(const JointDef& def) {
-    auto joint = make<RevoluteJoint>(*this, edit(__func__), def, RevoluteData{});
+    auto joint = make<RevoluteJoint>(*this, populate(__func__), def, RevoluteData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }
 
 PrismaticJoint World::create_prismatic_joint(const JointDef& def) {
-    auto joint = make<PrismaticJoint>(*this, edit(__func__), def, PrismaticData{});
+    auto joint = make<PrismaticJoint>(*this, populate(__func__), def, PrismaticData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }
 
 WheelJoint World::create_wheel_joint(const JointDef& def) {
-    return make<WheelJoint>(*this, edit(__func__), def, WheelData{});
+    return make<WheelJoint>(*this, populate(__func__), def, WheelData{});
 }
 
 WeldJoint World::create_weld_joint(const JointDef& def) {
-    auto joint = make<WeldJoint>(*this, edit(__func__), def, WeldData{});
+    auto joint = make<WeldJoint>(*this, populate(__func__), def, WeldData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }
 
 MotorJoint World::create_motor_joint(const JointDef& def) {
-    auto joint = make<MotorJoint>(*this, edit(__func__), def, MotorData{});
+    auto joint = make<MotorJoint>(*this, populate(__func__), def, MotorData{});
     joint.set_angular_offset(angle_between(joint));
     return joint;
 }
 
 PulleyJoint World::create_pulley_joint(const JointDef& def) {
-    auto joint = make<PulleyJoint>(*this, edit(__func__), def, PulleyData{});
+    auto joint = make<PulleyJoint>(*this, populate(__func__), def, PulleyData{});
     joint.set_length(joint.length_now());
     return joint;
 }
 
 GearJoint World::create_gear_joint(const JointDef& def) {
-    auto joint = make<GearJoint>(*this, edit(__func__), def, GearData{});
+    auto joint = make<GearJoint>(*this, populate(__func__), def, GearData{});
     joint.set_phase(joint.phase_now());
     return joint;
 }
 
 GrooveJoint World::create_groove_joint(const JointDef& def) {
-    return make<GrooveJoint>(*this, edit(__func__), def, GrooveData{});
+    return make<GrooveJoint>(*this, populate(__func__), def, GrooveData{});
 }
 
 PinSlotJoint World::create_pin_slot_joint(const JointDef& def) {
-    return make<PinSlotJoint>(*this, edit(__func__), def, PinSlotData{});
+    return make<PinSlotJoint>(*this, populate(__func__), def, PinSlotData{});
 }
 
 RatchetJoint World::create_ratchet_joint(const JointDef& def) {
-    auto joint = make<RatchetJoint>(*this, edit(__func__), def, RatchetData{});
+    auto joint = make<RatchetJoint>(*this, populate(__func__), def, RatchetData{});
     joint.set_reference_angle(angle_between(joint));
     return joint;
 }

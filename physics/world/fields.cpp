@@ -232,7 +232,7 @@ struct FieldCheck {
     void operator()(const AttractorField& f) const {
         check_coordinates("center", f.center);
         check_finite("strength", f.strength);
-        check_range("falloff", float(f.falloff), 0.0f, 3.0f);
+        check_count("falloff", f.falloff, 0, 3);
         check_not_negative("core", f.core);
     }
 };
@@ -245,7 +245,7 @@ void detail::check(const FieldDef& def) {
 }
 
 Field World::create_field(const FieldDef& def) {
-    WorldData& data = edit(__func__);
+    WorldData& data = populate(__func__);
     check(def);
     uint32_t slot = data.free_field;
     if (slot != none) {
@@ -302,15 +302,19 @@ const FieldDef& Field::definition() const {
 
 void Field::set(const FieldDef& wanted) {
     WorldData& data = live();
-    data.self.may_edit("Field", __func__);
+    FieldDef& def = data.fields[id_.index].def;
+    if (wanted.user_data != def.user_data || wanted.force.index() != def.force.index())
+        data.self.may_populate("Field", __func__);
+    else
+        data.self.may_edit("Field", __func__);
     check(wanted);
-    data.fields[id_.index].def = wanted;
+    def = wanted;
     data.wake_all();
 }
 
 void Field::destroy() {
     WorldData& data = live();
-    data.self.may_edit("Field", __func__);
+    data.self.may_populate("Field", __func__);
     data.fields[id_.index] = {{}, 0, data.free_field};
     data.free_field = id_.index;
     --data.field_count;

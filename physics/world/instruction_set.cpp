@@ -1,5 +1,6 @@
 #include <fettle/physics/instruction_set.h>
 #include <wide/kernels.h>
+#include <world/arguments.h>
 #include <world/world_data.h>
 
 namespace fettle::physics {
@@ -9,7 +10,8 @@ int simd_width() {
 }
 
 void World::limit_simd_width(int most) {
-    edit(__func__).most_lanes = most;
+    detail::WorldData& data = edit(__func__);
+    data.most_lanes = detail::check_simd_width("most", most);
 }
 
 }  // namespace fettle::physics

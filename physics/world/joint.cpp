@@ -37,7 +37,9 @@ World& Joint::world() const {
 }
 
 void Joint::destroy() {
-    edited(__func__).destroy_joint(id_.index);
+    WorldData& data = live();
+    data.self.may_populate("Joint", __func__);
+    data.destroy_joint(id_.index);
 }
 
 JointType Joint::type() const {
@@ -60,11 +62,20 @@ void Joint::set_body(uint32_t side, const Body& body, const char* function) {
     WorldData& data = edited(function);
     const char* name = side == 0 ? "body_a" : "body_b";
     const bool is_world = body == Body();
+    if (data.joints[id_.index].type == JointType::mouse) {
+        if (side == 0)
+            throw std::invalid_argument(
+                "body_a: a mouse joint has a target there: set that instead");
+        if (is_world) throw std::invalid_argument("body: a mouse joint drags a body");
+    }
     if (!is_world && !body.is_valid())
         dangling("body", body.link_, body.index(), body.id().generation);
     if (!is_world && body.link_ != link_)
         throw std::invalid_argument(std::string(name) + ": expected a body of the same world");
     const uint32_t slot = is_world ? 0 : body.index();
+    if (slot == 0 && data.joints[id_.index].type == JointType::mouse)
+        throw std::invalid_argument(
+            "body: a mouse joint drags a body, not the bounds of the world");
     if (slot == data.joints[id_.index].bodies[side ^ 1])
         throw std::invalid_argument(std::string(name) + ": expected another body than the other's");
     data.set_joint_body(id_.index, side, slot);
@@ -157,15 +168,21 @@ uint64_t Joint::user_data() const {
     return live().joints[id_.index].user_data;
 }
 void Joint::set_user_data(uint64_t value) {
-    edited(__func__).joints[id_.index].user_data = value;
+    WorldData& data = live();
+    data.self.may_populate("Joint", __func__);
+    data.joints[id_.index].user_data = value;
 }
 
 void MouseJoint::set_body(const Body& body) {
-    live();
-    if (body == Body()) throw std::invalid_argument("body: a mouse joint drags a body");
+    (void)own<MouseData>();
     set_body_b(body);
 }
+void MouseJoint::set_anchor(const Vec2& anchor) {
+    (void)own<MouseData>();
+    set_anchor_b(anchor);
+}
 void MouseJoint::set_target(const Vec2& target) {
+    (void)own<MouseData>();
     set_anchor_a(check_coordinates("target", target));
 }
 FETTLE_JOINT_SETTING(MouseJoint, MouseData, hertz, check_not_negative("hertz", value))

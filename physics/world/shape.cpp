@@ -19,6 +19,14 @@ void refuse_border(const ShapeRecord& record, const char* instead) {
                                     " instead");
 }
 
+/// What no setting of the world is for, the border does not have.
+void refuse_border_any(const ShapeRecord& record, const char* what) {
+    if (record.type == ShapeType::border) [[unlikely]]
+        throw std::invalid_argument(std::string(what) +
+                                    ": the border of the world has friction and restitution only; "
+                                    "set its bounds_friction or bounds_restitution");
+}
+
 void surface_changed(WorldData& data, uint32_t shape) {
     data.share_surface(shape);
     if (data.forms[shape].body == none) return;
@@ -55,6 +63,7 @@ World& Shape::world() const {
 
 void Shape::destroy() {
     FETTLE_EDIT_SHAPE
+    data.self.may_populate("Shape", __func__);
     refuse_border(record, "bounds");
     data.destroy_shape(id_.index);
 }
@@ -72,6 +81,7 @@ Body Shape::body() const {
 
 void Shape::attach(const Body& body) {
     FETTLE_EDIT_SHAPE
+    data.self.may_populate("Shape", __func__);
     if (record.type == ShapeType::border)
         throw std::invalid_argument("the border of the world belongs to no body");
     if (!body.is_valid()) dangling("body", body.link_, body.index(), body.id().generation);
@@ -84,6 +94,7 @@ void Shape::attach(const Body& body) {
 
 void Shape::detach() {
     FETTLE_EDIT_SHAPE
+    data.self.may_populate("Shape", __func__);
     refuse_border(record, "bounds");
     if (form.body != none) data.detach_shape(id_.index);
 }
@@ -95,6 +106,7 @@ float Shape::density() const {
 
 void Shape::set_density(float density) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "density");
     record.surface.density = check_not_negative("density", density);
     if (form.body == none) return;
     data.wake_body(form.body);
@@ -132,6 +144,7 @@ float Shape::rolling_resistance() const {
 
 void Shape::set_rolling_resistance(float resistance) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "rolling_resistance");
     record.surface.rolling_resistance = check_not_negative("rolling_resistance", resistance);
     surface_changed(data, id_.index);
 }
@@ -143,6 +156,7 @@ float Shape::surface_speed() const {
 
 void Shape::set_surface_speed(float speed) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "surface_speed");
     record.surface.surface_speed = check_finite("surface_speed", speed);
     surface_changed(data, id_.index);
 }
@@ -154,6 +168,7 @@ bool Shape::sensor() const {
 
 void Shape::set_sensor(bool sensor) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "sensor");
     if (record.surface.sensor == sensor) return;
     if (form.body != none) {
         data.wake_for_edit(form.body);
@@ -175,6 +190,7 @@ bool Shape::hit_events() const {
 
 void Shape::set_hit_events(bool enabled) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "hit_events");
     record.surface.hit_events = enabled;
     data.share_surface(id_.index);
     data.for_each_solid(id_.index, [&](uint32_t solid) { data.remix_shape(solid); });
@@ -187,6 +203,7 @@ uint64_t Shape::category() const {
 
 void Shape::set_category(uint64_t category) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "category");
     set_filtering(data, id_.index, &ShapeDef::category, category);
 }
 
@@ -197,6 +214,7 @@ uint64_t Shape::mask() const {
 
 void Shape::set_mask(uint64_t mask) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "mask");
     set_filtering(data, id_.index, &ShapeDef::mask, mask);
 }
 
@@ -207,6 +225,7 @@ int32_t Shape::group() const {
 
 void Shape::set_group(int32_t group) {
     FETTLE_EDIT_SHAPE
+    refuse_border_any(record, "group");
     set_filtering(data, id_.index, &ShapeDef::group, group);
 }
 
@@ -285,6 +304,7 @@ uint64_t Shape::user_data() const {
 
 void Shape::set_user_data(uint64_t value) {
     FETTLE_EDIT_SHAPE
+    data.self.may_populate("Shape", __func__);
     record.surface.user_data = value;
 }
 

@@ -43,14 +43,23 @@ World::World(const World& other) {
 
 World& World::operator=(const World& other) {
     if (this == &other) return *this;
-    WorldData& data = edit(__func__);
+    WorldData& data = populate(__func__);
     other.data_->self.may_copy("copying a World");
     data.take(WorldData(*other.data_));
     return *this;
 }
 
+void World::set_owner(const Owner* owner) {
+    edit(__func__).self.owner = owner;
+}
+
 WorldData& World::edit(const char* function) const {
     data_->self.may_edit("World", function);
+    return *data_;
+}
+
+WorldData& World::populate(const char* function) const {
+    data_->self.may_populate("World", function);
     return *data_;
 }
 
@@ -76,7 +85,7 @@ int World::substeps() const {
 }
 void World::set_substeps(int substeps) {
     WorldData& data = edit(__func__);
-    data.settings.substeps = int(check_range("substeps", float(substeps), 1.0f, 64.0f));
+    data.settings.substeps = check_count("substeps", substeps, 1, 64);
 }
 
 const std::optional<Aabb>& World::bounds() const {
@@ -199,7 +208,7 @@ int World::threads() const {
 }
 void World::set_threads(int threads) {
     WorldData& data = edit(__func__);
-    check_range("threads", float(threads), 1.0f, 64.0f);
+    check_count("threads", threads, 1, 64);
     if (threads == this->threads()) return;
     data.self.pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
     data.threads = data.self.pool.get();
@@ -210,20 +219,20 @@ void World::wake_all() {
 }
 
 Body World::create_body(const BodyDef& def) {
-    WorldData& data = edit(__func__);
+    WorldData& data = populate(__func__);
     check(def);
     return {this, data.body_id(data.create_body(def))};
 }
 
 Shape World::create_shape(const Geometry& geometry, const ShapeDef& def) {
-    WorldData& data = edit(__func__);
+    WorldData& data = populate(__func__);
     check(def);
     check(geometry);
     return {this, data.shape_id(data.create_shape(def, geometry))};
 }
 
 void World::clear() {
-    edit(__func__);
+    populate(__func__);
     for (Body b : bodies()) b.destroy();
     for (Shape s : shapes()) s.destroy();
     for (Field f : fields()) f.destroy();

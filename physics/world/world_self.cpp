@@ -27,6 +27,10 @@ void WorldSelf::refuse_edit(const char* of, const char* function) const {
                  "change it when that call has returned");
 }
 
+void WorldSelf::refuse_stranger(const char* of, const char* function) const {
+    throw Locked(std::string(of) + "::" + function + ": " + owner->advice());
+}
+
 void WorldSelf::refuse_copy(const char* what) const {
     throw Locked(std::string(what) + " is not allowed inside " + place() +
                  ": the state of the world is incomplete there. Do it when that call has returned");

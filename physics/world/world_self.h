@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fettle/physics/callbacks.h>
+#include <fettle/physics/owner.h>
 #include <threads/pool.h>
 #include <world/world_link.h>
 
@@ -20,13 +21,14 @@ inline constexpr const char in_refresh[] = "the refresh callback (World::on_refr
 inline constexpr const char in_step[] = "a step";
 inline constexpr const char in_edit[] = "an edit";
 
-/// What a world is besides its state: its identity, the functions of its user, its threads, and its
-/// lock. Copying or restoring a state does not change it.
+/// What a world is besides its state: its identity, the functions of its user, its owner, its
+/// threads, and its lock. Copying or restoring a state does not change it.
 struct WorldSelf {
     WorldLink* link = nullptr;  ///< null: a state that is in no world
     PairFilter filter;
     ContactCallback mix, before_solve;
     RefreshCallback refresh;
+    const Owner* owner = nullptr;  ///< who alone makes and ends objects; null: anybody
     std::unique_ptr<ThreadPool> pool;
 
     WorldSelf();
@@ -47,6 +49,12 @@ struct WorldSelf {
     void may_edit(const char* of, const char* function) const {
         if (locked()) [[unlikely]]
             refuse_edit(of, function);
+    }
+    /// The same for what makes or ends objects, or ties them otherwise.
+    void may_populate(const char* of, const char* function) const {
+        may_edit(of, function);
+        if (owner != nullptr && !owner->acts()) [[unlikely]]
+            refuse_stranger(of, function);
     }
     void may_copy(const char* what) const {
         if (in_the_middle()) [[unlikely]]
@@ -78,6 +86,7 @@ struct WorldSelf {
     friend class WorldLock;
     static constexpr uint32_t middle = 1u << 16;
     [[noreturn]] void refuse_edit(const char* of, const char* function) const;
+    [[noreturn]] void refuse_stranger(const char* of, const char* function) const;
     [[noreturn]] void refuse_copy(const char* what) const;
     const char* place() const { return inside_.load(std::memory_order_relaxed); }
     const char* enter(const char* callback) const {

@@ -82,6 +82,19 @@ TEST_CASE("contacts and rays know the border") {
     REQUIRE_THROWS_WITH(border.set_friction(3), contains("bounds_friction"));
     REQUIRE_THROWS_WITH(border.set_restitution(1), contains("bounds_restitution"));
     REQUIRE(border.friction() == world.bounds_friction());
+    // And what no setting is for, it does not have.
+    const auto refuses = [](const std::string& what, const auto& set) {
+        REQUIRE_THROWS_WITH(set(), contains(what + ": the border of the world has friction"));
+    };
+    refuses("sensor", [&] { border.set_sensor(true); });
+    refuses("density", [&] { border.set_density(3); });
+    refuses("rolling_resistance", [&] { border.set_rolling_resistance(3); });
+    refuses("surface_speed", [&] { border.set_surface_speed(3); });
+    refuses("hit_events", [&] { border.set_hit_events(true); });
+    refuses("category", [&] { border.set_category(2); });
+    refuses("mask", [&] { border.set_mask(2); });
+    refuses("group", [&] { border.set_group(2); });
+    REQUIRE_FALSE(border.sensor());
     REQUIRE(world.shapes().size() == 1);
     REQUIRE(world.bodies().size() == 1);
 }

@@ -440,6 +440,7 @@ inline const std::vector<Method>& every_method() {
         EDIT(World, set_before_solve, world, ({})),
         EDIT(World, on_refresh, world, ({})),
         EDIT(World, refresh, world, ({})),
+        EDIT(World, set_owner, world, (nullptr)),
         EDIT(World, create_body, world, ()),
         EDIT(World, create_shape, world, (Circle{})),
         EDIT(World, create_mouse_joint, world, ({.body = things.body.id()})),

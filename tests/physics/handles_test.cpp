@@ -250,4 +250,37 @@ TEST_CASE("numbers that are no enumerators are refused") {
     REQUIRE_THROWS_WITH(world.create_body({.center = Vec2(0, not_a_number)}), contains("center"));
 }
 
+TEST_CASE("a joint that is called a mouse and is none is not edited") {
+    World world;
+    Things things = make_things(world);
+    MouseJoint wrong = world.joint<MouseJoint>(things.wheel.id());
+    const Vec2 before = things.wheel.anchor_a();
+    REQUIRE_THROWS_WITH(wrong.set_target({9, 9}), contains("expected a mouse joint, got a wheel"));
+    REQUIRE_THROWS_WITH(wrong.set_anchor({9, 9}), contains("expected a mouse joint"));
+    REQUIRE_THROWS_WITH(wrong.set_body(things.third), contains("expected a mouse joint"));
+    REQUIRE(things.wheel.anchor_a() == before);
+}
+
+TEST_CASE("a mouse joint drags a body, by whatever name that is set") {
+    World world;
+    Things things = make_things(world);
+    Joint mouse = things.mouse;
+    REQUIRE_THROWS_WITH(mouse.set_body_a(things.third), contains("body_a: a mouse joint"));
+    REQUIRE_THROWS_WITH(mouse.set_body_b(Body()), contains("body: a mouse joint drags a body"));
+    REQUIRE_THROWS_WITH(mouse.set_body_b(world.body({0, world.body_generation(0)})),
+                        contains("bounds of the world"));
+    mouse.set_body_b(things.third);
+    REQUIRE(things.mouse.body() == things.third);
+}
+
+TEST_CASE("counts are told as whole numbers") {
+    World world;
+    REQUIRE_THROWS_WITH(world.set_threads(2147483647),
+                        "threads = 2147483647: expected a whole number from 1 to 64");
+    REQUIRE_THROWS_WITH(world.set_substeps(-2147483647), contains("substeps = -2147483647"));
+    for (const int width : {-1, 0, 3, 1 << 30})
+        REQUIRE_THROWS_WITH(world.limit_simd_width(width),
+                            contains("= " + std::to_string(width) + ": expected 4, 8 or 16"));
+    for (const int width : {4, 8, 16}) REQUIRE_NOTHROW(world.limit_simd_width(width));
+}
 }  // namespace handles_test

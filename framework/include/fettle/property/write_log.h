@@ -44,7 +44,9 @@ class WriteLog : public Observer {
     std::size_t memory() const;
     /// Bytes one piece may take, 32 MiB unless told. What is more is not noted: `too_much`.
     void set_most(std::size_t bytes) { most_ = bytes; }
-    /// Does a piece again: in the `go_on` of `Tree::restore`, in the state it was noted in.
+    /// Does a piece again: in the `go_on` of `Tree::restore`, in the state it was noted in. Throws
+    /// Error(rejected) for a piece of another tree, Error(deleted) when its own is gone. That the
+    /// bytes are those that `take` gave is not checked: they hold addresses.
     void play(const LoggedWrites& piece);
 
     void wrote(Handle instance, const Property& property, const Value& now) override;

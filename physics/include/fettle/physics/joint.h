@@ -80,7 +80,7 @@ class MouseJoint : public Joint {
     Body body() const { return body_b(); }
     void set_body(const Body& body);  ///< keeps the anchor's body coordinates; not the world
     Vec2 anchor() const { return anchor_b(); }
-    void set_anchor(const Vec2& anchor) { set_anchor_b(anchor); }
+    void set_anchor(const Vec2& anchor);
     Vec2 target() const { return anchor_a(); }  ///< world, m
     void set_target(const Vec2& target);
     float hertz() const;

@@ -7,6 +7,7 @@
 #include <fettle/physics/export.h>
 #include <fettle/physics/field.h>
 #include <fettle/physics/locked.h>
+#include <fettle/physics/owner.h>
 #include <fettle/physics/query.h>
 #include <fettle/physics/shape.h>
 #include <fettle/physics/sliding_joints.h>
@@ -145,7 +146,7 @@ class World {
     void set_persist_events(bool enabled);
     void wake_all();
     /// Numbers that are computed at a time, at most: 4, 8 or 16, and no more than `simd_width`.
-    /// Fewer are slower and give the same bits: for comparisons.
+    /// Fewer are slower and give the same bits: for comparisons. Throws for any other number.
     void limit_simd_width(int most);
 
     /// How many threads a step is shared out to, the caller's included: 1 … 64. It belongs to the
@@ -176,6 +177,10 @@ class World {
     void on_refresh(RefreshCallback callback);
     /// As a read would do; nothing where nothing is out of date, or nobody is in the slot.
     void refresh(const Refresh& wanted);
+
+    /// Who alone makes and ends what is in the world from now on; null: anybody. As callbacks, it
+    /// is no part of the state: copying, saving and restoring leave it as it is, a copy has none.
+    void set_owner(const Owner* owner);
 
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
@@ -283,6 +288,8 @@ class World {
     World* self() const { return const_cast<World*>(this); }  ///< handles are not const
     /// For what edits: throws Locked where nothing may be edited.
     detail::WorldData& edit(const char* function) const;
+    /// For what makes or ends objects: throws Locked where the world has an owner, too.
+    detail::WorldData& populate(const char* function) const;
 
     std::unique_ptr<detail::WorldData> data_;
     detail::Columns* columns_ = nullptr;  ///< base of `*data_`

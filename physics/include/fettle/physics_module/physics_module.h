@@ -27,9 +27,13 @@ class PhysicsModule : public module::Module {
     PhysicsModule& operator=(const PhysicsModule&) = delete;
 
     std::string_view name() const override { return "physics"; }
-    /// Throws std::logic_error when it was attached before.
+    /// Throws std::logic_error when it was attached before, and Error(bad_name) where the tree has
+    /// a class, a child `world` of the root or a part of snapshots of a name that it needs: nothing
+    /// has changed then, and it is attached to nothing.
     void attach(property::Tree& tree) override;
+    /// Throws std::invalid_argument unless `dt` is a time, at least 0.
     void step(double dt) override;
+    /// Throws std::invalid_argument for another tree than the one it was attached to.
     void report(property::Tree& tree) override;
     /// Of the worlds below the root: that of the only one, else all combined in the order of their
     /// numbers, which are given again when a world is deleted.
@@ -44,6 +48,11 @@ class PhysicsModule : public module::Module {
     // From an instance to what it stands for, for C++ that wants to go on without the tree. What is
     // returned is good until the instance is deleted or moved to another world, or a snapshot is
     // restored. Throws property::Error for a deleted instance or one of another class.
+    //
+    // What is in these worlds comes and goes by the tree alone: creating and destroying bodies,
+    // shapes, joints and fields, tying a shape to another body, `clear`, `restore`, `take`,
+    // assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). Everything
+    // else may be called. The module sets the worlds' callbacks by itself.
 
     /// The world of a World instance; for any other the nearest above it, and where there is none
     /// the one of all that is in no world.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+class Tree;
+
+/// While it lives, a function is called that must not destroy the tree, since work on the tree goes
+/// on when it returns. When it does so nevertheless, the program is ended with a message that names
+/// `what`, which must outlive this: "the function given to on_print".
+class Pinned {
+  public:
+    Pinned(Tree& tree, const char* what);
+    ~Pinned();
+    Pinned(const Pinned&) = delete;
+    Pinned& operator=(const Pinned&) = delete;
+
+  private:
+    Tree& tree_;
+    const char* outer_;
+};
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -1,0 +1,97 @@
+#include <set>
+#include <string>
+
+#include "catch.h"
+#include "every_method.h"
+
+// A world that belongs to a host: the host alone makes and ends what is in it.
+
+using namespace scenes;
+
+namespace {
+
+const std::set<std::string>& kept_for_the_owner() {
+    static const std::set<std::string> names = {
+        "Body::add",           "Body::destroy",        "Body::set_user_data", "Field::destroy",
+        "Joint::destroy",      "Joint::set_user_data", "Shape::attach",       "Shape::destroy",
+        "Shape::detach",       "Shape::set_user_data", "World::clear",        "World::create_body",
+        "World::create_field", "World::create_shape",  "World::operator=",    "World::restore",
+        "World::take"};
+    return names;
+}
+
+std::string error_of(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const Locked& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+bool kept(const std::string& name) {
+    return kept_for_the_owner().contains(name) ||
+           (name.starts_with("World::create_") && name.ends_with("_joint"));
+}
+
+}  // namespace
+
+TEST_CASE("the owner of a world alone makes and ends what is in it") {
+    World world;
+    Things things = make_things(world);
+    Owner owner("it belongs to a tree: destroy the instance instead");
+    world.save(things.bytes);
+    world.set_owner(&owner);
+    const auto hash = world.hash();
+    std::set<std::string> refused;
+    for (const Method& method : every_method()) {
+        if (!method.edits || !kept(method.name)) continue;
+        INFO(method.name);
+        const std::string error = error_of([&] { method.call(things); });
+        CHECK(error == method.name + ": it belongs to a tree: destroy the instance instead");
+        if (error.starts_with(method.name)) refused.insert(method.name);
+    }
+    for (const std::string& name : kept_for_the_owner())
+        if (name != "World::operator=" && name != "World::take") CHECK(refused.contains(name));
+    World other;
+    REQUIRE_THROWS_AS(world = other, Locked);
+    REQUIRE_THROWS_AS(world = World(), Locked);
+    REQUIRE_THROWS_AS(other.take(std::move(world)), Locked);
+    REQUIRE_THROWS_AS(world.take(std::move(other)), Locked);
+    REQUIRE(world.hash() == hash);
+    REQUIRE_FALSE(world.validate());
+
+    // The rest is everybody's, a copy too.
+    things.body.set_velocity({1, 0});
+    world.step(frame);
+    World copy = world;
+    copy.clear();
+    REQUIRE(copy.body_count() == 0);
+
+    {
+        const Owner::Acting acting(owner);
+        things.third.destroy();
+        REQUIRE_NOTHROW(world.create_body());
+    }
+    REQUIRE_THROWS_AS(things.other.destroy(), Locked);
+    world.set_owner(nullptr);
+    world.clear();
+    REQUIRE(world.body_count() == 0);
+}
+
+TEST_CASE("what a field is and whose it is are its owner's, its numbers anybody's") {
+    World world;
+    Field field = world.create_field({.force = WindField{}, .user_data = 7});
+    Owner owner("it belongs to a tree");
+    world.set_owner(&owner);
+    FieldDef def = field.definition();
+    def.enabled = false;
+    field.set(def);
+    REQUIRE_FALSE(field.definition().enabled);
+    def.user_data = 8;
+    REQUIRE_THROWS_AS(field.set(def), Locked);
+    def = field.definition();
+    def.force = DragField{};
+    REQUIRE_THROWS_AS(field.set(def), Locked);
+    REQUIRE(field.definition().user_data == 7);
+}

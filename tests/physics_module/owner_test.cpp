@@ -1,0 +1,137 @@
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <fettle/physics/world.h>
+
+#include "catch.h"
+#include "game.h"
+
+// What is in a hosted world comes and goes by the tree alone; and a module is attached as a whole
+// or not at all.
+
+using fettle::physics_module::PhysicsModule;
+using fettle::physics_module::testing::Game;
+using fettle::property::ClassDescriptor;
+using fettle::property::Error;
+using fettle::property::Handle;
+using fettle::property::Tree;
+using fettle::property::Vec2;
+namespace physics_library = fettle::physics;
+
+TEST_CASE_METHOD(Game, "what is in a hosted world is made and ended by the tree alone") {
+    const Handle crate = body("Box", {0, 5});
+    const Handle other = body("Circle", {3, 5});
+    const Handle joint = make("RevoluteJoint", world(), {{"body_a", crate}, {"body_b", other}});
+    const Handle wind = make("Wind", world());
+    step();
+    physics_library::World& hosted = physics.world(world());
+    REQUIRE(hosted.joints().size() == 1);
+    const auto refused = [](const auto& act) {
+        REQUIRE_THROWS_WITH(act(), contains("belongs to a property tree"));
+    };
+    refused([&] { physics.body(crate).destroy(); });
+    refused([&] { physics.shape(shape_of(crate)).destroy(); });
+    refused([&] { physics.shape(shape_of(crate)).detach(); });
+    refused([&] { physics.shape(shape_of(crate)).attach(physics.body(other)); });
+    refused([&] { physics.body(crate).set_user_data(0); });
+    refused([&] { hosted.joints()[0].destroy(); });
+    refused([&] { hosted.fields()[0].destroy(); });
+    refused([&] { hosted.clear(); });
+    refused([&] { hosted = physics_library::World(); });
+    physics_library::World taken;
+    refused([&] { taken.take(std::move(hosted)); });
+    refused([&] { hosted.take(physics_library::World()); });
+    std::vector<std::byte> bytes;
+    hosted.save(bytes);
+    refused([&] { hosted.restore(bytes); });
+    refused([&] { hosted.create_body(); });
+    refused([&] { physics.body(crate).add(physics_library::Box{}); });
+
+    // All is as it was, and goes on.
+    for (const Handle each : {crate, other})
+        for (const auto* property : tree.properties(each))
+            REQUIRE_NOTHROW(tree.get(each, *property));
+    REQUIRE_FALSE(hosted.validate());
+    const auto snapshot = tree.snapshot();
+    const Handle mars = make("World", tree.root(), "mars");
+    tree.move(crate, mars);
+    make("Circle", other);
+    tree.move(wind, mars);
+    step();
+    tree.restore(snapshot);
+    step();
+    tree.destroy(joint);
+    step();
+    REQUIRE(hosted.joints().empty());
+    tree.destroy(crate);
+    tree.destroy(wind);
+    REQUIRE(hosted.body_count() == 1);
+}
+
+TEST_CASE("a world in no world is kept for the tree too") {
+    Game game;
+    const Handle loose = game.make("Body", {});
+    const Handle shape = game.make("Circle", loose);
+    REQUIRE_THROWS_WITH(game.physics.shape(shape).destroy(), contains("property tree"));
+    REQUIRE_THROWS_WITH(game.physics.world(loose).clear(), contains("property tree"));
+    game.tree.move(loose, game.world());
+    REQUIRE(game.physics.world(game.world()).body_count() == 1);
+}
+
+TEST_CASE("physics that cannot be attached to a tree is attached to none") {
+    const auto refused = [](Tree& tree, PhysicsModule& module, const char* why) {
+        const std::size_t classes = tree.classes().size(), parts = tree.parts().size();
+        REQUIRE_THROWS_WITH(module.attach(tree), contains(why));
+        REQUIRE_THROWS_WITH(module.step(0.1), contains("attached to no tree"));
+        REQUIRE(tree.classes().size() == classes);
+        REQUIRE(tree.parts().size() == parts);
+        // Elsewhere there is room.
+        auto elsewhere = std::make_unique<Tree>();
+        module.attach(*elsewhere);
+        module.step(0.1);
+    };
+    {
+        PhysicsModule module;
+        Tree tree;
+        tree.define({.name = "Body"});
+        refused(tree, module, "has a class \"Body\" already");
+    }
+    const Game game;
+    for (const auto* of : game.tree.classes()) {
+        PhysicsModule module;
+        Tree tree;
+        if (tree.find_class(of->name()) != nullptr) continue;
+        tree.define({.name = of->name()});
+        refused(tree, module, ("has a class \"" + of->name() + "\" already").c_str());
+    }
+    {
+        PhysicsModule module;
+        Tree tree;
+        tree.create(tree.object_class(), tree.root(), "world");
+        refused(tree, module, "the root has a \"world\" already");
+    }
+    {
+        PhysicsModule module;
+        Tree tree;
+        tree.set_or_add(tree.root(), "world", 1);
+        refused(tree, module, "the root has a \"world\" already");
+    }
+    {
+        PhysicsModule first, second;
+        Tree tree;
+        first.attach(tree);
+        refused(tree, second, "already");
+        first.step(0.1);
+    }
+}
+
+TEST_CASE("physics reports to its own tree, and steps by a time") {
+    Game game;
+    Tree other;
+    REQUIRE_THROWS_WITH(game.physics.report(other), contains("got another"));
+    for (const double dt : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e300,
+                            std::numeric_limits<double>::infinity()})
+        REQUIRE_THROWS_WITH(game.physics.step(dt), contains("dt = "));
+    REQUIRE_NOTHROW(game.physics.step(0));
+}
