@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "every_method.h"
 
+namespace owner_test {
+
 // A world that belongs to a host: the host alone makes and ends what is in it.
 
 using namespace scenes;
@@ -95,3 +97,5 @@ TEST_CASE("what a field is and whose it is are its owner's, its numbers anybody'
     REQUIRE_THROWS_AS(field.set(def), Locked);
     REQUIRE(field.definition().user_data == 7);
 }
+
+}  // namespace owner_test

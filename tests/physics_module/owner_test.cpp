@@ -7,6 +7,8 @@
 #include "catch.h"
 #include "game.h"
 
+namespace owner_test {
+
 // What is in a hosted world comes and goes by the tree alone; and a module is attached as a whole
 // or not at all.
 
@@ -135,3 +137,5 @@ TEST_CASE("physics reports to its own tree, and steps by a time") {
         REQUIRE_THROWS_WITH(game.physics.step(dt), contains("dt = "));
     REQUIRE_NOTHROW(game.physics.step(0));
 }
+
+}  // namespace owner_test

@@ -11,6 +11,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace lifecycle_test {
+
 // What modules do while they are told that an instance dies, and observers while they are told of a
 // write.
 
@@ -299,3 +301,5 @@ TEST_CASE("numbers that stand for nothing are refused in a descriptor") {
             binding.base = [](void*) -> std::byte* { return nullptr; };
         });
 }
+
+}  // namespace lifecycle_test
