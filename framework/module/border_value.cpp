@@ -87,8 +87,25 @@ fettle_result Outgoing::put(const Result& result) {
     return sent;
 }
 
-Value received(const fettle_value& value) {
+namespace {
+
+// As deep as the tree takes lists.
+constexpr int deepest_list = 64;
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw property::Error(ErrorKind::wrong_type, "a value of a module: " + why);
+}
+
+[[noreturn]] void refuse_without_memory(const char* what, std::size_t count) {
+    refuse(std::string(what) + " of length " + std::to_string(count) + " has no memory");
+}
+
+List received_list(const fettle_value* values, std::size_t count, int depth);
+
+Value received_value(const fettle_value& value, int depth) {
     switch (value.type) {
+        case FETTLE_NIL:
+            return {};
         case FETTLE_BOOLEAN:
             return value.as.boolean != 0;
         case FETTLE_INTEGER:
@@ -96,8 +113,10 @@ Value received(const fettle_value& value) {
         case FETTLE_NUMBER:
             return value.as.number;
         case FETTLE_TEXT:
-            return value.as.text == nullptr ? Value("")
-                                            : Value(std::string_view(value.as.text, value.count));
+            if (value.as.text != nullptr)
+                return Value(std::string_view(value.as.text, value.count));
+            if (value.count != 0) refuse_without_memory("a text", value.count);
+            return Value("");
         case FETTLE_VEC2:
             return property::Vec2(value.as.vec2[0], value.as.vec2[1]);
         case FETTLE_COLOR:
@@ -106,22 +125,36 @@ Value received(const fettle_value& value) {
         case FETTLE_REFERENCE:
             return received(value.as.reference);
         case FETTLE_LIST:
-            return received(value.as.list, value.count);
+            if (depth == deepest_list)
+                refuse("lists are in lists more than " + std::to_string(deepest_list) + " deep");
+            return received_list(value.as.list, value.count, depth + 1);
         default:
-            return {};
+            refuse("there is no type number " + std::to_string(value.type));
     }
 }
 
-List received(const fettle_value* values, std::size_t count) {
+List received_list(const fettle_value* values, std::size_t count, int depth) {
+    if (values == nullptr && count != 0) refuse_without_memory("a list", count);
     List list;
-    if (values == nullptr) return list;
     list.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) list.push_back(received(values[i]));
+    for (std::size_t i = 0; i < count; ++i) list.push_back(received_value(values[i], depth));
     return list;
+}
+
+}  // namespace
+
+Value received(const fettle_value& value) {
+    return received_value(value, 0);
+}
+
+List received(const fettle_value* values, std::size_t count) {
+    return received_list(values, count, 0);
 }
 
 Result received(const fettle_result& result, const std::vector<property::Field>& fields) {
     if (result.kind == FETTLE_ONE_VALUE) return received(result.value);
+    if (result.values == nullptr && result.count != 0 && result.fields != 0)
+        refuse_without_memory("a list of records", result.count);
     std::vector<Record> records;
     for (std::size_t i = 0; i < result.count; ++i) {
         Record record{.fields = &fields,

@@ -37,7 +37,8 @@ class Outgoing {
     std::vector<std::vector<fettle_value>> arrays_;  // what an inner one holds stays where it is
 };
 
-/// What came. A type nobody knows is nil, a text or list without memory is empty.
+/// What came. Throws Error(wrong_type) for a type nobody knows, a text or list that has a length
+/// and no memory, and lists that are in lists more than 64 deep, which one that holds itself is.
 property::Value received(const fettle_value& value);
 std::vector<property::Value> received(const fettle_value* values, std::size_t count);
 /// `fields` must outlive the result.
@@ -72,7 +73,12 @@ Struct known_part(const void* from, std::size_t size) {
 template <class Element>
 std::vector<Element> elements(const fettle_array& array) {
     std::vector<Element> copies;
-    if (array.data == nullptr || array.size == 0) return copies;
+    if (array.count == 0) return copies;
+    if (array.data == nullptr || array.size == 0)
+        throw property::Error(property::ErrorKind::bad_structure,
+                              "an array of " + std::to_string(array.count) +
+                                  (array.data == nullptr ? " elements has no memory (`data`)"
+                                                         : " elements of 0 bytes (`size`)"));
     for (std::size_t i = 0; i < array.count; ++i)
         copies.push_back(
             known_part<Element>(static_cast<const char*>(array.data) + i * array.size, array.size));

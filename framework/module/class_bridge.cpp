@@ -60,10 +60,16 @@ Value checked(const Property& declared, Value value) {
 Value get(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
     fettle_value value{};
-    if (property.gone || property.native.get == nullptr ||
-        property.native.get(property.native.context, row, &value) != FETTLE_OK)
-        return property.declared->default_value;
-    return checked(*property.declared, received(value));
+    const Property& declared = *property.declared;
+    if (property.gone || property.native.get == nullptr) return declared.default_value;
+    try {
+        property.host->require(property.native.get(property.native.context, row, &value),
+                               "its getter");
+        return checked(declared, received(value));
+    } catch (const std::exception& problem) {
+        throw property::Error(property::ErrorKind::rejected,
+                              declared.owner->name() + "." + declared.name + ": " + problem.what());
+    }
 }
 
 void set(void* context, Row row, const Value& value) {

@@ -17,7 +17,13 @@ namespace {
 std::byte* cell(const BridgedProperty& p, Row row) {
     const std::size_t stride =
         p.native.stride != 0 ? p.native.stride : size_of(static_cast<Native>(p.native.native));
-    return static_cast<std::byte*>(p.native.base(p.native.context)) + row * stride;
+    auto* const base = static_cast<std::byte*>(p.native.base(p.native.context));
+    if (base == nullptr) [[unlikely]]
+        throw property::Error(property::ErrorKind::rejected,
+                              p.declared->owner->name() + "." + p.declared->name +
+                                  ": it has no memory: the `base` of its column gave a null "
+                                  "pointer");
+    return base + row * stride;
 }
 
 template <class Element>

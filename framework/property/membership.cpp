@@ -88,23 +88,6 @@ Pinned::~Pinned() {
     tree_.state().pinned = outer_;
 }
 
-void Tree::State::require_no_deletion(std::string_view what) const {
-    if (deletions != 0)
-        throw Error(ErrorKind::bad_structure, "a module is told of a deletion: it cannot " +
-                                                  std::string(what) + " meanwhile");
-}
-
-void Tree::State::require_staying(Handle instance, std::string_view what) const {
-    if (deletions == 0) return;
-    visit_below(instance.index, [&](std::uint32_t i) {
-        if (nodes[i].dying)
-            throw Error(ErrorKind::bad_structure, tree.path(nodes.handle(i)) +
-                                                      " is being deleted: its module, which is "
-                                                      "told of that, cannot " +
-                                                      std::string(what) + " meanwhile");
-    });
-}
-
 void Tree::State::Use::finish() const {
     if (state_.ending)
         throw Error(ErrorKind::deleted, "the tree was destroyed by what it was calling");

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include <fettle/property/error.h>
+#include <fettle/property/pinned.h>
 
 #include "errors.h"
 #include "format.h"
@@ -69,6 +70,7 @@ bool tell_of_replay(Machine& machine, const std::string& what) {
 void print_line(Machine& machine, std::string text) {
     constexpr std::size_t most_lines = 2000;
     if (!machine.recording.active) {
+        const property::Pinned pinned(machine.tree, "the function given to on_print");
         if (const auto sink = machine.print_sink) sink(text);  // it may be replaced meanwhile
         return;
     }

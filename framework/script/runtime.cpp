@@ -1,6 +1,8 @@
 #include <fettle/script/runtime.h>
 
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 #include <fettle/property/error.h>
 
@@ -22,8 +24,36 @@ struct Runtime::State : Machine {
     using Machine::Machine;
 };
 
+namespace {
+
+void require_tree(const Machine& machine) {
+    if (machine.tree_life.expired())
+        throw property::Error(property::ErrorKind::deleted,
+                              "the tree of this runtime was destroyed: nothing is left to script");
+}
+
+void require_seconds(const char* what, double seconds) {
+    if (!(seconds >= 0) || std::isinf(seconds))
+        throw property::Error(property::ErrorKind::out_of_range,
+                              std::string(what) + " = " + std::to_string(seconds) +
+                                  ": expected a time in seconds, at least 0");
+}
+
+Options checked(Options options) {
+    require_seconds("Options::call_seconds", options.call_seconds);
+    constexpr std::size_t least = std::size_t{1} << 20;
+    if (options.memory_limit < least)
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "Options::memory_limit = " + std::to_string(options.memory_limit) +
+                                  " bytes: Lua with its library needs " + std::to_string(least) +
+                                  " at least");
+    return options;
+}
+
+}  // namespace
+
 Runtime::Runtime(property::Tree& tree, Options options)
-    : state_(std::make_unique<State>(tree, std::move(options))) {
+    : state_(std::make_unique<State>(tree, checked(std::move(options)))) {
     state_->error_sink = [](const ScriptError& error) {
         std::fprintf(stderr, "%s\n%s", error.message.c_str(), error.traceback.c_str());
     };
@@ -46,9 +76,7 @@ Runtime::~Runtime() {
 
 /// For what runs scripts.
 Machine& Runtime::live() const {
-    if (state_->tree_life.expired())
-        throw property::Error(property::ErrorKind::deleted,
-                              "the tree of this runtime was destroyed: nothing is left to script");
+    require_tree(*state_);
     return *state_;
 }
 
@@ -118,8 +146,14 @@ bool Runtime::load(const std::filesystem::path& game) {
     std::error_code error;
     const fs::path file = fs::is_directory(game, error) ? game / "main.lua" : game;
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    machine.files.stay_below(folder, machine.options.assets);
-    const std::string text = read_source(machine, file);
+    const std::string text = [&] {
+        try {
+            machine.files.stay_below(folder, machine.options.assets);
+            return read_source(machine, file);
+        } catch (const fs::filesystem_error& problem) {
+            throw property::FileError(game, "cannot be read: " + problem.code().message());
+        }
+    }();
     forget_game(machine);
     machine.folder = folder;
     bool ok = run_chunk(machine, text, file.filename().string(), "load");
@@ -161,6 +195,8 @@ bool Runtime::draw(property::Painter& painter) {
 
 bool Runtime::step(double now, double dt) {
     Machine& machine = live();
+    require_seconds("Runtime::step: now", now);
+    require_seconds("Runtime::step: dt", dt);
     const Machine::Use use(machine);
     machine.now = now;
     collect_unplaced(machine);
@@ -179,6 +215,7 @@ Evaluation Runtime::evaluate(std::string_view command) {
     Machine& machine = live();
     const Machine::Use use(machine);
     if (const auto sink = machine.command_sink) sink(command);  // it may be replaced meanwhile
+    require_tree(machine);
     return script::evaluate(machine, command);
 }
 
@@ -199,6 +236,7 @@ property::Handle Runtime::it() const {
 // --- Towards the host
 
 void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
+    require_seconds("limit_calls: seconds", seconds);
     state_->watchdog.limit(seconds, std::move(go_on));
 }
 

@@ -12,10 +12,17 @@ namespace fettle::property {
 
 GameSaves::GameSaves(Tree& tree, Saves saves, Options options)
     : tree_(tree),
+      life_(tree.lifetime()),
       saves_(std::move(saves)),
       options_(std::move(options)),
       alive_(std::make_shared<GameSaves*>(this)) {
     if (options_.writes) remove_leftovers(saves_.folder());
+}
+
+Tree& GameSaves::tree() const {
+    if (life_.expired())
+        throw Error(ErrorKind::deleted, "the tree of these saved games was destroyed");
+    return tree_;
 }
 
 GameSaves::~GameSaves() {
@@ -24,7 +31,7 @@ GameSaves::~GameSaves() {
 }
 
 void GameSaves::save(const std::string& slot) {
-    tree_.require_changeable("save the game");
+    tree().require_changeable("save the game");
     Saves::check_slot(slot);
     if (requests_ == most_requests)
         throw Error(ErrorKind::rejected,
@@ -33,7 +40,7 @@ void GameSaves::save(const std::string& slot) {
     // In its place among what else the barrier does: a game that is loaded in between is another
     // one.
     const std::size_t request = requested_[slot] = ++requests_;
-    tree_.at_barrier([alive = alive_, slot, request] {
+    tree().at_barrier([alive = alive_, slot, request] {
         if (*alive != nullptr) (*alive)->take(slot, request);
     });
 }
@@ -44,11 +51,11 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
     if (is_last) requested_.erase(last);
     if (loaded_.erase(request) == 0 && !is_last) return;
     if (requested_.empty() && loaded_.empty()) requests_ = 0;
-    std::vector<std::byte> state = tree_.snapshot().to_bytes();
+    std::vector<std::byte> state = tree().snapshot().to_bytes();
     // What cannot be loaded must not take the place of what can. No state that the tree accepts is
     // such: this is for modules that leave something out of theirs.
     try {
-        tree_.check(Snapshot::from_bytes(state));
+        tree().check(Snapshot::from_bytes(state));
     } catch (const Error& error) {
         return warn("the game was not saved: " + exception_text(error));
     }
@@ -63,7 +70,7 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
     const bool same = !waiting_.empty() && *waiting_.back().state == state;
     auto kept = same ? waiting_.back().state
                      : std::make_shared<const std::vector<std::byte>>(std::move(state));
-    waiting_.push_back({slot, tree_.step(), std::move(kept)});
+    waiting_.push_back({slot, tree().step(), std::move(kept)});
     if (!options_.pictures) finish({});
 }
 
@@ -86,24 +93,24 @@ Snapshot GameSaves::saved(const std::string& slot) const {
 }
 
 void GameSaves::load(const std::string& slot) {
-    tree_.require_changeable("load a game");
+    tree().require_changeable("load a game");
     Saves::check_slot(slot);
     const auto requested = requested_.find(slot);
     const bool to_come = requested != requested_.end();
     if (to_come) loaded_[requested->second] = slot;
     const Snapshot found = to_come ? Snapshot() : saved(slot);
     if (!found.empty()) try {
-            tree_.check(found);
+            tree().check(found);
         } catch (const Error& error) {
             throw Error(error.kind(),
                         "the saved game \"" + slot + "\" cannot be loaded: " + error.what());
         }
-    tree_.at_barrier([alive = alive_, slot, found] {
+    tree().at_barrier([alive = alive_, slot, found] {
         if (*alive == nullptr) return;
         GameSaves& self = **alive;
         try {
-            self.tree_.restore(found.empty() ? self.saved(slot) : found);
-            for (const std::string& remark : restore_remarks(self.tree_))
+            self.tree().restore(found.empty() ? self.saved(slot) : found);
+            for (const std::string& remark : restore_remarks(self.tree()))
                 self.warn("the saved game \"" + slot + "\": " + remark);
         } catch (const Error& error) {
             self.warn("the saved game \"" + slot + "\" was not loaded: " + error.what());
@@ -122,7 +129,7 @@ void GameSaves::remove(const std::string& slot) {
 std::vector<SaveInfo> GameSaves::list() const {
     return saves_.list([this](const SavedGame& save) -> std::string {
         try {
-            tree_.check(Snapshot::from_bytes(save.state));
+            tree().check(Snapshot::from_bytes(save.state));
         } catch (const Error& error) {
             return error.what();
         }

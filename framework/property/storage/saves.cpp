@@ -59,9 +59,30 @@ std::string_view unsealed(std::string_view file) {
     return bytes;
 }
 
+bool fits(std::int64_t width, std::int64_t height, std::size_t bytes) {
+    return width >= 0 && height >= 0 && width < 65536 && height < 65536 &&
+           bytes <= largest_thumbnail && bytes == static_cast<std::size_t>(width * height * 4);
+}
+
+void require_picture(const Thumbnail& picture) {
+    if (!fits(picture.width, picture.height, picture.pixels.size()))
+        throw Error(ErrorKind::out_of_range,
+                    "a picture of " + std::to_string(picture.width) + " × " +
+                        std::to_string(picture.height) + " px and " +
+                        std::to_string(picture.pixels.size()) +
+                        " bytes: expected four bytes a pixel, and at most " +
+                        std::to_string(largest_thumbnail));
+}
+
 }  // namespace
 
 Thumbnail scaled_down(const Thumbnail& picture, std::uint32_t widest) {
+    if (picture.pixels.size() / 4 / std::max(1u, picture.width) < picture.height ||
+        picture.pixels.size() != std::size_t{4} * picture.width * picture.height)
+        throw Error(ErrorKind::out_of_range,
+                    "a picture of " + std::to_string(picture.width) + " × " +
+                        std::to_string(picture.height) + " px has " +
+                        std::to_string(picture.pixels.size()) + " bytes: expected four a pixel");
     if (picture.empty() || picture.width <= widest || widest == 0) return picture;
     Thumbnail small;
     small.width = widest;
@@ -77,12 +98,12 @@ Thumbnail scaled_down(const Thumbnail& picture, std::uint32_t widest) {
         for (std::uint32_t x = 0; x < small.width; ++x) {
             const std::uint32_t left = edge(x, picture.width, small.width);
             const std::uint32_t right = std::max(left + 1, edge(x + 1, picture.width, small.width));
-            std::uint32_t sum[4] = {};
+            std::uint64_t sum[4] = {};
             for (std::uint32_t v = top; v < bottom; ++v)
                 for (std::uint32_t u = left; u < right; ++u)
                     for (std::size_t c = 0; c < 4; ++c)
                         sum[c] += picture.pixels[(std::size_t{v} * picture.width + u) * 4 + c];
-            const std::uint32_t count = (bottom - top) * (right - left);
+            const std::uint64_t count = std::uint64_t{bottom - top} * (right - left);
             for (std::size_t c = 0; c < 4; ++c)
                 small.pixels[(std::size_t{y} * small.width + x) * 4 + c] =
                     static_cast<std::uint8_t>(sum[c] / count);
@@ -117,6 +138,10 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
                  const Thumbnail& thumbnail) const {
     const fs::path target = file(slot);
     if (folder_.empty()) throw FileError(target, "there is no folder for saved games");
+    require_picture(thumbnail);
+    if (step > std::uint64_t{INT64_MAX})
+        throw Error(ErrorKind::out_of_range, target.string() + ": step " + std::to_string(step) +
+                                                 ": expected at most " + std::to_string(INT64_MAX));
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw FileError(folder_, "could not be made: " + error.message());
@@ -139,7 +164,13 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
             .bind_bytes(8, view_of(state))
             .run();
         bytes = sealed(database.serialized());
-    } catch (const DatabaseError& problem) {
+        // What `load` would refuse takes the place of nothing.
+        Database again = Database::of_bytes(unsealed(bytes));
+        SavedGame read_back;
+        read(again, read_back);
+        if (!std::ranges::equal(read_back.state, state))
+            throw std::runtime_error("its state is not read back as it was");
+    } catch (const std::runtime_error& problem) {
         throw FileError(target, std::string("could not be made: ") + problem.what());
     }
     replace_file(target, bytes);
@@ -176,10 +207,8 @@ void Saves::read(Database& database, SavedGame& into) const {
     into.info.step = static_cast<std::uint64_t>(step);
     const std::int64_t width = row.integer(4), height = row.integer(5);
     const std::string pixels = row.text(6), state = row.text(7);
-    const bool fits = width >= 0 && height >= 0 && width < 65536 && height < 65536 &&
-                      pixels.size() <= largest_thumbnail &&
-                      pixels.size() == static_cast<std::size_t>(width * height * 4);
-    if (!fits) throw std::runtime_error("it is damaged (its picture)");
+    if (!fits(width, height, pixels.size()))
+        throw std::runtime_error("it is damaged (its picture)");
     into.thumbnail = {static_cast<std::uint32_t>(width),
                       static_cast<std::uint32_t>(height),
                       {pixels.begin(), pixels.end()}};

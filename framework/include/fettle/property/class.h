@@ -258,6 +258,10 @@ struct Lifecycle {
     /// The chain of parents above `self` changed (parents are told before children). Returns the
     /// row, possibly another.
     Row (*place)(void* context, Tree& tree, Handle self, Row row) = nullptr;
+    /// Ends the row. Meanwhile whoever is being deleted cannot be deleted again, moved, renamed or
+    /// get anything below it, and no snapshot can be restored: that throws Error(bad_structure).
+    /// What this throws is told by `Tree::destroy` when all is gone, and to nobody at the end of
+    /// the tree.
     void (*destroy)(void* context, Tree& tree, Handle self, Row row) = nullptr;
     /// Draws the instance. `alpha`: how far between the last two steps, 0 to 1.
     void (*draw)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,

@@ -50,8 +50,10 @@ struct Remains {
 /// until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may outlive the
 /// tree, and are of no use then. A handler, a function given to `at_barrier` or a method may
 /// destroy the tree that calls it: `barrier` or `call` throws Error(deleted) when it has returned.
-/// Formulas, lifecycle functions, bindings, observers, and what is asked in the middle of a step or
-/// of a search (question.h, acceptance.h) must not: the program is ended then.
+/// Formulas, lifecycle functions, setters, observers, what is asked in the middle of a step or of a
+/// search (question.h, acceptance.h), and what is given to `each_below`, `mark_weight` or `restore`
+/// must not: the program is ended then, with a message that names them. Getters, and setters that
+/// the typed ways call, must not either, and nobody looks: that would cost every read and write.
 class Tree {
   public:
     Tree();
@@ -87,7 +89,8 @@ class Tree {
     /// "body_1", "body_2".
     Handle create(const Class& instance_class, Handle parent = {}, std::string_view name = {});
     /// Deletes the instance and everything below it. Handles die at once; `deleted` is delivered at
-    /// the barrier.
+    /// the barrier. What a module throws as it is told (`Lifecycle::destroy`) changes nothing of
+    /// that: when all is gone the first is thrown as Error(rejected).
     void destroy(Handle instance);
     bool alive(Handle instance) const;
     /// Throws Error(deleted) "world.ball was deleted at step 412 by console" unless alive.
@@ -214,7 +217,8 @@ class Tree {
     /// Settles the formula and tells what is wrong with it; "" when nothing is, or when there is
     /// none.
     std::string problem(Handle instance, const Property& property) const;
-    /// Where the value comes from: the formula's sources, theirs, and so on.
+    /// Where the value comes from: the formula's sources, theirs, and so on, 3000 levels deep.
+    /// Where more are below, the last has one source, "…".
     Explanation why(Handle instance, const Property& property) const;
     /// Of how many properties a formula is the value.
     std::size_t formula_count() const;
@@ -287,7 +291,8 @@ class Tree {
     /// Whether anyone listens: ask before making a record.
     bool listens(Handle instance, const Event& event) const;
     bool listens(const Event& event) const;
-    /// Queued; delivered at the next barrier.
+    /// Queued; delivered at the next barrier. Throws Error, though nobody listens, for an event of
+    /// another class or tree, and another number of values than it has fields.
     void emit(Handle instance, const Event& event, std::vector<Value> values);
 
     /// Runs at the end of the next barrier between steps, when all is delivered; what it changes is
@@ -346,8 +351,8 @@ class Tree {
     /// delivered are not.
     ///
     /// Throws Error(damaged) or, for what this game does not have (a class, a module),
-    /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler or a
-    /// formula: see `at_barrier`.
+    /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler, and in
+    /// anything that must not destroy the tree (Lifetimes): see `at_barrier`.
     void restore(const Snapshot& snapshot);
     /// The same; `go_on` then redoes what happened since, before anybody is told.
     void restore(const Snapshot& snapshot, const std::function<void()>& go_on);

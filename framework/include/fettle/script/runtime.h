@@ -91,7 +91,9 @@ struct Completion {
 /// the runtime; formulas that they defined are in error from then on. The runtime may outlive the
 /// tree: whatever would run a script throws Error(deleted) then. Functions given to `on_error`,
 /// `on_print` and the others may destroy the runtime that calls them; what runs goes on to its end
-/// without it.
+/// without it. None may destroy the tree but that of `on_command`; that of `on_print` ends the
+/// program then, with a message. They should not throw: what they throw leaves the call (`run`,
+/// `step`) that told them.
 class Runtime {
   public:
     Runtime(property::Tree& tree, Options options);

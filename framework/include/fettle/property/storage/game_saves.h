@@ -17,6 +17,7 @@ FETTLE_STORAGE_BEGIN
 
 namespace fettle::property {
 
+/// May outlive the tree: `save`, `load` and `list` throw Error(deleted) then.
 class GameSaves {
   public:
     struct Options {
@@ -68,8 +69,10 @@ class GameSaves {
     Snapshot saved(const std::string& slot) const;
     void warn(const std::string& what) const;
     void warn_once(const std::string& what);
+    Tree& tree() const;
 
-    Tree& tree_;
+    Tree& tree_;  // asked for by `tree`, which sees whether it lives
+    std::weak_ptr<const Tree*> life_;
     Saves saves_;
     Options options_;
     std::size_t requests_ = 0;  // since the last barrier that made one come true

@@ -27,7 +27,8 @@ struct Thumbnail {
     bool empty() const { return width == 0 || height == 0; }
 };
 
-/// The picture at most `widest` px wide, its pixels averaged.
+/// The picture at most `widest` px wide, its pixels averaged. Throws Error(out_of_range) unless it
+/// has four bytes a pixel.
 Thumbnail scaled_down(const Thumbnail& picture, std::uint32_t widest);
 
 struct SaveInfo {
@@ -57,7 +58,8 @@ class Saves {
     static void check_slot(std::string_view slot);
 
     /// Read back and compared before it takes the place of an older save of that slot, which stays
-    /// whatever goes wrong. Throws FileError, Error(bad_name).
+    /// whatever goes wrong. Throws FileError, Error(bad_name), Error(out_of_range) for a step above
+    /// 2⁶³-1 and a picture that has not four bytes a pixel or more than 16 MiB.
     void save(const std::string& slot, std::uint64_t step, std::span<const std::byte> state,
               const Thumbnail& thumbnail = {}) const;
     /// Throws FileError with the reason why it cannot be used, Error(unknown_name) with the nearest

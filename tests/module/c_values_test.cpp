@@ -1,0 +1,71 @@
+// What comes over the C border and is none: the host says so and goes on.
+
+#include <catch.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fettle/module/host.h>
+
+#include "weather.h"
+
+using namespace fettle;
+using namespace fettle::module::testing;
+
+namespace {
+
+template <class Act>
+std::string complaint(const Act& act) {
+    try {
+        act();
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+std::string reading(const char* name) {
+    module::Plugins plugins;
+    property::Tree tree;
+    plugins.open(built("odd")).attach(tree);
+    return complaint([&] { property::get(tree, name); });
+}
+
+}  // namespace
+
+TEST_CASE("a column of a module without memory is told of by name") {
+    CHECK_THAT(reading("odd.hollow"), contains("Odd.hollow: it has no memory"));
+}
+
+TEST_CASE("a getter that fails or gives no value is an error with its reason") {
+    CHECK_THAT(reading("odd.failing"), contains("Odd.failing: the sensor is wet"));
+    CHECK_THAT(reading("odd.typeless"), contains("there is no type number 99"));
+    CHECK_THAT(reading("odd.wordless"), contains("a text of length 3 has no memory"));
+    CHECK_THAT(reading("odd.empty"), contains("a list of length 3 has no memory"));
+}
+
+TEST_CASE("a list that holds itself is refused") {
+    CHECK_THAT(reading("odd.endless"), contains("lists are in lists more than 64 deep"));
+}
+
+TEST_CASE("arrays without memory or of elements without size are refused") {
+    for (const char* wrong : {"odd_without_data", "odd_without_size"}) {
+        module::Plugins plugins;
+        property::Tree tree;
+        CHECK_THAT(complaint([&] { plugins.open(built(wrong)).attach(tree); }),
+                   contains("an array of 6 elements"));
+    }
+}
+
+TEST_CASE("a game in C is stepped by a time") {
+    fettle_game* const game = fettle_game_open();
+    const fettle_host* const host = fettle_game_host(game);
+    for (const double wrong :
+         {std::nan(""), -1.0, 1e300, std::numeric_limits<double>::infinity()}) {
+        CHECK(fettle_game_step(game, wrong) != FETTLE_OK);
+        CHECK_THAT(std::string(host->last_error(host->self)), contains("seconds = "));
+    }
+    CHECK(fettle_game_step(game, 0.1) == FETTLE_OK);
+    fettle_game_close(game);
+}

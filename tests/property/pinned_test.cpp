@@ -1,0 +1,112 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <exception>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <fettle/property/observer.h>
+#include <fettle/property/pinned.h>
+
+#include "catch.h"
+#include "fixture.h"
+
+// Functions that the tree calls in the middle of its own work and that destroy it: the program is
+// ended, and says by whom.
+
+using namespace fettle::property;
+using fettle::property::testing::message_of;
+
+namespace {
+
+/// What the error is by which `act` ends a program of its own.
+std::string last_words(const std::function<void()>& act) {
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        static int out;
+        out = ends[1];
+        std::set_terminate([] {
+            const std::string words = message_of([] { throw; });
+            (void)!write(out, words.data(), words.size());
+            _exit(9);
+        });
+        act();
+        _exit(0);
+    }
+    close(ends[1]);
+    std::string words(1000, '\0');
+    const ssize_t size = read(ends[0], words.data(), words.size());
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 9);
+    words.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+    return words;
+}
+
+std::unique_ptr<Tree> tree;
+
+const Class& with(const std::function<void(ClassDescriptor&)>& spoil) {
+    ClassDescriptor of{.name = "X"};
+    spoil(of);
+    return tree->define(std::move(of));
+}
+
+}  // namespace
+
+TEST_CASE("whoever destroys the tree in the middle of its work ends the program by name") {
+    const auto ends = [](const char* who, const std::function<void()>& act) {
+        INFO(who);
+        tree = std::make_unique<Tree>();
+        CHECK_THAT(last_words(act), contains(std::string("the tree is destroyed by ") + who));
+    };
+    ends("the function given to mark_weight", [] {
+        tree->mark_weight(tree->weight(), [] { tree.reset(); });
+        tree->create(tree->object_class());
+    });
+    ends("the function given to each_below",
+         [] { tree->each_below(tree->root(), [](Handle) { tree.reset(); }); });
+    ends("what restores a snapshot", [] {
+        const Snapshot snapshot = tree->snapshot();
+        tree->restore(snapshot, [] { tree.reset(); });
+    });
+    ends("an observer", [] {
+        struct O : Observer {
+            void created(Handle) override { tree.reset(); }
+        } observer;
+        tree->observe(observer);
+        tree->create(tree->object_class());
+    });
+    ends("a lifecycle function", [] {
+        tree->create(with([](auto& of) {
+            of.lifecycle.create = [](void*, Tree&, Handle) -> Row {
+                tree.reset();
+                return 0;
+            };
+        }));
+    });
+    ends("a lifecycle function", [] {
+        tree->destroy(tree->create(with([](auto& of) {
+            of.lifecycle.destroy = [](void*, Tree&, Handle, Row) { tree.reset(); };
+        })));
+    });
+    ends("a binding of a property", [] {
+        const Handle x = tree->create(with([](auto& of) {
+            Property v{.name = "v", .type = Type::text};
+            v.binding.kind = BindingKind::accessor;
+            v.binding.get = [](void*, Row) -> Value { return "a"; };
+            v.binding.set = [](void*, Row, const Value&) { tree.reset(); };
+            of.properties = {v};
+        }));
+        tree->set(x, "v", "b");
+    });
+    ends("the function given to on_print", [] {
+        const Pinned pinned(*tree, "the function given to on_print");
+        tree.reset();
+    });
+    tree.reset();
+}

@@ -1,0 +1,73 @@
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+
+#include <fettle/property/error.h>
+#include <fettle/property/storage/scene.h>
+
+#include "stage.h"
+
+// What a host can hand to a runtime that is none: each is an error that says what.
+
+using namespace stage;
+using fettle::property::Error;
+using fettle::property::Tree;
+using fettle::script::Options;
+using fettle::script::Runtime;
+
+namespace {
+
+std::string error_of(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("times that are none are refused by a runtime") {
+    Stage stage;
+    const double nan = std::nan("");
+    for (const double wrong : {nan, -1.0, std::numeric_limits<double>::infinity()}) {
+        CHECK_THAT(error_of([&] { stage.runtime->limit_calls(wrong, {}); }),
+                   contains("limit_calls: seconds = "));
+        CHECK_THAT(error_of([&] { stage.runtime->step(wrong, 0.1); }), contains("now = "));
+        CHECK_THAT(error_of([&] { stage.runtime->step(1, wrong); }), contains("dt = "));
+        CHECK_THAT(error_of([&] {
+                       Tree tree;
+                       Options options;
+                       options.call_seconds = wrong;
+                       Runtime runtime(tree, options);
+                   }),
+                   contains("Options::call_seconds = "));
+    }
+    CHECK(stage.runtime->step(1, 0.1));
+}
+
+TEST_CASE("too little memory for Lua is told with what it needs") {
+    Tree tree;
+    Options options;
+    options.memory_limit = 1000;
+    CHECK_THAT(error_of([&] { Runtime runtime(tree, options); }),
+               contains("Options::memory_limit = 1000 bytes: Lua with its library needs 1048576"));
+    options.memory_limit = std::size_t{1} << 20;
+    Runtime runtime(tree, options);
+    CHECK(runtime.run("local x = 1", "main.lua"));
+}
+
+TEST_CASE("a game of no name is a file that cannot be read") {
+    Stage stage;
+    CHECK_THROWS_AS(stage.runtime->load(""), fettle::property::FileError);
+    CHECK_THROWS_AS(stage.runtime->load("/nowhere/at/all"), fettle::property::FileError);
+}
+
+TEST_CASE("a sink of commands that destroys the tree ends the command") {
+    Stage stage;
+    stage.runtime->on_command([&](std::string_view) { stage.tree.reset(); });
+    CHECK_THAT(error_of([&] { stage.runtime->evaluate("1 + 1"); }),
+               contains("the tree of this runtime was destroyed"));
+}
