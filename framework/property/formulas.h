@@ -24,6 +24,10 @@
 
 namespace fettle::property {
 
+/// Whether the property can have a formula. What is read only cannot, nor can what tells where an
+/// instance is (its name and its parent): a formula computes a value, it moves nothing.
+bool takes_formula(const Property& property);
+
 class Formulas {
   public:
     explicit Formulas(Tree& tree) : tree_(tree) {}

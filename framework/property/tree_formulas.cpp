@@ -25,6 +25,10 @@ bool Tree::changeable() const {
     return !state_->formulas.tracking() && state_->inquiry == nullptr;
 }
 
+bool takes_formula(const Property& property) {
+    return !property.read_only && property.binding.kind != BindingKind::node;
+}
+
 void Tree::State::drop_formula(Handle instance, const Property& property) {
     formulas.remove({instance.index, property.symbol});
 }
@@ -38,6 +42,11 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
                     path(instance, property) + ": a formula needs a function");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
+    if (!takes_formula(property))
+        throw Error(ErrorKind::bad_structure,
+                    path(instance, property) +
+                        ": cannot have a formula: it tells where the instance is in the tree, and "
+                        "a formula computes a value and moves nothing; assign a plain value");
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
     s.formulas.set(instance, property, std::move(formula));

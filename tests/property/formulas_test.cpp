@@ -37,6 +37,25 @@ TEST_CASE_METHOD(Fixture, "a formula is the value and follows its sources at onc
     CHECK(module.ball(shadow).mass == 10);
 }
 
+TEST_CASE_METHOD(Fixture, "whatever takes a formula can be in a snapshot with it") {
+    for (const Property* property : tree.properties(ball)) {
+        INFO(property->name);
+        const Value value = tree.peek(ball, *property);
+        try {
+            tree.set_formula(ball, *property, count([value](const Tree&) { return value; }));
+        } catch (const Error& error) {
+            CHECK_THAT(error.what(), contains("world.ball." + property->name));
+            continue;
+        }
+        tree.restore(tree.snapshot());
+        CHECK(tree.formula(ball, *property) != nullptr);
+        tree.remove_formula(ball, *property);
+    }
+    for (const char* name : {"name", "parent"})
+        CHECK_THROWS_WITH(tree.set_formula(ball, name, count([](const Tree&) { return Value(1); })),
+                          contains("cannot have a formula"));
+}
+
 TEST_CASE_METHOD(Fixture, "a formula nobody reads settles at the barrier and its change is told") {
     std::vector<std::string> log;
     tree.set_formula(shadow, "mass", count([&](const Tree& t) { return t.get(ball, "mass"); }));
