@@ -88,6 +88,14 @@ std::string Tree::problem(Handle instance, const Property& property) const {
     return state_->formulas.problem({instance.index, property.symbol});
 }
 
+void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> sink) {
+    tree.state().formulas.problem_sink = std::move(sink);
+}
+
+void formula_problem_told(Tree& tree, Handle instance, const Property& property) {
+    tree.state().formulas.problem_told({instance.index, property.symbol});
+}
+
 Explanation Tree::why(Handle instance, const Property& property) const {
     state_->require(instance, property);
     std::vector<Cell> seen;
