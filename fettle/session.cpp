@@ -7,6 +7,7 @@
 #include <fettle/app/error_screen.h>
 #ifdef FETTLE_WITH_CONSOLE
 #include <fettle/console/console.h>
+#include <fettle/property/formula_problems.h>
 #endif
 
 #include "exit_status.h"
@@ -43,6 +44,12 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         told.context = "handler of " + error.path;
         if (!error.where.empty()) told.context += " (" + error.where + ")";
         fail(told);
+    });
+    property::on_formula_problem(tree_, [this](const property::FormulaProblem& problem) {
+        script::ScriptError told;
+        told.message = problem.message;
+        told.context = "formula of " + problem.path;
+        tell_error(told);  // the run goes on: the property has its last good value
     });
     make_storage();
     runtime_ = std::make_unique<script::Runtime>(
@@ -227,10 +234,14 @@ void Session::fail(const script::ScriptError& error) {
         return;
     }
     failed_ = true;
-    tell_lines(app::error_text(error));
-    if (console_) console_->report(error);
+    tell_error(error);
     loop_->halt();
     if (errors_) errors_(error);
+}
+
+void Session::tell_error(const script::ScriptError& error) {
+    tell_lines(app::error_text(error));
+    if (console_) console_->report(error);
 }
 
 std::string Session::recording_problem() const {

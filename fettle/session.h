@@ -59,6 +59,7 @@ class Session {
     void make_recorder();
     void note(const std::string& text);
     void fail(const script::ScriptError& error);
+    void tell_error(const script::ScriptError& error);
 
     const RunOptions& options_;
     std::function<void(const script::ScriptError&)> errors_;

@@ -1722,7 +1722,7 @@ function every(seconds, action) end
 ---@param word string
 function find(word) end
 
----Assigned to a property, the function is its value from then on: it is called again whenever something it reads has changed.
+---Assigned to a property, the function is its value from then on: it is called again whenever something it reads has changed. One that raises an error is told once, and the property keeps its last value; so is one that takes more than 50 million instructions.
 ---@param value fun(): any
 ---@return Formula
 function formula(value) end

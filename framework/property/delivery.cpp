@@ -405,6 +405,8 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
     fresh.clear();
     if (fresh.capacity() > most_fresh_kept) fresh.shrink_to_fit();
     formulas.settle_all(stepped);
+    formulas.tell_problems();
+    if (ending) return;
     compare_shadows();
     if (queue.empty()) return;
 
@@ -440,6 +442,8 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
         delivering = -1;
         if (ending) return;
         formulas.settle_all(false);
+        formulas.tell_problems();
+        if (ending) return;
         compare_shadows();
     }
 }

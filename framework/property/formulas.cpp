@@ -68,6 +68,7 @@ void Formulas::remove(Cell cell) {
     set_dependencies(*gone, {});
     if (gone->volatile_sources) --volatile_;
     gone->removed = true;
+    told_.erase(cell);
     entries_.erase(found);
     if (entries_.empty()) order_.clear();
     mark_dependents(cell);
@@ -424,6 +425,7 @@ void Formulas::finish(Entry& e, const Value& result) {
         mark_dependents(e.cell);
     }
     e.value = next;
+    problems_changed_ = problems_changed_ || !e.error.empty();
     e.error.clear();
     note_settled(e);
 }
@@ -431,6 +433,7 @@ void Formulas::finish(Entry& e, const Value& result) {
 void Formulas::fail(Entry& e, const std::string& error) {
     if (error == e.error) return;
     e.error = error;
+    problems_changed_ = true;
     ++e.version;
     mark_dependents(e.cell);
 }
@@ -451,6 +454,40 @@ void Formulas::settle_all(bool stepped) {
             // It stays with the cell, for whoever reads it.
         }
     }
+}
+
+// --- Telling what is wrong
+// ------------------------------------------------------------------------------------------------
+
+/// Whether it is in error only because it reads a formula that is.
+bool Formulas::fails_by_another(const Entry& e) const {
+    return std::any_of(e.dependencies.begin(), e.dependencies.end(), [&](const Dependency& d) {
+        const Entry* source = d.formula ? entry(d.cell) : nullptr;
+        return source != nullptr && source != &e && !source->error.empty() &&
+               e.error.find(source->error) != std::string::npos;
+    });
+}
+
+void Formulas::tell_problems() {
+    if (!std::exchange(problems_changed_, false)) return;
+    std::vector<FormulaProblem> news;
+    std::unordered_set<std::string> circles;
+    for (const std::shared_ptr<Entry>& e : order_) {
+        if (e->removed) continue;
+        if (e->error.empty()) {
+            told_.erase(e->cell);
+            continue;
+        }
+        if (std::exchange(told_[e->cell], e->error) == e->error) continue;
+        if (e->cycle.empty() ? fails_by_another(*e) : !circles.insert(e->error).second) continue;
+        news.push_back({e->instance, tree_.path(e->instance, *e->property), e->error});
+    }
+    for (const FormulaProblem& problem : news)
+        if (const auto sink = problem_sink; sink && !tree_.state().ending) sink(problem);
+}
+
+void Formulas::problem_told(Cell cell) {
+    if (const Entry* e = entry(cell); e != nullptr && !e->error.empty()) told_[cell] = e->error;
 }
 
 // --- Explaining

@@ -18,11 +18,16 @@
 #include <vector>
 
 #include <fettle/property/formula.h>
+#include <fettle/property/formula_problems.h>
 #include <fettle/property/tree.h>
 
 #include "watchers.h"
 
 namespace fettle::property {
+
+/// Whether the property can have a formula. What is read only cannot, nor can what tells where an
+/// instance is (its name and its parent): a formula computes a value, it moves nothing.
+bool takes_formula(const Property& property);
 
 class Formulas {
   public:
@@ -62,6 +67,10 @@ class Formulas {
     /// All of them, in order of making; errors stay with the cells.
     void settle_all(bool stepped);
     std::string problem(Cell cell);
+    /// To whom problems are told, and that what is wrong with a formula was told.
+    std::function<void(const FormulaProblem&)> problem_sink;
+    void tell_problems();
+    void problem_told(Cell cell);
     /// Formulas of formulas are told `levels` deep: whoever reads that goes down by calls.
     Explanation why(Handle instance, const Property& property, std::vector<Cell>& seen,
                     int levels = most_levels);
@@ -129,12 +138,16 @@ class Formulas {
     void set_dependencies(Entry& e, std::vector<Dependency> found);
     void make_volatile(Entry& e);
     void mark_dependents(Cell cell);
+    bool fails_by_another(const Entry& e) const;
     std::string note_cycle(const Entry& again);
 
     Tree& tree_;
     std::unordered_map<Cell, std::shared_ptr<Entry>, CellHash> entries_;
     std::vector<std::shared_ptr<Entry>> order_;  // of making; removed ones are passed over
     std::unordered_map<Cell, Dependents, CellHash> dependents_;
+    // Errors that were told; they stay over a restore, which makes all formulas again.
+    std::unordered_map<Cell, std::string, CellHash> told_;
+    bool problems_changed_ = false;
     std::uint64_t settlings_ = 1;  // how often a formula was settled
     std::unordered_map<std::uint32_t, std::unordered_set<Symbol>>
         read_of_;                // index -> names with dependents

@@ -9,6 +9,8 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
+#include "quoting.h"
+
 namespace fettle::property {
 namespace {
 
@@ -76,8 +78,7 @@ class PathParser {
     Segment quoted() {
         std::string name;
         for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
-            if (text_[at_] == '\\' && at_ + 1 < text_.size()) ++at_;
-            name += text_[at_];
+            name += text_[at_] == '\\' ? unescaped(text_, at_) : text_[at_];
         }
         if (at_ >= text_.size()) fail("the quote is not closed");
         ++at_;
@@ -127,9 +128,13 @@ bool is_identifier(std::string_view name) {
 std::string path_suffix(std::string_view name) {
     if (is_identifier(name)) return "." + std::string(name);
     std::string out = "[\"";
-    for (const char c : name) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
+    for (std::size_t i = 0; i < name.size();) {
+        if (std::size_t control = control_character(name, i)) {
+            for (; control > 0; --control) append_digits(out, name[i++]);
+            continue;
+        }
+        if (name[i] == '"' || name[i] == '\\') out += '\\';
+        out += name[i++];
     }
     return out + "\"]";
 }

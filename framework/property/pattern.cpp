@@ -6,6 +6,7 @@
 #include <fettle/property/path.h>
 #include <fettle/property/tree.h>
 
+#include "quoting.h"
 #include "watchers.h"
 
 namespace fettle::property {
@@ -46,8 +47,7 @@ std::vector<std::string> split(std::string_view text) {
             if (at + 1 >= text.size() || text[at + 1] != '"')
                 fail("a quoted name was expected behind \"[\"");
             for (at += 2; at < text.size() && text[at] != '"'; ++at) {
-                if (text[at] == '\\' && at + 1 < text.size()) ++at;
-                segment += text[at];
+                segment += text[at] == '\\' ? unescaped(text, at) : text[at];
             }
             if (text.substr(at, 2) != "\"]") fail("\"]\" was expected");
             at += 2;

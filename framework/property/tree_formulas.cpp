@@ -25,6 +25,10 @@ bool Tree::changeable() const {
     return !state_->formulas.tracking() && state_->inquiry == nullptr;
 }
 
+bool takes_formula(const Property& property) {
+    return !property.read_only && property.binding.kind != BindingKind::node;
+}
+
 void Tree::State::drop_formula(Handle instance, const Property& property) {
     formulas.remove({instance.index, property.symbol});
 }
@@ -39,6 +43,11 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
                     path(instance, property) + ": a formula needs a function");
     if (property.read_only)
         throw Error(ErrorKind::read_only, path(instance, property) + " is read-only");
+    if (!takes_formula(property))
+        throw Error(ErrorKind::bad_structure,
+                    path(instance, property) +
+                        ": cannot have a formula: it tells where the instance is in the tree, and "
+                        "a formula computes a value and moves nothing; assign a plain value");
     std::optional<History::CellState> before;
     if (s.history.recording()) before = s.history.capture(instance, property);
     s.formulas.set(instance, property, std::move(formula));
@@ -78,6 +87,14 @@ void Tree::remove_formula(Handle instance, const Property& property) {
 std::string Tree::problem(Handle instance, const Property& property) const {
     state_->require(instance, property);
     return state_->formulas.problem({instance.index, property.symbol});
+}
+
+void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> sink) {
+    tree.state().formulas.problem_sink = std::move(sink);
+}
+
+void formula_problem_told(Tree& tree, Handle instance, const Property& property) {
+    tree.state().formulas.problem_told({instance.index, property.symbol});
 }
 
 Explanation Tree::why(Handle instance, const Property& property) const {

@@ -359,9 +359,8 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
         const Node* const node = nodes_.find(image.instance);
         from.require(node != nullptr, "a formula of nobody");
         const Property* const property = state_.classes[node->class_id].property(image.property);
-        from.require(property == nullptr ||
-                         (!property->read_only && property->binding.kind != BindingKind::node),
-                     "a formula of what is read only");
+        from.require(property == nullptr || takes_formula(*property),
+                     "a formula of what can have none");
         formulas_.push_back(std::move(image));
     }
     if (memory == nullptr) {

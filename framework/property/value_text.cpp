@@ -6,6 +6,8 @@
 
 #include <fettle/property/value.h>
 
+#include "quoting.h"
+
 namespace fettle::property {
 
 std::string_view type_name(Type type) {
@@ -54,24 +56,17 @@ namespace {
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += c;
-        } else if (c == '\n') {
-            out += "\\n";
-        } else if (c == '\t') {
-            out += "\\t";
-        } else if (byte < 32 || byte == 127) {
-            // Three digits always, so that a digit that follows is not taken for part of the
-            // escape.
-            const char digits[] = {'\\', static_cast<char>('0' + byte / 100),
-                                   static_cast<char>('0' + byte / 10 % 10),
-                                   static_cast<char>('0' + byte % 10), 0};
-            out += digits;
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        if (c == '\n' || c == '\t') {
+            out += c == '\n' ? "\\n" : "\\t";
+            ++i;
+        } else if (std::size_t control = control_character(text, i)) {
+            for (; control > 0; --control) append_digits(out, text[i++]);
         } else {
+            if (c == '"' || c == '\\') out += '\\';
             out += c;
+            ++i;
         }
     }
     return out + '"';

@@ -284,6 +284,21 @@ int class_tostring(lua_State* L) {
 
 // --- class("Ball", Body) { ... }
 
+// The default that `name = value` in a class gives; the value is on top of the stack.
+Value default_of(lua_State* L, const std::string& class_name, const std::string& name) {
+    if (is_formula(L, -1))
+        throw Error(ErrorKind::wrong_type,
+                    class_name + "." + name +
+                        ": a formula is no default, since each instance has formulas of its own; "
+                        "give a plain value here and the formula to the instance, in function " +
+                        class_name + ":ready() or in the constructor");
+    try {
+        return to_value(L, -1);
+    } catch (const Error& error) {
+        throw Error(error.kind(), class_name + "." + name + ": " + error.what());
+    }
+}
+
 // The property that `name = value` in a class declares; the value is on top of the stack.
 Property declared(lua_State* L, const std::string& class_name, const std::string& name) {
     Property property;
@@ -295,11 +310,7 @@ Property declared(lua_State* L, const std::string& class_name, const std::string
         property.nullable = true;
         return property;
     }
-    try {
-        property.default_value = to_value(L, -1);
-    } catch (const Error& error) {
-        throw Error(error.kind(), class_name + "." + name + ": " + error.what());
-    }
+    property.default_value = default_of(L, class_name, name);
     property.type = property.default_value.type();
     if (property.type == Type::reference) property.nullable = true;
     return property;
@@ -377,7 +388,7 @@ int define_class(lua_State* L) {
             Property again;
             again.name = key;
             again.type = inherited->type;
-            again.default_value = to_value(L, -1);
+            again.default_value = default_of(L, definition.name, key);
             for (const auto& [name, doc] : docs)
                 if (name == key) again.doc = doc;
             definition.properties.push_back(std::move(again));

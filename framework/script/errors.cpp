@@ -220,7 +220,9 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
         // It rose out of a coroutine, where it was described already.
         error = std::move(*machine.thread_error);
         machine.thread_error.reset();
-        error.traceback += "  (coroutine started from)\n" + traceback_of(L, level);
+        // A timer's coroutine was started by nobody in a script.
+        if (const std::string outside = traceback_of(L, level); !outside.empty())
+            error.traceback += "  (coroutine started from)\n" + outside;
         return error;
     }
     lua_Debug frame;

@@ -261,6 +261,22 @@ std::vector<std::string> function_help(lua_State* L, int index) {
 
 }  // namespace
 
+namespace {
+
+// Whether all of it but the last name is the path of an instance.
+bool leads_to_instance(const Machine& machine, const std::string& path) {
+    const std::size_t last = path.find_last_of(".[");
+    if (last == std::string::npos) return false;
+    try {
+        const property::Place place = property::resolve(machine.tree, path.substr(0, last));
+        return place.property == nullptr;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
 std::vector<std::string> help_for(Machine& machine, const std::string& path) {
     if (const GlobalDoc* doc = global_doc(path)) return global_help(*doc);
     if (const Class* of = machine.tree.find_class(path)) return class_help(machine, *of);
@@ -292,8 +308,10 @@ std::vector<std::string> help_for(Machine& machine, const std::string& path) {
         const property::Place place = property::resolve(machine.tree, path);
         if (!place.property) return instance_help(machine, place.instance);
         return property_help(machine, *place.property);
-    } catch (const Error&) {
-        return value_help(path);
+    } catch (const Error& error) {
+        auto lines = value_help(path);
+        if (lines.empty() && leads_to_instance(machine, path)) lines.push_back(error.what());
+        return lines;
     }
 }
 

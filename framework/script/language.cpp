@@ -30,7 +30,8 @@ const std::vector<GlobalDoc>& global_docs() {
         {"find", "find(word: string)", "Lists every name and documentation that has the word."},
         {"formula", "formula(value: fun(): any): Formula",
          "Assigned to a property, the function is its value from then on: it is called again "
-         "whenever something it reads has changed."},
+         "whenever something it reads has changed. One that raises an error is told once, and the "
+         "property keeps its last value; so is one that takes more than 50 million instructions."},
         {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
         {"history", "history()", "Lists what was edited, the latest first."},
         {"keep", "keep(pattern: string)",

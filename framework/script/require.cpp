@@ -22,9 +22,16 @@ std::string read_source(Machine& machine, const fs::path& path) {
 }
 
 int load_source(lua_State* L, Machine& machine, const std::string& text, const std::string& name) {
-    machine.sources[name] = text;
-    // A first line of `#!...` is for the shell.
     std::string_view code = text;
+    if (code.starts_with("\xEF\xBB\xBF")) code.remove_prefix(3);  // a byte order mark
+    if (code.starts_with(LUA_SIGNATURE[0])) {
+        const std::string message =
+            name + ": this is compiled Lua, which is not loaded; a script is loaded as source text";
+        lua_pushlstring(L, message.data(), message.size());
+        return LUA_ERRSYNTAX;
+    }
+    machine.sources[name] = code;
+    // A first line of `#!...` is for the shell.
     std::string without;
     if (code.starts_with('#')) {
         const std::size_t end = code.find('\n');

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fettle/property/error.h>
+#include <fettle/property/formula_problems.h>
 #include <fettle/property/storage/tweaks.h>
 
 #include "function_source.h"
@@ -96,6 +97,7 @@ void write_formula(Machine& machine, Handle instance, std::string_view name,
     told += machine.tree.text(machine.tree.peek(instance, property), property.precision());
     if (!property.unit.empty()) told += " " + property.unit;
     if (!problem.empty()) told = "is " + source + ", in error: " + problem;
+    property::formula_problem_told(machine.tree, instance, property);
     note(machine, instance, machine.tree.path(instance, property), told);
 }
 

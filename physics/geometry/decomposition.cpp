@@ -97,8 +97,9 @@ class Cutter {
         };
         std::vector<Way> ways;
         // All reflex vertices against all others while that is little; the first few of a long
-        // outline, whose cuts are short anyway.
-        size_t budget = 1u << 18;
+        // outline, whose cuts are short anyway. A long outline needs many cuts, too: what all of
+        // them may cost together is the same for all.
+        size_t budget = std::min(size_t{1} << 18, (size_t{1} << 26) / p_.size());
         bool any = false;
         for (size_t i = 0; i < q.size() && (!any || budget >= q.size()); ++i) {
             if (!reflex(q, i)) continue;
@@ -112,16 +113,22 @@ class Cutter {
                 ways.push_back({mended, length(p_[q[i]] - p_[q[j]]), i, j});
             }
         }
-        std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
-            if (a.mended != b.mended) return a.mended > b.mended;
-            if (a.length != b.length) return a.length < b.length;
-            return a.from != b.from ? a.from < b.from : a.to < b.to;
-        });
-        for (const Way& way : ways) {
-            if (!visible(q, way.from, way.to)) continue;
-            from = way.from;
-            to = way.to;
-            return true;
+        // The best are on top: nearly always one of the first is taken, and the others need no
+        // order.
+        const auto worse = [](const Way& a, const Way& b) {
+            if (a.mended != b.mended) return a.mended < b.mended;
+            if (a.length != b.length) return a.length > b.length;
+            return a.from != b.from ? a.from > b.from : a.to > b.to;
+        };
+        std::make_heap(ways.begin(), ways.end(), worse);
+        for (; !ways.empty(); ways.pop_back()) {
+            const Way& way = ways.front();
+            if (visible(q, way.from, way.to)) {
+                from = way.from;
+                to = way.to;
+                return true;
+            }
+            std::pop_heap(ways.begin(), ways.end(), worse);
         }
         return false;
     }

@@ -82,6 +82,49 @@ TEST_CASE("an uncaught error ends a headless run with 1 and its traceback") {
     CHECK(run.out.empty());
 }
 
+TEST_CASE("a formula in error is told once and the run goes on") {
+    const Folder folder;
+    const std::string game =
+        folder.write("main.lua",
+                     "world.a = Body {} world.b = Body {}\n"
+                     "world.a.mass = formula(function() error('formula broke') end)\n"
+                     "world.b.mass = formula(function() return 0/0 end)\n");
+    const Outcome run =
+        fettle(folder, {"run", game, "--headless", "--steps", "20", "--at", "20:print('end')"});
+    CHECK(run.status == 0);
+    CHECK(run.out == "end\n");
+    CHECK(run.err ==
+          "error in formula of world.a.mass: main.lua:2: formula broke\n"
+          "error in formula of world.b.mass: world.b.mass: expected a number of at least 1e-30 kg, "
+          "got nan\n");
+}
+
+TEST_CASE("a script may begin with a byte order mark and is no compiled Lua") {
+    const Folder folder;
+    folder.write("part.lua", "\xEF\xBB\xBFreturn 'part'");
+    std::string game = folder.write("main.lua", "\xEF\xBB\xBFprint(require 'part')");
+    Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "1"});
+    CHECK(run.status == 0);
+    CHECK(run.out == "part\n");
+    folder.write("part.lua", "\x1BLua");
+    run = fettle(folder, {"run", game, "--headless", "--steps", "1"});
+    CHECK_THAT(run.err, contains("part.lua: this is compiled Lua, which is not loaded"));
+    game = folder.write("main.lua", "\x1BLuaT");
+    run = fettle(folder, {"run", game, "--headless", "--steps", "1"});
+    CHECK(run.status == 1);
+    CHECK_THAT(run.err, contains("main.lua: this is compiled Lua, which is not loaded"));
+}
+
+TEST_CASE("the traceback of a timer ends with the timer") {
+    const Folder folder;
+    const std::string game = folder.write("main.lua",
+                                          "after(0, function() error('late') end)\n"
+                                          "function start() print('started') end\n");
+    const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "5"});
+    CHECK_THAT(run.err, contains("main.lua:1: late"));
+    CHECK_THAT(run.err, !contains("coroutine started from"));
+}
+
 TEST_CASE("a file that cannot be read is status 3 and named") {
     const Folder folder;
     const Outcome missing =

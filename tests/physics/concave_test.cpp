@@ -1,3 +1,4 @@
+#include <chrono>
 #include <random>
 
 #include "catch.h"
@@ -103,6 +104,19 @@ TEST_CASE("a concave polygon is cut into few convex pieces that fill it") {
         CHECK(pieces <= size_t(reflex) * 5 / 4 + 2);
         CHECK(pieces >= size_t(reflex + 1) / 2);
     }
+}
+
+TEST_CASE("an outline of thousands of corners is cut in a time that does not grow with its cube") {
+    World world;
+    const Shape shape = world.create_shape(Concave{star(1500, 2, 1)});
+    const auto begin = std::chrono::steady_clock::now();
+    const auto pieces = shape.pieces();
+    // Under a second; a search among all corners for each cut takes minutes.
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(15));
+    CHECK(pieces.size() < 3000);
+    double area = 0;
+    for (const auto& piece : pieces) area += area_of(piece);
+    CHECK(area == Approx(area_of(star(1500, 2, 1))).epsilon(1e-3));
 }
 
 TEST_CASE("a concave polygon with a long round side is cut into parts of few vertices and rolls") {

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <fettle/property/formula_problems.h>
+
 #include "catch.h"
 #include "fixture.h"
 
@@ -37,6 +39,25 @@ TEST_CASE_METHOD(Fixture, "a formula is the value and follows its sources at onc
     CHECK(number("world.shadow.mass") == 10);
     CHECK(runs == 2);
     CHECK(module.ball(shadow).mass == 10);
+}
+
+TEST_CASE_METHOD(Fixture, "whatever takes a formula can be in a snapshot with it") {
+    for (const Property* property : tree.properties(ball)) {
+        INFO(property->name);
+        const Value value = tree.peek(ball, *property);
+        try {
+            tree.set_formula(ball, *property, count([value](const Tree&) { return value; }));
+        } catch (const Error& error) {
+            CHECK_THAT(error.what(), contains("world.ball." + property->name));
+            continue;
+        }
+        tree.restore(tree.snapshot());
+        CHECK(tree.formula(ball, *property) != nullptr);
+        tree.remove_formula(ball, *property);
+    }
+    for (const char* name : {"name", "parent"})
+        CHECK_THROWS_WITH(tree.set_formula(ball, name, count([](const Tree&) { return Value(1); })),
+                          contains("cannot have a formula"));
 }
 
 TEST_CASE_METHOD(Fixture, "a formula nobody reads settles at the barrier and its change is told") {
@@ -304,4 +325,58 @@ TEST_CASE_METHOD(
     CHECK(runs == before);
 }
 
+TEST_CASE_METHOD(Fixture, "a formula that gets into error is told once at a barrier") {
+    std::vector<std::string> told;
+    on_formula_problem(tree, [&](const FormulaProblem& problem) {
+        told.push_back(problem.path + ": " + problem.message);
+    });
+    std::string wrong = "broke";
+    tree.set_formula(shadow, "mass", count([&](const Tree& t) {
+                         const Value mass = t.get(ball, "mass");
+                         if (!wrong.empty()) throw std::runtime_error(wrong);
+                         return mass;
+                     }));
+    // Fails only by the other.
+    tree.set_formula(world, "sum", count([&](const Tree& t) { return t.get(shadow, "mass"); }));
+    tree.barrier();
+    tree.barrier();
+    CHECK(told == std::vector<std::string>{"world.shadow.mass: broke"});
+    tree.set(ball, "mass", 3);
+    tree.barrier();
+    tree.restore(tree.snapshot());
+    tree.barrier();
+    CHECK(told.size() == 1);
+    wrong = "broke again";
+    tree.set(ball, "mass", 4);
+    tree.barrier();
+    REQUIRE(told.size() == 2);
+    CHECK(told.back() == "world.shadow.mass: broke again");
+    // Well again and in error once more: that is news.
+    wrong.clear();
+    tree.set(ball, "mass", 5);
+    tree.barrier();
+    wrong = "broke again";
+    tree.set(ball, "mass", 6);
+    tree.barrier();
+    CHECK(told.size() == 3);
+    // What is no value of the property, and a circle.
+    told.clear();
+    tree.set_formula(shadow, "mass", count([](const Tree&) { return Value("text"); }));
+    tree.set_or_add(world, "left", 0.0);
+    tree.set_or_add(world, "right", 0.0);
+    tree.set_formula(world, "left", count([&](const Tree& t) { return t.get(world, "right"); }));
+    tree.set_formula(world, "right", count([&](const Tree& t) { return t.get(world, "left"); }));
+    tree.barrier();
+    REQUIRE(told.size() == 2);
+    CHECK_THAT(told[0], contains("world.shadow.mass") && contains("number"));
+    CHECK_THAT(told[1], contains("it depends on itself"));
+    // Somebody has shown it already.
+    told.clear();
+    tree.set_formula(shadow, "mass",
+                     count([](const Tree&) -> Value { throw std::runtime_error("shown"); }));
+    (void)tree.problem(shadow, tree.property(shadow, "mass"));
+    formula_problem_told(tree, shadow, tree.property(shadow, "mass"));
+    tree.barrier();
+    CHECK(told.empty());
+}
 }  // namespace formulas_test

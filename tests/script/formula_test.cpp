@@ -21,6 +21,27 @@ TEST_CASE("a formula of a script follows what it reads") {
     CHECK(s.prints("print(world.third.mass)") == "5.0");
 }
 
+TEST_CASE("what tells where an instance is cannot have a formula") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    for (const std::string name : {"name", "parent"}) {
+        INFO(name);
+        const std::string reason = name + ": cannot have a formula: it tells where the instance is";
+        CHECK_THAT(s.fails("world.ball." + name + " = formula(function() return 'a' end)"),
+                   contains("world.ball." + reason));
+        CHECK_THAT(s.fails("world.b = Body { " + name + " = formula(function() return 1 end) }"),
+                   contains(reason));
+        CHECK_THAT(s.console("world.ball." + name + " is \"abc\""), contains(reason));
+        CHECK_THAT(s.console("undo()"), !contains("error"));
+    }
+    CHECK_THAT(s.fails("world.ball.class = formula(function() return 'a' end)"),
+               contains("world.ball.class is read-only"));
+    CHECK_THAT(s.fails("print(world.b)"), contains("no such name"));
+    const auto snapshot = s.tree->snapshot();
+    s.tree->restore(snapshot);
+    CHECK(s.prints("print(world.ball.name)") == "ball");
+}
+
 TEST_CASE("a formula in error raises when it is read and mends itself") {
     Stage s;
     s.run("world.total = formula(function() return world.ball.mass end)");

@@ -108,7 +108,7 @@ TEST_CASE("an error is told whole whatever bytes are in it") {
                contains("world: the name \"a\\0b\" holds a zero byte"));
     CHECK_THAT(s.fails("world['a\\0b'] = 3"), contains("zero byte"));
     CHECK_THAT(s.fails("world.scale = 'a\\0b'"), contains("got text \"a\\000b\""));
-    CHECK_THAT(s.fails("local _ = world['a\\0b']"), contains("a\\0b\"]: no such name"));
+    CHECK_THAT(s.fails("local _ = world['a\\0b']"), contains("a\\000b\"]: no such name"));
     CHECK_THAT(s.fails("world:on('deleted\\0x', print)"), contains("no event \"deleted\\0x\""));
     CHECK_THAT(s.fails("class('A\\0B', Object) {}"), contains("A\\0B"));
     CHECK_THAT(s.fails("class('Z', Object) { ['a\\0b'] = 1 }"), contains("a\\0b"));
@@ -263,4 +263,32 @@ local o = Object { x = 3, size = 2, r = 1 }
     CHECK_THAT(s.fails("local _ = (Body {}).rotation"), contains("no such name"));
 }
 
+TEST_CASE("help for a path that leads nowhere says what there is no such name of") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK_THAT(s.prints("help('world.ball.mas')"),
+               contains("world.ball has no property \"mas\" (did you mean \"mass\"?)"));
+    CHECK_THAT(s.prints("help('some. text')"), contains("a text"));
+}
+
+TEST_CASE("a formula is no default of a class") {
+    Stage s;
+    const std::string reason = "a formula is no default";
+    CHECK_THAT(s.fails("class('F1', Body) { n = formula(function() return 1 end) }"),
+               contains("F1.n: " + reason) && contains("function F1:ready()"));
+    CHECK_THAT(s.fails("class('F2', Body) { mass = formula(function() return 1 end) }"),
+               contains("F2.mass: " + reason));
+}
+
+TEST_CASE("a path shows no character that a terminal would obey") {
+    Stage s;
+    const std::string name = "\\27[31mred\\n1\\127\\194\\133\\226\\128\\174";
+    s.run("world:add(Body {}, \"" + name + "\")");
+    const std::string path = s.prints("print(world:children()[1])");
+    CHECK(path == "world[\"\\027[31mred\\0101\\127\\194\\133\\226\\128\\174\"]");
+    // It is read back as what it was.
+    CHECK(s.prints("print(#query([=[" + path + "]=]))") == "1");
+    CHECK(s.get(path + ".mass").as_double() == 1);
+    CHECK(s.prints("print(" + path + ".name == \"" + name + "\")") == "true");
+}
 }  // namespace messages_test

@@ -134,4 +134,24 @@ TEST_CASE("a formula in error is saved with its last good value") {
     CHECK(w.tree.get(c, "number") == Value(8.0));
 }
 
+TEST_CASE("a file cannot give a formula to what tells where an instance is") {
+    SceneWorld w;
+    w.tree.compile_formulas_with(twice);
+    const Handle top = w.load(scene(R"("properties": {"number": 2})"), "b");
+    for (const std::string key : {"name", "parent"}) {
+        INFO(key);
+        std::string told;
+        try {
+            w.load(R"({"fettle_scene": 1, "class": "Thing", "properties": {")" + key +
+                       R"(": {"is": "twice world.b.number", "value": "c"}}})",
+                   "c");
+        } catch (const Error& error) {
+            told = error.what();
+        }
+        for (const std::string& warning : w.warnings) told += warning;
+        CHECK_THAT(told, contains(key));
+        CHECK(w.tree.name(top) == "b");
+        w.tree.restore(w.tree.snapshot());
+    }
+}
 }  // namespace formula_test

@@ -4,6 +4,7 @@
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/tweaks.h>
 
+#include <chrono>
 #include <functional>
 
 #include "catch.h"
@@ -277,8 +278,7 @@ TEST_CASE("what a script made is kept by path and set when it is made again") {
           "{\n"
           "  \"fettle_tweaks\": 1,\n"
           "  \"values\": {\n"
-          "    \"world.a.position\": [5, 5],\n"
-          "    \"world[\\\"my b\\\"].lives\": 3\n"
+          "    \"world.a.position\": [5, 5]\n"
           "  },\n"
           "  \"deleted\": [\n"
           "    \"world[\\\"my b\\\"]\"\n"
@@ -320,6 +320,62 @@ TEST_CASE("a kept value that no longer fits is told with its place and the other
     REQUIRE(run.told.size() == 2);
     CHECK(run.told[0].find("main.tweaks.json:4:24: world.a.density: ") != std::string::npos);
     CHECK(run.told[1].find("main.tweaks.json:6:22: world.a") != std::string::npos);
+}
+
+TEST_CASE("kept tweaks that lead nowhere are told with their place") {
+    const GameFolder folder;
+    folder.write("main.tweaks.json",
+                 "{\n  \"fettle_tweaks\": 1,\n  \"values\": {\n"
+                 "    \"world.a.number\": 4,\n    \"world.wal.number\": 4\n  },\n"
+                 "  \"created\": {\n"
+                 "    \"world.gone.lamp\": {\"fettle_scene\": 1, \"class\": \"Nothing\"},\n"
+                 "    \"world.odd\": {\"fettle_scene\": 1, \"class\": \"Nothing\"}\n  },\n"
+                 "  \"deleted\": [\"world.old\"]\n}\n");
+    Run run(folder);
+    const Handle a = run.add("Thing", "a");
+    run.add("Thing", "wall");
+    run.tweaks->game_loaded();
+    CHECK(run.tree.get(a, "number") == Value(4.0));
+    REQUIRE(run.told.size() == 4);
+    CHECK_THAT(run.told[0], contains("main.tweaks.json:11:15: world.old: there is no world.old") &&
+                                contains("nothing to delete"));
+    CHECK_THAT(run.told[1],
+               contains("main.tweaks.json:8:5: world.gone.lamp: there is no world.gone"));
+    CHECK_THAT(run.told[2], contains("main.tweaks.json:9") && contains("Nothing"));
+    CHECK_THAT(run.told[3], contains("main.tweaks.json:5:5: world.wal.number: there is no "
+                                     "world.wal") &&
+                                contains("\"wall\"") && contains("is set when"));
+    // One that is made later gets its value.
+    const Handle late = run.add("Thing", "wal");
+    run.tweaks->placed(late);
+    CHECK(run.tree.get(late, "number") == Value(4.0));
+}
+
+TEST_CASE("thousands of tweaks are kept together in a time that grows with their number") {
+    const GameFolder folder;
+    const int many = 3000;
+    std::vector<Handle> made;
+    Run run(folder);
+    run.person([&] {
+        for (int i = 0; i < many; ++i)
+            made.push_back(run.add("Thing", ("t" + std::to_string(i)).c_str()));
+    });
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK(run.tweaks->keep("**").count == std::size_t(many));
+    // Kept again they are replaced, and at last they go.
+    run.person([&] {
+        for (const Handle each : made) run.tree.set(each, "number", 7.0);
+    });
+    run.tweaks->keep("**");
+    CHECK((folder.text("main.tweaks.json").find("world.t2999") != std::string::npos));
+    run.person([&] {
+        for (int i = 1; i < many; ++i) run.tree.destroy(made[std::size_t(i)]);
+    });
+    run.tweaks->keep("**");
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(15));
+    const std::string text = folder.text("main.tweaks.json");
+    CHECK_THAT(text, contains("\"world.t0\": {") && contains("\"world.t0.number\": 7"));
+    CHECK((text.find("world.t2999") == std::string::npos));
 }
 
 TEST_CASE("tweaks of earlier runs are the same tweaks when they went through words") {

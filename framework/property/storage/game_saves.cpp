@@ -59,7 +59,7 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
     } catch (const Error& error) {
         return warn("the game was not saved: " + exception_text(error));
     }
-    for (const std::string& formula : unsaved_formulas(tree_))
+    for (const std::string& formula : unsaved_formulas(tree()))
         warn_once(formula + ": saved games hold its last value, and no formula");
     if (!options_.writes) {
         unwritten_.insert_or_assign(slot, std::move(state));

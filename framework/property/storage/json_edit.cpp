@@ -77,6 +77,23 @@ void JsonEdit::replace(const Node& node, std::string_view value) {
     set(std::move(text));
 }
 
+void JsonEdit::replace(const std::vector<std::pair<const Node*, std::string>>& values) {
+    if (values.empty()) return;
+    auto in_order = values;
+    std::sort(in_order.begin(), in_order.end(),
+              [](const auto& a, const auto& b) { return a.first->begin < b.first->begin; });
+    const std::string& before = document_.source();
+    std::string text;
+    std::size_t done = 0;
+    for (const auto& [node, value] : in_order) {
+        text.append(before, done, node->begin - done);
+        text += indented(value, indent(node->begin));
+        done = node->end;
+    }
+    text.append(before, done, std::string::npos);
+    set(std::move(text));
+}
+
 void JsonEdit::add_member(const Node& object, std::string_view key, std::string_view value,
                           const Node* after) {
     std::string item;
@@ -86,6 +103,29 @@ void JsonEdit::add_member(const Node& object, std::string_view key, std::string_
 
 void JsonEdit::add_element(const Node& array, std::string_view value) {
     add(array, std::string(value), nullptr);
+}
+
+/// The first shows how the others are to stand: each on a line of its own or behind the other.
+void JsonEdit::add_last(const Find& container,
+                        const std::vector<std::pair<std::string, std::string>>& items) {
+    const bool named = container(document_)->kind == Document::Kind::object;
+    const auto item = [&](std::size_t i) {
+        std::string text;
+        if (named) {
+            append_quoted(text, items[i].first);
+            text += ": ";
+        }
+        return text + items[i].second;
+    };
+    if (items.empty()) return;
+    add(*container(document_), item(0), nullptr);
+    if (items.size() == 1) return;
+    const Node& now = *container(document_);
+    const bool one_line = document_.source().find('\n', now.begin) > now.end;
+    std::string others;
+    for (std::size_t i = 1; i < items.size(); ++i)
+        others += (i == 1 ? "" : one_line ? ", " : ",\n") + item(i);
+    add(now, others, nullptr);
 }
 
 void JsonEdit::add_first(const Node& container, const std::string& item) {
@@ -140,6 +180,45 @@ void JsonEdit::add(const Node& container, const std::string& item, const Node* a
     set(std::move(text));
 }
 
+bool JsonEdit::alone_on_its_lines(const Node& child) const {
+    const std::string& text = document_.source();
+    const std::size_t end = line_end(child.end);
+    return begins_line(start(child)) && end < text.size() &&
+           (text[end] == '\n' || text[end] == '\r');
+}
+
+/// Whole lines go together. The last one, and what shares a line with another, go one by one: then
+/// commas are mended.
+void JsonEdit::remove(const Find& container,
+                      const std::function<bool(const Document&, const Node&)>& which) {
+    const Node* in = container(document_);
+    if (in == nullptr) return;
+    const std::string& before = document_.source();
+    std::string text;
+    std::size_t done = 0;
+    for (const Node* node = document_.first(*in); node; node = document_.next(*node)) {
+        if (document_.next(*node) == nullptr || !which(document_, *node) ||
+            !alone_on_its_lines(*node))
+            continue;
+        const std::size_t begin = start(*node) - indent(start(*node)).size();
+        text.append(before, done, begin - done);
+        done = before.find('\n', line_end(node->end)) + 1;
+    }
+    text.append(before, done, std::string::npos);
+    if (done > 0) set(std::move(text));
+    for (bool found = true; found;) {
+        found = false;
+        in = container(document_);
+        if (in == nullptr) return;
+        for (const Node* node = document_.first(*in); node; node = document_.next(*node)) {
+            if (!which(document_, *node)) continue;
+            remove(*in, *node);
+            found = true;
+            break;
+        }
+    }
+}
+
 void JsonEdit::remove(const Node& container, const Node& child) {
     std::string text = document_.source();
     const Node* previous = nullptr;
@@ -148,9 +227,7 @@ void JsonEdit::remove(const Node& container, const Node& child) {
         previous = node;
     const Node* next = document_.next(child);
     std::size_t begin = start(child), end = line_end(child.end);
-    const bool alone =
-        begins_line(begin) && end < text.size() && (text[end] == '\n' || text[end] == '\r');
-    if (alone) {
+    if (alone_on_its_lines(child)) {
         begin -= indent(begin).size();
         end = text.find('\n', end) + 1;
         text.erase(begin, end - begin);

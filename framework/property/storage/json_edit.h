@@ -1,8 +1,11 @@
 #pragma once
 // Edits of a JSON text that leave everything else of it as it is: comments, order, white space.
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "document.h"
 
@@ -25,12 +28,24 @@ class JsonEdit {
     void add_member(const Node& object, std::string_view key, std::string_view value,
                     const Node* after = nullptr);
     void add_element(const Node& array, std::string_view value);
+
+    // Many at once, for the price of one.
+    void replace(const std::vector<std::pair<const Node*, std::string>>& values);
+    /// Where an object or an array is in the text as it is then.
+    using Find = std::function<const Node*(const Document&)>;
+    /// As the last ones, in this order; of an array the keys do not count.
+    void add_last(const Find& container,
+                  const std::vector<std::pair<std::string, std::string>>& items);
+    /// All members or elements `which` is true of.
+    void remove(const Find& container,
+                const std::function<bool(const Document&, const Node&)>& which);
     /// Removes a member of an object, or an element of an array, with its line and the comment
     /// behind it.
     void remove(const Node& container, const Node& child);
 
   private:
     void add(const Node& container, const std::string& item, const Node* after);
+    bool alone_on_its_lines(const Node& child) const;
     void add_first(const Node& container, const std::string& item);
     void set(std::string text);
     /// Behind white space, comments and commas on the same line.

@@ -1,6 +1,8 @@
 #include "kept_tweaks.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include <fettle/property/coercion.h>
 #include <fettle/property/path.h>
@@ -42,7 +44,7 @@ KeptTweaks::KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file,
 }
 
 void KeptTweaks::read_again() {
-    edit_.reset();
+    changes_.clear();
     document_.reset();
     contents_ = {};
     problem_.clear();
@@ -182,14 +184,47 @@ void KeptTweaks::apply_values(Handle top) {
             if (tree_.alive(handle)) apply_value(handle, each);
 }
 
+/// `then`: what that means for the tweak. Whether the first `count` names lead to an instance.
+bool KeptTweaks::is_there(const Node& node, const std::string& path, std::size_t count,
+                          const std::string& then) {
+    const std::vector<Segment> segments = parse_path(path);
+    Handle at = tree_.root();
+    for (std::size_t i = 0; i < count && i < segments.size(); ++i) {
+        const std::string& name = std::get<std::string>(segments[i].key);
+        const Handle child = tree_.child(at, name);
+        if (!child) {
+            std::vector<std::string> names;
+            for (const Handle each : tree_.children(at)) names.push_back(tree_.name(each));
+            warn(document_->has_key(node) ? node.key_begin : node.begin,
+                 path + ": there is no " + joined(segments, i + 1) + suggestion(name, names) +
+                     "; " + then);
+            return false;
+        }
+        at = child;
+    }
+    return true;
+}
+
+void KeptTweaks::tell_values_of_nobody() {
+    const Node* values =
+        problem_.empty() && document_ ? document_->member(document_->root(), "values") : nullptr;
+    if (values == nullptr) return;
+    for (const Node* node = document_->first(*values); node; node = document_->next(*node)) {
+        const std::string& path = document_->key(*node);
+        is_there(*node, path, parse_path(path).size() - 1,
+                 "the value is set when an instance of that path is made");
+    }
+}
+
 void KeptTweaks::create(const std::string& path) {
     const Node* node = member("created", path);
     const std::vector<Segment> segments = parse_path(path);
     Handle parent = tree_.root();
-    for (std::size_t i = 0; parent && i + 1 < segments.size(); ++i)
+    if (!is_there(*node, path, segments.size() - 1, "what was made below it is not made")) return;
+    for (std::size_t i = 0; i + 1 < segments.size(); ++i)
         parent = tree_.child(parent, std::get<std::string>(segments[i].key));
     const std::string& name = std::get<std::string>(segments.back().key);
-    if (!parent || tree_.child(parent, name)) return;
+    if (tree_.child(parent, name)) return;
     try {
         // In its place, so that errors name it.
         std::string text(document_->line(node->begin) - 1, '\n');
@@ -201,16 +236,24 @@ void KeptTweaks::create(const std::string& path) {
 }
 
 void KeptTweaks::apply_all() {
-    for (const std::string& path : contents_.deleted) {
+    const Node* deleted =
+        document_ != nullptr ? document_->member(document_->root(), "deleted") : nullptr;
+    std::size_t next = 0;
+    for (const Node* node = deleted != nullptr ? document_->first(*deleted) : nullptr;
+         node && next < contents_.deleted.size(); node = document_->next(*node)) {
+        const std::string& path = contents_.deleted[next++];
+        if (!is_there(*node, path, SIZE_MAX, "there is nothing to delete")) continue;
         try {
             const Place place = resolve(tree_, path);
             const Tree::CauseScope cause(tree_, Writer::load);
-            if (place.property == nullptr) tree_.destroy(place.instance);
-        } catch (const Error&) {  // it is not there
+            tree_.destroy(place.instance);
+        } catch (const Error& error) {
+            warn(node->begin, path + ": " + error.what());
         }
     }
     for (const std::string& path : contents_.created) create(path);
     apply_values(tree_.root());
+    tell_values_of_nobody();
 }
 
 // --- Keeping -------------------------------------------------------------------------------------
@@ -218,38 +261,66 @@ void KeptTweaks::apply_all() {
 void KeptTweaks::put(const std::string& section, const std::string& key, const std::string& value) {
     if (!problem_.empty())
         throw Error(ErrorKind::rejected, problem_ + "; mend or remove that file first");
-    if (edit_ == nullptr)
-        edit_ = document_ != nullptr
-                    ? std::make_unique<JsonEdit>(document_->source(), file_.string())
-                    : std::make_unique<JsonEdit>(std::string(empty_file), file_.string());
-    const auto object = [&]() {
-        return edit_->document().member(edit_->document().root(), section);
-    };
-    if (object() == nullptr)
-        edit_->add_member(edit_->document().root(), section, section == "deleted" ? "[]" : "{}");
-    if (section == "deleted") {
-        edit_->add_element(*object(), value);
-    } else if (const Node* old = edit_->document().member(*object(), key)) {
-        edit_->replace(*old, value);
-    } else {
-        edit_->add_member(*object(), key, value);
-    }
+    change(section, key, value);
 }
 
 void KeptTweaks::drop(const std::string& section, const std::string& key) {
-    if (document_ == nullptr && edit_ == nullptr) return;
-    if (edit_ == nullptr) edit_ = std::make_unique<JsonEdit>(document_->source(), file_.string());
-    const Document& document = edit_->document();
-    const Node* object = document.member(document.root(), section);
-    if (object == nullptr) return;
-    for (const Node* node = document.first(*object); node; node = document.next(*node)) {
-        const bool same = object->kind == Document::Kind::object
-                              ? document.key(*node) == key
-                              : node->kind == Document::Kind::text && document.text(*node) == key;
-        if (!same) continue;
-        if (document.count(*object) == 1) return edit_->remove(document.root(), *object);
-        return edit_->remove(*object, *node);
+    change(section, key, std::nullopt);
+}
+
+void KeptTweaks::change(const std::string& section, const std::string& key,
+                        std::optional<std::string> value) {
+    auto its = std::find_if(changes_.begin(), changes_.end(),
+                            [&](const Changes& each) { return each.section == section; });
+    if (its == changes_.end()) its = changes_.insert(its, Changes{section});
+    const auto [place, first] = its->places.try_emplace(key, its->list.size());
+    if (first)
+        its->list.push_back({key, std::move(value)});
+    else
+        its->list[place->second].value = std::move(value);
+}
+
+/// What is there already stays where it is, with its new value; the others come behind it.
+void KeptTweaks::make(JsonEdit& edit, const Changes& changes) {
+    const auto section = [&](const Document& in) { return in.member(in.root(), changes.section); };
+    const auto key_of = [](const Document& in, const Node& node) -> std::string {
+        if (in.has_key(node)) return in.key(node);
+        return node.kind == Document::Kind::text ? in.text(node) : std::string();
+    };
+    const auto change_of = [&](const Document& in, const Node& node) -> const Change* {
+        const auto found = changes.places.find(key_of(in, node));
+        return found == changes.places.end() ? nullptr : &changes.list[found->second];
+    };
+    const bool keyed = changes.section != "deleted";
+    std::unordered_set<std::string> there;
+    std::vector<std::pair<const Node*, std::string>> replaced;
+    std::size_t staying = 0, going = 0;
+    if (const Node* object = section(edit.document()))
+        for (const Node* node = edit.document().first(*object); node;
+             node = edit.document().next(*node)) {
+            const Change* change = change_of(edit.document(), *node);
+            const bool goes = change != nullptr && !change->value;
+            ++(goes ? going : staying);
+            if (change == nullptr || goes) continue;
+            there.insert(change->key);
+            if (keyed) replaced.emplace_back(node, *change->value);
+        }
+    edit.replace(replaced);
+    std::vector<std::pair<std::string, std::string>> added;
+    for (const Change& each : changes.list)
+        if (each.value && !there.contains(each.key)) added.emplace_back(each.key, *each.value);
+    if (!added.empty()) {
+        if (section(edit.document()) == nullptr)
+            edit.add_member(edit.document().root(), changes.section, keyed ? "{}" : "[]");
+        edit.add_last(section, added);
     }
+    if (going == 0) return;
+    if (staying == 0 && added.empty())
+        return edit.remove(edit.document().root(), *section(edit.document()));
+    edit.remove(section, [&](const Document& in, const Node& node) {
+        const Change* change = change_of(in, node);
+        return change != nullptr && !change->value;
+    });
 }
 
 void KeptTweaks::set(const std::string& instance, const std::string& property, const Image& image) {
@@ -296,18 +367,27 @@ void KeptTweaks::remove(const std::string& path) {
     const std::vector<std::string>& created = contents_.created;
     const auto was_created = std::find(created.begin(), created.end(), path) != created.end();
     drop("created", path);
+    // Values of it, and of what was below it, are those of nobody from now on.
+    for (auto its = contents_.values.lower_bound(path);
+         its != contents_.values.end() && its->first.starts_with(path); ++its)
+        if (its->first.size() == path.size() || its->first[path.size()] == '.' ||
+            its->first[path.size()] == '[')
+            for (const Kept& kept : its->second) drop("values", kept.key);
     std::string quoted;
     append_quoted(quoted, path);
     if (!was_created) put("deleted", path, quoted);
 }
 
 void KeptTweaks::write() {
-    if (edit_ == nullptr) return;
-    const std::unique_ptr<JsonEdit> edit = std::move(edit_);
+    const std::vector<Changes> changes = std::exchange(changes_, {});
+    const std::string before = document_ ? document_->source() : std::string(empty_file);
+    JsonEdit edit(before, file_.string());
+    for (const Changes& each : changes) make(edit, each);
+    if (edit.text() == before) return;
     // What could not be read must not become the file.
-    auto document = std::make_unique<Document>(edit->text(), file_.string());
+    auto document = std::make_unique<Document>(edit.text(), file_.string());
     Contents contents = contents_of(*document);
-    files_.write(file_, edit->text());
+    files_.write(file_, edit.text());
     document_ = std::move(document);
     contents_ = std::move(contents);
 }

@@ -10,7 +10,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -54,18 +56,34 @@ class KeptTweaks {
         std::string key;
     };
     struct Contents {
-        std::unordered_map<std::string, std::vector<Kept>> values{};  // by path of the instance
-        std::vector<std::string> created{}, deleted{};                // paths
+        std::map<std::string, std::vector<Kept>> values{};  // by path of the instance
+        std::vector<std::string> created{}, deleted{};      // paths
     };
     void read();
     static Contents contents_of(const Document& document);
     void check_value(const std::string& path, const Property* declared, const Image& image) const;
     void apply_value(Handle instance, const Kept& kept);
     void create(const std::string& path);
+    bool is_there(const Node& node, const std::string& path, std::size_t count,
+                  const std::string& then);
+    void tell_values_of_nobody();
     void warn(std::size_t offset, const std::string& reason);
     const Node* member(std::string_view section, const std::string& key) const;
+    /// What is to be in the file; it is written with all others.
     void put(const std::string& section, const std::string& key, const std::string& value);
     void drop(const std::string& section, const std::string& key);
+    struct Change {
+        std::string key;
+        std::optional<std::string> value;  // none: it goes
+    };
+    struct Changes {
+        std::string section;
+        std::vector<Change> list{};
+        std::unordered_map<std::string, std::size_t> places{};  // in the list, by key
+    };
+    void change(const std::string& section, const std::string& key,
+                std::optional<std::string> value);
+    static void make(JsonEdit& edit, const Changes& changes);
 
     Tree& tree_;
     GameFiles& files_;
@@ -73,7 +91,7 @@ class KeptTweaks {
     Warn warn_;
     std::string problem_;                 // why the file is not used
     std::unique_ptr<Document> document_;  // as it was read
-    std::unique_ptr<JsonEdit> edit_;      // as it will be written
+    std::vector<Changes> changes_;        // since, of each section
     Contents contents_;
     std::unordered_set<std::string> told_;  // warnings
 };
