@@ -10,6 +10,8 @@
 
 #include "weather.h"
 
+namespace c_values_test {
+
 using namespace fettle;
 using namespace fettle::module::testing;
 
@@ -69,3 +71,5 @@ TEST_CASE("a game in C is stepped by a time") {
     CHECK(fettle_game_step(game, 0.1) == FETTLE_OK);
     fettle_game_close(game);
 }
+
+}  // namespace c_values_test

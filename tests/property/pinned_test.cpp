@@ -12,6 +12,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+namespace pinned_test {
+
 // Functions that the tree calls in the middle of its own work and that destroy it: the program is
 // ended, and says by whom.
 
@@ -110,3 +112,5 @@ TEST_CASE("whoever destroys the tree in the middle of its work ends the program 
     });
     tree.reset();
 }
+
+}  // namespace pinned_test

@@ -8,6 +8,8 @@
 
 #include "stage.h"
 
+namespace wrong_host_calls_test {
+
 // What a host can hand to a runtime that is none: each is an error that says what.
 
 using namespace stage;
@@ -71,3 +73,5 @@ TEST_CASE("a sink of commands that destroys the tree ends the command") {
     CHECK_THAT(error_of([&] { stage.runtime->evaluate("1 + 1"); }),
                contains("the tree of this runtime was destroyed"));
 }
+
+}  // namespace wrong_host_calls_test

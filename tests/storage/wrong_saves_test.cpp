@@ -7,6 +7,8 @@
 
 #include "catch.h"
 
+namespace wrong_saves_test {
+
 // What a caller in C++ can hand to saves that is none.
 
 using namespace fettle::property;
@@ -76,3 +78,5 @@ TEST_CASE("saved games say that their tree is gone") {
     saves.list();
     CHECK_FALSE(saves.list().front().problem.empty());
 }
+
+}  // namespace wrong_saves_test
