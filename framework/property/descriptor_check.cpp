@@ -251,7 +251,9 @@ class DescriptorCheck {
         check_number(member, "the native type of its column", binding.native, Native::enumeration);
         if (binding.base == nullptr)
             refuse(ErrorKind::bad_structure, member, "its column has no `base`");
-        if (binding.stride < size_of(binding.native) || binding.stride > largest_stride)
+        // 0: all rows are one, as those of a service.
+        const std::size_t least = binding.stride == 0 ? 0 : size_of(binding.native);
+        if (binding.stride < least || binding.stride > largest_stride)
             refuse(ErrorKind::bad_structure, member,
                    "its column goes on by " + std::to_string(binding.stride) +
                        " bytes a row, expected " + std::to_string(size_of(binding.native)) +
