@@ -1738,7 +1738,7 @@ function history() end
 ---@param pattern string
 function keep(pattern) end
 
----Goes on with a saved game, from the next barrier. One that is damaged, newer or of another game is an error, and nothing changes. `game` tells `restored`.
+---Goes on with a saved game, from the next barrier. One that is damaged, newer, of another game or of classes that are not defined is an error, and nothing changes. `game` tells `restored`.
 ---@param slot string
 function load_game(slot) end
 
@@ -1778,7 +1778,7 @@ function restore(taken) end
 ---@param seconds number
 function rewind(seconds) end
 
----Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua. A slot is called by letters, digits, spaces, - and _. Several calls for one slot before the barrier are one save, as the last of them wants it; more than 1000 calls are an error. Saves lie in a folder for each game in `~/.local/share/fettle/`.
+---Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua, and of a formula that uses local variables its value only. A slot is called by letters, digits, spaces, - and _. Several calls for one slot before the barrier are one save, as the last of them wants it; more than 1000 calls are an error. Saves lie in a folder for each game in `~/.local/share/fettle/`.
 ---@param slot string
 function save_game(slot) end
 

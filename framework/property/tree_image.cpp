@@ -19,7 +19,6 @@ bool is_native(const Property& property) {
            property.binding.kind == BindingKind::accessor;
 }
 
-/// Properties behind which is memory that nobody else saves.
 std::vector<const Property*> saved_by_value(const Class& of) {
     std::vector<const Property*> all;
     for (const Property* property : of.properties())
@@ -27,10 +26,6 @@ std::vector<const Property*> saved_by_value(const Class& of) {
             property->owner->snapshots() == Snapshots::by_value)
             all.push_back(property);
     return all;
-}
-
-bool by_value(const Class& of) {
-    return of.snapshots() == Snapshots::by_value;
 }
 
 /// What a game that has changed its classes is told of a save that is whole.
@@ -385,162 +380,6 @@ const Formula* TreeImage::formula_of_game(const Formulas::Image& image) const {
     for (; !way.empty() && top != 0; way.pop_back()) top = state_.nodes.child(top, way.back());
     if (top == 0) return nullptr;
     return state_.formulas.find({top, image.property});
-}
-
-// --- Putting into place
-// -----------------------------------------------------------------------------------------------
-
-void TreeImage::each(const std::function<void(Handle, const Class&, Row)>& visit) const {
-    for (std::uint32_t i = 1; i < nodes_.end(); ++i)
-        if (nodes_[i].alive())
-            visit(nodes_.handle(i), state_.classes[nodes_[i].class_id], nodes_[i].row);
-}
-
-bool TreeImage::lived_before(Handle instance) const {
-    return instance.index < before_.size() && before_[instance.index] == instance.generation;
-}
-
-void TreeImage::end_rows() {
-    Tree::State& s = state_;
-    for (std::uint32_t i = 1; i < s.nodes.end(); ++i) {
-        if (before_[i] == 0) continue;
-        const Handle gone = s.nodes.handle(i);
-        const Class& of = s.classes[s.nodes[i].class_id];
-        const Lifecycle& lifecycle = of.lifecycle();
-        if (nodes_.find(gone) == nullptr && by_value(of) && lifecycle.destroy) {
-            try {
-                lifecycle.destroy(lifecycle.context, s.tree, gone, s.nodes[i].row);
-            } catch (...) {
-                // Its module knows nothing of it; nothing is left to end.
-            }
-        }
-        if (nodes_.find(gone) == nullptr && of.snapshots() == Snapshots::never &&
-            s.stored[of.id()] != nullptr)
-            s.stored[of.id()]->remove(s.nodes[i].stored_row);
-    }
-}
-
-void TreeImage::put_nodes() {
-    Tree::State& s = state_;
-    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
-        Node& node = nodes_[i];
-        node.watched = node.fresh = node.has_formula = node.has_dependents = false;
-        if (!node.alive()) continue;
-        const Class& of = s.classes[node.class_id];
-        const bool lived = lived_before({i, node.generation});
-        // Rows that are made anew, or that the present knows.
-        if (of.snapshots() != Snapshots::natively) node.row = lived ? s.nodes[i].row : 0;
-        if (of.snapshots() == Snapshots::never && s.stored[of.id()] != nullptr)
-            node.stored_row = lived ? s.nodes[i].stored_row : s.stored[of.id()]->add();
-    }
-    s.nodes.replace(std::move(nodes_));
-    s.fresh.clear();
-    put_columns();
-    s.tell_plain_writes();
-    s.step = step_;
-    s.stepped = s.edited = true;
-    ++s.upheavals;
-    s.history.restore(history_);
-}
-
-void TreeImage::put_columns() {
-    Tree::State& s = state_;
-    for (auto& [id, columns] : columns_) s.stored[id] = std::move(columns);
-    // A class that the snapshot does not know has nobody in it.
-    for (std::uint32_t id = 0; id < s.classes.size(); ++id) {
-        const bool told = std::find(classes_.begin(), classes_.end(), id) != classes_.end();
-        if (!told && s.stored[id] != nullptr && s.classes[id].snapshots() != Snapshots::never)
-            s.stored[id] = std::make_unique<StoredColumns>(s.classes[id]);
-    }
-    s.ad_hoc.clear();
-    for (AdHoc& own : ad_hoc_) {
-        const Property& property = s.ad_hoc_property(Symbol(own.name));
-        s.ad_hoc[own.index].emplace(own.name, std::pair(&property, std::move(own.value)));
-    }
-}
-
-void TreeImage::put_formulas() {
-    Tree::State& s = state_;
-    s.formulas.clear();
-    for (Formulas::Image& image : formulas_) {
-        if (s.nodes.find(image.instance) == nullptr) continue;
-        const Property* property = s.tree.find(image.instance, image.property);
-        if (property == nullptr) continue;
-        put_formula(image, *property);
-    }
-}
-
-void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
-    Tree::State& s = state_;
-    const auto lost = [&](const std::string& why) {
-        remarks_.push_back(s.tree.path(image.instance, property) + ": its formula " + why +
-                           "; it keeps the value that it had");
-    };
-    if (!image.formula.function) {
-        if (image.formula.source.empty()) return lost("was not saved");
-        if (!s.formula_compiler) return lost("cannot be compiled here");
-        try {
-            image.formula = s.formula_compiler(image.formula.source);
-        } catch (...) {
-            return lost("does not compile any more: " + exception_text());
-        }
-    }
-    s.formulas.set(image.instance, property, image.formula);
-}
-
-/// Rows of those whose module makes them anew; parents before children.
-void TreeImage::make_rows() {
-    Tree::State& s = state_;
-    std::vector<Handle> refused;
-    const auto make = [&](std::uint32_t i) {
-        const Class& of = s.classes[s.nodes[i].class_id];
-        const Lifecycle& lifecycle = of.lifecycle();
-        const Handle self = s.nodes.handle(i);
-        if (!by_value(of) || !lifecycle.create || lived_before(self)) return;
-        try {
-            const Row row = lifecycle.create(lifecycle.context, s.tree, self);
-            s.nodes[i].row = row;
-            if (!lifecycle.place || s.nodes[i].parent == 0) return;
-            const Row placed = lifecycle.place(lifecycle.context, s.tree, self, row);
-            s.nodes[i].row = placed;
-        } catch (...) {
-            refused.push_back(self);  // its module has no room for it any more
-        }
-    };
-    for (std::uint32_t top = 1; top < s.nodes.end(); ++top)
-        if (s.nodes[top].alive() && s.nodes[top].parent == 0) s.visit_below(top, make);
-    for (const Handle self : refused)
-        if (s.nodes.find(self) != nullptr) drop(self.index);
-}
-
-/// An instance without a row cannot be; what is below it goes with it.
-void TreeImage::drop(std::uint32_t index) {
-    Tree::State& s = state_;
-    while (s.nodes[index].first_child != 0) s.destroy_below(s.nodes[index].first_child);
-    const Class& of = s.classes[s.nodes[index].class_id];
-    if (s.stored[of.id()]) s.stored[of.id()]->remove(s.nodes[index].stored_row);
-    if (s.nodes[index].has_ad_hoc) s.ad_hoc.erase(index);
-    s.nodes.unlink(index);
-    s.nodes.release(index);
-}
-
-void TreeImage::put_values() {
-    make_rows();
-    Tree::State& s = state_;
-    for (const ByValue& each : values_)
-        for (const auto& [property, value] : each.values) {
-            if (s.nodes.find(each.instance) == nullptr) break;  // dropped
-            const Node& node = s.nodes[each.instance.index];
-            try {
-                if (!(s.read(each.instance.index, node, *property) == value))
-                    s.write(each.instance.index, node, *property,
-                            s.tree.coerce(each.instance, *property, value));
-            } catch (...) {
-                // Its owner refuses what it once held; what it holds now stays.
-            }
-        }
-    put_formulas();
-    s.remarks = std::move(remarks_);
 }
 
 }  // namespace fettle::property

@@ -262,6 +262,7 @@ local yielding = coroutine.wrap(function() world:at(vec(0, -2), nil, nil, functi
 print(pcall(yielding))
 -- A coroutine that begins in there goes on afterwards, and may do what it likes then.
 local later
+world.stage.hull.angle = 0  -- its formula reads what is deleted
 world:at(vec(0, -2), nil, nil, function(s)
     later = coroutine.create(function() coroutine.yield() s.parent:delete() end)
     coroutine.resume(later)
