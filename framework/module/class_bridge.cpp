@@ -35,6 +35,11 @@ std::vector<std::string> texts(const char* const* list) {
     return all;
 }
 
+/// Two zeros, as in what an older module has not filled in: any number.
+property::Range range_of(double min, double max) {
+    return min < max ? property::Range{min, max} : property::Range{};
+}
+
 std::vector<Field> fields(const fettle_array& array, const std::string& of) {
     std::vector<Field> all;
     for (const fettle_field& field : elements<fettle_field>(array))
@@ -44,7 +49,8 @@ std::vector<Field> fields(const fettle_array& array, const std::string& of) {
                        .doc = text_or_empty(field.doc),
                        .reference_class = text_or_empty(field.reference_class),
                        .element = type_of(field.element, of),
-                       .nullable = (field.flags & FETTLE_NULLABLE) != 0});
+                       .nullable = (field.flags & FETTLE_NULLABLE) != 0,
+                       .range = range_of(field.min, field.max)});
     return all;
 }
 
@@ -152,7 +158,7 @@ Property BridgedClass::bridged(const fettle_property& native) {
     property.type = type_of(native.type, of);
     property.default_value = received(native.default_value);
     property.unit = text_or_empty(native.unit);
-    if (native.min < native.max) property.range = {native.min, native.max};
+    property.range = range_of(native.min, native.max);
     property.doc = text_or_empty(native.doc);
     property.read_only = is(FETTLE_READ_ONLY);
     property.transient = is(FETTLE_TRANSIENT);

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include <fettle/property/native.h>
+
 namespace fettle::module {
 
 using property::Binding;
@@ -110,48 +112,7 @@ void set_cell(void* context, Row row, const Value& value) {
     write(p, cell(p, row), value);
 }
 
-bool fits(Native native, property::Type type) {
-    using property::Type;
-    switch (native) {
-        case Native::f32:
-        case Native::f64:
-            return type == Type::number;
-        case Native::i32:
-        case Native::i64:
-            return type == Type::integer;
-        case Native::boolean:
-            return type == Type::boolean;
-        case Native::vec2f:
-        case Native::vec2d:
-            return type == Type::vec2;
-        case Native::color:
-            return type == Type::color;
-        case Native::enumeration:
-            return type == Type::text;
-    }
-    return false;
-}
-
 }  // namespace
-
-std::size_t size_of(Native native) {
-    switch (native) {
-        case Native::f32:
-        case Native::i32:
-            return 4;
-        case Native::f64:
-        case Native::i64:
-        case Native::vec2f:
-            return 8;
-        case Native::vec2d:
-        case Native::color:
-            return 16;
-        case Native::boolean:
-        case Native::enumeration:
-            return 1;
-    }
-    return 0;
-}
 
 void bind_column(property::Property& property, BridgedProperty& kept) {
     const auto wrong = [&](const std::string& what) {
@@ -161,7 +122,7 @@ void bind_column(property::Property& property, BridgedProperty& kept) {
     if (kept.native.native > FETTLE_ENUM8)
         throw wrong("there is no native type number " + std::to_string(kept.native.native));
     const auto native = static_cast<Native>(kept.native.native);
-    if (!fits(native, property.type) ||
+    if (type_of(native) != property.type ||
         (native == Native::enumeration && property.enumerators.empty()))
         throw wrong("a " + std::string(property::type_name(property.type)) +
                     " does not lie in a column of that native type");

@@ -10,8 +10,6 @@
 
 namespace fettle::module {
 
-std::size_t size_of(property::Native native);
-
 /// Fills in how the tree reads and writes a column of the module, and what it may hold.
 void bind_column(property::Property& property, BridgedProperty& kept);
 

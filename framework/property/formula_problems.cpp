@@ -11,6 +11,18 @@
 #include "state.h"
 
 namespace fettle::property {
+namespace {
+
+/// What two texts of an error have in common that differ in their numbers only: a formula may name
+/// the value it got, which is another one in each step.
+std::string without_numbers(std::string_view text) {
+    std::string rest;
+    for (const char c : text)
+        if (std::string_view("0123456789.+-e").find(c) == std::string_view::npos) rest += c;
+    return rest;
+}
+
+}  // namespace
 
 /// Whether it is in error only because it reads a formula that is.
 bool Formulas::fails_by_another(const Entry& e) const {
@@ -31,7 +43,8 @@ void Formulas::tell_problems() {
             told_.erase(e->cell);
             continue;
         }
-        if (std::exchange(told_[e->cell], e->error) == e->error) continue;
+        std::string problem = without_numbers(e->error);
+        if (std::exchange(told_[e->cell], problem) == problem) continue;
         if (e->cycle.empty() ? fails_by_another(*e) : !circles.insert(e->error).second) continue;
         news.push_back({e->instance, tree_.path(e->instance, *e->property), e->error});
     }
@@ -40,7 +53,8 @@ void Formulas::tell_problems() {
 }
 
 void Formulas::problem_told(Cell cell) {
-    if (const Entry* e = entry(cell); e != nullptr && !e->error.empty()) told_[cell] = e->error;
+    if (const Entry* e = entry(cell); e != nullptr && !e->error.empty())
+        told_[cell] = without_numbers(e->error);
 }
 
 std::string Formulas::problem(Cell cell) {

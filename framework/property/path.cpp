@@ -128,14 +128,7 @@ bool is_identifier(std::string_view name) {
 std::string path_suffix(std::string_view name) {
     if (is_identifier(name)) return "." + std::string(name);
     std::string out = "[\"";
-    for (std::size_t i = 0; i < name.size();) {
-        if (std::size_t control = control_character(name, i)) {
-            for (; control > 0; --control) append_digits(out, name[i++]);
-            continue;
-        }
-        if (name[i] == '"' || name[i] == '\\') out += '\\';
-        out += name[i++];
-    }
+    for (std::size_t i = 0; i < name.size();) append_escaped(out, name, i);
     return out + "\"]";
 }
 

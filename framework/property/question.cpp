@@ -72,6 +72,7 @@ void Question::answer(std::size_t field, const Value& value) {
     as.name = of.name;
     as.type = of.type;
     as.unit = of.unit;
+    as.range = of.range;
     values_[field] = coerce_value(as, value, {.tree = &tree_, .path = name, .what = &place});
 }
 

@@ -2,6 +2,10 @@
 
 namespace fettle::property {
 
+namespace {
+
+/// How many bytes of `text` at `at` are a control character: of C0, DEL, of C1, or one that turns
+/// the direction of writing. 0: it is none.
 std::size_t control_character(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) {
         return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
@@ -15,10 +19,22 @@ std::size_t control_character(std::string_view text, std::size_t at) {
     return embeds || isolates ? 3 : 0;
 }
 
+/// One byte as `\ddd`: three digits always, so that a digit that follows is not part of it.
 void append_digits(std::string& out, char byte) {
     const unsigned value = static_cast<unsigned char>(byte);
     out += '\\';
     for (const unsigned place : {100u, 10u, 1u}) out += static_cast<char>('0' + value / place % 10);
+}
+
+}  // namespace
+
+void append_escaped(std::string& out, std::string_view text, std::size_t& at) {
+    if (std::size_t control = control_character(text, at)) {
+        for (; control > 0; --control) append_digits(out, text[at++]);
+        return;
+    }
+    if (text[at] == '"' || text[at] == '\\') out += '\\';
+    out += text[at++];
 }
 
 char unescaped(std::string_view text, std::size_t& at) {

@@ -6,26 +6,21 @@
 #include "state.h"
 
 namespace fettle::property {
-namespace {
 
-std::string name_of(const void* what) {
-    const auto& property = *static_cast<const Property*>(what);
-    return property.owner == nullptr ? property.name : property.owner->name() + "." + property.name;
-}
-
-}  // namespace
-
-void RestoredValues::check(const Property& property, const Value& value) const {
-    Value taken;
+std::optional<Value> RestoredValues::coerced(const Property& property, const Value& value) const {
     try {
         // Without a tree: who is there now says nothing of who is about to be.
-        taken =
-            coerce_value(property, value, {.tree = nullptr, .path = &name_of, .what = &property});
-    } catch (const Error& error) {
-        from_.fail(error.what());
+        return coerce_value(
+            property, value,
+            {.tree = nullptr, .path = [](const void*) { return std::string(); }, .what = nullptr});
+    } catch (const Error&) {
+        return std::nullopt;
     }
-    if (!(taken == value)) from_.fail(name_of(&property) + ": a value that nobody could write");
-    check_references(property, value);
+}
+
+std::optional<Value> RestoredValues::fitted(const Property& property, const Value& value) const {
+    if (!of_its_class(property, value)) return std::nullopt;
+    return coerced(property, value);
 }
 
 void RestoredValues::check_ad_hoc(const Value& value) const {
@@ -36,26 +31,32 @@ void RestoredValues::check_ad_hoc(const Value& value) const {
         property.any_type = property.infinity = true;
         return property;
     }();
-    check(any, value);
+    const std::optional<Value> taken = fitted(any, value);
+    if (!taken || !(*taken == value)) from_.fail(any.name + ": a value that nobody could write");
 }
 
-void RestoredValues::check_references(const Property& property, const Value& value) const {
-    if (value.is(Type::list))
-        for (const Value& element : value.list()) check_references(property, element);
-    if (!value.is(Type::reference) || value.reference() == Handle{}) return;
-    const Class* wanted =
-        property.reference_class.empty() ? nullptr : tree_.find_class(property.reference_class);
-    if (!is_or_was(value.reference(), wanted))
-        from_.fail(name_of(&property) + ": a reference to nobody who ever was");
-}
-
-bool RestoredValues::is_or_was(Handle handle, const Class* wanted) const {
-    if (handle.index == 0 || handle.index >= nodes_.end() || !handle) return false;
+/// Whether all that the value refers to is, or was, and is of the class that the property wants.
+bool RestoredValues::of_its_class(const Property& property, const Value& value) const {
+    if (value.is(Type::list)) {
+        bool all = true;
+        for (const Value& element : value.list()) all &= of_its_class(property, element);
+        return all;
+    }
+    if (!value.is(Type::reference) || value.reference() == Handle{}) return true;
+    const Handle handle = value.reference();
+    if (handle.index == 0 || handle.index >= nodes_.end() || !handle) nobody(property);
     const Node& node = nodes_[handle.index];
     // Of a slot whose generations are used up all have been.
     if (handle.generation < node.generation || (!node.alive() && node.generation == 0)) return true;
-    if (!node.alive() || handle.generation != node.generation) return false;
+    if (!node.alive() || handle.generation != node.generation) nobody(property);
+    const Class* wanted =
+        property.reference_class.empty() ? nullptr : tree_.find_class(property.reference_class);
     return wanted == nullptr || tree_.state().classes[node.class_id].is_a(*wanted);
+}
+
+void RestoredValues::nobody(const Property& property) const {
+    from_.fail((property.owner == nullptr ? std::string() : property.owner->name() + ".") +
+               property.name + ": a reference to nobody who ever was");
 }
 
 }  // namespace fettle::property

@@ -1,6 +1,8 @@
 #pragma once
-// Whether what bytes say of a tree is such as could have been written to it: bytes may come from a
-// stranger who knows how a checksum is made.
+// What bytes say of a tree, as values that could have been written to it: bytes may come from a
+// stranger who knows how a checksum is made, or from a game whose classes were others.
+
+#include <optional>
 
 #include <fettle/property/bytes.h>
 #include <fettle/property/tree.h>
@@ -15,15 +17,16 @@ class RestoredValues {
     RestoredValues(const Tree& tree, const Nodes& nodes, const ByteReader& from)
         : tree_(tree), nodes_(nodes), from_(from) {}
 
-    /// Throws Error(damaged) unless a write of that property would take the value and leave it as
-    /// it is. References may lead to who is gone, never to who was not yet there.
-    void check(const Property& property, const Value& value) const;
-    /// The same of a property that somebody added.
+    /// The value as the property would have it after a write; nothing: it cannot be written.
+    /// References may lead to who is gone; Error(damaged) when they lead to who was not yet there.
+    std::optional<Value> fitted(const Property& property, const Value& value) const;
+    /// Throws Error(damaged) unless it could be the value of a property that somebody added.
     void check_ad_hoc(const Value& value) const;
 
   private:
-    void check_references(const Property& property, const Value& value) const;
-    bool is_or_was(Handle handle, const Class* wanted) const;
+    std::optional<Value> coerced(const Property& property, const Value& value) const;
+    bool of_its_class(const Property& property, const Value& value) const;
+    [[noreturn]] void nobody(const Property& property) const;
 
     const Tree& tree_;
     const Nodes& nodes_;

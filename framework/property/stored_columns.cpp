@@ -102,17 +102,8 @@ std::optional<Value> converted(const Property& property, const Value& saved) {
 Value StoredColumns::fitted(const Property& property, Value saved, Misfits& misfits) {
     if (is_of_its_type(property, saved)) return saved;
     if (std::optional<Value> value = converted(property, saved)) return *std::move(value);
-    if (misfits.count++ == 0) misfits.first = std::move(saved);
+    misfits.add(property, std::move(saved));
     return property.default_value;
-}
-
-std::string StoredColumns::Misfits::text(const Class& of, const Property& property) const {
-    if (count == 0) return {};
-    return of.name() + "." + property.name + ": the saved value " + value_text(first) +
-           (count == 1 ? std::string() : " and " + std::to_string(count - 1) + " more") +
-           " cannot be " + expectation(property) +
-           ", which it is by now: " + (count == 1 ? "it is" : "they are") + " the default, " +
-           value_text(property.default_value);
 }
 
 StoredColumns::Column StoredColumns::column_for(const Property& property) {
@@ -197,7 +188,7 @@ void StoredColumns::save(ByteWriter& to) const {
 }
 
 StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t most_rows,
-                                  std::vector<std::string>& remarks) {
+                                  Misfits& misfits) {
     StoredColumns read(of);
     read.rows_ = from.get<std::uint32_t>();
     from.require(read.rows_ <= most_rows, "more rows than it has instances");
@@ -215,7 +206,6 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
         const Property* property = of.property(name);
         if (property == nullptr || property->binding.kind != BindingKind::stored) continue;
         Column& column = read.columns_[property->stored_index];
-        Misfits misfits;
         std::visit(
             [&](auto& values) {
                 using Values = std::remove_reference_t<decltype(values)>;
@@ -240,7 +230,6 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
             column);
         block.finish();
         found[property->stored_index] = true;
-        if (misfits.count > 0) remarks.push_back(misfits.text(of, *property));
     }
     for (const Property* property : of.stored_) {
         if (found[property->stored_index]) continue;

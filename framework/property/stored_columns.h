@@ -9,6 +9,8 @@
 #include <fettle/property/bytes.h>
 #include <fettle/property/class.h>
 
+#include "misfits.h"
+
 namespace fettle::property {
 
 /// The columns of one class, a row an instance.
@@ -34,18 +36,12 @@ class StoredColumns {
 
     // Snapshots: columns by the names of their properties, so that a class may have changed since.
     // What it did not have then starts with its default; a value of another type becomes one of the
-    // type by now, or that default, of which `remarks` gets a line a property.
+    // type by now, or that default.
     void save(ByteWriter& to) const;
     static StoredColumns load(ByteReader& from, const Class& of, std::size_t most_rows,
-                              std::vector<std::string>& remarks);
+                              Misfits& misfits);
     /// A saved value as a property that may have another type by now would hold it; its default
-    /// where that cannot be, and then `misfits` counts one and keeps the first.
-    struct Misfits {
-        std::size_t count = 0;
-        Value first{};
-        /// What is said of them; "": nothing.
-        std::string text(const Class& of, const Property& property) const;
-    };
+    /// where that cannot be, and then it is one of the misfits.
     static Value fitted(const Property& property, Value saved, Misfits& misfits);
 
   private:

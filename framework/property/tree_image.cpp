@@ -156,7 +156,7 @@ TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
     read_formulas(from, memory);
     if (!from.at_end()) read_makers(from);  // one of format 3 does not tell them
     check_rows(from);
-    check_values(from);
+    fit_values(from);
 }
 
 void TreeImage::read_classes(ByteReader& from) {
@@ -241,17 +241,25 @@ void TreeImage::check_rows(const ByteReader& from) const {
     }
 }
 
-void TreeImage::check_values(const ByteReader& from) const {
+/// What the properties of today cannot be is left at their defaults.
+void TreeImage::fit_values(const ByteReader& from) {
     const RestoredValues values(state_.tree, nodes_, from);
-    std::vector<const StoredColumns*> of_class(state_.classes.size());
+    std::vector<StoredColumns*> of_class(state_.classes.size());
     for (const auto& [id, columns] : columns_) of_class[id] = columns.get();
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
         const Node& node = nodes_[i];
         if (!node.alive() || of_class[node.class_id] == nullptr) continue;
-        for (const Property* property : state_.classes[node.class_id].stored_)
-            values.check(*property, of_class[node.class_id]->get(*property, node.stored_row));
+        StoredColumns& columns = *of_class[node.class_id];
+        for (const Property* property : state_.classes[node.class_id].stored_) {
+            const Value saved = columns.get(*property, node.stored_row);
+            const std::optional<Value> fitted = values.fitted(*property, saved);
+            if (fitted && *fitted == saved) continue;
+            if (!fitted) misfits_.add(*property, saved);
+            columns.set(*property, node.stored_row, fitted ? *fitted : property->default_value);
+        }
     }
     for (const AdHoc& own : ad_hoc_) values.check_ad_hoc(own.value);
+    for (std::string& line : misfits_.lines()) remarks_.push_back(std::move(line));
 }
 
 void TreeImage::read_columns(ByteReader& from) {
@@ -264,7 +272,7 @@ void TreeImage::read_columns(ByteReader& from) {
         if (state_.stored[here] == nullptr || state_.classes[here].snapshots() == Snapshots::never)
             continue;
         columns_.emplace_back(here, std::make_unique<StoredColumns>(StoredColumns::load(
-                                        block, state_.classes[here], nodes_.end(), remarks_)));
+                                        block, state_.classes[here], nodes_.end(), misfits_)));
         block.finish();
     }
 }
@@ -306,8 +314,6 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
         else
             ad_hoc_.push_back(std::move(own));
     }
-    for (const auto& [property, misfits] : misfits_)
-        remarks_.push_back(misfits.text(*property->owner, *property));
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) nodes_[i].has_ad_hoc = false;
     for (const AdHoc& own : ad_hoc_) nodes_[own.index].has_ad_hoc = true;
 }
@@ -316,16 +322,17 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
 /// value of that one.
 void TreeImage::take_over(const Property& property, AdHoc own) {
     const Node& node = nodes_[own.index];
-    if (property.binding.kind != BindingKind::stored) return;  // what its module says
+    if (property.binding.kind != BindingKind::stored) {
+        remarks_.push_back(property.owner->name() + "." + property.name + ": the saved value " +
+                           value_text(own.value) +
+                           " was that of a property that somebody added; it is what the class "
+                           "says by now");
+        return;
+    }
     for (const auto& [id, columns] : columns_)
-        if (id == node.class_id && node.stored_row < columns->rows()) {
-            StoredColumns::Misfits misfits;
-            Value value = StoredColumns::fitted(property, std::move(own.value), misfits);
-            columns->set(property, node.stored_row, value);
-            if (misfits.count == 0) continue;
-            StoredColumns::Misfits& all = misfits_[&property];
-            if (all.count++ == 0) all.first = std::move(misfits.first);
-        }
+        if (id == node.class_id && node.stored_row < columns->rows())
+            columns->set(property, node.stored_row,
+                         StoredColumns::fitted(property, std::move(own.value), misfits_));
 }
 
 void TreeImage::read_values(ByteReader& from) {

@@ -2,7 +2,6 @@
 // A tree as bytes: instances, the values the tree keeps, formulas. Read as a whole and checked
 // before anything changes; then put into place.
 
-#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -72,7 +71,7 @@ class TreeImage {
     void put_formula(Formulas::Image& image, const Property& property);
     void check_instances(const ByteReader& from) const;
     void check_rows(const ByteReader& from) const;
-    void check_values(const ByteReader& from) const;
+    void fit_values(const ByteReader& from);
     void put_columns();
     void put_formulas();
     void make_rows();
@@ -87,8 +86,7 @@ class TreeImage {
     std::vector<ByValue> values_;
     std::vector<Formulas::Image> formulas_;
     std::vector<std::string> remarks_;  // what cannot be as it was, a line each
-    // Of one class each: own properties that the class has declared since.
-    std::map<const Property*, StoredColumns::Misfits> misfits_;
+    Misfits misfits_;
     std::uint64_t step_ = 0;
     Memory history_;
     std::vector<std::uint32_t> before_;  // generation of who lived in each slot, 0: nobody

@@ -164,7 +164,9 @@ void TreeImage::put_values() {
                     s.write(each.instance.index, node, *property,
                             s.tree.coerce(each.instance, *property, value));
             } catch (...) {
-                // Its owner refuses what it once held; what it holds now stays.
+                // Its module refuses what it once held; what it holds now stays.
+                remarks_.push_back(s.tree.path(each.instance, *property) + ": the saved value " +
+                                   s.tree.text(value) + " is refused: " + exception_text());
             }
         }
     put_formulas();

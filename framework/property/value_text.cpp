@@ -61,12 +61,8 @@ std::string quoted(const std::string& text) {
         if (c == '\n' || c == '\t') {
             out += c == '\n' ? "\\n" : "\\t";
             ++i;
-        } else if (std::size_t control = control_character(text, i)) {
-            for (; control > 0; --control) append_digits(out, text[i++]);
         } else {
-            if (c == '"' || c == '\\') out += '\\';
-            out += c;
-            ++i;
+            append_escaped(out, text, i);
         }
     }
     return out + '"';

@@ -33,8 +33,8 @@ std::vector<Field> contact_fields(bool full) {
         {"normal", Type::vec2, "", "From this body to the other; its length is 1."},
         {"impulse", Type::number, "N s", "How hard they met."},
         {"speed", Type::number, "m/s", "How fast they approached each other."},
-        {"friction", Type::number, "", "Mixed from both surfaces."},
-        {"restitution", Type::number, "", "Mixed from both surfaces."},
+        {.name = "friction", .doc = "Mixed from both surfaces.", .range = not_negative},
+        {.name = "restitution", .doc = "Mixed from both surfaces.", .range = fraction},
     };
     fields.insert(fields.end(), rest.begin(), rest.end());
     return fields;

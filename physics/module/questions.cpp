@@ -26,8 +26,8 @@ std::vector<Event> world_events() {
         {"normal", Type::vec2, "", "From the one to the other."},
         {"impulse", Type::number, "N s", "With which they pressed on each other."},
         {"speed", Type::number, "m/s", "How fast they approach each other."},
-        {"friction", Type::number, "", "As the rule mixed it; may be changed."},
-        {"restitution", Type::number, "", "As the rule mixed it; may be changed."},
+        {.name = "friction", .doc = "As the rule mixed it; may be changed.", .range = not_negative},
+        {.name = "restitution", .doc = "As the rule mixed it; may be changed.", .range = fraction},
         {"surface_speed", Type::number, "m/s", "Of both together; may be changed."},
     };
     mix.insert(mix.end(), surface.begin(), surface.end());

@@ -24,6 +24,11 @@ struct alignas(32) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 32);
 
+/// What nothing moves has no inverse.
+inline float inverse_or_zero(float k) {
+    return k > 0.0f ? 1.0f / k : 0.0f;
+}
+
 /// Coefficients of a soft constraint.
 struct Softness {
     float bias_rate = 0.0f;

@@ -36,7 +36,7 @@ float DistanceConstraint::follow(const SolverBody& a, const SolverBody& b) {
     if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
     lever_a = cross(ends.lever_a, axis);
     lever_b = cross(ends.lever_b, axis);
-    mass = inverse_or_none(ends.inverse_along(axis) + a.inverse_inertia * lever_a * lever_a +
+    mass = inverse_or_zero(ends.inverse_along(axis) + a.inverse_inertia * lever_a * lever_a +
                            b.inverse_inertia * lever_b * lever_b);
     return distance;
 }

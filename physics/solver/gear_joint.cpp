@@ -12,7 +12,7 @@ namespace fettle::physics::detail {
 void GearConstraint::prepare(const Data& data, const JointFrame& frame, const JointStep&,
                              const SolverBody& a, const SolverBody& b) {
     ratio = data.ratio;
-    mass = inverse_or_none(b.inverse_inertia + ratio * ratio * a.inverse_inertia);
+    mass = inverse_or_zero(b.inverse_inertia + ratio * ratio * a.inverse_inertia);
     start = float(frame.angle_b - double(ratio) * frame.angle_a - double(data.phase));
 }
 

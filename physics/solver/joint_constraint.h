@@ -89,10 +89,6 @@ inline void twist(SolverBody& a, SolverBody& b, float p) {
     b.angular_velocity += b.inverse_inertia * p;
 }
 
-inline float inverse_or_none(float k) {
-    return k > 0.0f ? 1.0f / k : 0.0f;
-}
-
 /// A spring in the form that a row needs: Δλ = -m·(mass_scale·v + push·C) - impulse_scale·λ. The
 /// force is -k·C - d·v with the position before the sub-step and the velocity after it: this
 /// neither gains nor loses energy while h·ω is small, so a spring swings with the frequency and the
@@ -168,7 +164,7 @@ struct PointMass {
         const float yy = e.inverse_a.y + e.inverse_b.y + ia * e.lever_a.x * e.lever_a.x +
                          ib * e.lever_b.x * e.lever_b.x;
         const float xy = -ia * e.lever_a.x * e.lever_a.y - ib * e.lever_b.x * e.lever_b.y;
-        const float inverse = inverse_or_none(xx * yy - xy * xy);
+        const float inverse = inverse_or_zero(xx * yy - xy * xy);
         return {inverse * yy, -inverse * xy, inverse * xx};
     }
     V2 operator*(V2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }

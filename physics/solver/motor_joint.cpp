@@ -17,7 +17,7 @@ void MotorConstraint::prepare(const Data& data, const JointFrame& frame, const J
     offset = rotate(frame.a, data.linear_offset);
     turn_speed = data.angular_velocity;
     angle = data.angular_offset;
-    angular_mass = inverse_or_none(a.inverse_inertia + b.inverse_inertia);
+    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
     greatest_force = data.max_force * step.h;
     greatest_torque = data.max_torque * step.h;
     springy = data.hertz > 0.0f;

@@ -39,7 +39,7 @@ void PrismaticConstraint::solve_block(SolverBody& a, SolverBody& b, const JointS
         scale = step.rigid.mass_scale;
         rest = step.rigid.impulse_scale;
     }
-    const float inverse = inverse_or_none(k11 * k22 - k12 * k12);
+    const float inverse = inverse_or_zero(k11 * k22 - k12 * k12);
     const float p1 = -scale * inverse * (k22 * v1 - k12 * v2) - rest * impulses.rail.across;
     const float p2 =
         ia + ib > 0.0f ? -scale * inverse * (k11 * v2 - k12 * v1) - rest * impulses.angle : 0.0f;

@@ -47,7 +47,7 @@ void PulleyConstraint::follow(const SolverBody& a, const SolverBody& b) {
     ends.follow(a, b);
     follow_side(side_a, ends.lever_a, a);
     follow_side(side_b, ends.lever_b, b);
-    mass = inverse_or_none(inverse_of(side_a, ends.inverse_a, a) +
+    mass = inverse_or_zero(inverse_of(side_a, ends.inverse_a, a) +
                            ratio * ratio * inverse_of(side_b, ends.inverse_b, b));
 }
 

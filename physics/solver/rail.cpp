@@ -18,7 +18,7 @@ void Line::aim(const JointEnds& ends, V2 towards, V2 arm, const SolverBody& a,
     direction = towards;
     lever_a = cross(arm, towards);
     lever_b = cross(ends.lever_b, towards);
-    mass = inverse_or_none(ends.inverse_along(towards) + a.inverse_inertia * lever_a * lever_a +
+    mass = inverse_or_zero(ends.inverse_along(towards) + a.inverse_inertia * lever_a * lever_a +
                            b.inverse_inertia * lever_b * lever_b);
 }
 

@@ -13,7 +13,7 @@ void RatchetConstraint::prepare(const Data& data, const JointFrame&, const Joint
                                 const SolverBody& a, const SolverBody& b) {
     way = data.backwards ? -1.0f : 1.0f;
     reference = data.reference_angle;
-    mass = inverse_or_none(a.inverse_inertia + b.inverse_inertia);
+    mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
     const float angle = way * (ends.angle - reference);
     float tooth = angle;
     if (data.tooth > 0.0f) {

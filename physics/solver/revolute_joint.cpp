@@ -14,7 +14,7 @@ namespace fettle::physics::detail {
 
 void RevoluteConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
                                  const SolverBody& a, const SolverBody& b) {
-    angular_mass = inverse_or_none(a.inverse_inertia + b.inverse_inertia);
+    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
     const bool turns = angular_mass > 0.0f;
     reference = data.reference_angle;
     target = data.target_angle;

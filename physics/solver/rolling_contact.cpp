@@ -13,10 +13,6 @@ float inverse_along(const ContactConstraint& c, V2 d) {
            d.y * d.y * (c.inverse_a.y + c.inverse_b.y);
 }
 
-float inverse_or_zero(float k) {
-    return k > 0.0f ? 1.0f / k : 0.0f;
-}
-
 }  // namespace
 
 float bend_of(const Solid& shape, V2 normal) {

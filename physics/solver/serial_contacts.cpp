@@ -14,10 +14,6 @@ constexpr size_t contacts_at_a_time = 64;
 enum PreparedNote : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
 enum StoredNote : uint8_t { touches = 1, is_news = 2, may_hit = 4 };
 
-float inverse_or_zero(float k) {
-    return k > 0.0f ? 1.0f / k : 0.0f;
-}
-
 /// d·(M_a⁻¹ + M_b⁻¹)·d: along a locked axis a body is infinitely heavy.
 float inverse_along(const ContactConstraint& c, V2 d, const SolverBody& a, const SolverBody& b) {
     if (!c.anisotropic) return a.inverse_mass + b.inverse_mass;

@@ -17,7 +17,7 @@ namespace fettle::physics::detail {
 void WeldConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
                              const SolverBody& a, const SolverBody& b) {
     reference = data.reference_angle;
-    angular_mass = inverse_or_none(a.inverse_inertia + b.inverse_inertia);
+    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
     rigid_point = data.hertz == infinity;
     rigid_angle = data.angular_hertz == infinity;
     springy_point = !rigid_point && data.hertz > 0.0f;
@@ -65,7 +65,7 @@ void WeldConstraint::solve_rigid(SolverBody& a, SolverBody& b, const JointStep& 
     const float xx = ends.inverse_a.x + ends.inverse_b.x + shared * between.x * between.x;
     const float yy = ends.inverse_a.y + ends.inverse_b.y + shared * between.y * between.y;
     const float xy = shared * between.x * between.y;
-    const float inverse = inverse_or_none(xx * yy - xy * xy);
+    const float inverse = inverse_or_zero(xx * yy - xy * xy);
     const V2 free = v - (w * angular_mass) * k;  // with the angle at rest
     const V2 point = {-inverse * (yy * free.x - xy * free.y),
                       -inverse * (xx * free.y - xy * free.x)};

@@ -9,7 +9,7 @@ namespace fettle::physics::detail {
 void WheelConstraint::prepare(const Data& data, const JointFrame& frame, const JointStep& step,
                               const SolverBody& a, const SolverBody& b) {
     rail.prepare(data.rail, impulses.rail, ends, frame, step, a, b);
-    angular_mass = inverse_or_none(a.inverse_inertia + b.inverse_inertia);
+    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
     driven = angular_mass > 0.0f && data.max_motor_torque > 0.0f;
     motor_speed = data.motor_speed;
     greatest_motor = data.max_motor_torque * step.h;

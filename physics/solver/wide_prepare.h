@@ -8,7 +8,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-inline Wide inverse_or_none(Wide k) {
+inline Wide inverse_or_zero(Wide k) {
     return k > Wide{} ? splat(1.0f) / k : Wide{};
 }
 
@@ -41,8 +41,8 @@ struct WidePointRows {
         put(to.tangent_lever_a, tangent_a.arm);
         put(to.tangent_lever_b, tangent_b.arm);
         put(to.separation, state.a);
-        put(to.normal_mass, inverse_or_none(k_n));
-        put(to.tangent_mass, inverse_or_none(k_t));
+        put(to.normal_mass, inverse_or_zero(k_n));
+        put(to.tangent_mass, inverse_or_zero(k_t));
         put(to.normal_impulse, state.b * splat(ratio));
         put(to.tangent_impulse, state.c * splat(ratio));
     }

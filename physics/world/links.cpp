@@ -279,7 +279,7 @@ void check_contacts(const WorldData& w, Findings& findings) {
                          "a contact");
 }
 
-void check_joints(const WorldData& w, Findings& findings) {
+void check_links_of_joints(const WorldData& w, Findings& findings) {
     const size_t n = w.joints.size();
     findings.require(w.joint_generations.size() == n, "joints");
     if (findings.result()) return;
@@ -388,7 +388,7 @@ std::optional<std::string> WorldData::links_problem() const {
     check_fields(*this, findings);
     if (!findings.result()) check_lists(*this, findings);
     if (!findings.result()) check_contacts(*this, findings);
-    if (!findings.result()) check_joints(*this, findings);
+    if (!findings.result()) check_links_of_joints(*this, findings);
     return findings.result();
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// Contacts between two looks at what came out: few enough that they are still in the cache.
 constexpr size_t run_length = 64;  // a bit each
 /// Contacts that a thread takes at a time, and shapes.
-constexpr size_t piece_length = 128, shapes_at_a_time = 512;
+constexpr size_t piece_length = 128, moved_at_a_time = 512;
 
 }  // namespace
 
@@ -175,15 +175,15 @@ size_t WorldData::collide_and_create() {
     const size_t spare = contacts.size() - contact_count;
     make_room(contacts, new_pairs.size() - std::min(new_pairs.size(), spare));
     const size_t moved = moved_shapes.size();
-    const auto marks = uint32_t((moved + shapes_at_a_time - 1) / shapes_at_a_time);
+    const auto marks = uint32_t((moved + moved_at_a_time - 1) / moved_at_a_time);
     return collide_awake(awake_contacts, 0, moved == 0 ? 0 : 1 + marks, [&](uint32_t i) {
         if (i == 0) {
             create_contacts();
             return;
         }
-        const size_t begin = (i - 1) * shapes_at_a_time;
+        const size_t begin = (i - 1) * moved_at_a_time;
         mark_paired(
-            std::span(moved_shapes).subspan(begin, std::min(shapes_at_a_time, moved - begin)));
+            std::span(moved_shapes).subspan(begin, std::min(moved_at_a_time, moved - begin)));
     });
 }
 

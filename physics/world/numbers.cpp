@@ -261,7 +261,7 @@ void check_impulses(const Data& data, size_t slot) {
 
 // --- All of it
 
-void check_joints(const WorldData& w) {
+void check_numbers_of_joints(const WorldData& w) {
     for (size_t i = 0; i < w.joints.size(); ++i)
         if (w.joint_generations[i] != 0) check(w.joints[i]);
     const auto check_list = [](const auto& list) {
@@ -283,7 +283,7 @@ void check_all(const WorldData& w) {
         if (w.shape_generations[i] != 0) check_shape(w, i);
     for (size_t i = 0; i < w.contacts.size(); ++i)
         if (w.contacts[i].shape_a != none) check(w.contacts[i], i);
-    check_joints(w);
+    check_numbers_of_joints(w);
     for (const FieldRecord& field : w.fields) check(field.def);
     const StepStatistics& s = w.statistics;
     require(are_finite(w.last_substep, s.edits_ms, s.pairs_ms, s.narrow_ms, s.solve_ms, s.finish_ms,

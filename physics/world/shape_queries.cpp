@@ -38,7 +38,7 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     return all;
 }
 
-void add_once(std::vector<Shape>& found, const Shape& shape) {
+void add_new(std::vector<Shape>& found, const Shape& shape) {
     if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
 }
 
@@ -110,7 +110,7 @@ std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& f
             if (owner == body || !data.accepted(filter, other)) return;
             const V2 offset = data.bodies[owner].center - probe.center;
             if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f)
-                add_once(found, Shape(self(), data.shape_id(other)));
+                add_new(found, Shape(self(), data.shape_id(other)));
         };
         data.moving_tree.query(probe.box, visit);
         data.fixed_tree.query(probe.box, visit);

@@ -57,6 +57,22 @@ bool doubtful(const std::vector<Points>& outlines, float x, float y) {
     return false;
 }
 
+/// Of 100 times 100 pixels, each `step`-th: how many `inside` does not cover as often as the rule
+/// says.
+int wrong_pixels(const std::vector<Points>& outlines, Area::Rule rule,
+                 const std::vector<Trapezoid>& inside, int step = 1) {
+    int wrong = 0;
+    for (int y = 0; y < 100; y += step)
+        for (int x = 0; x < 100; x += step) {
+            const float cx = static_cast<float>(x) + 0.5f, cy = static_cast<float>(y) + 0.5f;
+            if (doubtful(outlines, cx, cy)) continue;
+            const int round = winding(outlines, cx, cy);
+            const bool expected = rule == Area::Rule::forward ? round > 0 : round != 0;
+            wrong += covers(inside, x, y) != (expected ? 1 : 0);
+        }
+    return wrong;
+}
+
 }  // namespace
 
 TEST_CASE("the inside of a box is one trapezoid") {
@@ -78,16 +94,7 @@ TEST_CASE("whatever the outline each pixel inside is covered once and none outsi
             outline.push_back({place(generator), place(generator)});
     const auto rule = GENERATE(Area::Rule::forward, Area::Rule::any_way);
     const auto inside = cut(outlines, rule);
-    int wrong = 0;
-    for (int y = 0; y < 100; ++y)
-        for (int x = 0; x < 100; ++x) {
-            const float cx = static_cast<float>(x) + 0.5f, cy = static_cast<float>(y) + 0.5f;
-            if (doubtful(outlines, cx, cy)) continue;
-            const int round = winding(outlines, cx, cy);
-            const bool expected = rule == Area::Rule::forward ? round > 0 : round != 0;
-            wrong += covers(inside, x, y) != (expected ? 1 : 0);
-        }
-    CHECK(wrong == 0);
+    CHECK(wrong_pixels(outlines, rule, inside) == 0);
 }
 
 TEST_CASE("nothing is inside of no outline and of one without an area") {
@@ -121,16 +128,7 @@ TEST_CASE("a tangle of very many edges is filled as exactly as one of few") {
     for (int i = 0; i < 700; ++i) outlines[0].push_back({place(generator), place(generator)});
     const auto rule = GENERATE(Area::Rule::forward, Area::Rule::any_way);
     const auto inside = cut(outlines, rule);
-    int wrong = 0;
-    for (int y = 0; y < 100; y += 3)
-        for (int x = 0; x < 100; x += 3) {
-            const float cx = static_cast<float>(x) + 0.5f, cy = static_cast<float>(y) + 0.5f;
-            if (doubtful(outlines, cx, cy)) continue;
-            const int round = winding(outlines, cx, cy);
-            const bool expected = rule == Area::Rule::forward ? round > 0 : round != 0;
-            wrong += covers(inside, x, y) != (expected ? 1 : 0);
-        }
-    CHECK(wrong == 0);
+    CHECK(wrong_pixels(outlines, rule, inside, 3) == 0);
     // However many corners: no more spans than there are pixels to see them.
     for (int i = 0; i < 40'000; ++i) outlines[0].push_back({place(generator), place(generator)});
     CHECK(cut(outlines, rule).size() <= 100 * 71);

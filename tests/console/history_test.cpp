@@ -10,6 +10,7 @@
 
 #include <fettle/console/console.h>
 #include "catch.h"
+#include "temporary_folder.h"
 
 namespace history_test {
 
@@ -18,19 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of its own that goes with the test.
-class Folder {
-  public:
-    Folder() {
-        std::string pattern = (fs::temp_directory_path() / "fettle-history-XXXXXX").string();
-        path = ::mkdtemp(pattern.data());
-    }
-    ~Folder() {
-        ::chmod(path.c_str(), 0700);
-        fs::remove_all(path);
-    }
-    fs::path path;
-};
+using Folder = TemporaryFolder;
 
 void put(const fs::path& file, const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "rig.h"
+#include "temporary_folder.h"
 
 namespace tweaks_test {
 
@@ -17,14 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Place {
-    Place() {
-        std::string name = (fs::temp_directory_path() / "fettle tweaks XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        folder = name;
-    }
-    ~Place() { fs::remove_all(folder); }
-    fs::path folder;
-    fs::path game() const { return folder / "main.lua"; }
+    TemporaryFolder folder{};
+    fs::path game() const { return folder.path / "main.lua"; }
 };
 
 struct TweakedRig : Place, Rig {
@@ -67,7 +62,7 @@ TEST_CASE("the list of tweaks keeps and drops what is clicked") {
     CHECK(rig.state().tweak_list.button(0, "keep").empty());
     CHECK(rig.state().tweak_list.open_count() == 0);
     CHECK(rig.value("world.ball.angle") == Value(0.5));
-    std::ifstream file(rig.folder / "main.tweaks.json");
+    std::ifstream file(rig.folder.path / "main.tweaks.json");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     CHECK(text.find("\"world.ball.mass\": 5") != std::string::npos);
 }

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "luacats.h"
+#include "temporary_folder.h"
 
 namespace docs_test {
 
@@ -26,20 +27,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A folder that goes with the test.
-class Folder {
-  public:
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "fettle docs XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path = name;
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    fs::path path;
-};
+using Folder = TemporaryFolder;
 
 /// Exit status of `fettle ARGUMENTS`, run without a display; what it printed goes to out and err.
 int fettle(const Folder& folder, const std::string& arguments) {

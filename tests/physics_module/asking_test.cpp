@@ -30,6 +30,37 @@ TEST_CASE_METHOD(Game, "a handler of before_solve lets a body through a platform
     CHECK(Question::current() == nullptr);
 }
 
+TEST_CASE_METHOD(Game, "an answer outside its range is refused, and what was mixed stays") {
+    floor();
+    const Handle crate = body("Box", {0, 0.5});
+    std::vector<std::string> refused;
+    const auto answer = [&](std::size_t field, Value value) {
+        try {
+            Question::current()->answer(field, value);
+            refused.emplace_back("accepted");
+        } catch (const property::Error& error) {
+            refused.emplace_back(error.what());
+        }
+    };
+    double friction = -1;
+    const auto connection =
+        tree.on(crate, *tree.class_of(crate).event("before_solve"), [&](const Occurrence& o) {
+            if (!refused.empty()) return;
+            friction = o.record.get("friction").number();
+            answer(7, -5);
+            answer(8, 1.5);
+            answer(8, 1);
+            CHECK(Question::current()->values()[7] == Value(friction));
+        });
+    step(2);
+    REQUIRE(refused.size() == 3);
+    CHECK(refused[0].find("before_solve: friction: expected a number of at least 0, got -5") !=
+          std::string::npos);
+    CHECK(refused[1].find("restitution: expected a number from 0 to 1, got 1.5") !=
+          std::string::npos);
+    CHECK(refused[2] == "accepted");
+}
+
 TEST_CASE_METHOD(Game, "a handler that is asked may not write anything else") {
     floor();
     const Handle crate = body("Box", {0, 0.5});

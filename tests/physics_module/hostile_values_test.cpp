@@ -10,6 +10,7 @@
 
 #include "catch.h"
 #include "game.h"
+#include "thorough.h"
 
 namespace hostile_values_test {
 
@@ -169,11 +170,13 @@ struct Hostile : Game {
 
 TEST_CASE_METHOD(Hostile, "whatever a property of physics accepts does no harm") {
     int accepted = 0, refused = 0;
+    std::size_t tried = 0;
     REQUIRE(classes().size() >= 1 + 1 + 8 + 12 + 4);
     for (const Class* of : classes()) {
         for (const Property* property : of->properties()) {
             if (!can_be_written(*property)) continue;
             for (const Value& value : values_of(*property)) {
+                if (!taken(tried++, 3)) continue;
                 std::vector<std::string> answers;
                 for (const Where where : {Where::acting, Where::waiting, Where::detached}) {
                     INFO(of->name() << "." << property->name << " = " << tree.text(value)
@@ -190,8 +193,8 @@ TEST_CASE_METHOD(Hostile, "whatever a property of physics accepts does no harm")
             }
         }
     }
-    CHECK(accepted > 3000);
-    CHECK(refused > 3000);
+    CHECK(accepted > 1000);
+    CHECK(refused > 1000);
 }
 
 TEST_CASE_METHOD(Hostile, "several values at once that properties of physics accept do no harm") {

@@ -1,7 +1,7 @@
 // Snapshots that a game of other classes restores: what fits is kept, and the rest is told.
 
 #include "catch.h"
-#include "fixture.h"
+#include "snapshot_rig.h"
 
 #include <fettle/property/snapshot_remarks.h>
 #include <fettle/property/write_log.h>
@@ -10,37 +10,6 @@ namespace changed_classes_test {
 
 using namespace fettle::property;
 using namespace fettle::property::testing;
-
-namespace {
-
-struct Rig {
-    Tree tree;
-    BallModule module{tree};  // saved by value
-    const Class& thing = define();
-
-    const Class& define() {
-        ClassDescriptor d;
-        d.name = "Thing";
-        d.properties = {{.name = "lives", .type = Type::integer, .default_value = 3},
-                        {.name = "label", .type = Type::text, .default_value = ""},
-                        {.name = "at", .type = Type::vec2},
-                        {.name = "owner", .type = Type::reference}};
-        return tree.define(std::move(d));
-    }
-    Handle make(std::string_view name, Handle parent = {}) {
-        return tree.create(thing, parent ? parent : tree.root(), name);
-    }
-    Handle ball(std::string_view name) {
-        return tree.create(tree.class_named("Ball"), tree.root(), name);
-    }
-};
-
-/// The same bytes as a save file's: nothing of this process's memory goes along.
-Snapshot through_bytes(const Snapshot& snapshot) {
-    return Snapshot::from_bytes(snapshot.to_bytes());
-}
-
-}  // namespace
 
 namespace {
 
@@ -104,6 +73,54 @@ TEST_CASE("a saved value is what it can be where its property has another type b
     CHECK_THAT(all, contains("Thing.own: the saved value \"three\" cannot be"));
     now.load(now);
     CHECK(restore_remarks(now.tree).empty());
+}
+
+TEST_CASE("a saved value that a property does not take by now leaves it at its default") {
+    const auto version = [](Range range, std::vector<std::string> enumerators, bool clamp,
+                            std::string owner) {
+        return std::vector<Property>{
+            {.name = "lives", .type = Type::integer, .default_value = 3, .range = range},
+            {.name = "speed", .default_value = 3, .range = range, .clamp = clamp},
+            {.name = "mood",
+             .type = Type::text,
+             .default_value = enumerators.front(),
+             .enumerators = enumerators},
+            {.name = "owner", .type = Type::reference, .reference_class = owner},
+            {.name = "friends",
+             .type = Type::list,
+             .element = Type::reference,
+             .reference_class = owner}};
+    };
+    Version old(version({}, {"glad", "sad"}, false, ""));
+    const Handle a = old.make("a"), b = old.make("b");
+    const Handle ball = old.tree.create(old.tree.class_named("Ball"), old.tree.root(), "ball");
+    old.tree.set(a, "lives", 12);
+    old.tree.set(a, "speed", 12);
+    old.tree.set(a, "mood", "glad");
+    old.tree.set(b, "mood", "sad");
+    old.tree.set(a, "owner", b);
+    old.tree.set(b, "owner", ball);
+    old.tree.set(a, "friends", List{Value(b), Value(ball)});
+    old.tree.set(b, "friends", List{Value(ball)});
+    Version now(version({.min = 0, .max = 10}, {"sad", "angry"}, true, "Ball"));
+    now.load(old);
+    CHECK(now.tree.get(a, "lives") == Value(3));
+    CHECK(now.tree.get(b, "lives") == Value(3));
+    CHECK(now.tree.get(a, "speed") == Value(10.0));  // as a write would leave it
+    CHECK(now.tree.get(a, "mood") == Value("sad"));
+    CHECK(now.tree.get(b, "mood") == Value("sad"));
+    CHECK(now.tree.get(a, "owner") == Value(Handle{}));
+    CHECK(now.tree.get(b, "owner") == Value(ball));
+    CHECK(now.tree.get(a, "friends") == Value(List{}));
+    CHECK(now.tree.get(b, "friends") == Value(List{Value(ball)}));
+    std::string all;
+    for (const std::string& remark : restore_remarks(now.tree)) all += remark + "\n";
+    CAPTURE(all);
+    CHECK(restore_remarks(now.tree).size() == 4);
+    CHECK_THAT(all, contains("Thing.lives: the saved value 12 cannot be an integer from 0 to 10"));
+    CHECK_THAT(all, contains("Thing.mood: the saved value \"glad\" cannot be"));
+    CHECK_THAT(all, contains("Thing.owner: ") && contains("cannot be a Ball or nil"));
+    CHECK_THAT(all, contains("Thing.friends: "));
 }
 
 TEST_CASE("a class that has properties by now and had none takes its defaults") {
@@ -180,7 +197,7 @@ TEST_CASE("a formula without a text is the running game's own after a load or is
 }
 
 TEST_CASE("a log that is played again leaves the same names to come") {
-    Rig r;
+    SnapshotRig r;
     const Class& ball = r.tree.class_named("Ball");
     const Handle a = r.make("a"), b = r.make("b");
     WriteLog log(r.tree);

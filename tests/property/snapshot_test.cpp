@@ -1,7 +1,7 @@
 // Snapshots of the tree itself: handles, values, formulas, history, watchers, and damaged bytes.
 
 #include "catch.h"
-#include "fixture.h"
+#include "snapshot_rig.h"
 
 #include <fettle/property/snapshot_remarks.h>
 #include <fettle/property/write_log.h>
@@ -11,39 +11,8 @@ namespace snapshot_test {
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
-namespace {
-
-struct Rig {
-    Tree tree;
-    BallModule module{tree};  // saved by value
-    const Class& thing = define();
-
-    const Class& define() {
-        ClassDescriptor d;
-        d.name = "Thing";
-        d.properties = {{.name = "lives", .type = Type::integer, .default_value = 3},
-                        {.name = "label", .type = Type::text, .default_value = ""},
-                        {.name = "at", .type = Type::vec2},
-                        {.name = "owner", .type = Type::reference}};
-        return tree.define(std::move(d));
-    }
-    Handle make(std::string_view name, Handle parent = {}) {
-        return tree.create(thing, parent ? parent : tree.root(), name);
-    }
-    Handle ball(std::string_view name) {
-        return tree.create(tree.class_named("Ball"), tree.root(), name);
-    }
-};
-
-/// The same bytes as a save file's: nothing of this process's memory goes along.
-Snapshot through_bytes(const Snapshot& snapshot) {
-    return Snapshot::from_bytes(snapshot.to_bytes());
-}
-
-}  // namespace
-
 TEST_CASE("a restored tree has the values it had") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a"), b = r.make("b", a), ball = r.ball("ball");
     r.tree.set(a, "lives", 7);
     r.tree.set(a, "label", "first");
@@ -78,7 +47,7 @@ TEST_CASE("a restored tree has the values it had") {
 }
 
 TEST_CASE("whoever existed then has the same handle again and later ones are dead for ever") {
-    Rig r;
+    SnapshotRig r;
     const Handle kept = r.make("kept"), lost = r.make("lost"), ball = r.ball("ball");
     r.tree.set(ball, "mass", 8);
     const Snapshot snapshot = r.tree.snapshot();
@@ -109,7 +78,7 @@ TEST_CASE("whoever existed then has the same handle again and later ones are dea
 }
 
 TEST_CASE("restoring twice gives no handle of a left future away again") {
-    Rig r;
+    SnapshotRig r;
     const Snapshot before = r.tree.snapshot();
     const Handle lost = r.make("lost");
     r.tree.restore(before);
@@ -120,7 +89,7 @@ TEST_CASE("restoring twice gives no handle of a left future away again") {
 }
 
 TEST_CASE("who watches an added property hears that a restore brought it back") {
-    Rig r;
+    SnapshotRig r;
     const Handle thing = r.make("thing");
     r.tree.set_or_add(thing, "score", 5);
     std::vector<std::string> log;
@@ -136,7 +105,7 @@ TEST_CASE("who watches an added property hears that a restore brought it back") 
 }
 
 TEST_CASE("new instances get the slots they would have got") {
-    Rig r;
+    SnapshotRig r;
     std::vector<Handle> all;
     for (int i = 0; i < 10; ++i) all.push_back(r.make("t" + std::to_string(i)));
     for (const int gone : {7, 2, 5}) r.tree.destroy(all[std::size_t(gone)]);
@@ -149,7 +118,7 @@ TEST_CASE("new instances get the slots they would have got") {
 }
 
 TEST_CASE("children keep their order and generated names go on where they were") {
-    Rig r;
+    SnapshotRig r;
     const Handle top = r.make("top");
     for (int i = 0; i < 5; ++i) r.tree.create(r.thing, top);
     const auto before = r.tree.children(top);
@@ -163,7 +132,7 @@ TEST_CASE("children keep their order and generated names go on where they were")
 }
 
 TEST_CASE("watchers hear what a restore changed and stay with whom they watch") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a"), b = r.make("b");
     std::vector<std::string> heard;
     const auto note = [&](const Change& change) {
@@ -189,7 +158,7 @@ TEST_CASE("watchers hear what a restore changed and stay with whom they watch") 
 }
 
 TEST_CASE("watchers of instances that a restore ends hear deleted") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a");
     const Snapshot snapshot = r.tree.snapshot();
     const Handle later = r.make("later");
@@ -212,7 +181,7 @@ TEST_CASE("watchers of instances that a restore ends hear deleted") {
 }
 
 TEST_CASE("watchers of creation hear of whom a restore brings back") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a");
     std::vector<std::string> heard;
     r.tree.watch_created(r.thing, [&](const Existence& made) { heard.push_back(made.path); });
@@ -225,7 +194,7 @@ TEST_CASE("watchers of creation hear of whom a restore brings back") {
 }
 
 TEST_CASE("the root tells that a snapshot was restored") {
-    Rig r;
+    SnapshotRig r;
     r.tree.set_step(3);
     const Snapshot snapshot = r.tree.snapshot();
     r.tree.set_step(10);
@@ -240,7 +209,7 @@ TEST_CASE("the root tells that a snapshot was restored") {
 }
 
 TEST_CASE("formulas come back and follow their sources again") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a"), b = r.make("b");
     r.tree.set_formula(b, "lives",
                        {[a](const Tree& t) { return Value(t.get(a, "lives").integer() * 2); }});
@@ -262,7 +231,7 @@ TEST_CASE("formulas come back and follow their sources again") {
 }
 
 TEST_CASE("after a restore the list of undo is that of the snapshot") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a"), b = r.make("b");
     const auto edit = [&](auto what) {
         const Tree::CauseScope scope(r.tree, Writer::console);
@@ -297,7 +266,7 @@ TEST_CASE("after a restore the list of undo is that of the snapshot") {
 }
 
 TEST_CASE("classes defined since a snapshot stay and have nobody in them") {
-    Rig r;
+    SnapshotRig r;
     const Snapshot snapshot = r.tree.snapshot();
     ClassDescriptor d;
     d.name = "Late";
@@ -315,7 +284,7 @@ TEST_CASE("a snapshot of another process is read by names") {
     std::vector<std::byte> bytes;
     Handle a;
     {
-        Rig r;
+        SnapshotRig r;
         a = r.make("a");
         r.tree.set(a, "lives", 11);
         bytes = r.tree.snapshot().to_bytes();
@@ -344,7 +313,7 @@ TEST_CASE("a snapshot of another process is read by names") {
 }
 
 TEST_CASE("damaged bytes are refused and nothing changes") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a"), ball = r.ball("ball");
     r.tree.set(a, "label", "something");
     r.tree.set_or_add(a, "mine", List{Value(1), Value("two")});
@@ -383,7 +352,7 @@ TEST_CASE("damaged bytes are refused and nothing changes") {
 }
 
 TEST_CASE("a snapshot cannot be restored in a handler and waits for the end of the barrier") {
-    Rig r;
+    SnapshotRig r;
     const Handle a = r.make("a");
     const Snapshot snapshot = r.tree.snapshot();
     std::vector<std::string> heard;

@@ -3,6 +3,7 @@
 #include <fettle/property/storage/scene.h>
 
 #include "stage.h"
+#include "temporary_folder.h"
 
 namespace class_test {
 
@@ -250,8 +251,8 @@ assert(coroutine.close(c) and coroutine.status(c) == "dead")
 
 TEST_CASE("the game is loaded from a folder and its modules from beside it") {
     Stage s;
-    const auto folder = std::filesystem::temp_directory_path() / "fettle script test";
-    std::filesystem::remove_all(folder);
+    const TemporaryFolder temporary;
+    const std::filesystem::path& folder = temporary.path;
     std::filesystem::create_directories(folder / "enemies");
     const auto write = [&](const char* file, const char* text) {
         std::FILE* f = std::fopen((folder / file).c_str(), "wb");
@@ -284,14 +285,13 @@ TEST_CASE("the game is loaded from a folder and its modules from beside it") {
     s.step();
     CHECK(stage::joined(s.printed) == "started\tBob");
     CHECK_THAT(s.fails("print(leftover)"), contains("no such name"));
-    std::filesystem::remove_all(folder);
     CHECK_THROWS_AS(s.runtime->load(folder / "none.lua"), fettle::property::FileError);
 }
 
 TEST_CASE("a class can be loaded again with new functions but not with other properties") {
     Stage s;
-    const auto folder = std::filesystem::temp_directory_path() / "fettle script reload";
-    std::filesystem::create_directories(folder);
+    const TemporaryFolder temporary;
+    const std::filesystem::path& folder = temporary.path;
     const auto load = [&](const char* text) {
         std::FILE* f = std::fopen((folder / "main.lua").c_str(), "wb");
         std::fputs(text, f);
@@ -310,7 +310,6 @@ TEST_CASE("a class can be loaded again with new functions but not with other pro
     CHECK(s.get("world.c.lives") == stage::Value(4));
     CHECK_FALSE(load("Ball = class('Ball', Body) { lives = 'many' }"));
     CHECK_THAT(s.errors.back().message, contains("other properties"));
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("random numbers depend on the seed alone") {

@@ -13,6 +13,7 @@
 
 #include "catch.h"
 #include "scene_world.h"
+#include "temporary_folder.h"
 
 namespace file_test {
 
@@ -21,25 +22,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class Folder {
+class Folder : public TemporaryFolder {
   public:
-    Folder() {
-        std::string pattern = (fs::temp_directory_path() / "fettle-scene-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path = pattern;
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::permissions(path, fs::perms::owner_all, ignored);
-        fs::remove_all(path, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
     std::size_t entries() const {
         return static_cast<std::size_t>(
             std::distance(fs::directory_iterator(path), fs::directory_iterator()));
     }
-    fs::path path;
 };
 
 std::string content(const fs::path& file) {

@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <memory>
 
 #include <fettle/property/storage/game_saves.h>
@@ -6,6 +5,7 @@
 #include <fettle/property/tree.h>
 
 #include "catch.h"
+#include "temporary_folder.h"
 
 namespace wrong_saves_test {
 
@@ -25,16 +25,10 @@ std::string error_of(const Act& act) {
     return "no error";
 }
 
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "fettle-wrong-saves-test";
-    Folder() { std::filesystem::remove_all(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-};
-
 }  // namespace
 
 TEST_CASE("what could not be loaded takes the place of no save") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const Saves saves(folder.path, "game", "program");
     const std::vector<std::byte> state(100, std::byte{7});
     saves.save("slot", 3, state, {.width = 1, .height = 1, .pixels = {1, 2, 3, 4}});
@@ -66,7 +60,7 @@ TEST_CASE("a picture without its pixels is not scaled down") {
 }
 
 TEST_CASE("saved games say that their tree is gone") {
-    const Folder folder;
+    const TemporaryFolder folder;
     auto tree = std::make_unique<Tree>();
     GameSaves saves(*tree, Saves(folder.path, "game", "program"), {});
     saves.save("slot");

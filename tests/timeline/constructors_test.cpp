@@ -6,8 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "folder.h"
 #include "playing.h"
+#include "temporary_folder.h"
 
 namespace constructors_test {
 
@@ -145,10 +145,10 @@ TEST_CASE_METHOD(Rig, "what is refused a place stays where it was") {
 }
 
 TEST_CASE("a scene that cannot be loaded leaves nothing behind") {
-    const Folder folder;
-    std::ofstream(folder.path() / "main.lua") << "";
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua") << "";
     Rig rig;
-    REQUIRE(rig.runtime->load(folder.path()));
+    REQUIRE(rig.runtime->load(folder.path));
     for (
         const char* scene : {
             R"({"fettle_scene": 1, "class": "Body", "children": [{"class": "Chain", "properties": {"closed": true}}]})",
@@ -156,7 +156,7 @@ TEST_CASE("a scene that cannot be loaded leaves nothing behind") {
             R"({"fettle_scene": 1, "class": "Body", "children": [{"class": "Circle"}, {"class": "Nothing"}]})",
             R"({"fettle_scene": 1, "class": "World", "properties": {"bounds": [[0, 0], [0, 0]]}})",
         }) {
-        std::ofstream(folder.path() / "s.json") << scene;
+        std::ofstream(folder.path / "s.json") << scene;
         INFO(scene);
         rig.check_refused("scene.load('s.json', world)");
     }

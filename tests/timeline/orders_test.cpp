@@ -3,8 +3,8 @@
 
 #include "catch.h"
 
-#include "folder.h"
 #include "playing.h"
+#include "temporary_folder.h"
 
 namespace orders_test {
 
@@ -63,8 +63,8 @@ void play_on(Playing& played) {
 
 TEST_CASE(
     "any two or three jumps through time in one frame leave a game that goes on and is saved") {
-    const Folder folder;
-    Playing played(game, folder.path());
+    const TemporaryFolder folder;
+    Playing played(game, folder.path);
     played.play(10);
     played.console("early = snapshot()");
     played.console("save_game('one')");
@@ -169,8 +169,8 @@ TEST_CASE("to restore after a rewind in one frame is to be where was restored") 
 }
 
 TEST_CASE("a game that is saved and loaded in one frame is the one that was saved") {
-    const Folder folder;
-    Playing played("world.score = 1", folder.path());
+    const TemporaryFolder folder;
+    Playing played("world.score = 1", folder.path);
     played.play(2);
     played.runtime->run("world.score = 7 save_game('a') load_game('a') world.score = 8", "test");
     played.play(1);
@@ -183,8 +183,8 @@ TEST_CASE("a game that is saved and loaded in one frame is the one that was save
 }
 
 TEST_CASE("a save that is deleted in its frame is not written") {
-    const Folder folder;
-    Playing played("world.score = 1", folder.path());
+    const TemporaryFolder folder;
+    Playing played("world.score = 1", folder.path);
     played.play(2);
     played.runtime->run("save_game('a') delete_save('a')", "test");
     played.play(2);

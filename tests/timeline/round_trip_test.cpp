@@ -9,6 +9,7 @@
 #include <fettle/property/storage/scene.h>
 
 #include "every_class.h"
+#include "thorough.h"
 
 namespace round_trip_test {
 
@@ -90,9 +91,11 @@ TEST_CASE("an edit of any property in the frame of a snapshot comes back with it
                 cells.emplace_back(instance, property);
         }
     int written = 0;
+    std::size_t tried = 0;
     for (const property::Snapshot* begin : {&awake, &asleep})
         for (const auto& [instance, property] : cells)
             for (const Value& value : values_for(*property, subjects.instances)) {
+                if (!taken(tried++, 3)) continue;
                 game.tree.restore(*begin);
                 if (game.tree.peek(instance, *property) == value) continue;
                 INFO(game.tree.path(instance, *property)
@@ -102,7 +105,7 @@ TEST_CASE("an edit of any property in the frame of a snapshot comes back with it
                 ++written;
                 check_snapshot(game);
             }
-    CHECK(written > 500);
+    CHECK(written > 160);
 }
 
 TEST_CASE("what methods and moves do in the frame of a snapshot comes back with it") {

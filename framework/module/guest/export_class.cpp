@@ -117,7 +117,9 @@ struct Texts {
                                                    ? nullptr
                                                    : field.reference_class.c_str(),
                             .element = static_cast<std::uint32_t>(field.element),
-                            .reserved = 0});
+                            .reserved = 0,
+                            .min = field.range.bounded() ? field.range.min : 0,
+                            .max = field.range.bounded() ? field.range.max : 0});
         return array_of(made);
     }
     template <class Element>

@@ -184,9 +184,10 @@ void KeptTweaks::apply_values(Handle top) {
             if (tree_.alive(handle)) apply_value(handle, each);
 }
 
-/// `then`: what that means for the tweak. Whether the first `count` names lead to an instance.
-bool KeptTweaks::is_there(const Node& node, const std::string& path, std::size_t count,
-                          const std::string& then) {
+/// The instance to which the first `count` names lead. Where there is none, that is told, with
+/// `then`: what that means for the tweak.
+Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t count,
+                        const std::string& then) {
     const std::vector<Segment> segments = parse_path(path);
     Handle at = tree_.root();
     for (std::size_t i = 0; i < count && i < segments.size(); ++i) {
@@ -198,11 +199,11 @@ bool KeptTweaks::is_there(const Node& node, const std::string& path, std::size_t
             warn(document_->has_key(node) ? node.key_begin : node.begin,
                  path + ": there is no " + joined(segments, i + 1) + suggestion(name, names) +
                      "; " + then);
-            return false;
+            return {};
         }
         at = child;
     }
-    return true;
+    return at;
 }
 
 void KeptTweaks::tell_values_of_nobody() {
@@ -211,18 +212,17 @@ void KeptTweaks::tell_values_of_nobody() {
     if (values == nullptr) return;
     for (const Node* node = document_->first(*values); node; node = document_->next(*node)) {
         const std::string& path = document_->key(*node);
-        is_there(*node, path, parse_path(path).size() - 1,
-                 "the value is set when an instance of that path is made");
+        find(*node, path, parse_path(path).size() - 1,
+             "the value is set when an instance of that path is made");
     }
 }
 
 void KeptTweaks::create(const std::string& path) {
     const Node* node = member("created", path);
     const std::vector<Segment> segments = parse_path(path);
-    Handle parent = tree_.root();
-    if (!is_there(*node, path, segments.size() - 1, "what was made below it is not made")) return;
-    for (std::size_t i = 0; i + 1 < segments.size(); ++i)
-        parent = tree_.child(parent, std::get<std::string>(segments[i].key));
+    const Handle parent =
+        find(*node, path, segments.size() - 1, "what was made below it is not made");
+    if (!parent) return;
     const std::string& name = std::get<std::string>(segments.back().key);
     if (tree_.child(parent, name)) return;
     try {
@@ -242,11 +242,11 @@ void KeptTweaks::apply_all() {
     for (const Node* node = deleted != nullptr ? document_->first(*deleted) : nullptr;
          node && next < contents_.deleted.size(); node = document_->next(*node)) {
         const std::string& path = contents_.deleted[next++];
-        if (!is_there(*node, path, SIZE_MAX, "there is nothing to delete")) continue;
+        const Handle instance = find(*node, path, SIZE_MAX, "there is nothing to delete");
+        if (!instance) continue;
         try {
-            const Place place = resolve(tree_, path);
             const Tree::CauseScope cause(tree_, Writer::load);
-            tree_.destroy(place.instance);
+            tree_.destroy(instance);
         } catch (const Error& error) {
             warn(node->begin, path + ": " + error.what());
         }

@@ -64,8 +64,8 @@ class KeptTweaks {
     void check_value(const std::string& path, const Property* declared, const Image& image) const;
     void apply_value(Handle instance, const Kept& kept);
     void create(const std::string& path);
-    bool is_there(const Node& node, const std::string& path, std::size_t count,
-                  const std::string& then);
+    Handle find(const Node& node, const std::string& path, std::size_t count,
+                const std::string& then);
     void tell_values_of_nobody();
     void warn(std::size_t offset, const std::string& reason);
     const Node* member(std::string_view section, const std::string& key) const;

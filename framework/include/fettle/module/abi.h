@@ -27,7 +27,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 3
+#define FETTLE_ABI_MINOR 4
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {
@@ -170,6 +170,7 @@ typedef struct fettle_field {
     const char* reference_class; /* since 1.1: of a reference, or of those in a list */
     uint32_t element;            /* since 1.1: type of a list's elements; 0: any */
     uint32_t reserved;
+    double min, max; /* since 1.4: of what a handler answers; inclusive; both 0: any */
 } fettle_field;
 
 enum { FETTLE_ONE_VALUE = 0, FETTLE_RECORD, FETTLE_RECORDS };

@@ -196,6 +196,7 @@ struct Field {
     std::string reference_class{};  // class of a reference, or of the references in a list
     Type element = Type::nil;       // type of a list's elements; nil: any
     bool nullable = false;          // of what is told: may be nil
+    Range range{};                  // of an answer, each component
 };
 
 /// Values under the names of their fields: what an event tells, what a query finds.

@@ -18,9 +18,9 @@ struct FormulaProblem {
 };
 
 /// Tells at barriers which formulas have got into error: each once, and once more when the text of
-/// its error is another. A formula that is in error only because it reads one that is, is not told;
-/// of a circle of formulas one is told. There is one such function for a tree; an empty one ends
-/// it.
+/// its error is another, but for its numbers. A formula that is in error only because it reads one
+/// that is, is not told; of a circle of formulas one is told. There is one such function for a
+/// tree; an empty one ends it.
 void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> sink);
 
 /// What is wrong with the formula now has been told elsewhere.

@@ -49,8 +49,8 @@ class Question {
 
     const Event& event() const { return event_; }
     std::span<const Value> values() const { return values_; }
-    /// Changes the value of a field. Throws Error: for one that is only told, or a value that is
-    /// none of the field's type.
+    /// Changes the value of a field. Throws Error: for one that is only told, a value that is none
+    /// of the field's type, or one outside its range.
     void answer(std::size_t field, const Value& value);
 
     /// The question whose handler is running on this thread; null outside of one.

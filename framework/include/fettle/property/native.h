@@ -1,0 +1,21 @@
+#pragma once
+// What an element of a column is: how many bytes it has, and which type of value.
+
+#include <cstddef>
+
+#include <fettle/property/class.h>
+#include <fettle/property/export.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+/// The type of the values that a column of this native type holds.
+Type type_of(Native native);
+
+/// The size of one element in bytes.
+std::size_t size_of(Native native);
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

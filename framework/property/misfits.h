@@ -1,0 +1,28 @@
+#pragma once
+// Saved values that the properties of today cannot hold.
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fettle/property/class.h>
+
+namespace fettle::property {
+
+class Misfits {
+  public:
+    void add(const Property& property, Value saved);
+    /// A line for each property, in the order of their names.
+    std::vector<std::string> lines() const;
+
+  private:
+    struct OfProperty {
+        const Property* property = nullptr;
+        Value first{};
+        std::size_t count = 0;
+    };
+    std::map<std::string, OfProperty> all_;  // by class and name of the property
+};
+
+}  // namespace fettle::property
