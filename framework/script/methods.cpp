@@ -104,11 +104,17 @@ int call_method(lua_State* L) {
     return 1;
 }
 
+/// Of the fields of the record at 1 that have a value.
+std::vector<std::string> field_names(lua_State* L) {
+    std::vector<std::string> names;
+    for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
+    return names;
+}
+
 int read_record(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
-        std::vector<std::string> names;
-        for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
-            if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
+        const std::vector<std::string> names = field_names(L);
         const std::string name = string_at(L, 2);
         push_registry(L, machine_of(L).record_meta);
         lua_getfield(L, -1, "nil_fields");
@@ -122,6 +128,20 @@ int read_record(lua_State* L) {
     }
     lua_pushnil(L);
     return 1;
+}
+
+/// A field that the record does not have is a note of the script's own, but for a slip of the pen.
+int write_record(lua_State* L) {
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        const std::string name = string_at(L, 2);
+        const std::vector<std::string> names = field_names(L);
+        for (const std::string& field : names)
+            if (property::near_miss(name, field))
+                throw Error(ErrorKind::near_miss,
+                            name + ": no such field" + property::suggestion(name, names));
+    }
+    lua_rawset(L, 1);
+    return 0;
 }
 
 int record_text(lua_State* L) {
@@ -214,6 +234,7 @@ void push_result(lua_State* L, const Result& result) {
 void open_records(lua_State* L, Machine& machine) {
     lua_newtable(L);
     add_pure<read_record>(L, "__index");
+    add_pure<write_record>(L, "__newindex");
     add_pure<record_text>(L, "__tostring");
     lua_newtable(L);
     lua_setfield(L, -2, "nil_fields");

@@ -175,4 +175,19 @@ TEST_CASE("only the fields that a question declares so can be answered with the 
     CHECK(contains(done.err, "other_shape is only told, and cannot be changed"));
 }
 
+TEST_CASE("a misspelt answer is told where it is given and a note of one's own is none") {
+    const Outcome done = run(R"lua(
+        world.bounds = { vec(-25, 0), vec(25, 40) }
+        world.ball = Body { position = vec(0, 0.4), Circle {} }
+        world.ball:on("before_solve", function(e)
+            e.mine = 5
+            assert(e.mine == 5)
+            e.enable = false
+        end)
+    )lua",
+                             5);
+    CHECK(done.status == 1);
+    CHECK(contains(done.err, "main.lua:7: enable: no such field (did you mean \"enabled\"?)"));
+}
+
 }  // namespace events_run_test
