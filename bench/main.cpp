@@ -147,6 +147,12 @@ void add_solvers(CLI::App& app, SolversOptions& options) {
         ->type_name("DIR");
 }
 
+bool has_table(const CLI::App& app, const std::string& name) {
+    for (const CLI::App* each : app.get_subcommands({}))
+        if (each->get_name() == name) return true;
+    return false;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -177,6 +183,13 @@ int main(int argc, char** argv) {
     add_solvers(app, solvers);
     GrowthOptions growth;
     add_growth(app, growth);
+    const std::string command = argc > 1 ? argv[1] : "";
+    if (!command.empty() && command[0] != '-' && !has_table(app, command)) {
+        std::cerr << "fettle-bench: \"" << command << "\" is no table; there are";
+        for (const CLI::App* each : app.get_subcommands({})) std::cerr << " " << each->get_name();
+        std::cerr << "\n";
+        return 2;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -26,7 +26,7 @@ std::string words(const CLI::ParseError& error) {
 }
 
 int refuse(const std::string& reason) {
-    tell(reason + " (fettle --help tells more)");
+    tell(reason + " (fettle --help and fettle run --help tell more)");
     return bad_usage;
 }
 

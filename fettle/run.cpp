@@ -275,9 +275,9 @@ constexpr std::uint64_t most_milliseconds = 1'000'000'000;
 std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos || colon + 1 == text.size())
-        throw CLI::ValidationError(option,
-                                   "expected a step and a chunk, as in 60:print(time.now), got \"" +
-                                       on_one_line(text.substr(0, 60)) + "\"");
+        throw CLI::ValidationError(
+            option, "expected a step and a command, as in 60:print(time.now), got \"" +
+                        on_one_line(text.substr(0, 60)) + "\"");
     return {whole_number(option, text.substr(0, colon), 1, most_steps), text.substr(colon + 1)};
 }
 
@@ -386,7 +386,8 @@ Command add_run(CLI::App& app) {
     });
     option("--screenshot", "Write the last frame there (png, jpg, bmp or tga)",
            [](RunOptions& to, const std::string& text) { to.screenshot = parse_picture(text); });
-    option("--record", "Write everything that comes into the run there, to be replayed",
+    option("--record",
+           "Write everything but the time of day that comes into the run there, to be replayed",
            [](RunOptions& to, const std::string& text) {
                to.record = given("--record", text, "a file");
            });

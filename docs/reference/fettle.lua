@@ -448,12 +448,12 @@ StepStatistics = {}
 ---@field instance World To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----The shape nearest to a point, or nil. The bounds do not count.
+---The shape nearest to a point, or nil. Sensors and the bounds do not count.
 ---@class World.closest.result
 ---@field shape Object The one that is nearest.
 ---@field body Object Its body.
 ---@field point vec On its surface, in the world. · m
----@field normal vec Of the surface there, outward; none inside of it.
+---@field normal vec Of the surface there, outward; the zero vector inside of it.
 ---@field distance number 0 inside. · m
 
 ---Every point where two bodies touch now.
@@ -472,9 +472,9 @@ StepStatistics = {}
 ---@field distance number 0 where they overlap. · m
 ---@field point_a vec Of the first, nearest to the second. · m
 ---@field point_b vec Of the second, nearest to the first. · m
----@field normal vec From the first to the second; none where they overlap.
+---@field normal vec From the first to the second; the zero vector where they overlap.
 
----The first shape a ray meets, or nil. Sensors do not stop it.
+---The first shape a ray meets, or nil. Sensors do not stop it, nor shapes in which it begins.
 ---@class World.raycast.result
 ---@field shape Shape? What was hit; nil for the bounds of the world.
 ---@field body Object Its body; the world itself for its bounds.
@@ -482,7 +482,7 @@ StepStatistics = {}
 ---@field normal vec Of the surface there, outward; its length is 1.
 ---@field fraction number How far along the ray, 0 to 1.
 
----Every shape a ray meets, nearest first.
+---Every shape a ray meets, nearest first. Sensors do not count, nor shapes in which it begins.
 ---@class World.raycast_all.result
 ---@field shape Shape? What was hit; nil for the bounds of the world.
 ---@field body Object Its body; the world itself for its bounds.
@@ -490,7 +490,7 @@ StepStatistics = {}
 ---@field normal vec Of the surface there, outward; its length is 1.
 ---@field fraction number How far along the ray, 0 to 1.
 
----The first shape that a shape, or a body, would meet on its way, or nil.
+---The first shape that a shape, or a body, would meet on its way, or nil. Sensors do not count.
 ---@class World.shapecast.result
 ---@field shape Shape? What was hit; nil for the bounds of the world.
 ---@field body Object Its body; the world itself for its bounds.
@@ -501,19 +501,19 @@ StepStatistics = {}
 ---Bodies below it are simulated together. Its child `step` tells about the last step.
 ---@class World : Object
 ---@field bounds vec[]? Walls round the world, given by their lower left and upper right corner; nil: none. · m · -100000000 to 100000000 · default nil · may be nil
----@field bounds_friction number Of the walls of the bounds. · 0 to inf · default 0.6
+---@field bounds_friction number Of the walls of the bounds. · at least 0 · default 0.6
 ---@field bounds_restitution number How much of its speed what hits the walls gets back. · 0 to 1 · default 0
----@field contact_damping number Damping ratio of contacts. · 0 to inf · default 10
----@field contact_hertz number Stiffness of contacts, at most a quarter of the rate of sub-steps. · Hz · 0 to inf · default 60
+---@field contact_damping number Damping ratio of contacts. · at least 0 · default 10
+---@field contact_hertz number Stiffness of contacts, at most a quarter of the rate of sub-steps. · Hz · at least 0 · default 60
 ---@field continuous boolean However fast, bodies do not pass through static ones. · true or false · default true
 ---@field friction_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" How the friction of two surfaces makes that of their contact: "geometric" is the root of their product. · "average", "minimum", "maximum", "multiply", "geometric" · default "geometric"
 ---@field gravity vec Pulls every dynamic body, as far as its gravity_scale lets it. · m/s² · any finite vec · default vec(0, -10)
----@field hit_threshold number Slower impacts make no contact_hit. · m/s · 0 to inf · default 1
----@field push_speed number The fastest that an overlap is pushed apart. · m/s · 0 to inf · default 3
+---@field hit_threshold number Slower impacts make no contact_hit. · m/s · at least 0 · default 1
+---@field push_speed number The fastest that an overlap is pushed apart. · m/s · at least 0 · default 3
 ---@field restitution_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" How the restitution of two surfaces makes that of their contact. · "average", "minimum", "maximum", "multiply", "geometric" · default "maximum"
----@field restitution_threshold number Slower impacts do not bounce. · m/s · 0 to inf · default 1
----@field sleep_delay number How long something rests before it falls asleep. · s · 0 to inf · default 0.5
----@field sleep_speed number What is slower than this rests. · m/s · 0 to inf · default 0.05
+---@field restitution_threshold number Slower impacts do not bounce. · m/s · at least 0 · default 1
+---@field sleep_delay number How long something rests before it falls asleep. · s · at least 0 · default 0.5
+---@field sleep_speed number What is slower than this rests. · m/s · at least 0 · default 0.05
 ---@field sleeping boolean What rests falls asleep and costs nothing until it is disturbed. · true or false · default true
 ---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" sweeps over them in small steps and remembers; "sequential" goes over the contacts once, the worst first, as in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
 ---@field substeps integer Parts a step is solved in: more is stiffer and slower. · 1 to 64 · default 4
@@ -521,7 +521,7 @@ StepStatistics = {}
 ---@field step StepStatistics What the last step of a world did, and how long that took.
 local fettle_World = {}
 
----The body at a point, that with the smallest shape there where there are several, or nil.
+---The body at a point, that with the smallest shape there where there are several, or nil. Sensors count too.
 ---@param point vec In the world. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
 ---@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
@@ -529,7 +529,7 @@ local fettle_World = {}
 ---@return Body? body The body, or nil.
 function fettle_World:at(point, mask, group, accept) end
 
----The shape nearest to a point, or nil. The bounds do not count.
+---The shape nearest to a point, or nil. Sensors and the bounds do not count.
 ---@param point vec In the world. · m
 ---@param reach? number No farther than this. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
@@ -564,7 +564,7 @@ function fettle_World:explode(point, radius, impulse, mask, accept) end
 ---@return Body[] bodies Each once, in no special order.
 function fettle_World:overlap(shape, mask, group, accept) end
 
----The bodies that reach into a box.
+---The bodies that reach into a box. Sensors count too.
 ---@param corner vec Of the box. · m
 ---@param opposite vec The corner across. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
@@ -573,7 +573,7 @@ function fettle_World:overlap(shape, mask, group, accept) end
 ---@return Body[] bodies Each once, in no special order.
 function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 
----The first shape a ray meets, or nil. Sensors do not stop it.
+---The first shape a ray meets, or nil. Sensors do not stop it, nor shapes in which it begins.
 ---@param from vec Where the ray starts. · m
 ---@param to vec Where it ends. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
@@ -582,7 +582,7 @@ function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 ---@return World.raycast.result?
 function fettle_World:raycast(from, to, mask, group, accept) end
 
----Every shape a ray meets, nearest first.
+---Every shape a ray meets, nearest first. Sensors do not count, nor shapes in which it begins.
 ---@param from vec Where the ray starts. · m
 ---@param to vec Where it ends. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
@@ -591,7 +591,7 @@ function fettle_World:raycast(from, to, mask, group, accept) end
 ---@return World.raycast_all.result[]
 function fettle_World:raycast_all(from, to, mask, group, accept) end
 
----The first shape that a shape, or a body, would meet on its way, or nil.
+---The first shape that a shape, or a body, would meet on its way, or nil. Sensors do not count.
 ---@param shape Object A shape or a body, of any world or of none.
 ---@param motion vec How far it goes. · m
 ---@param mask? integer Categories to look for, as bits; all when left out.
@@ -622,7 +622,7 @@ World = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they pressed on each other in the step before; 0 when they just met. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -637,7 +637,7 @@ World = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they met. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -659,7 +659,7 @@ World = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they would have met in the point that was hit fastest alone. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -673,7 +673,7 @@ World = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they pressed on each other in this step. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -721,7 +721,7 @@ World = {}
 ---A rigid body: its shapes are its children. It is simulated while it hangs below a World.
 ---@class Body : Object
 ---@field angle number How far it is turned, counter-clockwise; not wrapped after a full turn. · rad · -100000000 to 100000000 · default 0 · simulated
----@field angular_damping number Share of its angular velocity it loses in a second, for small values. · 1/s · 0 to inf · default 0
+---@field angular_damping number Share of its angular velocity it loses in a second, for small values. · 1/s · at least 0 · default 0
 ---@field angular_velocity number How fast it turns, counter-clockwise. · rad/s · any finite number · default 0 · simulated
 ---@field awake boolean Whether it takes part in the step. What rests for a while sleeps, together with what it touches, until something disturbs it. · true or false · default true · simulated
 ---@field bullet boolean However fast, it does not pass through other moving bodies either. · true or false · default false
@@ -737,7 +737,7 @@ World = {}
 ---@field force vec Pushes its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number How much of the world's gravity it feels: 0 floats, -1 falls upwards. · any finite number · default 1
 ---@field inertia number Rotational inertia about the center of mass, from the shapes unless one is given; nil computes it again. Infinite: nothing turns it. · kg m² · 1e-30 to inf · default 0 · simulated, may be infinite
----@field linear_damping number Share of its velocity it loses in a second, for small values. · 1/s · 0 to inf · default 0
+---@field linear_damping number Share of its velocity it loses in a second, for small values. · 1/s · at least 0 · default 0
 ---@field locked_rotation boolean Nothing turns it. · true or false · default false
 ---@field locked_x boolean Nothing moves it along x. · true or false · default false
 ---@field locked_y boolean Nothing moves it along y. · true or false · default false
@@ -827,7 +827,7 @@ Body = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they pressed on each other in the step before; 0 when they just met. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -842,7 +842,7 @@ Body = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they met. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -864,7 +864,7 @@ Body = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they would have met in the point that was hit fastest alone. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -878,7 +878,7 @@ Body = {}
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field point vec Where, in the world. · m
 ---@field normal vec From this body to the other; its length is 1.
----@field impulse number How hard they met. · N s
+---@field impulse number With which they pressed on each other in this step. · N s
 ---@field speed number How fast they approached each other. · m/s
 ---@field friction number Mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
@@ -908,12 +908,12 @@ Body = {}
 ---@field border color Of its outline; darker than its color unless one is given. · channels 0 to 1 · default color("#2c476a")
 ---@field category integer What it is, as bits. Two shapes collide when each one's mask has a bit of the other's category. · any integer · default 1
 ---@field color color Fills it. Without one of its own it has its body's, or goes by the body's type. · channels 0 to 1 · default color("#619eeb")
----@field density number Mass per area. · kg/m² · 0 to inf · default 1
----@field friction number Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the geometric mean of theirs. · 0 to inf · default 0.6
+---@field density number Mass per area. · kg/m² · at least 0 · default 1
+---@field friction number Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the geometric mean of theirs, or what the world's friction_mix says. · at least 0 · default 0.6
 ---@field group integer Shapes of one group, when it is not 0, always collide (above 0) or never do (below), whatever their masks. · -2147483648 to 2147483647 · default 0
 ---@field mask integer What it collides with, as bits of categories; -1 is everything. · any integer · default -1
----@field restitution number How much of the approaching speed comes back. Two shapes in contact use the greater of theirs. · 0 to 1 · default 0
----@field rolling_resistance number Brakes rolling: lever of the resisting torque as a share of the radius. · 0 to inf · default 0
+---@field restitution number How much of the approaching speed comes back. Two shapes in contact use the greater of theirs, or what the world's restitution_mix says. · 0 to 1 · default 0
+---@field rolling_resistance number Brakes rolling: lever of the resisting torque as a share of the radius. · at least 0 · default 0
 ---@field sensor boolean Tells what overlaps it, and pushes nothing. · true or false · default false
 ---@field surface_speed number A conveyor belt: how fast the surface runs, counter-clockwise round the shape. · m/s · any finite number · default 0
 ---@field visible boolean Whether it is drawn; it collides all the same. · true or false · default true
@@ -955,7 +955,7 @@ Circle = {}
 ---@field angle number How far it is turned on its body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
 ---@field center vec Its middle, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0, 0)
 ---@field height number From bottom to top, rounding included. · m · 0.00001 to 1000000 · default 1
----@field rounding number Radius of its corners, at most half the smaller side. · m · 0 to 1000000 · default 0
+---@field rounding number Radius of its corners; more than half the smaller side counts as half. · m · 0 to 1000000 · default 0
 ---@field width number From its left to its right side, rounding included. · m · 0.00001 to 1000000 · default 1
 local fettle_Box = {}
 
@@ -1070,8 +1070,8 @@ Joint = {}
 ---@class MouseJoint : Joint
 ---@field anchor vec The point of the body that is pulled, in its coordinates. Unless one is given, the point that was at the target when the joint began to act. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
 ---@field body Body? What is pulled; nil: nothing. · any Body · default nil
----@field damping_ratio number 1 comes to rest without swinging. · 0 to inf · default 0.7
----@field frequency number How stiff it is; 0 is slack. · Hz · 0 to inf · default 5
+---@field damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0.7
+---@field frequency number How stiff it is; 0 is slack. · Hz · at least 0 · default 5
 ---@field max_force number It never pulls harder. · N · 0 to inf · default inf · may be infinite
 ---@field target vec Where it is pulled to, in the world. · m · -100000000 to 100000000 · default vec(0, 0)
 local fettle_MouseJoint = {}
@@ -1096,11 +1096,11 @@ PairJoint = {}
 
 ---Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a max_length a rope.
 ---@class DistanceJoint : PairJoint
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number How stiff the spring is; infinite is a rod, 0 is slack between the limits. · Hz · 0 to inf · default inf · may be infinite
----@field length number Of the rod, or of the spring at rest. Unless one is given, the distance when the joint began to act. · m · 0 to inf · default 0 · simulated
+---@field length number Of the rod, or of the spring at rest. Unless one is given, the distance when the joint began to act. · m · at least 0 · default 0 · simulated
 ---@field max_length number The anchors go no farther apart. Where min_length is above it, this counts. · m · 0 to inf · default inf · may be infinite
----@field min_length number The anchors come no nearer. · m · 0 to inf · default 0
+---@field min_length number The anchors come no nearer. · m · at least 0 · default 0
 local fettle_DistanceJoint = {}
 
 ---Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a max_length a rope.
@@ -1111,8 +1111,8 @@ DistanceJoint = {}
 ---A pin through two bodies, about which they turn.
 ---@class RevoluteJoint : PairJoint
 ---@field angle number Of body_b against body_a, less the reference_angle. · rad · any finite number · read-only, simulated
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
----@field hertz number Stiffness of a spring to the target_angle; 0: none. · Hz · 0 to inf · default 0
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
+---@field hertz number Stiffness of a spring to the target_angle; 0: none. · Hz · at least 0 · default 0
 ---@field lower_angle number It turns no further back. · rad · any number, infinite too · default -inf · may be infinite
 ---@field max_motor_torque number The motor is no stronger; 0: there is none. · N m · 0 to inf · default 0 · may be infinite
 ---@field motor_speed number What the motor turns body_b with. · rad/s · any finite number · default 0
@@ -1130,8 +1130,8 @@ RevoluteJoint = {}
 ---Lets body_b slide along an axis of body_a without turning.
 ---@class PrismaticJoint : PairJoint
 ---@field axis vec Along which it slides, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
----@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · 0 to inf · default 0
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
+---@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · at least 0 · default 0
 ---@field lower_translation number It slides no further back. · m · any number, infinite too · default -inf · may be infinite
 ---@field max_motor_force number The motor is no stronger; 0: there is none. · N · 0 to inf · default 0 · may be infinite
 ---@field motor_force number What the motor gave in the last step. · N · any finite number · read-only, simulated
@@ -1150,8 +1150,8 @@ PrismaticJoint = {}
 ---A pin of body_b in a straight slot of body_a: it slides, and turns freely.
 ---@class PinSlotJoint : PairJoint
 ---@field axis vec Along which it slides, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0
----@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · 0 to inf · default 0
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
+---@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · at least 0 · default 0
 ---@field lower_translation number It slides no further back. · m · any number, infinite too · default -inf · may be infinite
 ---@field max_motor_force number The motor is no stronger; 0: there is none. · N · 0 to inf · default 0 · may be infinite
 ---@field motor_force number What the motor gave in the last step. · N · any finite number · read-only, simulated
@@ -1180,8 +1180,8 @@ GrooveJoint = {}
 ---A wheel, body_b, that is sprung along an axis of body_a and may be driven.
 ---@class WheelJoint : PairJoint
 ---@field axis vec Of the spring, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(0, 1)
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · 0 to inf · default 0.7
----@field hertz number How stiff the spring is; 0: there is none. · Hz · 0 to inf · default 4
+---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0.7
+---@field hertz number How stiff the spring is; 0: there is none. · Hz · at least 0 · default 4
 ---@field lower_translation number The axle goes no further down. · m · any number, infinite too · default -inf · may be infinite
 ---@field max_motor_torque number The motor is no stronger; 0: there is none. · N m · 0 to inf · default 0 · may be infinite
 ---@field motor_speed number What the motor turns the wheel with, counter-clockwise. · rad/s · any finite number · default 0
@@ -1197,9 +1197,9 @@ WheelJoint = {}
 
 ---Holds two bodies together, rigidly or as a spring.
 ---@class WeldJoint : PairJoint
----@field angular_damping_ratio number 1 comes to rest without swinging. · 0 to inf · default 0
+---@field angular_damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0
 ---@field angular_hertz number How stiff it holds the angle; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
----@field damping_ratio number 1 comes to rest without swinging. · 0 to inf · default 0
+---@field damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number How stiff it holds the point; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
 ---@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
 local fettle_WeldJoint = {}
@@ -1213,8 +1213,8 @@ WeldJoint = {}
 ---@class MotorJoint : PairJoint
 ---@field angular_offset number The angle of body_b against body_a that it drives to. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
 ---@field angular_velocity number Of body_b against body_a that it drives to. · rad/s · any finite number · default 0
----@field damping_ratio number Of that; 1 comes to rest without swinging. · 0 to inf · default 1
----@field hertz number How stiff it drives to the offsets; 0: not at all. · Hz · 0 to inf · default 0
+---@field damping_ratio number Of that; 1 comes to rest without swinging. · at least 0 · default 1
+---@field hertz number How stiff it drives to the offsets; 0: not at all. · Hz · at least 0 · default 0
 ---@field linear_offset vec Of anchor_b from anchor_a that it drives to, in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(0, 0)
 ---@field linear_velocity vec Of anchor_b against anchor_a that it drives to, in the coordinates of body_a. · m/s · any finite vec · default vec(0, 0)
 ---@field max_force number It pushes no harder. · N · 0 to inf · default 0 · may be infinite
@@ -1230,7 +1230,7 @@ MotorJoint = {}
 ---@class PulleyJoint : PairJoint
 ---@field ground_a vec The wheel over body_a, in the world. · m · -100000000 to 100000000 · default vec(-1, 1)
 ---@field ground_b vec The wheel over body_b, in the world. · m · -100000000 to 100000000 · default vec(1, 1)
----@field length number Of the part at body_a and ratio times that at body_b. Unless one is given, the length when the joint began to act. · m · 0 to inf · default 0 · simulated
+---@field length number Of the part at body_a and ratio times that at body_b. Unless one is given, the length when the joint began to act. · m · at least 0 · default 0 · simulated
 ---@field ratio number How many parts of the rope pull body_b. · 0.001 to 1000 · default 1
 ---@field tension number Of the rope in the last step. · N · any finite number · read-only, simulated
 local fettle_PulleyJoint = {}
@@ -1256,7 +1256,7 @@ GearJoint = {}
 ---@field backwards boolean Clockwise is free instead of counter-clockwise. · true or false · default false
 ---@field caught_angle number It does not turn back beyond this. · rad · any finite number · read-only, simulated
 ---@field reference_angle number The angle that counts as 0, where a tooth is. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
----@field tooth number From tooth to tooth; 0: it holds at any angle. · rad · 0 to inf · default 0
+---@field tooth number From tooth to tooth; 0: it holds at any angle. · rad · at least 0 · default 0
 local fettle_RatchetJoint = {}
 
 ---Lets body_b turn against body_a one way only.
@@ -1277,7 +1277,7 @@ Field = {}
 
 ---Moving air: presses on every edge that faces it, by the square of its speed.
 ---@class Wind : Field
----@field density number Of the air. · kg/m² · 0 to inf · default 1.2
+---@field density number Of the air. · kg/m² · at least 0 · default 1.2
 ---@field velocity vec Of the air. · m/s · any finite vec · default vec(5, 0)
 local fettle_Wind = {}
 
@@ -1289,8 +1289,8 @@ Wind = {}
 ---Slows what moves against a flow, by the area of its shapes.
 ---@class Drag : Field
 ---@field flow vec What it slows things to. · m/s · any finite vec · default vec(0, 0)
----@field linear number Resistance for each m/s and m². · N s/m³ · 0 to inf · default 1
----@field quadratic number Resistance for each (m/s)² and m². · N s²/m⁴ · 0 to inf · default 0
+---@field linear number Resistance for each m/s and m². · N s/m³ · at least 0 · default 1
+---@field quadratic number Resistance for each (m/s)² and m². · N s²/m⁴ · at least 0 · default 0
 local fettle_Drag = {}
 
 ---Slows what moves against a flow, by the area of its shapes.
@@ -1300,8 +1300,8 @@ Drag = {}
 
 ---A liquid below a straight surface: lifts by the weight of what is displaced, exactly.
 ---@class Buoyancy : Field
----@field density number Of the liquid. · kg/m² · 0 to inf · default 2
----@field drag number Share of the displaced mass that resists motion. · 1/s · 0 to inf · default 2
+---@field density number Of the liquid. · kg/m² · at least 0 · default 2
+---@field drag number Share of the displaced mass that resists motion. · 1/s · at least 0 · default 2
 ---@field flow vec Of the liquid. · m/s · any finite vec · default vec(0, 0)
 ---@field level number Of the surface, along its normal from the origin. · m · any finite number · default 0
 ---@field normal vec Up from the surface; of any length but 0. · any finite vec · default vec(0, 1)
@@ -1315,7 +1315,7 @@ Buoyancy = {}
 ---Pulls everything towards a point, as a planet does.
 ---@class Attractor : Field
 ---@field center vec In the world. · m · -100000000 to 100000000 · default vec(0, 0)
----@field core number Nearer than this it pulls in proportion to the distance. · m · 0 to inf · default 0.5
+---@field core number Nearer than this it pulls in proportion to the distance. · m · at least 0 · default 0.5
 ---@field falloff integer It falls by this power of the distance. · 0 to 3 · default 2
 ---@field strength number At a distance of 1 m; negative repels. · m/s² · any finite number · default 10
 local fettle_Attractor = {}
@@ -1688,7 +1688,7 @@ function after(seconds, action) end
 ---@return fun(members: table): Class
 function class(name, base) end
 
----A color by name, as "#rrggbb", or from channels between 0 and 1.
+---A color by name, as "#rgb" or "#rrggbb", with one or two digits more for its opacity, or from channels between 0 and 1.
 ---@param name string
 ---@return color
 ---@overload fun(r: number, g: number, b: number, a?: number): color
@@ -1722,7 +1722,7 @@ function every(seconds, action) end
 ---@param word string
 function find(word) end
 
----Assigned to a property, the function is its value from then on: it is called again whenever something it reads has changed. One that raises an error is told once, and the property keeps its last value; so is one that takes more than 50 million instructions.
+---Assigned to a property, the function is its value from then on: it is called again whenever something it reads has changed. One that raises an error is told once: its module goes on with the last value, and reading the property raises the error; so is one that takes more than 50 million instructions.
 ---@param value fun(): any
 ---@return Formula
 function formula(value) end
@@ -1734,7 +1734,7 @@ function help(anything) end
 ---Lists what was edited, the latest first.
 function history() end
 
----Writes the tweaks that match into files: of what came from a scene file into that file, of what a script made into `main.tweaks.json` beside `main.lua`, which the next run reads. keep("world.ball.*").
+---Writes the tweaks that match into files: of what came from a scene file into that file, of what a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one file), which the next run reads. keep("world.ball.*").
 ---@param pattern string
 function keep(pattern) end
 
@@ -1742,7 +1742,7 @@ function keep(pattern) end
 ---@param slot string
 function load_game(slot) end
 
----Instances, or values by path, that match a pattern: query("world.*.mass").
+---What matches a pattern. Where its last part is the name of a child, a set of instances: query("world.*.circle"). Where it is the name of a property, or a star, which stands for every property, a table of values by path: query("world.*.mass"). An empty set where nothing matches. Formulas in error are left out.
 ---@param pattern string
 ---@return Set|table<string, any>
 function query(pattern) end
@@ -1751,7 +1751,7 @@ function query(pattern) end
 ---@param status? integer|boolean
 function quit(status) end
 
----A random number in [0, 1), from 1 to n, or from one to the other; random(0) is any integer, as in Lua. The same for the same seed.
+---A random number in [0, 1), from 1 to n, or from one to the other; from 0 to a number that is no integer; random(0) is any integer, as in Lua. The same for the same seed.
 ---@return number
 ---@overload fun(n: integer): integer
 ---@overload fun(from: integer, to: integer): integer
@@ -1802,7 +1802,7 @@ function scene.save(file, instance) end
 ---@return Snapshot
 function snapshot() end
 
----Lists what people edited while the game ran, in this run and in earlier ones, and what of it is kept.
+---Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and what of it is kept.
 function tweaks() end
 
 ---Takes the latest edit back.
@@ -1826,7 +1826,7 @@ function wait(seconds) end
 ---@return Connection
 function watch(pattern, handler) end
 
----Tells who wrote a property last, and at which step: "console:1, step 49". What rewind, restore or load_game took back reads "restore, step 30". The file and line of a script are told of what was watched when it was written; else only "script".
+---Tells who wrote a property last, and at which step: "console:1, step 49". What rewind, restore or load_game took back reads "restore, step 30". The file and line of a script are told of what was watched when it was written; else only "script". Of what the simulation changes, the last other writer is told, and the simulation only where there is none or the property is watched.
 ---@param path string
 function who(path) end
 
@@ -2060,7 +2060,7 @@ function math.ult(a, b) end
 ---@return any
 function next(table, key) end
 
----Processor time used, in seconds.
+---Processor time used, in seconds. A recording does not hold it.
 ---@return number
 function os.clock() end
 
@@ -2076,7 +2076,7 @@ function os.date(format, time) end
 ---@return number
 function os.difftime(later, earlier) end
 
----Seconds since 1970.
+---Seconds since 1970. A recording does not hold it: a game that keeps it in a property is not replayed as it was.
 ---@param date? table
 ---@return integer
 function os.time(date) end
@@ -2421,5 +2421,5 @@ function resized(width, height) end
 ---@param focused boolean
 function focus(focused) end
 
----The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. It is the last that a game is called for, and has five seconds after a signal.
+---The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. quit() and the end of --steps do not call it. No other function of the game is called after it; after a signal it may take five seconds.
 function closing() end

@@ -268,7 +268,10 @@ void Loop::end_frame(const Stopwatch& watch, double seconds) {
     smooth(average.scripts, watch.phases.scripts, seconds);
     smooth(average.modules, watch.phases.modules, seconds);
     smooth(average.handlers, watch.phases.handlers, seconds);
-    smooth(average.frame, 1000 * seconds, seconds);
+    if (average.frame > 0)
+        smooth(average.frame, 1000 * seconds, seconds);
+    else
+        average.frame = 1000 * seconds;  // the first
     clock.fps = average.frame > 0 ? 1000 / average.frame : 0;
 }
 

@@ -176,11 +176,16 @@ struct HostFunctions {
     // --- Events
     static std::uint32_t listens(void* self, fettle_handle instance, const void* event) {
         const HostTable& host = host_of(self);
-        return host.tree != nullptr && event != nullptr && host.tree->alive(received(instance)) &&
-                       host.tree->listens(received(instance),
-                                          *static_cast<const property::Event*>(event))
-                   ? 1
-                   : 0;
+        try {
+            return host.tree != nullptr && event != nullptr &&
+                           host.tree->alive(received(instance)) &&
+                           host.tree->listens(received(instance),
+                                              *static_cast<const property::Event*>(event))
+                       ? 1
+                       : 0;
+        } catch (const property::Error&) {  // the instance has no such event
+            return 0;
+        }
     }
     static fettle_status emit(void* self, fettle_handle instance, const void* event,
                               const fettle_value* values, std::uint32_t count) {

@@ -69,9 +69,7 @@ Tree::CauseScope::~CauseScope() {
 
 Cause Tree::cause() const {
     const State& s = *state_;
-    return {.writer = s.writer,
-            .where = s.locate != nullptr ? (*s.locate)() : std::string(),
-            .step = s.step};
+    return {.writer = s.writer, .where = s.place(), .step = s.step};
 }
 
 /// Whose edit it is, should the barrier find that it changed something else. Its place costs more
@@ -84,8 +82,16 @@ void Tree::State::note_edit() {
     last_edit.writer = writer;
     last_edit.step = step;
     last_edit.where.clear();
-    if (locate != nullptr && (shadows.any_derived() || history.recording(writer)))
-        last_edit.where = (*locate)();
+    if (shadows.any_derived() || history.recording(writer)) last_edit.where = place();
+}
+
+std::string Tree::State::place() const {
+    if (locate == nullptr) return {};
+    try {
+        return (*locate)();
+    } catch (...) {  // the write itself is good
+        return {};
+    }
 }
 
 }  // namespace fettle::property

@@ -232,7 +232,7 @@ void Tree::State::call(const Watcher& watcher, const What& what) {
         hand_over(watcher, what);
     } catch (...) {
         if (!error_sink || ending) throw;
-        error_sink({.path = describe(what),
+        tell_error({.path = describe(what),
                     .where = watcher.label,
                     .message = exception_text(),
                     .exception = std::current_exception()});
@@ -352,7 +352,7 @@ void Tree::State::barrier_overrun(const std::vector<std::vector<QueueItem>>& gen
                           std::to_string(most_generations) +
                           " generations; each of these caused the one above:" + chain);
     if (!error_sink) throw error;
-    error_sink({.path = "barrier",
+    tell_error({.path = "barrier",
                 .where = {},
                 .message = exception_text(error),
                 .exception = std::make_exception_ptr(error)});
@@ -373,7 +373,7 @@ void Tree::State::run_actions(std::exception_ptr& first_error) {
             action();
         } catch (...) {
             if (error_sink && !ending)
-                error_sink({.path = "barrier",
+                tell_error({.path = "barrier",
                             .where = {},
                             .message = exception_text(),
                             .exception = std::current_exception()});
@@ -446,6 +446,11 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
         if (ending) return;
         compare_shadows();
     }
+}
+
+void Tree::State::tell_error(const HandlerError& error) const {
+    // It may put another in its place.
+    if (const auto sink = error_sink) sink(error);
 }
 
 void Tree::on_handler_error(std::function<void(const HandlerError&)> sink) {

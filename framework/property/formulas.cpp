@@ -409,6 +409,7 @@ void Formulas::finish(Entry& e, const Value& result) {
     Tree::State& s = tree_.state();
     Value next;
     try {
+        const Tree::State::Pin pin(s, "a binding of a property");
         next = tree_.coerce(e.instance, *e.property, result);
         const Value old = tree_.peek(e.instance, *e.property);
         if (!(next == old)) {

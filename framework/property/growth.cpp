@@ -1,6 +1,7 @@
 #include <atomic>
 #include <utility>
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/tree.h>
 
 #include "state.h"
@@ -29,7 +30,16 @@ void Tree::State::pass_mark() {
     weight_mark = INT64_MAX;
     // It may set another.
     const Pin pin(*this, "the function given to mark_weight");
-    if (const auto passed = std::exchange(mark_passed, {})) passed();
+    const auto passed = std::exchange(mark_passed, {});
+    if (!passed || ending) return;
+    try {
+        passed();
+    } catch (...) {  // what grows is in the middle of a change
+        tell_error({.path = "mark_weight",
+                    .where = {},
+                    .message = exception_text(),
+                    .exception = std::current_exception()});
+    }
 }
 
 }  // namespace fettle::property

@@ -269,7 +269,13 @@ UndoResult History::undo() {
         throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
     if (lists_.done.empty()) return {};
     Transaction transaction = take(lists_.done);
-    UndoResult result = run(transaction, true);
+    UndoResult result;
+    try {
+        result = run(transaction, true);
+    } catch (...) {  // a module has no room: it can be tried again
+        put(lists_.done, std::move(transaction));
+        throw;
+    }
     put(lists_.undone, std::move(transaction));
     trim();
     return result;
@@ -280,7 +286,13 @@ UndoResult History::redo() {
         throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
     if (lists_.undone.empty()) return {};
     Transaction transaction = take(lists_.undone);
-    UndoResult result = run(transaction, false);
+    UndoResult result;
+    try {
+        result = run(transaction, false);
+    } catch (...) {
+        put(lists_.undone, std::move(transaction));
+        throw;
+    }
     put(lists_.done, std::move(transaction));
     trim();
     return result;
@@ -424,7 +436,15 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
             if (&buried != &existence.buried.front()) tree_.destroy(s.nodes.handle(there));
         }
         if (parent != 0 && s.is_taken(parent, name)) name = s.free_name(parent, name.base.text());
-        s.make(*buried.of, parent, name, buried.position.named, buried.handle);
+        try {
+            keep_slots_ = true;
+            s.make(*buried.of, parent, name, buried.position.named, buried.handle);
+            keep_slots_ = false;
+        } catch (...) {  // its module has no room: they stay dead, and may be tried again
+            if (tree_.alive(existence.top)) tree_.destroy(existence.top);
+            keep_slots_ = false;
+            throw;
+        }
     }
     // Values when all are there, so that references find whom they mean.
     for (const Buried& buried : existence.buried)

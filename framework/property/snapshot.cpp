@@ -268,7 +268,8 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
         } silence(s);
         prepared.image->end_rows();
         prepared.image->put_nodes();
-        for (const auto& put : prepared.parts) put();
+        for (const auto& put : prepared.parts)
+            if (put) put();
         prepared.image->put_values();
         if (go_on) try {
                 go_on();

@@ -102,6 +102,9 @@ struct Tree::State {
     std::unique_ptr<State> orphan;  // itself, when one of those destroyed the tree
     Cause last_edit;  // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
+    void tell_error(const HandlerError& error) const;
+    /// Where in a program the writes come from, as the innermost CauseScope tells it.
+    std::string place() const;
     std::vector<std::function<void()>> at_barrier;  // when it is between steps
     std::vector<SnapshotPart*> parts;
     mutable std::size_t snapshot_size = 0;  // of the last one

@@ -197,7 +197,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
             }
         if (stored[of.id_]) stored[of.id_]->remove(nodes[index].stored_row);
         nodes.unlink(index);
-        nodes.release(index);
+        nodes.release(index, again && history.keeps_slots());
         note_number(parent, name.base);
         add_weight(-bytes);
         throw;

@@ -151,7 +151,8 @@ Provenance Tree::who(Handle instance, const Property& property) const {
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
     state_->tell_plain_writes();
     Provenance written = state_->writes.find(instance, property.symbol);
-    if (written.known || !property.simulated) return written;
+    const bool computed = !property.derives_from.empty();
+    if (written.known || !property.simulated || computed) return written;
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
 }
 

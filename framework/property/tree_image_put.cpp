@@ -108,7 +108,8 @@ void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
         if (image.formula.source.empty()) return lost("was not saved");
         if (!s.formula_compiler) return lost("cannot be compiled here");
         try {
-            image.formula = s.formula_compiler(image.formula.source);
+            const FormulaCompiler compile = s.formula_compiler;  // it may put another in its place
+            image.formula = compile(image.formula.source);
         } catch (...) {
             return lost("does not compile any more: " + exception_text());
         }

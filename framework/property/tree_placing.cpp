@@ -151,6 +151,7 @@ void Tree::State::told_of_move(Handle instance) {
 }
 
 std::function<void()> Tree::way_back(Handle instance) {
+    if (!alive(instance)) return [] {};
     const Position was = state_->history.position(instance);
     return [this, instance, was] {
         State& s = *state_;

@@ -246,6 +246,18 @@ void add_count(std::vector<std::string>& lines, std::size_t total, const char* w
                         std::to_string(total) + " " + what + ")");
 }
 
+// What stands for the value in a listing: a formula that is in error spoils its own line only.
+std::string listed_value(const Machine& machine, Handle handle, const Property& property,
+                         bool unit) {
+    try {
+        const Value value = machine.tree.get(handle, property);
+        return unit ? with_unit(machine, value, property)
+                    : machine.tree.text(value, property.precision());
+    } catch (const property::Error&) {
+        return "in error (why(path) tells more)";
+    }
+}
+
 // name  value with unit, in order of name; then what hangs below.
 std::vector<std::string> instance_lines(Machine& machine, Handle handle) {
     const property::Tree& tree = machine.tree;
@@ -254,7 +266,7 @@ std::vector<std::string> instance_lines(Machine& machine, Handle handle) {
     for (const Property* property : tree.properties(handle)) {
         if (property->hidden) continue;
         rows.push_back({"  " + property->name,
-                        cut(with_unit(machine, tree.get(handle, *property), *property), 60),
+                        cut(listed_value(machine, handle, *property, true), 60),
                         property->read_only ? "(read-only)" : ""});
     }
     std::sort(rows.begin(), rows.end());
@@ -307,7 +319,7 @@ std::vector<std::string> set_lines(Machine& machine, std::vector<Handle> handles
     for (const auto& [path, handle] : sorted) {
         std::vector<std::string> row = {path, tree.class_of(handle).name()};
         for (const Property* property : shared)
-            row.push_back(cut(tree.text(tree.get(handle, *property), property->precision()), 28));
+            row.push_back(cut(listed_value(machine, handle, *property, false), 28));
         rows.push_back(std::move(row));
     }
     std::vector<std::string> lines = columns(rows);

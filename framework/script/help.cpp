@@ -14,6 +14,7 @@
 #include "language.h"
 #include "machine.h"
 #include "methods.h"
+#include "reference_facts.h"
 #include "sandbox.h"
 #include "script_classes.h"
 #include "signature.h"
@@ -47,10 +48,11 @@ std::string property_facts(const Machine& machine, const Property& property) {
     const auto add = [&](const std::string& part) { text += " · " + part; };
     if (!property.reference_class.empty()) add(property.reference_class);
     if (!property.unit.empty()) add(property.unit);
-    if (property.range.bounded())
-        add(property::number_text(property.range.min) + " to " +
-            property::number_text(property.range.max));
-    if (!property.enumerators.empty()) {
+    if (property.range.bounded()) add(bounds_text(property));
+    if (!property.enumerators.empty() && !few_enumerators(property)) {
+        add("one of " + std::to_string(property.enumerators.size()) + " texts like \"" +
+            property.enumerators.front() + "\" and \"" + property.enumerators.back() + "\"");
+    } else if (!property.enumerators.empty()) {
         std::string words;
         for (const std::string& word : property.enumerators)
             words += (words.empty() ? "" : ", ") + word;
@@ -227,6 +229,10 @@ std::vector<std::string> member_help(Machine& machine, const Class& of, std::str
     }
     for (const GenericMethod& method : generic_methods())
         if (name == method.name) return generic_help(method);
+    std::vector<std::string> functions;
+    machine.classes->add_function_names(of, functions);
+    for (const std::string& function : functions)
+        if (name == function) return {":" + function + "(...)", "  a function of the game's own"};
     return {};
 }
 
@@ -315,6 +321,28 @@ std::vector<std::string> help_for(Machine& machine, const std::string& path) {
     }
 }
 
+namespace {
+
+bool is_path(std::string_view text) {
+    try {
+        return !property::parse_path(text).empty();
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+std::vector<std::string> known_names(const Machine& machine) {
+    std::vector<std::string> names;
+    for (const Class* of : machine.tree.classes()) names.push_back(of->name());
+    for (const auto* docs : {&global_docs(), &library_docs()})
+        for (const GlobalDoc& doc : *docs) names.emplace_back(doc.name);
+    for (const property::Handle child : machine.tree.children(machine.tree.root()))
+        names.push_back(machine.tree.name(child));
+    return names;
+}
+
+}  // namespace
+
 std::vector<std::string> help_lines(lua_State* L, int index) {
     Machine& machine = machine_of(L);
     if (const auto* box = instance_at(L, index)) {
@@ -326,8 +354,11 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
     if (color_at(L, index)) return value_help("color");
     if (lua_type(L, index) == LUA_TFUNCTION) return function_help(L, lua_absindex(L, index));
     if (lua_type(L, index) == LUA_TSTRING) {
-        auto lines = help_for(machine, string_at(L, index));
+        const std::string name = string_at(L, index);
+        auto lines = help_for(machine, name);
         if (!lines.empty()) return lines;
+        if (is_path(name))
+            return {name + ": no such name" + property::suggestion(name, known_names(machine))};
     }
     return {short_text(L, index) + " · " + describe_type(L, index)};
 }

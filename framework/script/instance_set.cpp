@@ -174,6 +174,9 @@ int query(lua_State* L) {
     // Values by path; `pairs` visits them in order.
     lua_createtable(L, 0, static_cast<int>(properties.size()));
     for (const auto& [handle, property] : properties) {
+        if (const auto* formula = machine.tree.formula(handle, *property);
+            formula != nullptr && !machine.tree.problem(handle, *property).empty())
+            continue;
         const std::string path = machine.tree.path(handle, *property);
         lua_pushlstring(L, path.data(), path.size());
         push_value(L, machine.tree.get(handle, *property));

@@ -17,7 +17,9 @@ const std::vector<GlobalDoc>& global_docs() {
         {"color",
          "color(name: string): color\n"
          "color(r: number, g: number, b: number, a?: number): color",
-         "A color by name, as \"#rrggbb\", or from channels between 0 and 1."},
+         "A color by name, as \"#rgb\" or \"#rrggbb\", with one or two digits more for its "
+         "opacity, "
+         "or from channels between 0 and 1."},
         {"deg", "deg(degrees: number): number", "An angle in radians."},
         {"delete_save", "delete_save(slot: string)", "Removes a saved game."},
         {"drop_tweaks", "drop_tweaks(pattern: string)",
@@ -30,20 +32,27 @@ const std::vector<GlobalDoc>& global_docs() {
         {"find", "find(word: string)", "Lists every name and documentation that has the word."},
         {"formula", "formula(value: fun(): any): Formula",
          "Assigned to a property, the function is its value from then on: it is called again "
-         "whenever something it reads has changed. One that raises an error is told once, and the "
-         "property keeps its last value; so is one that takes more than 50 million instructions."},
+         "whenever something it reads has changed. One that raises an error is told once: its "
+         "module "
+         "goes on with the last value, and reading the property raises the error; so is one that "
+         "takes more than 50 million instructions."},
         {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
         {"history", "history()", "Lists what was edited, the latest first."},
         {"keep", "keep(pattern: string)",
          "Writes the tweaks that match into files: of what came from a scene file into that file, "
-         "of what a script made into `main.tweaks.json` beside `main.lua`, which the next run "
-         "reads. keep(\"world.ball.*\")."},
+         "of what a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` "
+         "beside "
+         "a game that is one file), which the next run reads. keep(\"world.ball.*\")."},
         {"load_game", "load_game(slot: string)",
          "Goes on with a saved game, from the next barrier. One that is damaged, newer, of "
          "another game or of classes that are not defined is an error, and nothing changes. "
          "`game` tells `restored`."},
         {"query", "query(pattern: string): Set|table<string, any>",
-         "Instances, or values by path, that match a pattern: query(\"world.*.mass\")."},
+         "What matches a pattern. Where its last part is the name of a child, a set of instances: "
+         "query(\"world.*.circle\"). Where it is the name of a property, or a star, which stands "
+         "for "
+         "every property, a table of values by path: query(\"world.*.mass\"). An empty set where "
+         "nothing matches. Formulas in error are left out."},
         {"quit", "quit(status?: integer|boolean)",
          "Ends the game with that exit status, 0 to 255; 0 without one."},
         {"random",
@@ -51,7 +60,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "random(n: integer): integer\n"
          "random(from: integer, to: integer): integer\n"
          "random(from: number, to: number): number",
-         "A random number in [0, 1), from 1 to n, or from one to the other; random(0) is any "
+         "A random number in [0, 1), from 1 to n, or from one to the other; from 0 to a number "
+         "that is "
+         "no integer; random(0) is any "
          "integer, as in Lua. The same for the same seed."},
         {"reapply_tweaks", "reapply_tweaks(pattern: string)",
          "Makes the tweaks of earlier runs that match again."},
@@ -81,7 +92,8 @@ const std::vector<GlobalDoc>& global_docs() {
         {"snapshot", "snapshot(): Snapshot",
          "The whole tree as it is at the next barrier between steps, for restore."},
         {"tweaks", "tweaks()",
-         "Lists what people edited while the game ran, in this run and in earlier ones, and what "
+         "Lists what people, and scripts inside edit(), changed while the game ran, in this run "
+         "and in earlier ones, and what "
          "of "
          "it is kept."},
         {"undo", "undo()", "Takes the latest edit back."},
@@ -99,7 +111,9 @@ const std::vector<GlobalDoc>& global_docs() {
         {"who", "who(path: string)",
          "Tells who wrote a property last, and at which step: \"console:1, step 49\". What rewind, "
          "restore or load_game took back reads \"restore, step 30\". The file and line of a script "
-         "are told of what was watched when it was written; else only \"script\"."},
+         "are told of what was watched when it was written; else only \"script\". Of what the "
+         "simulation changes, the last other writer is told, and the simulation only where there "
+         "is none or the property is watched."},
         {"why", "why(path: string)",
          "Tells where the value of a property comes from: its formula, and what that reads."},
     };
@@ -153,8 +167,9 @@ const std::vector<GlobalDoc>& callback_docs() {
         {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},
         {"closing", "closing()",
          "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for "
-         "it. "
-         "It is the last that a game is called for, and has five seconds after a signal."},
+         "it. quit() and the end of --steps do not call it. No other function of the game is "
+         "called "
+         "after it; after a signal it may take five seconds."},
     };
     return docs;
 }

@@ -77,12 +77,16 @@ const std::vector<GlobalDoc>& library_docs() {
          "Whether a is below b, both without a sign."},
         {"next", "next(table: table, key?: any): any, any",
          "Some next entry of a table; pairs visits them in order."},
-        {"os.clock", "os.clock(): number", "Processor time used, in seconds."},
+        {"os.clock", "os.clock(): number",
+         "Processor time used, in seconds. A recording does not hold it."},
         {"os.date", "os.date(format?: string, time?: integer): string|table",
          "Date and time of day."},
         {"os.difftime", "os.difftime(later: integer, earlier: integer): number",
          "Seconds between two times."},
-        {"os.time", "os.time(date?: table): integer", "Seconds since 1970."},
+        {"os.time", "os.time(date?: table): integer",
+         "Seconds since 1970. A recording does not hold it: a game that keeps it in a property is "
+         "not "
+         "replayed as it was."},
         {"pairs", "pairs(table: table): function, table, nil",
          "Visits all entries: numbers first, then names, in order."},
         {"pcall", "pcall(action: function, ...: any): boolean, any",

@@ -127,8 +127,9 @@ void Machine::end() {
 }
 
 Limits Machine::command_limits() const {
+    const auto memory = command_memory;  // it may put another in its place
     return {.instructions = options.console_budget,
-            .memory = command_memory ? command_memory() : options.console_memory,
+            .memory = memory ? memory() : options.console_memory,
             .raised_by = memory_property};
 }
 

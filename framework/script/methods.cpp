@@ -74,9 +74,14 @@ int call_method(lua_State* L) {
     std::optional<property::Acceptance> acceptance;
     for (int i = 0; i < given; ++i) {
         const int index = i + 2;
-        if (lua_type(L, index) == LUA_TFUNCTION &&
-            method.parameters[static_cast<std::size_t>(i)].name ==
-                property::Acceptance::parameter) {
+        const bool accepts =
+            method.parameters[static_cast<std::size_t>(i)].name == property::Acceptance::parameter;
+        if (accepts && !lua_isnil(L, index) && lua_type(L, index) != LUA_TFUNCTION)
+            throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ":" + method.name +
+                                                   ": accept: expected a function, got " +
+                                                   describe_type(L, index) + ": " +
+                                                   signature(method));
+        if (accepts && lua_type(L, index) == LUA_TFUNCTION) {
             values[static_cast<std::size_t>(i)] = true;
             acceptance.emplace(machine.tree, method.name, [L, index](property::Handle instance) {
                 lua_pushvalue(L, index);

@@ -75,7 +75,10 @@ int random_number(lua_State* L) {
     const double high = check_number(L, last, "random");
     if (!(low <= high) || std::isinf(low) || std::isinf(high))
         throw std::invalid_argument("random: needs two finite numbers in ascending order");
-    lua_pushnumber(L, low + (high - low) * random.unit());
+    const double share = random.unit();
+    // Twice the largest number is none.
+    lua_pushnumber(
+        L, std::isinf(high - low) ? low * (1 - share) + high * share : low + (high - low) * share);
     return 1;
 }
 

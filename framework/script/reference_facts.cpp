@@ -1,6 +1,7 @@
 #include "reference_facts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "help.h"
 
@@ -16,6 +17,14 @@ std::string unit_text(const std::string& unit) {
     return unit.empty() ? "–" : unit;
 }
 
+std::string bounds_text(const Property& property) {
+    const auto& [low, high] = property.range;
+    const auto endless = [&](double bound) { return std::isinf(bound) && !property.infinity; };
+    if (endless(high)) return "at least " + property::number_text(low);
+    if (endless(low)) return "at most " + property::number_text(high);
+    return property::number_text(low) + " to " + property::number_text(high);
+}
+
 std::string range_text(const Property& property) {
     if (few_enumerators(property)) {
         std::string words;
@@ -26,9 +35,7 @@ std::string range_text(const Property& property) {
     if (!property.enumerators.empty())
         return std::to_string(property.enumerators.size()) + " texts";
     if (property.any_type) return "any value";
-    if (has_range(property) && property.range.bounded())
-        return property::number_text(property.range.min) + " to " +
-               property::number_text(property.range.max);
+    if (has_range(property) && property.range.bounded()) return bounds_text(property);
     switch (property.type) {
         case Type::boolean:
             return "true or false";
@@ -170,7 +177,10 @@ std::vector<std::pair<std::string, const Class*>> fixed_children(const property:
         if (&tree.class_of(handle) != &of || !children.empty()) return;
         for (const Handle child : tree.children(handle)) {
             const std::string name = tree.name(child);
-            if (of.property(name) == nullptr) children.emplace_back(name, &tree.class_of(child));
+            const Class& made = tree.class_of(child);
+            // What can be created is a game's own, but for the world that every game has.
+            const bool own = made.creatable() && (handle != tree.root() || name != "world");
+            if (of.property(name) == nullptr && !own) children.emplace_back(name, &made);
         }
     };
     visit(tree.root());

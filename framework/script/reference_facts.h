@@ -10,7 +10,9 @@ namespace fettle::script {
 
 /// "kg", "–" where there is none.
 std::string unit_text(const std::string& unit);
-/// "0 to inf", "any number", "true or false", "\"a\", \"b\"": what values there can be. Never
+/// "0 to 1", "at least 0". A bound of infinity is one where infinity itself is a value.
+std::string bounds_text(const property::Property& property);
+/// "0 to 1", "any number", "true or false", "\"a\", \"b\"": what values there can be. Never
 /// empty.
 std::string range_text(const property::Property& property);
 /// "1", "computed" for what is read only, "nil".

@@ -105,6 +105,9 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
     };
     if (of.property(name)) refuse("is a property already");
     if (of.method(name)) refuse("is a method already");
+    const auto& generic = generic_names();
+    if (std::find(generic.begin(), generic.end(), name) != generic.end())
+        refuse("every instance has that");
     const auto& fields = class_fields();
     if (std::find(fields.begin(), fields.end(), name) != fields.end())
         refuse("every class has that");

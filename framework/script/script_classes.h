@@ -20,6 +20,9 @@ struct Machine;
 
 /// The class a class object at `index` stands for, else nullptr.
 const property::Class* class_object_at(lua_State* L, int index);
+/// The text keys of a table in their order. Throws for a key that is neither text nor a whole
+/// number; `what`: whose table it is.
+std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what);
 
 class ScriptClasses {
   public:

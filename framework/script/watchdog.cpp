@@ -145,7 +145,8 @@ void Watchdog::ask(lua_State* L) {
                 watchdog.asking_ = false;
             }
         } aside(machine_, *this, L);
-        goes_on = go_on_(call);
+        const auto go_on = go_on_;  // it may put another in its place
+        goes_on = go_on(call);
     }
     if (goes_on) return;
     char text[80];

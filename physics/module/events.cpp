@@ -13,7 +13,8 @@ using property::Event;
 using property::Field;
 
 /// Both bodies are told, each from its side.
-std::vector<Field> contact_fields(bool full) {
+/// `impulse`: what that of the event is.
+std::vector<Field> contact_fields(bool full, const std::string& impulse = {}) {
     std::vector<Field> fields = {
         {"other", Type::reference, "",
          full
@@ -31,7 +32,7 @@ std::vector<Field> contact_fields(bool full) {
     const std::vector<Field> rest = {
         {"point", Type::vec2, "m", "Where, in the world."},
         {"normal", Type::vec2, "", "From this body to the other; its length is 1."},
-        {"impulse", Type::number, "N s", "How hard they met."},
+        {"impulse", Type::number, "N s", impulse},
         {"speed", Type::number, "m/s", "How fast they approached each other."},
         {.name = "friction", .doc = "Mixed from both surfaces.", .range = not_negative},
         {.name = "restitution", .doc = "Mixed from both surfaces.", .range = fraction},
@@ -41,7 +42,8 @@ std::vector<Field> contact_fields(bool full) {
 }
 
 std::vector<Field> questioned_fields() {
-    std::vector<Field> fields = contact_fields(true);
+    std::vector<Field> fields = contact_fields(
+        true, "With which they pressed on each other in the step before; 0 when they just met.");
     fields.push_back({"enabled", Type::boolean, "", "Whether it acts in this step."});
     return fields;
 }
@@ -65,10 +67,10 @@ std::vector<Event> contact_events(std::string_view of) {
     const std::string self(of);
     return {
         {.name = "contact_begin",
-         .fields = contact_fields(true),
+         .fields = contact_fields(true, "With which they met."),
          .doc = "The " + self + " began to touch another."},
         {.name = "contact_persist",
-         .fields = contact_fields(true),
+         .fields = contact_fields(true, "With which they pressed on each other in this step."),
          .doc = "The " + self + " still touches another: every step after the first."},
         {.name = "before_solve",
          .fields = questioned_fields(),
@@ -80,7 +82,8 @@ std::vector<Event> contact_events(std::string_view of) {
          .fields = contact_fields(false),
          .doc = "The " + self + " stopped touching another."},
         {.name = "contact_hit",
-         .fields = contact_fields(true),
+         .fields = contact_fields(
+             true, "With which they would have met in the point that was hit fastest alone."),
          .doc = "The " + self + " was hit faster than the world's hit_threshold."},
         {.name = "sensor_begin",
          .fields = contact_fields(false),

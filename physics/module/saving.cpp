@@ -155,6 +155,11 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
         Beside beside;
         std::unique_ptr<physics::World> world;
     };
+    for (const auto& hosted : worlds_)
+        if (hosted != nullptr && hosted->world.locked())
+            throw property::Error(property::ErrorKind::rejected,
+                                  "a snapshot cannot be restored by a function that a physics "
+                                  "world calls: wait until its step or query is over");
     auto worlds = std::make_shared<std::vector<Saved>>();
     const bool hits_wanted = from.boolean();
     std::vector<bool> found(most_worlds, false);

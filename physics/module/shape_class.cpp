@@ -71,14 +71,14 @@ std::vector<Property> surface(Hosting& hosting) {
          .default_value = defaults.friction,
          .range = not_negative,
          .doc = "Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the "
-                "geometric mean of theirs.",
+                "geometric mean of theirs, or what the world's friction_mix says.",
          .binding = bound<&Shape::friction, &Shape::set_friction>(hosting),
          .single_precision = true},
         {.name = "restitution",
          .default_value = defaults.restitution,
          .range = fraction,
          .doc = "How much of the approaching speed comes back. Two shapes in contact use the "
-                "greater of theirs.",
+                "greater of theirs, or what the world's restitution_mix says.",
          .binding = bound<&Shape::restitution, &Shape::set_restitution>(hosting),
          .single_precision = true},
         {.name = "rolling_resistance",

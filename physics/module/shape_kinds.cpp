@@ -168,7 +168,9 @@ void define_shapes(Hosting& hosting) {
             length("height", box.height, size, "From bottom to top, rounding included.",
                    bound<&Shape::height, &Shape::set_height>(hosting)),
             center, turned(hosting),
-            rounding(hosting, "Radius of its corners, at most half the smaller side.")});
+            rounding(hosting,
+                     "Radius of its corners; more than half the smaller side counts as "
+                     "half.")});
     define(hosting, 2, "Segment", "A straight line without thickness; it weighs nothing.",
            ends(hosting, std::get<physics::Segment>(hosting.kinds[2].geometry)));
     const auto& capsule = std::get<physics::Segment>(hosting.kinds[3].geometry);

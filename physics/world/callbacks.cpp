@@ -2,6 +2,7 @@
 #include <world/world_data.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -108,13 +109,17 @@ class Consultation {
     }
 
     /// Of several parts, only what was changed: each has been mixed for itself. What has no meaning
-    /// is taken as the nearest that has: a step does not throw.
+    /// is taken as the nearest that has, and NaN as no change: a step does not throw.
     static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
-        if (!before || edit.friction != before->friction)
+        const auto given = [&](float ContactEdit::*field) {
+            const float now = edit.*field;
+            return !std::isnan(now) && (!before || now != before->*field);
+        };
+        if (given(&ContactEdit::friction))
             c.friction = max(bounded(edit.friction, greatest_grip), 0.0f);
-        if (!before || edit.restitution != before->restitution)
+        if (given(&ContactEdit::restitution))
             c.restitution = clamp(bounded(edit.restitution, 1.0f), 0.0f, 1.0f);
-        if (!before || edit.surface_speed != before->surface_speed)
+        if (given(&ContactEdit::surface_speed))
             c.surface_speed = bounded(edit.surface_speed, greatest_speed);
         c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
     }

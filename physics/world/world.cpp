@@ -272,6 +272,10 @@ std::vector<Contact> World::contacts() const {
     return all;
 }
 
+bool World::locked() const {
+    return data_->self.locked();
+}
+
 uint32_t World::body_count() const {
     return data_->body_count;
 }

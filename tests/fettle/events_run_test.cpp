@@ -190,4 +190,10 @@ TEST_CASE("a misspelt answer is told where it is given and a note of one's own i
     CHECK(contains(done.err, "main.lua:7: enable: no such field (did you mean \"enabled\"?)"));
 }
 
+TEST_CASE("what accepts shapes is a function") {
+    const Outcome done = run("world:raycast(vec(0, 0), vec(1, 0), nil, nil, 5)", 2);
+    CHECK(done.status == 1);
+    CHECK(contains(done.err, "accept: expected a function, got an integer"));
+}
+
 }  // namespace events_run_test

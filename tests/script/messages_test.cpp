@@ -269,6 +269,41 @@ TEST_CASE("help for a path that leads nowhere says what there is no such name of
     CHECK_THAT(s.prints("help('world.ball.mas')"),
                contains("world.ball has no property \"mas\" (did you mean \"mass\"?)"));
     CHECK_THAT(s.prints("help('some. text')"), contains("a text"));
+    CHECK_THAT(s.prints("help('Bdy')"), contains("Bdy: no such name (did you mean \"Body\"?)"));
+    s.run("Enemy = class('Enemy', Body) {} function Enemy:hurt(n) end world.en = Enemy {}");
+    CHECK_THAT(s.prints("help('world.en.hurt')"), contains(":hurt(...)"));
+}
+
+TEST_CASE("what a class cannot have is told and not left out") {
+    Stage s;
+    CHECK_THAT(s.fails("class('A', Body) { Circle {} }"), contains("A: [1] has no name"));
+    CHECK_THAT(
+        s.fails("class('B', Body) { lives = 3, doc = { livse = 'x' } }"),
+        contains("B.doc: the class declares no property \"livse\" (did you mean \"lives\"?)"));
+    CHECK_THAT(s.fails("class('C', Body) { doc = 5 }"), contains("doc: expected a text"));
+    s.run("D = class('D', Body) {}");
+    for (const char* name : {"delete", "move", "alive", "clone"}) {
+        CAPTURE(name);
+        CHECK_THAT(s.fails(std::string("function D:") + name + "() end"),
+                   contains("every instance has that"));
+    }
+}
+
+TEST_CASE("a formula in error spoils no listing but its own line") {
+    Stage s;
+    s.run(
+        "world.b = Body {} world.c = Body {} world.b.mass = formula(function() "
+        "error('boo') end)");
+    const std::string listing = s.console("world.b");
+    CHECK_THAT(listing, contains("mass") && contains("in error"));
+    CHECK_THAT(listing, contains("velocity"));
+    CHECK(s.prints("local n = 0 for path in pairs(query('world.*.mass')) do n = n + 1 end "
+                   "print(n)") == "1");
+}
+
+TEST_CASE("a random number between huge ones is finite") {
+    Stage s;
+    CHECK(s.prints("print(random(-1e308, 1e308) < math.huge)") == "true");
 }
 
 TEST_CASE("a formula is no default of a class") {

@@ -247,12 +247,12 @@ void Database::wait_for_others(int milliseconds) {
     sqlite3_busy_timeout(database_, milliseconds);
 }
 
-Transaction::Transaction(Database& database) : database_(database) {
+DatabaseTransaction::DatabaseTransaction(Database& database) : database_(database) {
     // At once the one writer: a transaction that began by reading could not always become it.
     database_.run("BEGIN IMMEDIATE");
 }
 
-Transaction::~Transaction() {
+DatabaseTransaction::~DatabaseTransaction() {
     if (!open_) return;
     try {
         database_.run("ROLLBACK");
@@ -260,7 +260,7 @@ Transaction::~Transaction() {
     }
 }
 
-void Transaction::commit() {
+void DatabaseTransaction::commit() {
     database_.run("COMMIT");
     open_ = false;
 }

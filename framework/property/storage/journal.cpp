@@ -40,7 +40,7 @@ bool may_write(const fs::path& file) {
 }
 
 void make_tables(Database& database) {
-    Transaction transaction(database);
+    DatabaseTransaction transaction(database);
     // Another run may have made them since they were looked for.
     if (database.integer("SELECT count(*) FROM sqlite_schema") == 0)
         set_format(database, journal_format);
@@ -277,7 +277,7 @@ bool Journal::commit(const Changes& changes) {
         if (!database_) create();
         if (!checkpoints_) checkpoints_ = std::make_unique<Checkpoints>(file_);
         const std::int64_t known = run_;
-        Transaction transaction(*database_);
+        DatabaseTransaction transaction(*database_);
         if (run_ == 0) begin_run();
         try {
             Statement put = database_->statement(

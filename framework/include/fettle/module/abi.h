@@ -16,6 +16,8 @@
  *   is good until the next call in the same direction; copy what is to last. Descriptors given to
  *   `define_class` are copied, functions and contexts in them are used until `close`.
  * - One thread calls: the one that owns the tree.
+ * - `self` and what a function writes its answer to must not be null; nor must names and values,
+ *   unless it says so.
  */
 
 #include <stddef.h>

@@ -9,7 +9,9 @@
 // at barriers only.
 //
 // One thread owns a tree. Throwing members throw property::Error with path, value, expectation and
-// nearest spelling.
+// nearest spelling; what a getter or a lifecycle function of a class throws goes on to the caller
+// as it is. A handle belongs to the tree that gave it: another tree may have an instance of its own
+// under the same number, and takes it for that.
 
 #include <cstdint>
 #include <functional>
@@ -100,7 +102,8 @@ class Tree {
     /// what it was; nothing while it lives, and of those that were deleted long ago.
     std::optional<Remains> remains(Handle instance) const;
     Row row(Handle instance) const;
-    /// For modules whose object moved to another row outside `Lifecycle::place`.
+    /// For modules whose object moved to another row outside `Lifecycle::place`. The tree does not
+    /// know which rows there are: from then on it reads and writes the module's memory there.
     void set_row(Handle instance, Row row);
 
     Handle parent(Handle instance) const;  // null for the root and for what is detached

@@ -42,7 +42,7 @@ struct ContactEdit {
     float speed = 0.0f;          ///< m/s, of approach along the normal
     float impulse = 0.0f;        ///< N s, normal, that it had in the last step
     float separation = 0.0f;     ///< m, negative: overlap
-    float friction = 0.0f;       ///< mixed; write it, 0 or more
+    float friction = 0.0f;       ///< mixed; write it, 0 or more; NaN changes nothing
     float restitution = 0.0f;    ///< mixed; write it, 0 … 1
     float surface_speed = 0.0f;  ///< mixed; write it, m/s
     bool enabled = true;         ///< false: no contact in this step

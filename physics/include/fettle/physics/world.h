@@ -238,6 +238,9 @@ class World {
     std::vector<Joint> joints() const;
     std::vector<Contact> contacts() const;  ///< touching ones, sleeping ones too
     uint32_t body_count() const;
+    /// Whether it is in the middle of a step, a query or an edit that calls a function of yours:
+    /// what would edit it throws Locked.
+    bool locked() const;
     uint32_t shape_count() const;
     uint32_t joint_count() const;
 

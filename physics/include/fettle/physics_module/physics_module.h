@@ -52,7 +52,9 @@ class PhysicsModule : public module::Module {
     // What is in these worlds comes and goes by the tree alone: creating and destroying bodies,
     // shapes, joints and fields, tying a shape to another body, `clear`, `restore`, `take`,
     // assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). Everything
-    // else may be called. The module sets the worlds' callbacks by itself.
+    // else may be called but `World::set_owner`, which is the module's; so are the worlds'
+    // callbacks while somebody listens. Inside a function that a world calls, delete no instance of
+    // it by the tree: the world cannot give up its part of it then.
 
     /// The world of a World instance; for any other the nearest above it, and where there is none
     /// the one of all that is in no world.

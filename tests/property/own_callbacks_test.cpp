@@ -1,0 +1,128 @@
+// Functions of a host that go wrong, or that put another in their own place while they run.
+
+#include "catch.h"
+#include "fixture.h"
+
+#include <fettle/property/bytes.h>
+
+namespace own_callbacks_test {
+
+using namespace fettle::property;
+using namespace fettle::property::testing;
+
+TEST_CASE("an undo that fails can be tried again") {
+    Tree tree;
+    static bool full;
+    full = false;
+    ClassDescriptor d;
+    d.name = "Guest";
+    d.lifecycle.create = [](void*, Tree&, Handle) -> Row {
+        if (full) throw Error(ErrorKind::rejected, "no room");
+        return 0;
+    };
+    tree.define(std::move(d));
+    const Handle guest = tree.create(tree.class_named("Guest"), tree.root(), "guest");
+    const Tree::CauseScope scope(tree, Writer::console);
+    tree.destroy(guest);
+    full = true;
+    CHECK_THROWS_AS(tree.undo(), Error);
+    CHECK(tree.history().size() == 1);
+    full = false;
+    CHECK(tree.undo().done);
+    CHECK(tree.alive(guest));
+    CHECK(tree.redo().done);
+    CHECK_FALSE(tree.alive(guest));
+}
+
+TEST_CASE("a function that takes errors may put another in its place") {
+    Tree tree;
+    const std::string text(100, 'q');
+    std::string told;
+    tree.on_handler_error([&tree, &told, text](const HandlerError&) {
+        tree.on_handler_error(nullptr);
+        told = text;
+    });
+    tree.at_barrier([] { throw 5; });
+    tree.barrier();
+    CHECK(told == text);
+    Tree compiling;
+    compiling.compile_formulas_with([&compiling, &told, text](std::string_view) {
+        compiling.compile_formulas_with({});
+        told = text + "!";
+        return Formula{.function = [](const Tree&) { return Value(1.0); }, .source = "1"};
+    });
+    const Handle a = compiling.create(compiling.object_class(), compiling.root(), "a");
+    compiling.set_or_add(a, "q", 2.0);
+    compiling.set_formula(a, "q",
+                          {.function = [](const Tree&) { return Value(1.0); }, .source = "1"});
+    compiling.restore(Snapshot::from_bytes(compiling.snapshot().to_bytes()));
+    CHECK(told == text + "!");
+}
+
+TEST_CASE("a setter that a formula calls cannot restore a snapshot") {
+    Tree tree;
+    static Tree* of;
+    static Snapshot before;
+    static double kept;
+    static std::string refused;
+    of = &tree;
+    kept = 3;
+    refused.clear();
+    Binding b;
+    b.kind = BindingKind::accessor;
+    b.get = [](void*, Row) -> Value { return kept; };
+    b.set = [](void*, Row, const Value& value) {
+        try {
+            of->restore(before);
+        } catch (const Error& error) {
+            refused = error.what();
+        }
+        kept = value.number();
+    };
+    ClassDescriptor d;
+    d.name = "A";
+    d.properties = {{.name = "x", .binding = b}};
+    tree.define(std::move(d));
+    before = tree.snapshot();
+    const Handle a = tree.create(tree.class_named("A"), tree.root(), "a");
+    tree.set_formula(a, "x", {.function = [](const Tree&) { return Value(77.0); }});
+    CHECK(tree.get(a, "x") == Value(77.0));
+    CHECK(tree.alive(a));
+    CHECK_THAT(refused, contains("cannot be restored by a binding of a property"));
+    before = {};
+}
+
+TEST_CASE("what is told of weight or asked for a place may throw and the tree stays whole") {
+    Tree tree;
+    std::vector<std::string> told;
+    tree.on_handler_error([&](const HandlerError& error) { told.push_back(error.message); });
+    tree.mark_weight(0, [] { throw std::runtime_error("boom"); });
+    const Handle a = tree.create(tree.object_class(), tree.root(), "a");
+    CHECK(tree.alive(a));
+    CHECK(told == std::vector<std::string>{"boom"});
+    tree.check(tree.snapshot());
+    std::function<std::string()> locate = []() -> std::string {
+        throw std::runtime_error("where");
+    };
+    {
+        const Tree::CauseScope scope(tree, Writer::console, &locate);
+        tree.create(tree.object_class(), tree.root(), "b");
+        tree.set_or_add(a, "v", 1);
+    }
+    CHECK(tree.undo().done);
+    CHECK(tree.find(a, "v") == nullptr);
+}
+
+TEST_CASE("a way back of nobody does nothing and a block that was not begun is refused") {
+    Tree large, small;
+    Handle far;
+    for (int i = 0; i < 5000; ++i) far = large.create(large.object_class(), large.root());
+    small.way_back(far)();
+    std::vector<std::byte> bytes;
+    ByteWriter writer(bytes);
+    writer.put(1);
+    CHECK_THROWS_AS(writer.end_block(1000), Error);
+    CHECK_THROWS_AS(writer.end_block(0), Error);
+}
+
+}  // namespace own_callbacks_test
