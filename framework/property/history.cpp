@@ -267,33 +267,27 @@ std::vector<HistoryEntry> History::entries() const {
 UndoResult History::undo() {
     if (edit_is_open())
         throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
-    if (lists_.done.empty()) return {};
-    Transaction transaction = take(lists_.done);
-    UndoResult result;
-    try {
-        result = run(transaction, true);
-    } catch (...) {  // a module has no room: it can be tried again
-        put(lists_.done, std::move(transaction));
-        throw;
-    }
-    put(lists_.undone, std::move(transaction));
-    trim();
-    return result;
+    return carry_over(lists_.done, lists_.undone, true);
 }
 
 UndoResult History::redo() {
     if (edit_is_open())
         throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
-    if (lists_.undone.empty()) return {};
-    Transaction transaction = take(lists_.undone);
+    return carry_over(lists_.undone, lists_.done, false);
+}
+
+/// Undoes, or does again, the latest of `from`.
+UndoResult History::carry_over(Transactions& from, Transactions& to, bool back) {
+    if (from.empty()) return {};
+    Transaction transaction = take(from);
     UndoResult result;
     try {
-        result = run(transaction, false);
-    } catch (...) {
-        put(lists_.undone, std::move(transaction));
+        result = run(transaction, back);
+    } catch (...) {  // a module has no room: it can be tried again
+        put(from, std::move(transaction));
         throw;
     }
-    put(lists_.done, std::move(transaction));
+    put(to, std::move(transaction));
     trim();
     return result;
 }

@@ -90,6 +90,7 @@ class History {
     void add(EditStep step, const std::string& name);
     void close();
     void put(Transactions& list, Transaction transaction);
+    UndoResult carry_over(Transactions& from, Transactions& to, bool back);
     Transaction take(Transactions& list);
     void clear(Transactions& list);
     void forget(const Transaction& transaction);

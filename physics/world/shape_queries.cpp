@@ -38,6 +38,7 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     return all;
 }
 
+/// Each part of the shape that asks may meet the same shape.
 void add_new(std::vector<Shape>& found, const Shape& shape) {
     if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
 }

@@ -4,9 +4,13 @@
 #include <cstddef>
 #include <cstdlib>
 
-/// Whether case number `i` is tried: every `n`-th, and each where FETTLE_THOROUGH is set, which
-/// `./check --full` does.
-inline bool taken(std::size_t i, std::size_t n) {
+/// FETTLE_THOROUGH is set: `./check --sanitize` and `./check --full` do that.
+inline bool thorough() {
     static const bool all = std::getenv("FETTLE_THOROUGH") != nullptr;
-    return all || i % n == 0;
+    return all;
+}
+
+/// Whether case number `i` is tried: every `n`-th, and each in a thorough run.
+inline bool taken(std::size_t i, std::size_t n) {
+    return thorough() || i % n == 0;
 }
