@@ -14,25 +14,17 @@ namespace program_test {
 namespace fs = std::filesystem;
 
 Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "fettle run XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-    setenv("XDG_DATA_HOME", (path_ / "user data").c_str(), 1);
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
+    setenv("XDG_DATA_HOME", (*this / "user data").c_str(), 1);
 }
 
 std::string Folder::write(const std::string& name, const std::string& text) const {
-    fs::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name) << text;
-    return (path_ / name).string();
+    fs::create_directories((*this / name).parent_path());
+    std::ofstream(*this / name) << text;
+    return (*this / name).string();
 }
 
 std::string Folder::text(const std::string& name) const {
-    std::ifstream in(path_ / name);
+    std::ifstream in(*this / name);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

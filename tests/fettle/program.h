@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "temporary_folder.h"
+
 namespace program_test {
 
 struct Outcome {
@@ -16,15 +18,12 @@ struct Outcome {
 class Folder {
   public:
     Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    std::filesystem::path operator/(const std::string& name) const { return folder_.path / name; }
     std::string write(const std::string& name, const std::string& text) const;
     std::string text(const std::string& name) const;
 
   private:
-    std::filesystem::path path_;
+    TemporaryFolder folder_;
 };
 
 std::string quoted(const std::string& text);

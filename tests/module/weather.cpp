@@ -1,8 +1,5 @@
 #include "weather.h"
 
-#include <cstdlib>
-#include <stdexcept>
-
 namespace fettle::module::testing {
 
 namespace fs = std::filesystem;
@@ -12,16 +9,7 @@ fs::path built(const std::string& name) {
 }
 
 ModuleFile::ModuleFile(const std::string& name) {
-    std::string folder = (fs::temp_directory_path() / "fettle module XXXXXX").string();
-    if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no folder for a test");
-    folder_ = folder;
-    file_ = folder_ / "weather.so";
     become(name);
-}
-
-ModuleFile::~ModuleFile() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
 }
 
 void ModuleFile::become(const std::string& name) const {

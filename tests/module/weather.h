@@ -7,6 +7,8 @@
 #include <fettle/module/plugin.h>
 #include <fettle/property/path.h>
 
+#include "temporary_folder.h"
+
 namespace fettle::module::testing {
 
 /// The module built in that way.
@@ -16,14 +18,12 @@ std::filesystem::path built(const std::string& name);
 class ModuleFile {
   public:
     explicit ModuleFile(const std::string& name);
-    ModuleFile(const ModuleFile&) = delete;
-    ModuleFile& operator=(const ModuleFile&) = delete;
-    ~ModuleFile();
     const std::filesystem::path& path() const { return file_; }
     void become(const std::string& name) const;
 
   private:
-    std::filesystem::path folder_, file_;
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_.path / "weather.so";
 };
 
 /// What loading the module into a tree says; "" when it goes well.

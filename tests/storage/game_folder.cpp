@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 
 #include <unistd.h>
 
@@ -12,10 +11,8 @@ namespace scene_test {
 namespace fs = std::filesystem;
 
 GameFolder::GameFolder() {
-    std::string name = (fs::temp_directory_path() / "fettle game XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = fs::canonical(name) / "game";
-    user_ = fs::canonical(name) / "user";
+    path_ = fs::canonical(folder_.path) / "game";
+    user_ = fs::canonical(folder_.path) / "user";
     fs::create_directories(path_);
     fs::create_directories(user_);
     setenv("XDG_DATA_HOME", user_.c_str(), 1);
@@ -29,7 +26,6 @@ GameFolder::~GameFolder() {
     unsetenv("XDG_DATA_HOME");
     std::error_code ignored;
     fs::permissions(path_, fs::perms::all, ignored);
-    fs::remove_all(path_.parent_path(), ignored);
 }
 
 fs::path GameFolder::write(const std::string& name, const std::string& text) const {

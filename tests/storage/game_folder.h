@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "temporary_folder.h"
+
 namespace scene_test {
 
 class GameFolder {
   public:
     GameFolder();
     ~GameFolder();
-    GameFolder(const GameFolder&) = delete;
-    GameFolder& operator=(const GameFolder&) = delete;
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
     const std::filesystem::path& path() const { return path_; }
     const std::filesystem::path& user() const { return user_; }
@@ -19,6 +19,7 @@ class GameFolder {
     std::string text(const std::string& name) const;
 
   private:
+    TemporaryFolder folder_;
     std::filesystem::path path_, user_;
 };
 

@@ -8,6 +8,7 @@
 #include <fettle/app/recording.h>
 
 #include "playing.h"
+#include "temporary_folder.h"
 
 namespace recording_test {
 
@@ -24,10 +25,8 @@ constexpr const char* game = R"(
 )";
 
 struct File {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() /
-        ("fettle_recording_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
-    ~File() { std::filesystem::remove(path); }
+    TemporaryFolder folder;
+    std::filesystem::path path = folder.path / "recording";
     std::string text() const {
         std::ifstream in(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};

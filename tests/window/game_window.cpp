@@ -28,8 +28,6 @@ std::string missing_tools() {
 }
 
 GameWindow::GameWindow(const fs::path& game) {
-    std::string pattern = (fs::temp_directory_path() / "fettle-window-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
     start_display();
     environment_["XDG_STATE_HOME"] = (folder_ / "state").string();
     environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
@@ -57,8 +55,6 @@ GameWindow::GameWindow(const fs::path& game) {
 GameWindow::~GameWindow() {
     program_.end();
     display_.end();
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
 }
 
 // Xvfb takes the first free number itself and tells it: nobody else can take it in between. Without

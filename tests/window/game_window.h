@@ -9,6 +9,7 @@
 
 #include "picture.h"
 #include "process.h"
+#include "temporary_folder.h"
 
 namespace fettle::test {
 
@@ -44,7 +45,8 @@ class GameWindow {
     void start_display();
     void xdotool(const std::vector<std::string>& arguments) const;
 
-    std::filesystem::path folder_;
+    TemporaryFolder temporary_;
+    const std::filesystem::path& folder_ = temporary_.path;
     std::map<std::string, std::string> environment_;
     Process display_, program_;
 };
