@@ -16,13 +16,68 @@ namespace {
 // 2^63 is exactly representable, INT64_MAX is not.
 constexpr double integer_limit = 9223372036854775808.0;
 
+std::string range_text(const Property& property, const Range& range) {
+    const bool low = range.min != -std::numeric_limits<double>::infinity();
+    const bool high = range.max != std::numeric_limits<double>::infinity();
+    const std::string unit = property.unit.empty() ? "" : " " + property.unit;
+    if (!low && !high) return property.unit.empty() ? "" : " in" + unit;
+    if (!high) return " of at least " + number_text(range.min, property.precision()) + unit;
+    if (!low) return " of at most " + number_text(range.max, property.precision()) + unit;
+    return " from " + number_text(range.min, property.precision()) + " to " +
+           number_text(range.max, property.precision()) + unit;
+}
+
+/// What `property`, or an element of it, takes: of a type, within bounds.
+std::string expectation_in(const Property& property, Type type, const Range& range) {
+    if (property.any_type) return "a value";
+    const bool takes_nil = property.nullable && type == property.type && type != Type::reference;
+    const std::string nil = takes_nil ? " or nil" : "";
+    switch (type) {
+        case Type::boolean:
+            return "true or false" + nil;
+        case Type::integer:
+            return "an integer" + range_text(property, range) + nil;
+        case Type::number:
+            return "a number" + range_text(property, range) + nil;
+        case Type::vec2:
+            return "a vec2" + range_text(property, range) + nil;
+        case Type::color:
+            return "a color" + nil;
+        case Type::reference:
+            return property.reference_class.empty() ? "an instance or nil"
+                                                    : "a " + property.reference_class + " or nil";
+        case Type::list:
+            return (property.element == Type::nil
+                        ? "a list"
+                        : "a list of " + std::string(type_name(property.element)) +
+                              (range.bounded() ? range_text(property, range) : "")) +
+                   nil;
+        case Type::text:
+            break;
+        case Type::nil:
+            return "a value";
+    }
+    if (property.enumerators.empty()) return "a text" + nil;
+    // Names of keys, say: the nearest one tells more than all of them.
+    constexpr std::size_t most_listed = 16;
+    if (property.enumerators.size() > most_listed)
+        return "one of " + std::to_string(property.enumerators.size()) + " texts like \"" +
+               property.enumerators.front() + "\" and \"" + property.enumerators.back() + "\"" +
+               nil;
+    std::string names = "one of ";
+    for (std::size_t i = 0; i < property.enumerators.size(); ++i)
+        names += (i == 0 ? "\"" : ", \"") + property.enumerators[i] + "\"";
+    return names + nil;
+}
+
 class Coercion {
   public:
     Coercion(const Property& property, const CoerceContext& context)
         : property_(property), context_(context) {}
 
     Value run(Type type, const Value& value) const {
-        if (value.is_nil() && (property_.nullable || property_.any_type || type == Type::reference))
+        const bool takes_nil = (property_.nullable && !in_list()) || property_.any_type;
+        if (value.is_nil() && (takes_nil || type == Type::reference))
             return type == Type::reference && !property_.any_type ? Value(Handle{}) : value;
         switch (type) {
             case Type::nil:
@@ -49,8 +104,15 @@ class Coercion {
 
   private:
     [[noreturn]] void fail(ErrorKind kind, const std::string& reason) const {
-        throw Error(kind, context_.path(context_.what) + ": " + reason);
+        std::string path = context_.path(context_.what);
+        if (in_list()) path += "[" + std::to_string(element_) + "]";
+        throw Error(kind, path + ": " + reason);
     }
+    bool in_list() const { return element_ != 0; }
+    std::string expected(const Range& range) const {
+        return expectation_in(property_, in_list() ? property_.element : property_.type, range);
+    }
+    std::string expected() const { return expected(property_.range); }
     [[noreturn]] Value wrong_type(const Value& value) const {
         std::string got(type_name(value.type()));
         if (value.is(Type::reference)) {
@@ -59,7 +121,7 @@ class Coercion {
         } else if (!value.is_nil()) {
             got += " " + shown(value);
         }
-        fail(ErrorKind::wrong_type, "expected " + expectation(property_) + ", got " + got);
+        fail(ErrorKind::wrong_type, "expected " + expected() + ", got " + got);
     }
     std::string shown(const Value& value) const {
         std::string text =
@@ -68,15 +130,14 @@ class Coercion {
         return text;
     }
     [[noreturn]] void out_of_range(const Value& value) const {
-        fail(ErrorKind::out_of_range,
-             "expected " + expectation(property_) + ", got " + shown(value));
+        fail(ErrorKind::out_of_range, "expected " + expected() + ", got " + shown(value));
     }
     /// Finite, and more than a float can be.
     [[noreturn]] void too_large(const Value& value) const {
         constexpr double most = std::numeric_limits<float>::max();
         const Range fits{.min = std::max(property_.range.min, -most),
                          .max = std::min(property_.range.max, most)};
-        fail(ErrorKind::out_of_range, "expected " + expectation_in(property_, fits) +
+        fail(ErrorKind::out_of_range, "expected " + expected(fits) +
                                           (property_.infinity ? " or infinity" : "") + ", got " +
                                           shown(value));
     }
@@ -85,11 +146,10 @@ class Coercion {
     // holds, then in range. Bounds are narrowed as well: who writes the number that a message
     // names, or that is declared, writes the bound.
     double component(double x, const Value& whole) const {
-        if (std::isnan(x))
-            fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got nan");
+        if (std::isnan(x)) fail(ErrorKind::not_finite, "expected " + expected() + ", got nan");
         if (std::isinf(x) && !property_.infinity)
-            fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got " +
-                                            shown(whole) + ": infinity is not allowed here");
+            fail(ErrorKind::not_finite, "expected " + expected() + ", got " + shown(whole) +
+                                            ": infinity is not allowed here");
         Range range = property_.range;
         if (property_.precision() == Precision::single_precision) {
             range = {.min = narrowed(range.min), .max = narrowed(range.max)};
@@ -124,8 +184,7 @@ class Coercion {
             result = value.integer();
         } else if (value.is(Type::number)) {
             const double x = value.number();
-            if (std::isnan(x))
-                fail(ErrorKind::not_finite, "expected " + expectation(property_) + ", got nan");
+            if (std::isnan(x)) fail(ErrorKind::not_finite, "expected " + expected() + ", got nan");
             if (x != std::floor(x) || x < -integer_limit || x >= integer_limit) wrong_type(value);
             result = static_cast<std::int64_t>(x);
         } else {
@@ -142,8 +201,7 @@ class Coercion {
     Value text(const Value& value) const {
         if (!value.is(Type::text)) wrong_type(value);
         if (!property_.enumerators.empty() && property_.enumerator_index(value.text()) < 0)
-            fail(ErrorKind::out_of_range, "expected " + expectation(property_) + ", got " +
-                                              shown(value) +
+            fail(ErrorKind::out_of_range, "expected " + expected() + ", got " + shown(value) +
                                               suggestion(value.text(), property_.enumerators));
         return value;
     }
@@ -151,9 +209,9 @@ class Coercion {
     Value vec2(const Value& value) const {
         if (value.is(Type::list) && value.list().size() == 2 && value.list()[0].is_numeric() &&
             value.list()[1].is_numeric())
-            fail(ErrorKind::wrong_type, "expected " + expectation(property_) + ", got list " +
-                                            shown(value) + " (write vec(" + shown(value.list()[0]) +
-                                            ", " + shown(value.list()[1]) + "))");
+            fail(ErrorKind::wrong_type, "expected " + expected() + ", got list " + shown(value) +
+                                            " (write vec(" + shown(value.list()[0]) + ", " +
+                                            shown(value.list()[1]) + "))");
         if (!value.is(Type::vec2)) wrong_type(value);
         return Vec2(component(value.vec2().x(), value), component(value.vec2().y(), value));
     }
@@ -192,7 +250,11 @@ class Coercion {
         if (!value.is(Type::list)) wrong_type(value);
         List result;
         result.reserve(value.list().size());
-        for (const Value& element : value.list()) result.push_back(run(property_.element, element));
+        for (const Value& element : value.list()) {
+            ++element_;
+            result.push_back(run(property_.element, element));
+        }
+        element_ = 0;
         return result;
     }
 
@@ -216,18 +278,8 @@ class Coercion {
 
     const Property& property_;
     const CoerceContext& context_;
+    mutable std::size_t element_ = 0;  // of a list, which is being looked at; from 1; 0: none
 };
-
-std::string range_text(const Property& property, const Range& range) {
-    const bool low = range.min != -std::numeric_limits<double>::infinity();
-    const bool high = range.max != std::numeric_limits<double>::infinity();
-    const std::string unit = property.unit.empty() ? "" : " " + property.unit;
-    if (!low && !high) return property.unit.empty() ? "" : " in" + unit;
-    if (!high) return " of at least " + number_text(range.min, property.precision()) + unit;
-    if (!low) return " of at most " + number_text(range.max, property.precision()) + unit;
-    return " from " + number_text(range.min, property.precision()) + " to " +
-           number_text(range.max, property.precision()) + unit;
-}
 
 }  // namespace
 
@@ -238,49 +290,8 @@ Vec2 narrowed(const Vec2& v) {
     return {narrowed(v.x()), narrowed(v.y())};
 }
 
-std::string expectation_in(const Property& property, const Range& range) {
-    if (property.any_type) return "a value";
-    const std::string nil = property.nullable && property.type != Type::reference ? " or nil" : "";
-    switch (property.type) {
-        case Type::boolean:
-            return "true or false" + nil;
-        case Type::integer:
-            return "an integer" + range_text(property, range) + nil;
-        case Type::number:
-            return "a number" + range_text(property, range) + nil;
-        case Type::vec2:
-            return "a vec2" + range_text(property, range) + nil;
-        case Type::color:
-            return "a color" + nil;
-        case Type::reference:
-            return property.reference_class.empty() ? "an instance or nil"
-                                                    : "a " + property.reference_class + " or nil";
-        case Type::list:
-            return (property.element == Type::nil
-                        ? "a list"
-                        : "a list of " + std::string(type_name(property.element)) +
-                              (range.bounded() ? range_text(property, range) : "")) +
-                   nil;
-        case Type::text:
-            break;
-        case Type::nil:
-            return "a value";
-    }
-    if (property.enumerators.empty()) return "a text" + nil;
-    // Names of keys, say: the nearest one tells more than all of them.
-    constexpr std::size_t most_listed = 16;
-    if (property.enumerators.size() > most_listed)
-        return "one of " + std::to_string(property.enumerators.size()) + " texts like \"" +
-               property.enumerators.front() + "\" and \"" + property.enumerators.back() + "\"" +
-               nil;
-    std::string names = "one of ";
-    for (std::size_t i = 0; i < property.enumerators.size(); ++i)
-        names += (i == 0 ? "\"" : ", \"") + property.enumerators[i] + "\"";
-    return names + nil;
-}
-
 std::string expectation(const Property& property) {
-    return expectation_in(property, property.range);
+    return expectation_in(property, property.type, property.range);
 }
 
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context) {

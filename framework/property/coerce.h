@@ -24,7 +24,5 @@ Vec2 narrowed(const Vec2& v);
 
 /// "a number from 0 to 1 kg", "one of "static", "kinematic", "dynamic"", "a list of vec2".
 std::string expectation(const Property& property);
-/// The same with other bounds than the property's.
-std::string expectation_in(const Property& property, const Range& range);
 
 }  // namespace fettle::property

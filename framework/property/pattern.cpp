@@ -52,12 +52,16 @@ std::vector<std::string> split(std::string_view text) {
             if (text.substr(at, 2) != "\"]") fail("\"]\" was expected");
             at += 2;
         } else {
-            while (at < text.size() && text[at] != '.' && text[at] != '[') segment += text[at++];
+            while (at < text.size() && text[at] != '.' && text[at] != '[' && text[at] != '"')
+                segment += text[at++];
+            if (at < text.size() && text[at] == '"') fail("a quoted name stands in brackets");
         }
         if (segment.empty()) fail("a name is missing");
         segments.push_back(std::move(segment));
         if (at < text.size() && text[at] == '.') {
             if (++at == text.size()) fail("it ends with a dot");
+        } else if (at < text.size() && text[at] != '[') {
+            fail("\".\" was expected behind \"]\"");
         }
     }
     if (segments.empty()) fail("it is empty");

@@ -105,9 +105,7 @@ property::Lifecycle lifecycle(Hosting& hosting) {
         return static_cast<Hosting*>(context)->place_field(self, row);
     };
     lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
-        auto& h = *static_cast<Hosting*>(context);
-        const Hosting::Placing placing(h);
-        h.field(row).destroy();
+        static_cast<Hosting*>(context)->destroy_field(row);
     };
     hosting.field_kinds.emplace_back(lifecycle.create, decltype(FieldDef::force)(Force{}).index());
     return lifecycle;
@@ -191,9 +189,16 @@ Row Hosting::place_field(Handle self, Row row) {
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
     if (number == world_number(row)) return row;
+    require_unlocked(row);
     const Row placed = create_field(self, field(row).definition());
     field(row).destroy();
     return placed;
+}
+
+void Hosting::destroy_field(Row row) {
+    if (postpone(world_number(row), [this, row] { destroy_field(row); })) return;
+    const Placing placing(*this);
+    field(row).destroy();
 }
 
 void define_fields(Hosting& hosting) {

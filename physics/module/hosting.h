@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -137,6 +138,12 @@ class Hosting {
     HostedWorld* world_at(std::uint32_t number) { return worlds_[number].get(); }
     const HostedWorld* world_at(std::uint32_t number) const { return worlds_[number].get(); }
 
+    /// The instance of an object's 64 bits; null once it was deleted.
+    Handle alive(std::uint64_t user_data) const {
+        const Handle instance = unpack(user_data);
+        return tree.alive(instance) ? instance : Handle{};
+    }
+
     // --- Up the tree
     /// Number of the nearest world above an instance; limbo when there is none.
     std::uint32_t world_above(Handle instance) const;
@@ -155,6 +162,13 @@ class Hosting {
     void destroy_shape(Row row);
     Row create_field(Handle self, const physics::FieldDef& def);  // field_classes.cpp
     Row place_field(Handle self, Row row);
+    void destroy_field(Row row);
+    /// False if the world can be changed now. While it calls a function it gives up nothing: then
+    /// `destroy` is called by `destroy_postponed`.
+    bool postpone(std::uint32_t world, std::function<void()> destroy);
+    void destroy_postponed();
+    /// Throws Error(rejected) while the world of `row` calls a function.
+    void require_unlocked(Row row);
 
     // --- Events (events.cpp)
     void follow_listeners();
@@ -235,6 +249,11 @@ class Hosting {
         "destroy the instance instead"};
     std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;
     int doing_ = 0;
+    struct Postponed {
+        std::uint32_t world;
+        std::function<void()> destroy;
+    };
+    std::vector<Postponed> postponed_;
     /// What the libraries are asked to tell, since somebody listens.
     struct Wanted {
         bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;

@@ -69,13 +69,16 @@ std::uint32_t Joints::create(std::uint32_t world, property::Handle self) {
 void Joints::place(std::uint32_t row, std::uint32_t world) {
     JointRecord& record = records_[row];
     if (record.world == world) return;
+    hosting_.require_unlocked(make_row(record.world, 0));
     disconnect(record);
     record.world = world;
     loosen();
 }
 
 void Joints::destroy(std::uint32_t row) {
-    disconnect(records_[row]);
+    const auto [world, native] = std::pair(records_[row].world, records_[row].native);
+    if (!hosting_.postpone(world, [this, world, native] { disconnect(world, native); }))
+        disconnect(world, native);
     records_[row] = {};
     free_.push_back(row);
 }
@@ -126,10 +129,14 @@ float Joints::angle_of(const JointRecord& record, std::size_t side) const {
 }
 
 void Joints::disconnect(JointRecord& record) {
-    const Hosting::Placing placing(hosting_);
-    physics::World& world = world_of(record);
-    if (world.is_valid(record.native)) world.joint(record.native).destroy();
+    disconnect(record.world, record.native);
     record.native = {};
+}
+
+void Joints::disconnect(std::uint32_t number, physics::JointId native) {
+    const Hosting::Placing placing(hosting_);
+    physics::World& world = hosting_.world_at(number)->world;
+    if (world.is_valid(native)) world.joint(native).destroy();
 }
 
 physics::BodyId Joints::body_id(property::Handle body) const {

@@ -97,6 +97,7 @@ class Joints {
     bool can_act(const JointRecord& record) const;
     physics::BodyId body_id(property::Handle body) const;
     void disconnect(JointRecord& record);
+    void disconnect(std::uint32_t world, physics::JointId native);
     template <class Settings>
     typename Settings::Native make(const JointRecord& record, const Settings& settings) const;
     physics::JointDef description(const JointRecord& record) const;

@@ -57,6 +57,7 @@ physics::ShapeDef description(const physics::Shape& shape) {
 }  // namespace
 
 Row Hosting::migrate_body(Row from, std::uint32_t to) {
+    require_unlocked(from);
     physics::Body old = body(from);
     HostedWorld& target = *worlds_[to];
     physics::BodyDef def = description(old);
@@ -101,6 +102,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
 }
 
 Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owner) {
+    require_unlocked(from);
     physics::Shape fresh = copy_shape(shape(from), to);
     if (owner) fresh.attach(owner);
     return leave_shape(from, to, fresh);

@@ -92,6 +92,7 @@ void PhysicsModule::step(double dt) {
         throw std::invalid_argument("PhysicsModule::step: dt = " + std::to_string(dt) +
                                     ": expected a time in seconds, at least 0");
     const Hosting::Doing step(hosting());
+    hosting().destroy_postponed();
     hosting().follow_listeners();
     hosting().joints.tighten();
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
@@ -104,6 +105,7 @@ void PhysicsModule::step(double dt) {
         hosted->world.step(static_cast<float>(dt));
         hosted->unreported = true;
     }
+    hosting().destroy_postponed();
 }
 
 void PhysicsModule::report(property::Tree& tree) {
@@ -111,6 +113,7 @@ void PhysicsModule::report(property::Tree& tree) {
         throw std::invalid_argument(
             "PhysicsModule::report: expected the tree that physics is attached to, got another");
     tree.stepped();
+    hosting().destroy_postponed();
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->unreported) continue;
@@ -120,6 +123,7 @@ void PhysicsModule::report(property::Tree& tree) {
 }
 
 property::Memory PhysicsModule::save(property::ByteWriter& to) const {
+    hosting().destroy_postponed();
     hosting().save(to);
     return {};
 }
@@ -133,6 +137,7 @@ void PhysicsModule::refresh(std::uint64_t what) {
 }
 
 std::uint64_t PhysicsModule::hash() const {
+    hosting().destroy_postponed();
     std::uint64_t combined = 0;
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         const HostedWorld* hosted = hosting().world_at(n);
@@ -160,11 +165,11 @@ physics::Shape PhysicsModule::shape(Handle instance) {
 }
 
 Handle PhysicsModule::handle(const physics::Body& body) const {
-    return body ? unpack(body.user_data()) : Handle{};
+    return body ? hosting().alive(body.user_data()) : Handle{};
 }
 
 Handle PhysicsModule::handle(const physics::Shape& shape) const {
-    return shape ? unpack(shape.user_data()) : Handle{};
+    return shape ? hosting().alive(shape.user_data()) : Handle{};
 }
 
 }  // namespace fettle::physics_module

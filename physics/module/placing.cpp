@@ -3,6 +3,8 @@
 // A body is in the world of the nearest World above it, a shape on the nearest Body. What has none
 // is in limbo, a world that nobody steps: it can be read and edited all the same.
 
+#include <utility>
+
 #include <fettle/property/error.h>
 
 #include "hosting.h"
@@ -35,6 +37,7 @@ void Hosting::destroy_world(Row row) {
     const Doing placing(*this);
     if (world_number(row) == limbo) return;
     worlds_[world_number(row)].reset();
+    std::erase_if(postponed_, [&](const auto& one) { return one.world == world_number(row); });
 }
 
 // --- Bodies
@@ -53,6 +56,7 @@ Row Hosting::place_body(Handle self, Row row) {
 }
 
 void Hosting::destroy_body(Row row) {
+    if (postpone(world_number(row), [this, row] { destroy_body(row); })) return;
     const Placing placing(*this);
     HostedWorld& in = hosted(row);
     const physics::Body gone = body(row);
@@ -93,6 +97,7 @@ Row Hosting::place_shape(Handle self, Row row) {
 }
 
 void Hosting::destroy_shape(Row row) {
+    if (postpone(world_number(row), [this, row] { destroy_shape(row); })) return;
     const Placing placing(*this);
     note_departure(row);
     hosted(row).looks.forget(slot_of(row));
@@ -107,6 +112,26 @@ void Hosting::note_departure(Row row) {
     in.departed_shapes[going.id().generation] = unpack(going.user_data());
     const physics::Body owner = going.body();
     if (owner) in.departed_bodies[owner.id().generation] = unpack(owner.user_data());
+}
+
+// --- What is deleted while its world calls a function
+
+bool Hosting::postpone(std::uint32_t world, std::function<void()> destroy) {
+    if (!worlds_[world]->world.locked()) return false;
+    postponed_.push_back({world, std::move(destroy)});
+    return true;
+}
+
+void Hosting::destroy_postponed() {
+    // One whose world calls a function even now is postponed again.
+    for (const Postponed& one : std::exchange(postponed_, {})) one.destroy();
+}
+
+void Hosting::require_unlocked(Row row) {
+    if (world(row).locked())
+        throw property::Error(property::ErrorKind::rejected,
+                              "a physics world calls a function: what is in it moves to another "
+                              "world when its step or query is over");
 }
 
 }  // namespace fettle::physics_module

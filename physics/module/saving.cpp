@@ -186,6 +186,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
     check_rows(*this, objects, from);
     return [this, worlds, hits_wanted, put_joints, found] {
         const Placing placing(*this);
+        postponed_.clear();
         for (std::uint32_t number = 0; number < most_worlds; ++number)
             if (!found[number]) worlds_[number].reset();
         for (Saved& saved : *worlds) {

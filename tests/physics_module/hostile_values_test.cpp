@@ -149,7 +149,7 @@ struct Hostile : Game {
             return "";
         } catch (const property::Error& error) {
             const std::string text = error.what();
-            return text.substr(text.find(property.name + ": "));
+            return text.substr(text.find(": "));
         }
     }
 

@@ -71,6 +71,67 @@ TEST_CASE_METHOD(Game, "what is in a hosted world is made and ended by the tree 
     REQUIRE(hosted.body_count() == 1);
 }
 
+TEST_CASE_METHOD(Game, "what is deleted inside a function of its world leaves the world after it") {
+    const Handle ground = floor();
+    const Handle crate = body("Box", {0, 0.5});
+    const Handle ball = body("Circle", {0, 2});
+    const Handle second = make("Circle", ball);
+    const Handle joint = make("RevoluteJoint", world(), {{"body_a", ground}, {"body_b", crate}});
+    const Handle wind = make("Wind", world());
+    const Handle mars = make("World", tree.root(), "mars");
+    step();
+    physics_library::World& hosted = physics.world(world());
+    const physics_library::Shape circle = physics.shape(second);
+    const auto inside = [&](const auto& act) {
+        bool called = false;
+        physics_library::QueryFilter filter;
+        filter.accept = [&](const physics_library::Shape&) {
+            if (!std::exchange(called, true)) act();
+            return true;
+        };
+        (void)hosted.cast_ray_all({0, 5}, {0, -5}, filter);
+        REQUIRE(called);
+    };
+    inside([&] {
+        for (const Handle gone : {crate, second, joint, wind}) tree.destroy(gone);
+        for (const Handle kept : {ball, shape_of(ball)})
+            REQUIRE_THROWS_WITH(tree.move(kept, mars), contains("calls a function"));
+        REQUIRE_FALSE(tree.alive(crate));
+        REQUIRE(physics.handle(circle) == Handle{});
+    });
+    REQUIRE_FALSE(hosted.validate());
+    // A snapshot of before the next step holds the rest alone.
+    const auto snapshot = tree.snapshot();
+    const auto left = [&] {
+        return std::vector<std::size_t>{hosted.body_count(), hosted.shapes().size(),
+                                        hosted.joints().size(), hosted.fields().size()};
+    };
+    const std::vector<std::size_t> expected = {2, 2, 0, 0};
+    REQUIRE(left() == expected);
+    step();
+    tree.restore(snapshot);
+    step();
+    REQUIRE(left() == expected);
+
+    // And in a step.
+    hosted.set_before_solve([&](physics_library::ContactEdit&) {
+        if (tree.alive(ball)) tree.destroy(ball);
+    });
+    for (int i = 0; i < 120 && tree.alive(ball); ++i) step();
+    REQUIRE_FALSE(tree.alive(ball));
+    REQUIRE(hosted.body_count() == 1);
+    REQUIRE_FALSE(hosted.validate());
+
+    // The world itself.
+    body("Box", {0, 0.5});
+    REQUIRE_THROWS_WITH(inside([&] { tree.destroy(world()); }), contains("destroyed"));
+    make("World", tree.root(), "world");
+    const Handle fresh = body("Box", {0, 0.5});
+    step();
+    REQUIRE(tree.alive(fresh));
+    REQUIRE(physics.world(world()).body_count() == 1);
+}
+
 TEST_CASE("a world in no world is kept for the tree too") {
     Game game;
     const Handle loose = game.make("Body", {});

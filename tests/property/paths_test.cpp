@@ -262,6 +262,13 @@ TEST_CASE_METHOD(PathFixture, "patterns match what they say") {
     CHECK_FALSE(Pattern("**").matches(tree, loose));
 }
 
+TEST_CASE("a quoted name of a pattern stands in brackets between dots") {
+    REQUIRE_THROWS_WITH(Pattern("world.\"ball\""), contains("a quoted name stands in brackets"));
+    REQUIRE_THROWS_WITH(Pattern("wor\"ld"), contains("a quoted name stands in brackets"));
+    REQUIRE_THROWS_WITH(Pattern("world[\"ball\"]radius"), contains("\".\" was expected"));
+    REQUIRE_NOTHROW(Pattern("world[\"a.b\"][\"c\"].radius"));
+}
+
 TEST_CASE_METHOD(PathFixture, "patterns agree with their plain meaning") {
     std::mt19937 random(6);
     const std::vector<std::string> steps = {"a", "b", "ab", "aab", "ba"};

@@ -289,6 +289,8 @@ TEST_CASE_METHOD(CellFixture, "lists are checked element by element") {
            {List{beyond}, ErrorKind::out_of_range},
            {List{Value(List{1.0})}, ErrorKind::wrong_type},
            {1.0, ErrorKind::wrong_type}});
+    REQUIRE_THROWS_WITH(tree.set(cell, "kept_list", List{1, "x"}),
+                        contains("cell.kept_list[2]: expected a number, got text \"x\""));
 }
 
 TEST_CASE_METHOD(CellFixture, "ad hoc properties keep value and type but no NaN at any depth") {

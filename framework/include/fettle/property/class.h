@@ -94,8 +94,9 @@ struct Binding {
     std::byte* (*base)(void* context) = nullptr;
     std::size_t stride = 0;
 
-    // accessor. `set` may throw std::invalid_argument to refuse a value: its text becomes the
-    // reason in the error.
+    // accessor. `get` only reads: it must not delete instances, restore a snapshot or destroy the
+    // tree. `set` may throw std::invalid_argument to refuse a value: its text becomes the reason in
+    // the error.
     Value (*get)(void* context, Row row) = nullptr;
     void (*set)(void* context, Row row, const Value& value) = nullptr;
 

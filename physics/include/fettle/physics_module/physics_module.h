@@ -53,8 +53,9 @@ class PhysicsModule : public module::Module {
     // shapes, joints and fields, tying a shape to another body, `clear`, `restore`, `take`,
     // assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). Everything
     // else may be called but `World::set_owner`, which is the module's; so are the worlds'
-    // callbacks while somebody listens. Inside a function that a world calls, delete no instance of
-    // it by the tree: the world cannot give up its part of it then.
+    // callbacks while a handler listens. An instance that is deleted inside a function that its
+    // world calls is gone from the tree at once, and from the world when its step or query is over:
+    // at the next `step`, `report`, `save` or `hash`.
 
     /// The world of a World instance; for any other the nearest above it, and where there is none
     /// the one of all that is in no world.
