@@ -347,7 +347,8 @@ Command add_run(CLI::App& app) {
     command.add_flag("--headless", options->headless,
                      "No window; fixed steps as fast as they go; print() goes to stdout");
     option("--steps",
-           "Stop after so many fixed steps, those made again after going back in time included "
+           "Stop after so many fixed steps, those made again after going back in time included; "
+           "headless, a turn in which the game is paused counts too "
            "(needed with --headless unless the game calls quit())",
            [](RunOptions& to, const std::string& text) {
                to.steps = static_cast<std::int64_t>(whole_number("--steps", text, 0, most_steps));

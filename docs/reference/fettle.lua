@@ -107,9 +107,9 @@ local fettle_Change = {}
 ---What handlers of the events "created" and "deleted" are told.
 ---@class Existence
 ---@field cause string Who did it and at which step, as that of a Change: "main.lua:14, step 0".
----@field instance Object The instance; after its deletion nothing of it can be read.
+---@field instance Object The instance; after its deletion it tells alive(), name, class and is_a() alone.
 ---@field last table<string, any> After a deletion: its last values by name.
----@field path string Where it is, or was: "world.ball". Undo detaches an instance before it deletes it, and then this is "detached body".
+---@field path string Where it is, or was: "world.ball". Undo detaches an instance before it deletes it, and then this is "(detached body)".
 ---@field step integer The fixed step in which it happened.
 local fettle_Existence = {}
 
@@ -396,26 +396,26 @@ Game = {}
 
 ---What the last step of a world did, and how long that took.
 ---@class StepStatistics : Object
----@field awake_bodies integer That took part in the step. · any integer · read-only, simulated
----@field awake_contacts integer Of these, with a body that is awake. · any integer · read-only, simulated
----@field awake_joints integer Of these, with a body that is awake. · any integer · read-only, simulated
----@field bodies integer In the world. · any integer · read-only, simulated
+---@field awake_bodies integer Bodies that took part in the step. · any integer · read-only, simulated
+---@field awake_contacts integer Such pairs with a body that is awake. · any integer · read-only, simulated
+---@field awake_joints integer Joints on a body that is awake. · any integer · read-only, simulated
+---@field bodies integer Bodies in the world. · any integer · read-only, simulated
 ---@field contacts integer Pairs of shapes near each other. · any integer · read-only, simulated
----@field direct_failures integer Problems too large for it, or without a solution: solved by sweeps instead. · any integer · read-only, simulated
+---@field direct_failures integer Problems too large for the direct solver, or without a solution: solved by sweeps instead. · any integer · read-only, simulated
 ---@field direct_solves integer Problems that the direct solver solved: every group of bodies that touch has two in a part of a step. · any integer · read-only, simulated
----@field edits_ms number Bringing what was edited up to date. · ms · any finite number · read-only, simulated
----@field finish_ms number Poses, boxes, continuous collision. · ms · any finite number · read-only, simulated
+---@field edits_ms number Time to bring up to date what was edited. · ms · any finite number · read-only, simulated
+---@field finish_ms number Time of poses, boxes and continuous collision. · ms · any finite number · read-only, simulated
 ---@field islands integer Groups of bodies that sleep together. · any integer · read-only, simulated
----@field joints integer That act on a body. · any integer · read-only, simulated
+---@field joints integer Joints that act on a body. · any integer · read-only, simulated
 ---@field moved_proxies integer Shapes that left their box in the tree. · any integer · read-only, simulated
----@field narrow_ms number Manifolds. · ms · any finite number · read-only, simulated
----@field pairs_ms number Broad phase. · ms · any finite number · read-only, simulated
----@field shapes integer Of all bodies. · any integer · read-only, simulated
----@field sleep_ms number Finding what rests. · ms · any finite number · read-only, simulated
----@field solve_ms number Forces, contacts and joints. · ms · any finite number · read-only, simulated
----@field steps integer Since the world was made. · any integer · read-only, simulated
----@field total_ms number The whole step. · ms · any finite number · read-only, simulated
----@field touching integer Of these, near enough to be solved. · any integer · read-only, simulated
+---@field narrow_ms number Time of the manifolds. · ms · any finite number · read-only, simulated
+---@field pairs_ms number Time of the broad phase. · ms · any finite number · read-only, simulated
+---@field shapes integer Shapes of all bodies. · any integer · read-only, simulated
+---@field sleep_ms number Time to find what rests. · ms · any finite number · read-only, simulated
+---@field solve_ms number Time of forces, contacts and joints. · ms · any finite number · read-only, simulated
+---@field steps integer Steps since the world was made. · any integer · read-only, simulated
+---@field total_ms number Time of the whole step. · ms · any finite number · read-only, simulated
+---@field touching integer Pairs near enough to be solved. · any integer · read-only, simulated
 local fettle_StepStatistics = {}
 
 ---What the last step of a world did, and how long that took.
@@ -452,7 +452,7 @@ StepStatistics = {}
 ---@class World.closest.result
 ---@field shape Object The one that is nearest.
 ---@field body Object Its body.
----@field point vec On its surface, in the world. · m
+---@field point vec On its surface, in the world; inside of the shape, the point asked for. · m
 ---@field normal vec Of the surface there, outward; the zero vector inside of it.
 ---@field distance number 0 inside. · m
 
@@ -479,7 +479,7 @@ StepStatistics = {}
 ---@field shape Shape? What was hit; nil for the bounds of the world.
 ---@field body Object Its body; the world itself for its bounds.
 ---@field point vec Where, in the world. · m
----@field normal vec Of the surface there, outward; its length is 1.
+---@field normal vec Of the surface there, outward; its length is 1. Against the motion where a shape that is cast overlaps it from the beginning.
 ---@field fraction number How far along the ray, 0 to 1.
 
 ---Every shape a ray meets, nearest first. Sensors do not count, nor shapes in which it begins.
@@ -487,7 +487,7 @@ StepStatistics = {}
 ---@field shape Shape? What was hit; nil for the bounds of the world.
 ---@field body Object Its body; the world itself for its bounds.
 ---@field point vec Where, in the world. · m
----@field normal vec Of the surface there, outward; its length is 1.
+---@field normal vec Of the surface there, outward; its length is 1. Against the motion where a shape that is cast overlaps it from the beginning.
 ---@field fraction number How far along the ray, 0 to 1.
 
 ---The first shape that a shape, or a body, would meet on its way, or nil. Sensors do not count.
@@ -495,7 +495,7 @@ StepStatistics = {}
 ---@field shape Shape? What was hit; nil for the bounds of the world.
 ---@field body Object Its body; the world itself for its bounds.
 ---@field point vec Where, in the world. · m
----@field normal vec Of the surface there, outward; its length is 1.
+---@field normal vec Of the surface there, outward; its length is 1. Against the motion where a shape that is cast overlaps it from the beginning.
 ---@field fraction number How far along the ray, 0 to 1.
 
 ---Bodies below it are simulated together. Its child `step` tells about the last step.
@@ -517,7 +517,7 @@ StepStatistics = {}
 ---@field sleeping boolean What rests falls asleep and costs nothing until it is disturbed. · true or false · default true
 ---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" sweeps over them in small steps and remembers; "sequential" goes over the contacts once, the worst first, as in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
 ---@field substeps integer Parts a step is solved in: more is stiffer and slower. · 1 to 64 · default 4
----@field threads integer That a step is shared out to: more than the machine has cores are slower. Changes no result. · 1 to 64 · default 1 · not saved
+---@field threads integer How many threads share a step; no more work than the machine has processors. The number changes no result. · 1 to 64 · default 1 · not saved
 ---@field step StepStatistics What the last step of a world did, and how long that took.
 local fettle_World = {}
 
@@ -682,7 +682,7 @@ World = {}
 
 ---The body came into a sensor, or as a sensor was come into.
 ---@class Body.sensor_begin
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
+---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Body To whom it happened.
@@ -722,30 +722,30 @@ World = {}
 ---@class Body : Object
 ---@field angle number How far it is turned, counter-clockwise; not wrapped after a full turn. · rad · -100000000 to 100000000 · default 0 · simulated
 ---@field angular_damping number Share of its angular velocity it loses in a second, for small values. · 1/s · at least 0 · default 0
----@field angular_velocity number How fast it turns, counter-clockwise. · rad/s · any finite number · default 0 · simulated
+---@field angular_velocity number How fast it turns, counter-clockwise. A step limits it to 3 rad in each of its parts (`World.substeps`): 720 rad/s with the defaults. · rad/s · any finite number · default 0 · simulated
 ---@field awake boolean Whether it takes part in the step. What rests for a while sleeps, together with what it touches, until something disturbs it. · true or false · default true · simulated
 ---@field bullet boolean However fast, it does not pass through other moving bodies either. · true or false · default false
 ---@field can_sleep boolean Whether it may fall asleep. · true or false · default true
----@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
+---@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · -100000000 to 100000000 · default computed · simulated
 ---@field color color? Fills its shapes that have no color of their own; nil goes by its type. · channels 0 to 1 · default nil · may be nil
 ---@field contact_force number How hard what it touches presses on it, all together. · N · any finite number · read-only, simulated
 ---@field contact_impulses number[] What pressed it and the other apart in the last step. · N s · any length · read-only, simulated
 ---@field contact_normals vec[] From this body to the one it touches; of length 1. · any length · read-only, simulated
 ---@field contact_points vec[] Where it touches, in the world. · m · any length · read-only, simulated
----@field contact_shapes Object[] The shapes it touches now, one for each touch; the world itself for its bounds. The next lists have as many entries, in the same order. · any length · read-only, simulated
+---@field contact_shapes Object[] The shapes it touches now, one for each touch; the world itself for its bounds. `contact_points`, `contact_normals` and `contact_impulses` have as many entries, in the same order. · any length · read-only, simulated
 ---@field contacts Object[] The bodies it touches now; the world itself where it touches the bounds. Sensors do not count. · any length · read-only, simulated
 ---@field force vec Pushes its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number How much of the world's gravity it feels: 0 floats, -1 falls upwards. · any finite number · default 1
----@field inertia number Rotational inertia about the center of mass, from the shapes unless one is given; nil computes it again. Infinite: nothing turns it. · kg m² · 1e-30 to inf · default 0 · simulated, may be infinite
+---@field inertia number Rotational inertia about the center of mass, from the shapes unless one is given; nil computes it again. Infinite: nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field linear_damping number Share of its velocity it loses in a second, for small values. · 1/s · at least 0 · default 0
 ---@field locked_rotation boolean Nothing turns it. · true or false · default false
 ---@field locked_x boolean Nothing moves it along x. · true or false · default false
 ---@field locked_y boolean Nothing moves it along y. · true or false · default false
----@field mass number Area times density of its shapes, unless a mass is given; nil computes it again. Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg. · kg · 1e-30 to inf · default 1 · simulated, may be infinite
+---@field mass number Area times density of its shapes, unless a mass is given; nil computes it again. Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field position vec Where its origin is in the world. Writing it teleports. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
 ---@field torque number Turns it in every step until it is changed. · N m · any finite number · default 0
 ---@field type "static"|"kinematic"|"dynamic" What moves it. "static": nothing; "kinematic": its velocity, and nothing pushes it; "dynamic": forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
----@field velocity vec Of its center of mass. · m/s · any finite vec · default vec(0, 0) · simulated
+---@field velocity vec Of its center of mass. A step limits it to 10000 m/s. · m/s · any finite vec · default vec(0, 0) · simulated
 local fettle_Body = {}
 
 ---Changes its angular velocity at once.
@@ -887,7 +887,7 @@ Body = {}
 
 ---The shape came into a sensor, or as a sensor was come into.
 ---@class Shape.sensor_begin
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
+---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Shape To whom it happened.
@@ -1068,7 +1068,7 @@ Joint = {}
 
 ---Pulls a point of a body softly towards a target: how a mouse drags.
 ---@class MouseJoint : Joint
----@field anchor vec The point of the body that is pulled, in its coordinates. Unless one is given, the point that was at the target when the joint began to act. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
+---@field anchor vec The point of the body that is pulled, in its coordinates. Unless one is given, the point that was at the target when the joint began to act. · m · -100000000 to 100000000 · default computed · simulated
 ---@field body Body? What is pulled; nil: nothing. · any Body · default nil
 ---@field damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0.7
 ---@field frequency number How stiff it is; 0 is slack. · Hz · at least 0 · default 5
@@ -1098,7 +1098,7 @@ PairJoint = {}
 ---@class DistanceJoint : PairJoint
 ---@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number How stiff the spring is; infinite is a rod, 0 is slack between the limits. · Hz · 0 to inf · default inf · may be infinite
----@field length number Of the rod, or of the spring at rest. Unless one is given, the distance when the joint began to act. · m · at least 0 · default 0 · simulated
+---@field length number Of the rod, or of the spring at rest. Unless one is given, the distance when the joint began to act. · m · at least 0 · default computed · simulated
 ---@field max_length number The anchors go no farther apart. Where min_length is above it, this counts. · m · 0 to inf · default inf · may be infinite
 ---@field min_length number The anchors come no nearer. · m · at least 0 · default 0
 local fettle_DistanceJoint = {}
@@ -1117,7 +1117,7 @@ DistanceJoint = {}
 ---@field max_motor_torque number The motor is no stronger; 0: there is none. · N m · 0 to inf · default 0 · may be infinite
 ---@field motor_speed number What the motor turns body_b with. · rad/s · any finite number · default 0
 ---@field motor_torque number What the motor gave in the last step. · N m · any finite number · read-only, simulated
----@field reference_angle number The angle that counts as 0. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field reference_angle number The angle that counts as 0. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
 ---@field target_angle number What the spring turns it to. · rad · any finite number · default 0
 ---@field upper_angle number It turns no further on. Where lower_angle is above it, this counts. · rad · any number, infinite too · default inf · may be infinite
 local fettle_RevoluteJoint = {}
@@ -1136,7 +1136,7 @@ RevoluteJoint = {}
 ---@field max_motor_force number The motor is no stronger; 0: there is none. · N · 0 to inf · default 0 · may be infinite
 ---@field motor_force number What the motor gave in the last step. · N · any finite number · read-only, simulated
 ---@field motor_speed number What the motor moves body_b with. · m/s · any finite number · default 0
----@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
 ---@field target_translation number Where the spring brings it to. · m · any finite number · default 0
 ---@field translation number How far anchor_b is from anchor_a along the axis. · m · any finite number · read-only, simulated
 ---@field upper_translation number It slides no further on. Where lower_translation is above it, this counts. · m · any number, infinite too · default inf · may be infinite
@@ -1201,7 +1201,7 @@ WheelJoint = {}
 ---@field angular_hertz number How stiff it holds the angle; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
 ---@field damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number How stiff it holds the point; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
----@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
 local fettle_WeldJoint = {}
 
 ---Holds two bodies together, rigidly or as a spring.
@@ -1211,9 +1211,9 @@ WeldJoint = {}
 
 ---Drives body_b against body_a by at most a force and a torque: to a velocity or, with a hertz, to an offset. At rest it is the friction of a game seen from above.
 ---@class MotorJoint : PairJoint
----@field angular_offset number The angle of body_b against body_a that it drives to. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field angular_offset number The angle of body_b against body_a that it drives to. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
 ---@field angular_velocity number Of body_b against body_a that it drives to. · rad/s · any finite number · default 0
----@field damping_ratio number Of that; 1 comes to rest without swinging. · at least 0 · default 1
+---@field damping_ratio number Of the drive to the offsets: 1 comes to rest without swinging. · at least 0 · default 1
 ---@field hertz number How stiff it drives to the offsets; 0: not at all. · Hz · at least 0 · default 0
 ---@field linear_offset vec Of anchor_b from anchor_a that it drives to, in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(0, 0)
 ---@field linear_velocity vec Of anchor_b against anchor_a that it drives to, in the coordinates of body_a. · m/s · any finite vec · default vec(0, 0)
@@ -1230,7 +1230,7 @@ MotorJoint = {}
 ---@class PulleyJoint : PairJoint
 ---@field ground_a vec The wheel over body_a, in the world. · m · -100000000 to 100000000 · default vec(-1, 1)
 ---@field ground_b vec The wheel over body_b, in the world. · m · -100000000 to 100000000 · default vec(1, 1)
----@field length number Of the part at body_a and ratio times that at body_b. Unless one is given, the length when the joint began to act. · m · at least 0 · default 0 · simulated
+---@field length number Of the part at body_a and ratio times that at body_b. Unless one is given, the length when the joint began to act. · m · at least 0 · default computed · simulated
 ---@field ratio number How many parts of the rope pull body_b. · 0.001 to 1000 · default 1
 ---@field tension number Of the rope in the last step. · N · any finite number · read-only, simulated
 local fettle_PulleyJoint = {}
@@ -1242,7 +1242,7 @@ PulleyJoint = {}
 
 ---Turns body_b with body_a.
 ---@class GearJoint : PairJoint
----@field phase number The angle of body_b less ratio times that of body_a. Unless one is given, what it was when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field phase number The angle of body_b less ratio times that of body_a. Unless one is given, what it was when the joint began to act. · rad · any finite number · default computed · simulated
 ---@field ratio number How far body_b turns when body_a turns once: negative where wheels mesh, positive where a belt joins them. · any finite number · default 1
 local fettle_GearJoint = {}
 
@@ -1255,7 +1255,7 @@ GearJoint = {}
 ---@class RatchetJoint : PairJoint
 ---@field backwards boolean Clockwise is free instead of counter-clockwise. · true or false · default false
 ---@field caught_angle number It does not turn back beyond this. · rad · any finite number · read-only, simulated
----@field reference_angle number The angle that counts as 0, where a tooth is. Unless one is given, the angle when the joint began to act. · rad · any finite number · default 0 · simulated
+---@field reference_angle number The angle that counts as 0, where a tooth is. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
 ---@field tooth number From tooth to tooth; 0: it holds at any angle. · rad · at least 0 · default 0
 local fettle_RatchetJoint = {}
 
@@ -1379,7 +1379,7 @@ Timings = {}
 ---@field upper vec The corner of the world seen at the top right. · m · any finite vec · read-only
 ---@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
----@field zoom number Pixels a metre. Setting it changes the height. · px/m · 0.001 to 1000000 · default 40 · simulated, not saved
+---@field zoom number Pixels a metre. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default 40 · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
 local fettle_View = {}
 
@@ -1555,9 +1555,9 @@ Keys = {}
 ---@field left boolean Whether the button is held down. · true or false · default false · not saved
 ---@field middle boolean Whether the button is held down. · true or false · default false · not saved
 ---@field right boolean Whether the button is held down. · true or false · default false · not saved
----@field screen vec Where the mouse is on the screen, from the top left corner, y down. · px · any finite vec · default vec(0, 0) · simulated, not saved
+---@field screen vec Where the mouse is on the screen, from the top left corner, y down. · px · any finite vec · default computed · simulated, not saved
 ---@field wheel number Notches the wheel was turned in this frame, away from the user positive. Setting it turns it by the difference: `wheel` is called in the next frame, in which it reads these notches. · any finite number · default 0 · simulated, not saved
----@field world vec Where the mouse is in the world. Setting it moves the mouse for the game. · m · any finite vec · default vec(0, 0) · simulated, not saved
+---@field world vec Where the mouse is in the world. Setting it moves the mouse for the game. · m · any finite vec · default computed · simulated, not saved
 local fettle_Mouse = {}
 
 ---The mouse. Setting a button presses or releases it.
@@ -2421,5 +2421,5 @@ function resized(width, height) end
 ---@param focused boolean
 function focus(focused) end
 
----The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. quit() and the end of --steps do not call it. No other function of the game is called after it; after a signal it may take five seconds.
+---The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. quit() and the end of --steps do not call it. After it no update and no draw is called; watchers and handlers of events still hear what it changed. After a signal it may take five seconds.
 function closing() end

@@ -81,7 +81,7 @@ std::vector<Property> where(View& view) {
          .default_value = 40.0,
          .unit = "px/m",
          .range = {1e-3, 1e6},
-         .doc = "Pixels a metre. Setting it changes the height.",
+         .doc = "Pixels a metre. Setting it changes the height, which has a range of its own.",
          .binding = accessor(
              view, [](View& v, property::Row) { return v.zoom(); },
              [](View& v, property::Row, const Value& zoom) {

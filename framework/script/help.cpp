@@ -58,7 +58,7 @@ std::string property_facts(const Machine& machine, const Property& property) {
             words += (words.empty() ? "" : ", ") + word;
         add(words);
     }
-    if (!property.read_only && !property.any_type)
+    if (!is_computed(property) && !property.any_type)
         add("default " + cut(machine.tree.text(property.default_value, property.precision()), 40));
     if (property.read_only) add("read-only");
     if (property.simulated) add("simulated");

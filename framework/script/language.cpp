@@ -167,9 +167,9 @@ const std::vector<GlobalDoc>& callback_docs() {
         {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},
         {"closing", "closing()",
          "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for "
-         "it. quit() and the end of --steps do not call it. No other function of the game is "
-         "called "
-         "after it; after a signal it may take five seconds."},
+         "it. quit() and the end of --steps do not call it. After it no update and no "
+         "draw is called; watchers and handlers of events still hear what it changed. After a "
+         "signal it may take five seconds."},
     };
     return docs;
 }

@@ -79,12 +79,13 @@ TypeDoc deletion_type() {
             "What handlers of the events \"created\" and \"deleted\" are told.",
             {{"cause", "string",
               "Who did it and at which step, as that of a Change: \"main.lua:14, step 0\"."},
-             {"instance", "Object", "The instance; after its deletion nothing of it can be read."},
+             {"instance", "Object",
+              "The instance; after its deletion it tells alive(), name, class and is_a() alone."},
              {"last", "table<string, any>", "After a deletion: its last values by name."},
              {"path", "string",
               "Where it is, or was: \"world.ball\". Undo detaches an instance before it deletes "
               "it, and "
-              "then this is \"detached body\"."},
+              "then this is \"(detached body)\"."},
              {"step", "integer", "The fixed step in which it happened."}}};
 }
 

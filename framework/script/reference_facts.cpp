@@ -60,9 +60,13 @@ std::string range_text(const Property& property) {
     return "any value";
 }
 
+bool is_computed(const Property& property) {
+    return property.read_only || property.binding.kind == property::BindingKind::node ||
+           !property.derives_from.empty();
+}
+
 std::string default_text(const property::Tree& tree, const Property& property) {
-    if (property.read_only || property.binding.kind == property::BindingKind::node)
-        return "computed";
+    if (is_computed(property)) return "computed";
     return tree.text(property.default_value, property.precision());
 }
 

@@ -16,6 +16,8 @@ std::string bounds_text(const property::Property& property);
 /// empty.
 std::string range_text(const property::Property& property);
 /// "1", "computed" for what is read only, "nil".
+/// Whether its value follows from others, so that it has no default.
+bool is_computed(const property::Property& property);
 std::string default_text(const property::Tree& tree, const property::Property& property);
 /// "read-only, simulated, not saved"; "" where nothing is special.
 std::string flags_text(const property::Property& property);

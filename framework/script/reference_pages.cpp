@@ -271,7 +271,10 @@ std::string index_page(const Tree& tree) {
         "\n\n- [Functions and globals](functions.md)\n- [Callbacks](callbacks.md)\n- "
         "[Values](values.md)\n- [Annotations for editors](fettle.lua): let "
         "lua-language-server's `workspace.library` name the folder with that file\n";
-    text += "\n## Classes\n\n";
+    text +=
+        "\n## Classes\n\nA page names the range of each property. The properties of physics are "
+        "kept in single precision: where no end is named, they take numbers to 3.4e38, and "
+        "round to seven digits.\n\n";
     add_tree(tree, tree.object_class(), 0, text);
     text += "\n## From the beginning\n\nWhat hangs below `game`; each is a global too.\n\n" +
             head({"name", "class", "what it is"});

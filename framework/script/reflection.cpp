@@ -10,6 +10,7 @@
 #include "instance.h"
 #include "machine.h"
 #include "methods.h"
+#include "reference_facts.h"
 #include "script_classes.h"
 
 namespace fettle::script {
@@ -109,7 +110,7 @@ const std::string& push_property(lua_State* L, Machine& machine, const Property&
     put_class(L, machine, "owner", property.owner);
     put_words(L, machine, "enumerators", property.enumerators);
     put_words(L, machine, "derives_from", property.derives_from);
-    if (!property.read_only && !property.default_value.is_nil()) {
+    if (!is_computed(property) && !property.default_value.is_nil()) {
         push_value(L, property.default_value);
         lua_setfield(L, -2, "default");
     }

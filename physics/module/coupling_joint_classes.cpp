@@ -66,7 +66,8 @@ void define_motor_joint(Hosting& hosting) {
                     hosting)),
             amount("hertz", 0, "Hz", "How stiff it drives to the offsets; 0: not at all.",
                    joint_setting<&S::hertz, &MotorJoint::set_hertz>(hosting)),
-            amount("damping_ratio", 1, "", "Of that; 1 comes to rest without swinging.",
+            amount("damping_ratio", 1, "",
+                   "Of the drive to the offsets: 1 comes to rest without swinging.",
                    joint_setting<&S::damping_ratio, &MotorJoint::set_damping_ratio>(hosting)),
         });
     motor.properties[0].infinity = motor.properties[1].infinity = true;
@@ -106,6 +107,9 @@ void define_pulley_joint(Hosting& hosting) {
             joint_figure("tension", "N", "Of the rope in the last step.",
                          told<PulleyJoint, &PulleyJoint::tension>(hosting)),
         });
+    // The rope runs over the wheels.
+    for (const char* source : {"ground_a", "ground_b", "ratio"})
+        pulley.properties[3].derives_from.emplace_back(source);
     pulley.properties[2].range = {.min = 1e-3, .max = 1e3};
     pulley.properties[3].range = not_negative;
     hosting.tree.define(std::move(pulley));

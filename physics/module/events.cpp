@@ -12,12 +12,14 @@ namespace {
 using property::Event;
 using property::Field;
 
+/// What begins is told while both are there; at an end one of them may have been deleted.
+enum class Told { begin, end };
+
 /// Both bodies are told, each from its side.
-/// `impulse`: what that of the event is.
-std::vector<Field> contact_fields(bool full, const std::string& impulse = {}) {
-    std::vector<Field> fields = {
+std::vector<Field> pair_fields(Told told) {
+    return {
         {"other", Type::reference, "",
-         full
+         told == Told::begin
              ? "The other body; the world itself for its bounds."
              : "The other body; the world itself for its bounds. It may have been deleted: then it "
                "still tells alive(), name, class and is_a()."},
@@ -28,7 +30,11 @@ std::vector<Field> contact_fields(bool full, const std::string& impulse = {}) {
          .reference_class = "Shape",
          .nullable = true},
     };
-    if (!full) return fields;
+}
+
+/// `impulse`: what that of the event is.
+std::vector<Field> contact_fields(const std::string& impulse) {
+    std::vector<Field> fields = pair_fields(Told::begin);
     const std::vector<Field> rest = {
         {"point", Type::vec2, "m", "Where, in the world."},
         {"normal", Type::vec2, "", "From this body to the other; its length is 1."},
@@ -43,7 +49,7 @@ std::vector<Field> contact_fields(bool full, const std::string& impulse = {}) {
 
 std::vector<Field> questioned_fields() {
     std::vector<Field> fields = contact_fields(
-        true, "With which they pressed on each other in the step before; 0 when they just met.");
+        "With which they pressed on each other in the step before; 0 when they just met.");
     fields.push_back({"enabled", Type::boolean, "", "Whether it acts in this step."});
     return fields;
 }
@@ -67,10 +73,10 @@ std::vector<Event> contact_events(std::string_view of) {
     const std::string self(of);
     return {
         {.name = "contact_begin",
-         .fields = contact_fields(true, "With which they met."),
+         .fields = contact_fields("With which they met."),
          .doc = "The " + self + " began to touch another."},
         {.name = "contact_persist",
-         .fields = contact_fields(true, "With which they pressed on each other in this step."),
+         .fields = contact_fields("With which they pressed on each other in this step."),
          .doc = "The " + self + " still touches another: every step after the first."},
         {.name = "before_solve",
          .fields = questioned_fields(),
@@ -79,17 +85,17 @@ std::vector<Event> contact_events(std::string_view of) {
                 "pass through each other in this step. Once for two shapes, however many parts of "
                 "them touch. The handler cannot write anything else."},
         {.name = "contact_end",
-         .fields = contact_fields(false),
+         .fields = pair_fields(Told::end),
          .doc = "The " + self + " stopped touching another."},
         {.name = "contact_hit",
          .fields = contact_fields(
-             true, "With which they would have met in the point that was hit fastest alone."),
+             "With which they would have met in the point that was hit fastest alone."),
          .doc = "The " + self + " was hit faster than the world's hit_threshold."},
         {.name = "sensor_begin",
-         .fields = contact_fields(false),
+         .fields = pair_fields(Told::begin),
          .doc = "The " + self + " came into a sensor, or as a sensor was come into."},
         {.name = "sensor_end",
-         .fields = contact_fields(false),
+         .fields = pair_fields(Told::end),
          .doc = "The " + self + " left a sensor, or as a sensor was left."},
     };
 }

@@ -32,7 +32,10 @@ const std::vector<Field> hit_fields = {
     shape_field("shape", "What was hit; nil for the bounds of the world."),
     {"body", Type::reference, "", "Its body; the world itself for its bounds."},
     {"point", Type::vec2, "m", "Where, in the world."},
-    {"normal", Type::vec2, "", "Of the surface there, outward; its length is 1."},
+    {"normal", Type::vec2, "",
+     "Of the surface there, outward; its length is 1. Against the motion where a shape that is "
+     "cast "
+     "overlaps it from the beginning."},
     {"fraction", Type::number, "", "How far along the ray, 0 to 1."},
 };
 const std::vector<Field> found_contact_fields = {
@@ -51,7 +54,8 @@ const Field group{"group", Type::integer, "",
 const std::vector<Field> near_fields = {
     {"shape", Type::reference, "", "The one that is nearest."},
     {"body", Type::reference, "", "Its body."},
-    {"point", Type::vec2, "m", "On its surface, in the world."},
+    {"point", Type::vec2, "m",
+     "On its surface, in the world; inside of the shape, the point asked for."},
     {"normal", Type::vec2, "", "Of the surface there, outward; the zero vector inside of it."},
     {"distance", Type::number, "m", "0 inside."},
 };

@@ -100,8 +100,8 @@ std::vector<Property> simulation(Hosting& hosting) {
          .type = Type::integer,
          .default_value = 1,
          .range = {.min = 1, .max = 64},
-         .doc = "That a step is shared out to: more than the machine has cores are slower. Changes "
-                "no result.",
+         .doc = "How many threads share a step; no more work than the machine has processors. "
+                "The number changes no result.",
          .binding = accessor(
              hosting, [](Hosting& h, Row row) { return Value(h.world(row).threads()); },
              [](Hosting& h, Row row, const Value& value) { set_threads(h, row, value); }),
@@ -211,30 +211,30 @@ void define_step_statistics(Hosting& hosting) {
     statistics.doc = "What the last step of a world did, and how long that took.";
     statistics.creatable = false;
     statistics.properties = {
-        statistic<&S::steps>(h, "steps", "Since the world was made."),
-        statistic<&S::bodies>(h, "bodies", "In the world."),
-        statistic<&S::awake_bodies>(h, "awake_bodies", "That took part in the step."),
-        statistic<&S::shapes>(h, "shapes", "Of all bodies."),
-        statistic<&S::joints>(h, "joints", "That act on a body."),
-        statistic<&S::awake_joints>(h, "awake_joints", "Of these, with a body that is awake."),
+        statistic<&S::steps>(h, "steps", "Steps since the world was made."),
+        statistic<&S::bodies>(h, "bodies", "Bodies in the world."),
+        statistic<&S::awake_bodies>(h, "awake_bodies", "Bodies that took part in the step."),
+        statistic<&S::shapes>(h, "shapes", "Shapes of all bodies."),
+        statistic<&S::joints>(h, "joints", "Joints that act on a body."),
+        statistic<&S::awake_joints>(h, "awake_joints", "Joints on a body that is awake."),
         statistic<&S::contacts>(h, "contacts", "Pairs of shapes near each other."),
-        statistic<&S::awake_contacts>(h, "awake_contacts", "Of these, with a body that is awake."),
-        statistic<&S::touching>(h, "touching", "Of these, near enough to be solved."),
+        statistic<&S::awake_contacts>(h, "awake_contacts", "Such pairs with a body that is awake."),
+        statistic<&S::touching>(h, "touching", "Pairs near enough to be solved."),
         statistic<&S::islands>(h, "islands", "Groups of bodies that sleep together."),
         statistic<&S::moved_proxies>(h, "moved_proxies", "Shapes that left their box in the tree."),
         statistic<&S::direct_solves>(h, "direct_solves",
                                      "Problems that the direct solver solved: every group of "
                                      "bodies that touch has two in a part of a step."),
         statistic<&S::direct_failures>(h, "direct_failures",
-                                       "Problems too large for it, or without a solution: solved "
-                                       "by sweeps instead."),
-        statistic<&S::edits_ms>(h, "edits_ms", "Bringing what was edited up to date."),
-        statistic<&S::pairs_ms>(h, "pairs_ms", "Broad phase."),
-        statistic<&S::narrow_ms>(h, "narrow_ms", "Manifolds."),
-        statistic<&S::solve_ms>(h, "solve_ms", "Forces, contacts and joints."),
-        statistic<&S::finish_ms>(h, "finish_ms", "Poses, boxes, continuous collision."),
-        statistic<&S::sleep_ms>(h, "sleep_ms", "Finding what rests."),
-        statistic<&S::total_ms>(h, "total_ms", "The whole step."),
+                                       "Problems too large for the direct solver, or without a "
+                                       "solution: solved by sweeps instead."),
+        statistic<&S::edits_ms>(h, "edits_ms", "Time to bring up to date what was edited."),
+        statistic<&S::pairs_ms>(h, "pairs_ms", "Time of the broad phase."),
+        statistic<&S::narrow_ms>(h, "narrow_ms", "Time of the manifolds."),
+        statistic<&S::solve_ms>(h, "solve_ms", "Time of forces, contacts and joints."),
+        statistic<&S::finish_ms>(h, "finish_ms", "Time of poses, boxes and continuous collision."),
+        statistic<&S::sleep_ms>(h, "sleep_ms", "Time to find what rests."),
+        statistic<&S::total_ms>(h, "total_ms", "Time of the whole step."),
     };
     hosting.statistics_class = &hosting.tree.define(std::move(statistics));
 }

@@ -199,7 +199,8 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
             const V2 offset = data.bodies[data.forms[shape].body].center - p;
             const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
             if (near.distance > farthest || (best && near.distance >= best->distance)) return;
-            best = PointHit{Shape(self(), data.shape_id(shape)), to_vec2(p + near.on_b),
+            const V2 place = near.distance > 0.0f ? p + near.on_b : p;
+            best = PointHit{Shape(self(), data.shape_id(shape)), to_vec2(place),
                             to_vec2(-near.normal), near.distance};
         };
         const Box4 box = {{p.x - half, p.y - half}, {p.x + half, p.y + half}};

@@ -190,6 +190,10 @@ TEST_CASE("pipes and folders in the place of a game's files are refused at once"
     CHECK(refused("more.lua", "more.lua: could not be read: it is a pipe", "require 'more'") == 1);
     CHECK(refused("other.lua", "", "quit()") == 0);
     const Folder folder;
+    folder.write("odd/main.lua/inside.txt", "");
+    const Outcome odd = play(folder, "odd", {}, limited);
+    CHECK(odd.status == 3);
+    CHECK(contains(odd.err, "main.lua: expected a file with a script, found a folder"));
     folder.write("game/main.lua", "");
     pipe_at(folder / "pipe.png");
     for (const char* const option : {"--record", "--replay", "--module", "--screenshot"}) {

@@ -4,7 +4,12 @@
 
 #include <world/records.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <functional>
+#include <limits>
+#include <map>
 
 namespace snapshot_test {
 
@@ -363,6 +368,44 @@ TEST_CASE("a saved world is refused where the flag of an optional is no bool") {
     detail::seal(bytes);
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("the settings"));
     REQUIRE(target.hash() == world.hash());
+}
+
+TEST_CASE("a saved world with a number that no setter takes is refused") {
+    World world;
+    Body ball = add_ball(world, {0, 3}, 0.5f);
+    RevoluteJoint hinge = world.create_revolute_joint({.body_b = ball.id(), .anchor_a = {0, 5}});
+    float distinct = 0.37125f;
+    std::map<std::string, float> numbers;
+    const auto given = [&](const char* name) { return numbers[name] = distinct += 0.0625f; };
+    ball.shapes()[0].set_density(given("density"));
+    ball.set_torque(given("torque"));
+    ball.set_linear_damping(given("linear_damping"));
+    ball.shapes()[0].set_friction(given("friction"));
+    hinge.set_break_force(given("break_force"));
+    hinge.set_break_torque(given("break_torque"));
+    hinge.set_lower_angle(-given("upper_angle"));
+    numbers["lower_angle"] = -numbers["upper_angle"];
+    hinge.set_upper_angle(given("upper_angle"));
+    hinge.set_motor_speed(given("motor_speed"));
+    hinge.set_max_motor_torque(given("max_motor_torque"));
+    hinge.set_hertz(given("hertz"));
+    hinge.set_damping_ratio(given("damping_ratio"));
+    hinge.set_target_angle(given("target_angle"));
+    const auto bytes = saved(world);
+    World target;
+    REQUIRE_NOTHROW(target.restore(bytes));
+    for (const auto& [name, number] : numbers) {
+        CAPTURE(name);
+        const auto pattern = std::bit_cast<std::array<std::byte, sizeof number>>(number);
+        const auto place = std::search(bytes.begin(), bytes.end(), pattern.begin(), pattern.end());
+        REQUIRE((place != bytes.end()));
+        auto damaged = bytes;
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        std::memcpy(&damaged[size_t(place - bytes.begin())], &nan, sizeof nan);
+        detail::seal(damaged);
+        CHECK_THROWS_WITH(target.restore(damaged), contains("damaged"));
+        CHECK(target.hash() == world.hash());
+    }
 }
 
 TEST_CASE("a saved field whose flags are no bools is refused") {

@@ -32,7 +32,7 @@ TEST_CASE("a property tells its unit range default and kind") {
           "number\tkg\t0.0\tinf\t1.0\ttrue\tfalse\tBody");
     CHECK(s.prints("for _, e in ipairs(Body.properties.type.enumerators) do print(e) end") ==
           "static|kinematic|dynamic");
-    CHECK(s.prints("print(Body.properties.type.min, Body.properties.name.default)") == "nil\t");
+    CHECK(s.prints("print(Body.properties.type.min, Body.properties.name.default)") == "nil\tnil");
 }
 
 TEST_CASE("methods and events tell what they take and give") {

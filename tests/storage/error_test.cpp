@@ -68,8 +68,10 @@ TEST_CASE("a wrong value is told with line column path and expectation") {
          "does not exist (did you mean \"world\"?)"},
         {note("\"thing\": \".\""), "level.json:6:14: world.ball.thing: expected a Thing or nil"},
         {note("\"thing\": 5"), "level.json:6:14: world.ball.thing: expected a Thing or nil, got"},
-        {note("\"targets\": [\".\", 3]"), "level.json:6:16: world.ball.targets: expected a list"},
-        {note("\"points\": [[1, 2], [3]]"), "level.json:6:15: world.ball.points: expected a list"},
+        {note("\"targets\": [\".\", 3]"),
+         "level.json:6:16: world.ball.targets[2]: expected an instance"},
+        {note("\"points\": [[1, 2], [3]]"),
+         "level.json:6:15: world.ball.points[2]: expected a vec2"},
     };
     for (const Refused& each : all) {
         CAPTURE(each.text, each.message);

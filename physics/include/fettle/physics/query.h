@@ -25,8 +25,9 @@ struct QueryFilter {
 struct RayHit {
     Shape shape;
     Vec2 point = Vec2::Zero();
-    Vec2 normal = Vec2::Zero();  ///< of the surface, outward
-    float fraction = 0.0f;       ///< 0 at the start of the ray, 1 at its end
+    /// Of the surface, outward; against the motion where a cast shape overlaps it already.
+    Vec2 normal = Vec2::Zero();
+    float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
 };
 
 /// A place on a shape.

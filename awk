@@ -1,1 +1,0 @@
-/tmp/awk_gawk/awk
