@@ -129,7 +129,7 @@ void WorldData::color_contacts() {
     make_sections();
     colors_of_body.assign(solver_bodies.size(), 0);
     // Whoever colors some nodes counts for itself: contacts of several of them may be in a block.
-    const Sections& plan = sections[1];
+    const Sections& plan = cut_sections;
     color_begin.assign(plan.owners() * color_count * first_groups.size(), 0);
     out_of_colors.resize(plan.size());
     SectionLoop(plan, plan.shared() ? threads : nullptr, [&](uint32_t section) {
@@ -156,7 +156,7 @@ void WorldData::color_contacts() {
 
 /// Contacts of the same color and section that are counted by the same thread have one entry.
 uint32_t WorldData::entry_of(const ActingContact& c, uint32_t color) const {
-    const size_t section = sections[1].owner_of(c.node) * first_groups.size() + section_of(c);
+    const size_t section = cut_sections.owner_of(c.node) * first_groups.size() + section_of(c);
     return uint32_t(section * color_count) + color;
 }
 
@@ -164,8 +164,8 @@ uint32_t WorldData::entry_of(const ActingContact& c, uint32_t color) const {
 void WorldData::make_sections() {
     const auto hands = uint32_t(threads != nullptr ? threads->at_a_time() : 1);
     const uint32_t parts = std::min(strips.count(), std::bit_floor(hands));
-    sections[0] = Sections(strips.count(), 1);
-    sections[1] = Sections(strips.count(), parts);
+    whole_sections = Sections(strips.count(), 1);
+    cut_sections = Sections(strips.count(), parts);
     size_t one_by_one = acting_joints();
     for (const ActingPiece& piece : acting_pieces) one_by_one += piece.serially;
     uint32_t next = 0;

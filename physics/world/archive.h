@@ -77,6 +77,7 @@ class ArchiveOutput {
     void operator()(const std::array<std::vector<T>, n>& lists) {
         each_of(*this, lists);
     }
+    void operator()(const Events& events) { event_members(*this, events); }
 
   private:
     Sink sink_;
@@ -138,6 +139,7 @@ class ArchiveReader {
     void operator()(std::array<std::vector<T>, n>& lists) {
         each_of(*this, lists);
     }
+    void operator()(Events& events) { event_members(*this, events); }
     bool at_end() const { return in_.empty(); }
 
   private:

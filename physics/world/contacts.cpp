@@ -80,9 +80,9 @@ void WorldData::remix_shape(uint32_t shape) {
 }
 
 void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
-    uint32_t slot = free_contact;
+    uint32_t slot = contact_slots.free;
     if (slot != none) {
-        free_contact = contact_links[slot].edges[0].next;
+        contact_slots.free = contact_links[slot].edges[0].next;
         contacts[slot] = {};
     } else {
         slot = uint32_t(contacts.size());
@@ -90,7 +90,7 @@ void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
         contacts.emplace_back();
         contact_links.emplace_back();
     }
-    ++contact_count;
+    ++contact_slots.count;
     ContactRecord& c = contacts[slot];
     c.shape_a = shape_a;
     c.shape_b = shape_b;
@@ -133,9 +133,9 @@ void WorldData::destroy_contact(uint32_t slot) {
     }
     pairs.erase(c.shape_a, c.shape_b);
     c = {};
-    contact_links[slot].edges[0].next = free_contact;
-    free_contact = slot;
-    --contact_count;
+    contact_links[slot].edges[0].next = contact_slots.free;
+    contact_slots.free = slot;
+    --contact_slots.count;
 }
 
 void WorldData::destroy_contacts_of_shape(uint32_t shape) {

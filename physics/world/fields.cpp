@@ -179,7 +179,7 @@ V2 limited(V2 force, float mass, float dt, V2 against) {
 
 /// Adds to the forces of a sub-step of length `h` of a step of `dt`.
 void WorldData::apply_fields(float h, float dt) {
-    if (field_count == 0) return;
+    if (field_slots.count == 0) return;
     for (size_t i = 0; i < awake_bodies.size(); ++i) {
         const uint32_t body = awake_bodies[i];
         const BodyRecord& record = bodies[body];
@@ -247,15 +247,15 @@ void detail::check(const FieldDef& def) {
 Field World::create_field(const FieldDef& def) {
     WorldData& data = populate(__func__);
     check(def);
-    uint32_t slot = data.free_field;
+    uint32_t slot = data.field_slots.free;
     if (slot != none) {
-        data.free_field = data.fields[slot].next_free;
+        data.field_slots.free = data.fields[slot].next_free;
     } else {
         slot = uint32_t(data.fields.size());
         data.fields.emplace_back();
     }
     data.fields[slot] = {def, data.new_generation(), none};
-    ++data.field_count;
+    ++data.field_slots.count;
     data.wake_all();
     return {this, {slot, data.fields[slot].generation}};
 }
@@ -315,9 +315,9 @@ void Field::set(const FieldDef& wanted) {
 void Field::destroy() {
     WorldData& data = live();
     data.self.may_populate("Field", __func__);
-    data.fields[id_.index] = {{}, 0, data.free_field};
-    data.free_field = id_.index;
-    --data.field_count;
+    data.fields[id_.index] = {{}, 0, data.field_slots.free};
+    data.field_slots.free = id_.index;
+    --data.field_slots.count;
     data.wake_all();
 }
 

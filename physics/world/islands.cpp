@@ -64,9 +64,9 @@ void WorldData::leave_island(uint32_t body) {
 }
 
 void WorldData::free_island_slot(uint32_t island) {
-    islands[island] = {none, free_island};
-    free_island = island;
-    --island_count;
+    islands[island] = {none, island_slots.free};
+    island_slots.free = island;
+    --island_slots.count;
 }
 
 void WorldData::wake_sleeping(uint32_t body) {
@@ -120,15 +120,15 @@ void WorldData::wake_all() {
 
 /// Afterwards the lists of what is awake still hold the group: see `compact_awake`.
 void WorldData::put_to_sleep(std::span<const uint32_t> group) {
-    uint32_t island = free_island;
+    uint32_t island = island_slots.free;
     if (island != none) {
-        free_island = islands[island].next_free;
+        island_slots.free = islands[island].next_free;
     } else {
         island = uint32_t(islands.size());
         make_room(islands);
         islands.emplace_back();
     }
-    ++island_count;
+    ++island_slots.count;
     uint32_t* link = &islands[island].first;
     for (uint32_t body : group) {
         BodyRecord& record = bodies[body];

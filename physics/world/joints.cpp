@@ -7,9 +7,9 @@
 
 namespace fettle::physics::detail {
 uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_t place) {
-    uint32_t slot = free_joint;
+    uint32_t slot = joint_slots.free;
     if (slot != none) {
-        free_joint = joints[slot].next_free;
+        joint_slots.free = joints[slot].next_free;
     } else {
         slot = uint32_t(joints.size());
         joints.emplace_back();
@@ -19,7 +19,7 @@ uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_
     joints[slot].type = type;
     joints[slot].place = place;
     joint_generations[slot] = new_generation();
-    ++joint_count;
+    ++joint_slots.count;
     link_joint(slot, 0);
     link_joint(slot, 1);
     wake_joint(slot);
@@ -43,10 +43,10 @@ void WorldData::destroy_joint(uint32_t joint) {
     };
     with_list(joint_lists, joints[joint].type, erase);
     joints[joint] = {};
-    joints[joint].next_free = free_joint;
-    free_joint = joint;
+    joints[joint].next_free = joint_slots.free;
+    joint_slots.free = joint;
     joint_generations[joint] = 0;
-    --joint_count;
+    --joint_slots.count;
 }
 
 void WorldData::link_joint(uint32_t joint, uint32_t side) {
@@ -138,7 +138,7 @@ void WorldData::wake_joint(uint32_t joint) {
 
 /// Who sleeps at a joint to something that has begun to move.
 void WorldData::wake_jointed() {
-    if (island_count == 0) return;
+    if (island_slots.count == 0) return;
     for (const auto& list : awake_joints) {
         // Waking appends to the list while it is walked.
         for (size_t i = 0; i < list.size(); ++i) {

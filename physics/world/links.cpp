@@ -120,7 +120,7 @@ void check_bodies(const WorldData& w, Findings& findings) {
         findings.require(edges_end(body.first_contact, w.contact_links), "the contacts of a body");
         findings.require(edges_end(body.first_joint, w.joints), "the joints of a body");
     }
-    findings.require(list_ends(w.free_body, n, [&](uint32_t i) { return w.bodies[i].next; }),
+    findings.require(list_ends(w.body_slots.free, n, [&](uint32_t i) { return w.bodies[i].next; }),
                      "free bodies");
 }
 
@@ -210,7 +210,7 @@ void check_shapes(const WorldData& w, Findings& findings) {
                          "the vertices of a shape");
     }
     check_parts(w, findings);
-    findings.require(list_ends(w.free_shape, n, [&](uint32_t i) { return w.shapes[i].next; }),
+    findings.require(list_ends(w.shape_slots.free, n, [&](uint32_t i) { return w.shapes[i].next; }),
                      "free shapes");
 }
 
@@ -258,9 +258,9 @@ void check_contacts(const WorldData& w, Findings& findings) {
     for (const ContactLinks& links : w.contact_links)
         findings.require(edge_in_range(links.edges[0], n) && edge_in_range(links.edges[1], n),
                          "a contact");
-    findings.require(
-        list_ends(w.free_contact, n, [&](uint32_t i) { return w.contact_links[i].edges[0].next; }),
-        "free contacts");
+    findings.require(list_ends(w.contact_slots.free, n,
+                               [&](uint32_t i) { return w.contact_links[i].edges[0].next; }),
+                     "free contacts");
     findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
     // A contact in a list of bodies or of what is awake is one that is used.
     for (const BodyRecord& body : w.bodies)
@@ -320,8 +320,9 @@ void check_links_of_joints(const WorldData& w, Findings& findings) {
         findings.require(joint.awake_index == none ||
                              joint.awake_index < w.awake_joints[size_t(joint.type)].size(),
                          "the awake joints");
-    findings.require(list_ends(w.free_joint, n, [&](uint32_t i) { return w.joints[i].next_free; }),
-                     "free joints");
+    findings.require(
+        list_ends(w.joint_slots.free, n, [&](uint32_t i) { return w.joints[i].next_free; }),
+        "free joints");
 }
 
 void check_fields(const WorldData& w, Findings& findings) {
@@ -331,8 +332,9 @@ void check_fields(const WorldData& w, Findings& findings) {
         findings.require(field.def.force.index() < kinds && are_bools(field.def.enabled) &&
                              are_optionals(field.def.region),
                          "a field");
-    findings.require(list_ends(w.free_field, n, [&](uint32_t i) { return w.fields[i].next_free; }),
-                     "free fields");
+    findings.require(
+        list_ends(w.field_slots.free, n, [&](uint32_t i) { return w.fields[i].next_free; }),
+        "free fields");
 }
 
 void check_lists(const WorldData& w, Findings& findings) {
@@ -346,7 +348,7 @@ void check_lists(const WorldData& w, Findings& findings) {
         findings.require(
             list_ends(island.first, bodies, [&](uint32_t i) { return w.bodies[i].next; }),
             "an island");
-    findings.require(list_ends(w.free_island, w.islands.size(),
+    findings.require(list_ends(w.island_slots.free, w.islands.size(),
                                [&](uint32_t i) { return w.islands[i].next_free; }),
                      "free islands");
     const WorldDef& s = w.settings;

@@ -90,14 +90,14 @@ Fault check_bodies(const WorldData& data) {
             if (record.island == none) return "body " + number(body) + " sleeps in no island";
         }
     }
-    if (live != data.body_count) return std::string("the number of bodies is wrong");
+    if (live != data.body_slots.count) return std::string("the number of bodies is wrong");
     if (awake != data.awake_bodies.size())
         return std::string("the list of awake bodies is too long");
     for (uint32_t i = 0; i < data.islands.size(); ++i)
         data.for_each_asleep(i, [&](uint32_t) { ++in_islands; });
     if (asleep != in_islands) return std::string("the islands hold bodies that do not sleep");
     return check_slot_lists("bodies", data.bodies, data.body_generations, data.edited_bodies,
-                            data.free_body);
+                            data.body_slots.free);
 }
 
 Fault check_shapes(const WorldData& data) {
@@ -120,7 +120,7 @@ Fault check_shapes(const WorldData& data) {
         if (tree.item(record.proxy) != shape || data.forms[shape].body == none)
             return "shape " + number(shape) + " is in a tree as another one";
     }
-    if (live != data.shape_count) return std::string("the number of shapes is wrong");
+    if (live != data.shape_slots.count) return std::string("the number of shapes is wrong");
     if (proxies != data.fixed_tree.size() + data.moving_tree.size())
         return std::string("a tree holds shapes that do not exist");
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
@@ -139,7 +139,7 @@ Fault check_shapes(const WorldData& data) {
                           [&](uint32_t shape) { return data.shapes[shape].moved; }))
         return std::string("the list of moved shapes is wrong");
     return check_slot_lists("shapes", data.shapes, data.shape_generations, data.edited_shapes,
-                            data.free_shape);
+                            data.shape_slots.free);
 }
 
 Fault check_contacts(const WorldData& data) {
@@ -167,7 +167,7 @@ Fault check_contacts(const WorldData& data) {
         }
         for (uint32_t body : {c.body_a, c.body_b}) touching[body] += c.touching && !c.sensor;
     }
-    if (live != data.contact_count) return std::string("the number of contacts is wrong");
+    if (live != data.contact_slots.count) return std::string("the number of contacts is wrong");
     if (live != data.pairs.size()) return std::string("the pair set holds pairs without a contact");
     if (awake != data.awake_contacts.size())
         return std::string("the list of awake contacts is too long");
@@ -188,7 +188,7 @@ Fault check_contacts(const WorldData& data) {
     }
     if (edges != 2 * live) return std::string("a contact is not listed in its bodies");
     if (!lists_the_free(
-            data.free_contact, data.contacts.size(),
+            data.contact_slots.free, data.contacts.size(),
             [&](uint32_t slot) { return data.contacts[slot].shape_a == none; },
             [&](uint32_t slot) { return data.contact_links[slot].edges[0].next; }))
         return std::string("the list of free contacts is wrong");
@@ -211,7 +211,7 @@ Fault check_joints(const WorldData& data) {
             return "joint " + number(joint) + " is not listed as it should be";
         awake += active;
     }
-    if (live != data.joint_count) return std::string("the number of joints is wrong");
+    if (live != data.joint_slots.count) return std::string("the number of joints is wrong");
     for (const auto& list : data.awake_joints) awake -= uint32_t(list.size());
     if (awake != 0) return std::string("the lists of awake joints are too long");
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
@@ -244,7 +244,7 @@ Fault check_joints(const WorldData& data) {
     if (placed != live || listed != live)
         return std::string("a list of joints does not hold its joints");
     if (!lists_the_free(
-            data.free_joint, data.joints.size(),
+            data.joint_slots.free, data.joints.size(),
             [&](uint32_t joint) { return data.joint_generations[joint] == 0; },
             [&](uint32_t joint) { return data.joints[joint].next_free; }))
         return std::string("the list of free joints is wrong");

@@ -118,7 +118,7 @@ class NarrowPhase {
         const bool active = c.manifold.count > 0;
         if (c.sensor) return active != c.touching;
         if (!active) return c.touching || c.rolling_impulse != 0.0f;
-        return world_.island_count > 0 &&
+        return world_.island_slots.count > 0 &&
                (world_.bodies[c.body_a].asleep() || world_.bodies[c.body_b].asleep());
     }
 
@@ -172,7 +172,7 @@ size_t WorldData::collide_awake(std::span<const uint32_t> slots, size_t first, u
 /// Contacts are made one after the other. Whoever is free meanwhile collides those there are.
 size_t WorldData::collide_and_create() {
     make_room(awake_contacts, new_pairs.size());
-    const size_t spare = contacts.size() - contact_count;
+    const size_t spare = contacts.size() - contact_slots.count;
     make_room(contacts, new_pairs.size() - std::min(new_pairs.size(), spare));
     const size_t moved = moved_shapes.size();
     const auto marks = uint32_t((moved + moved_at_a_time - 1) / moved_at_a_time);

@@ -143,9 +143,9 @@ void WorldData::create_contacts() {
     for (size_t i = 0; i < new_pairs.size(); ++i) {
         if (i + pairs_ahead < new_pairs.size()) prefetch_pair(new_pairs[i + pairs_ahead]);
         create_contact(uint32_t(new_pairs[i]), uint32_t(new_pairs[i] >> 32));
-        if (free_contact == none) continue;
-        contacts[free_contact].prefetch();
-        __builtin_prefetch(&contact_links[free_contact], 1);
+        if (contact_slots.free == none) continue;
+        contacts[contact_slots.free].prefetch();
+        __builtin_prefetch(&contact_links[contact_slots.free], 1);
     }
 }
 

@@ -26,7 +26,7 @@ void WorldData::make_border() {
         forms[side] = {side, 0, FormKind::border, 0.0f, 0, {}};
         shapes[side].type = ShapeType::border;
     }
-    body_count = 0;
+    body_slots.count = 0;
     apply_bounds();
 }
 
@@ -70,9 +70,9 @@ BorderPlane WorldData::border_plane(uint32_t side) const {
 }
 
 uint32_t WorldData::create_body(const BodyDef& def) {
-    uint32_t slot = free_body;
+    uint32_t slot = body_slots.free;
     if (slot != none) {
-        free_body = bodies[slot].next;
+        body_slots.free = bodies[slot].next;
         bodies[slot] = BodyRecord();
         states[slot] = {};
     } else {
@@ -84,7 +84,7 @@ uint32_t WorldData::create_body(const BodyDef& def) {
         body_generations.push_back(0);
     }
     body_generations[slot] = new_generation();
-    ++body_count;
+    ++body_slots.count;
 
     BodyRecord& record = bodies[slot];
     record.type = def.type;
@@ -139,10 +139,10 @@ void WorldData::destroy_body(uint32_t body) {
     if (bodies[body].solver_index != 0) remove_awake(body);
     leave_island(body);
     bodies[body] = BodyRecord();
-    bodies[body].next = free_body;
-    free_body = body;
+    bodies[body].next = body_slots.free;
+    body_slots.free = body;
     body_generations[body] = 0;
-    --body_count;
+    --body_slots.count;
 }
 
 uint32_t WorldData::create_shape(const ShapeDef& def, const Geometry& geometry) {
@@ -153,16 +153,16 @@ uint32_t WorldData::create_shape(const ShapeDef& def, const Geometry& geometry) 
     if (polygon && convex_hull(polygon->vertices, hull) != HullStatus::ok) return none;
 
     const uint32_t slot = new_shape();
-    ++shape_count;
+    ++shape_slots.count;
     shapes[slot].surface = def;
     set_form(slot, geometry, hull);
     return slot;
 }
 
 uint32_t WorldData::new_shape() {
-    uint32_t slot = free_shape;
+    uint32_t slot = shape_slots.free;
     if (slot != none) {
-        free_shape = shapes[slot].next;
+        shape_slots.free = shapes[slot].next;
         const bool listed = shapes[slot].moved;
         shapes[slot] = {};
         shapes[slot].moved = listed;
@@ -254,14 +254,14 @@ void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vec
 void WorldData::destroy_shape(uint32_t shape) {
     drop_parts(shape, none);
     if (forms[shape].body != none) detach_shape(shape);
-    if (shapes[shape].owner == none) --shape_count;
+    if (shapes[shape].owner == none) --shape_slots.count;
     pool.release(forms[shape].begin, shapes[shape].capacity);
     const bool listed = shapes[shape].moved;
     shapes[shape] = {};
     shapes[shape].moved = listed;  // once is enough, whoever comes into the slot
     forms[shape] = {};
-    shapes[shape].next = free_shape;
-    free_shape = shape;
+    shapes[shape].next = shape_slots.free;
+    shape_slots.free = shape;
     shape_generations[shape] = 0;
 }
 

@@ -198,16 +198,16 @@ void WorldData::step(float dt) {
     statistics.total_ms = total.lap();
 
     statistics.steps = steps;
-    statistics.bodies = body_count;
-    statistics.shapes = shape_count;
-    statistics.joints = joint_count;
+    statistics.bodies = body_slots.count;
+    statistics.shapes = shape_slots.count;
+    statistics.joints = joint_slots.count;
     statistics.awake_joints = 0;
     for (const auto& list : awake_joints) statistics.awake_joints += uint32_t(list.size());
-    statistics.contacts = contact_count;
+    statistics.contacts = contact_slots.count;
     statistics.awake_bodies = uint32_t(awake_bodies.size());
     statistics.awake_contacts = uint32_t(awake_contacts.size());
     statistics.touching = uint32_t(constraints.size() + colored_count);
-    statistics.islands = island_count;
+    statistics.islands = island_slots.count;
     trim();
 }
 

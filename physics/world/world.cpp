@@ -34,10 +34,10 @@ World::~World() {
 
 World::World(const World& other) {
     other.data_->self.may_copy("copying a World");
-    data_ = std::make_unique<WorldData>(*other.data_);
-    data_->threads = nullptr;
+    data_ = std::make_unique<WorldData>();
     data_->self.link = &take_link();
-    data_->skip_generations();
+    data_->most_lanes = other.data_->most_lanes;
+    data_->replace_state(WorldState(*other.data_));
     begin();
 }
 
@@ -45,7 +45,7 @@ World& World::operator=(const World& other) {
     if (this == &other) return *this;
     WorldData& data = populate(__func__);
     other.data_->self.may_copy("copying a World");
-    data.take(WorldData(*other.data_));
+    data.replace_state(WorldState(*other.data_));
     return *this;
 }
 
@@ -277,13 +277,13 @@ bool World::locked() const {
 }
 
 uint32_t World::body_count() const {
-    return data_->body_count;
+    return data_->body_slots.count;
 }
 uint32_t World::shape_count() const {
-    return data_->shape_count;
+    return data_->shape_slots.count;
 }
 uint32_t World::joint_count() const {
-    return data_->joint_count;
+    return data_->joint_slots.count;
 }
 const Events& World::events() const {
     return data_->events;

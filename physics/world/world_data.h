@@ -1,22 +1,10 @@
 #pragma once
 
-#include <broad_phase/pair_set.h>
-#include <broad_phase/tree.h>
-#include <fettle/physics/world.h>
-#include <geometry/vertex_pool.h>
-#include <solver/acting.h>
 #include <solver/blocks.h>
-#include <solver/constraint.h>
-#include <solver/hubs.h>
-#include <solver/motion.h>
-#include <solver/rolling_contact.h>
-#include <solver/stiffness.h>
-#include <solver/strips.h>
 #include <wide/kernels.h>
-#include <world/joint_types.h>
-#include <world/records.h>
-#include <world/step_notes.h>
+#include <world/step_scratch.h>
 #include <world/world_self.h>
+#include <world/world_state.h>
 
 #include <array>
 #include <span>
@@ -50,100 +38,13 @@ struct BorderPlane {
     float depth = 0.0f;
 };
 
-/// Everything of a world: arrays addressed by slot, lists of what is awake, lists of what an edit
-/// left out of date. The member functions are grouped by the file that defines them.
-struct WorldData : Columns {
-    WorldDef settings;
-
-    std::vector<BodyRecord> bodies;
-    std::vector<ShapeRecord> shapes;
-    std::vector<ContactRecord> contacts;
-    std::vector<ContactLinks> contact_links;  ///< of the same
-    std::vector<JointRecord> joints;
-    JointLists joint_lists;
-    std::vector<Island> islands;
-    std::vector<FieldRecord> fields;
-    uint32_t free_field = none, field_count = 0;
-    uint32_t free_body = none, free_shape = none, free_contact = none, free_joint = none,
-             free_island = none;
-    uint32_t body_count = 0, shape_count = 0, contact_count = 0, joint_count = 0, island_count = 0;
-
-    // By shape slot.
-    std::vector<ShapeForm> forms;
-    std::vector<Box4> boxes;      ///< tight
-    std::vector<Box4> fat_boxes;  ///< in the tree
-    /// The fat boxes as they were when pairs were last looked for: two that overlapped then are
-    /// known. Empty after an edit that may have changed with whom the shape collides.
-    std::vector<Box4> paired_boxes;
-    VertexPool pool;
-
-    Tree fixed_tree, moving_tree;
-    PairSet pairs;
-    std::vector<uint32_t> moved_shapes;  ///< look for new pairs
-    std::vector<uint8_t> relocated;      ///< of the step, by shape: its fat box is another
-    std::vector<uint64_t> new_pairs;     ///< of the step: upper << 32 | lower
-    std::vector<uint64_t> spare_pairs;   ///< while they are sorted
-    std::vector<std::vector<uint64_t>> found_pairs;  ///< of the step, by piece
-    std::vector<Tree::NodePair> parts_of_walk;       ///< of the step
-    std::vector<uint32_t> awake_bodies;              ///< slots; solver index is the place + 1
-    std::vector<uint32_t> awake_contacts;            ///< slots
-    std::array<std::vector<uint32_t>, joint_type_count> awake_joints;  ///< slots, by type
-    std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
-
-    // Of the step; kept for their capacity.
-    std::vector<CollidedPiece> collided;
-    std::vector<SolverBody> solver_bodies;
-    /// By body slot. Dense, where the records are not: every contact asks.
-    std::vector<SolverEnd> solver_ends;
-    std::vector<SolverForce> solver_forces;
-    JointShare joint_share;
-    std::vector<ContactConstraint> constraints;  ///< of the serial contacts
-    std::vector<uint32_t> serial_contacts;       ///< solved one at a time
-    std::vector<ActingContact> acting;
-    std::vector<ActingPiece> acting_pieces;
-    size_t colored_count = 0;             ///< of the acting ones, those in groups
-    std::vector<uint32_t> lane_contacts;  ///< by lane: which of the acting ones
-    std::vector<uint32_t> spare_lanes;
-    std::vector<GroupNews> news;                     ///< of each group
-    std::vector<uint64_t> told;                      ///< a bit for each acting contact
-    std::vector<std::vector<ContactHitEvent>> hits;  ///< of the step, by piece
-    SolverBlocks blocks;
-    Hubs hubs;
-    Strips strips;                       ///< where this step cuts the world
-    Reordering reordering;               ///< of a list, into their order
-    Sections sections[2];                ///< of blocks that are whole, of those that are cut
-    std::vector<uint32_t> color_begin;   ///< lanes, by who counts them, section and color
-    std::vector<uint32_t> first_groups;  ///< of each section of each block, and the end
-    std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting ones
-    std::vector<uint32_t> serial_acting;               ///< solved one at a time
-    NodeRanges serial_nodes;                           ///< of `constraints`
-    std::vector<uint8_t> joint_notes, serial_notes;
-    std::vector<uint8_t> bounced;  ///< by solver index: in which pass
-    JointPlans joint_plans;
-    std::vector<WideBlock> wide_blocks;    ///< for each that is solved at a time
-    std::vector<uint64_t> colors_of_body;  ///< by solver index, a bit a color
-    int most_lanes = lanes;                ///< tests compare instruction sets
-    std::vector<ContactExtra> extras;
-    std::vector<RollingContact> rolling_contacts;
-    JointConstraints joint_constraints;
-    std::vector<Strain> strains;
-    std::vector<uint8_t> gathered;  ///< what pieces of the awake bodies have
-    bool axes_locked = false;       ///< of some awake body, along x or y
-    bool driven = false;            ///< some awake body moves on its own
-    std::vector<uint32_t> locked;   ///< solver indices of bodies with one axis locked
-    std::vector<FastBody> fast_bodies;
-    std::vector<FinishedPiece> finished;
-    std::vector<ContactRecord> parted;  ///< last touches of an outline's parts that ended
-    float last_substep = 0.0f;          ///< s; warm-start impulses are scaled by the ratio
-    uint64_t steps = 0;
-    uint32_t sleep_candidates = 0;  ///< bodies that rested long enough, as of the last step
-
-    Events events;   ///< of the last step
-    Events pending;  ///< made by edits since
+/// A world: its state, what its step makes anew, and what it is besides. The member functions are
+/// grouped by the file that defines them.
+struct WorldData : WorldState, StepScratch {
+    int most_lanes = lanes;  ///< tests compare instruction sets
     bool stepping = false;
     WorldSelf self;                 ///< of the world, not of its state
     ThreadPool* threads = nullptr;  ///< of `self`
-    StepStatistics statistics;
 
     Events& event_sink() { return stepping ? events : pending; }
     /// One sequence for all slots: an identity never comes back.
@@ -423,7 +324,9 @@ struct WorldData : Columns {
     bool repeats_pushes(const SolverBlock& block);
     void solve_first_block(const BlockStep& step, const JointStep& joint_step);
     void solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step);
-    const Sections& sections_of(const SolverBlock& block) const { return sections[block.cut]; }
+    const Sections& sections_of(const SolverBlock& block) const {
+        return block.cut ? cut_sections : whole_sections;
+    }
     ThreadPool* helpers_of(const SolverBlock& block) const { return block.cut ? threads : nullptr; }
     template <typename Work>
     auto section_loop(const SolverBlock& block, Work work);
@@ -479,7 +382,7 @@ struct WorldData : Columns {
     void trim();
 
     // archive.cpp, links.cpp, memberships.cpp, numbers.cpp: saved worlds
-    void take(WorldData&& other);
+    void replace_state(WorldState&& other);
     std::optional<std::string> links_problem() const;
     std::optional<std::string> memberships_problem() const;
     std::optional<std::string> numbers_problem() const;

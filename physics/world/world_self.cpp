@@ -11,12 +11,6 @@ namespace fettle::physics::detail {
 
 WorldSelf::WorldSelf() = default;
 
-WorldSelf::WorldSelf(const WorldSelf&) {}
-
-WorldSelf& WorldSelf::operator=(const WorldSelf&) {
-    return *this;
-}
-
 WorldSelf::~WorldSelf() {
     if (link != nullptr) return_link(*link);
 }

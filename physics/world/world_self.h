@@ -33,8 +33,8 @@ struct WorldSelf {
 
     WorldSelf();
     ~WorldSelf();
-    WorldSelf(const WorldSelf&);
-    WorldSelf& operator=(const WorldSelf&);
+    WorldSelf(const WorldSelf&) = delete;
+    WorldSelf& operator=(const WorldSelf&) = delete;
 
     bool see_contacts() const { return mix || before_solve; }
 

@@ -90,10 +90,10 @@ TEST_CASE("a saved contact that nobody uses and that touches is refused") {
     first.destroy();
     REQUIRE(world.contacts().size() == 1);
     detail::WorldData& data = detail::WorldInside::of(world);
-    REQUIRE(data.free_contact != detail::none);
-    data.contacts[data.free_contact].touching = true;
+    REQUIRE(data.contact_slots.free != detail::none);
+    data.contacts[data.contact_slots.free].touching = true;
     const auto bytes = saved(world);
-    data.contacts[data.free_contact].touching = false;
+    data.contacts[data.contact_slots.free].touching = false;
     World target;
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("a contact"));
     REQUIRE_NOTHROW(target.restore(saved(world)));

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+// Lists of the members of a struct that the compiler checks: a member that is not listed is an
+// error. One list serves all who walk the members: writing, reading, counting memory, releasing it.
+
+namespace fettle::physics::detail {
+
+/// Converts to any type: stands for a member that is not named.
+struct AnyMember {
+    template <class T>
+    operator T() const;
+};
+
+template <class Aggregate, std::size_t... I>
+constexpr bool takes_members(std::index_sequence<I...>) {
+    return requires {
+        Aggregate{(static_cast<void>(I), AnyMember())...};
+    };
+}
+
+/// How many members and bases an aggregate has.
+template <class Aggregate, std::size_t least = 0>
+constexpr std::size_t count_members() {
+    static_assert(std::is_aggregate_v<Aggregate>);
+    if constexpr (takes_members<Aggregate>(std::make_index_sequence<least + 1>()))
+        return count_members<Aggregate, least + 1>();
+    else
+        return least;
+}
+
+/// Some members under one name: a line of `World::memory`; "" where they have no memory of their
+/// own.
+template <class... Member>
+struct NamedMembers {
+    const char* name;
+    std::tuple<Member&...> members;
+};
+
+template <class... Member>
+NamedMembers<Member...> named(const char* name, Member&... members) {
+    return {name, {members...}};
+}
+
+/// The base `Part` of `self`.
+template <class Part, class Self>
+auto& part(Self& self) {
+    return static_cast<std::conditional_t<std::is_const_v<Self>, const Part, Part>&>(self);
+}
+
+/// Shows every member to `io`, after `io.line(name)` if it wants names. The members of `Base` are
+/// listed with those of `Whole`.
+template <class Whole, class... Base, class Io, class... Line>
+void list_members(Io& io, const Line&... lines) {
+    constexpr std::size_t listed =
+        (std::tuple_size_v<decltype(std::declval<Line>().members)> + ... + 0);
+    static_assert(
+        listed == count_members<Whole>() + (count_members<Base>() + ... + 0) - sizeof...(Base),
+        "a member is not listed");
+    const auto show = [&io](const auto& line) {
+        if constexpr (requires { io.line(line.name); }) io.line(line.name);
+        std::apply([&io](auto&... each) { (io(each), ...); }, line.members);
+    };
+    (show(lines), ...);
+}
+
+}  // namespace fettle::physics::detail
