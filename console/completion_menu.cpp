@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "fuzzy.h"
+#include <fettle/script/fuzzy.h>
+
 #include "utf8.h"
 
 namespace fettle::console {
@@ -19,36 +20,17 @@ bool typed_part(const script::Completion& completion, std::string_view input, st
 
 }  // namespace
 
-// Whoever found the candidates has put the best first; only the letters that matched are ours to
-// find.
+// The candidates come with the best first.
 void CompletionMenu::show(std::vector<script::Completion> completions, std::string_view input,
                           std::size_t cursor) {
     candidates_.clear();
     for (script::Completion& completion : completions) {
         std::string_view typed;
         if (!typed_part(completion, input, cursor, typed)) continue;
-        auto match = fuzzy_match(typed, completion.label);
-        candidates_.push_back({std::move(completion), {}, 0});
+        auto match = script::fuzzy_match(typed, completion.label);
+        candidates_.push_back({std::move(completion), {}});
         if (match) candidates_.back().matched = std::move(match->positions);
     }
-    selected_ = 0;
-    open_ = !candidates_.empty();
-}
-
-void CompletionMenu::narrow(std::string_view input, std::size_t cursor) {
-    for (Candidate& candidate : candidates_) {
-        candidate.score = -1;
-        std::string_view typed;
-        if (!typed_part(candidate.completion, input, cursor, typed)) continue;
-        // What is typed may be quoted or prefixed as in the text, or bare as in the label.
-        auto in_label = fuzzy_match(typed, candidate.completion.label);
-        if (!in_label && !fuzzy_match(typed, candidate.completion.text)) continue;
-        candidate.score = in_label ? std::max(0, in_label->score) : 0;
-        candidate.matched = in_label ? std::move(in_label->positions) : std::vector<std::size_t>{};
-    }
-    std::erase_if(candidates_, [](const Candidate& candidate) { return candidate.score < 0; });
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
     selected_ = 0;
     open_ = !candidates_.empty();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The list of candidates under the prompt: opened by Tab, narrowed while one types on.
+// The list of candidates under the prompt: opened by Tab, found anew while one types on.
 
 #include <cstddef>
 #include <string>
@@ -15,7 +15,6 @@ class CompletionMenu {
     struct Candidate {
         script::Completion completion;
         std::vector<std::size_t> matched;  // bytes of the label that were typed
-        int score = 0;
     };
 
     bool open() const { return open_; }
@@ -23,8 +22,6 @@ class CompletionMenu {
     /// Shows these; closes when there are none.
     void show(std::vector<script::Completion> completions, std::string_view input,
               std::size_t cursor);
-    /// Narrows what is shown to what still matches after more was typed.
-    void narrow(std::string_view input, std::size_t cursor);
 
     const std::vector<Candidate>& candidates() const { return candidates_; }
     std::size_t selected() const { return selected_; }

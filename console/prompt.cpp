@@ -87,12 +87,7 @@ void Prompt::type(char32_t c) {
         menu_.close();
         return;
     }
-    std::vector<script::Completion> fresh;
-    if (interpreter_.complete) fresh = interpreter_.complete(edit_.text(), edit_.cursor());
-    if (fresh.empty())
-        menu_.narrow(edit_.text(), edit_.cursor());
-    else
-        menu_.show(std::move(fresh), edit_.text(), edit_.cursor());
+    show_candidates();
 }
 
 void Prompt::paste(std::string_view text) {
@@ -113,8 +108,7 @@ void Prompt::text_changed() {
 void Prompt::complete() {
     if (!interpreter_.complete) return;
     edit_.place(edit_.cursor(), false);
-    auto completions = interpreter_.complete(edit_.text(), edit_.cursor());
-    menu_.show(std::move(completions), edit_.text(), edit_.cursor());
+    show_candidates();
     if (menu_.candidates().size() == 1) return apply_candidate();
     if (!menu_.open()) return;
     // What all candidates share is typed for the user, but never at the cost of what is there.
@@ -124,8 +118,12 @@ void Prompt::complete() {
     if (common.size() > typed.size() && common.starts_with(typed)) {
         edit_.replace(from, edit_.cursor(), common);
         text_changed();
-        menu_.narrow(edit_.text(), edit_.cursor());
+        show_candidates();
     }
+}
+
+void Prompt::show_candidates() {
+    menu_.show(interpreter_.complete(edit_.text(), edit_.cursor()), edit_.text(), edit_.cursor());
 }
 
 void Prompt::apply_candidate() {
@@ -170,9 +168,7 @@ bool Prompt::menu_key(const Key& key) {
     } else if (key.name == "backspace" && !edit_.selecting()) {
         edit_.erase(key.control ? Motion::word_left : Motion::left);
         text_changed();
-        if (interpreter_.complete)
-            menu_.show(interpreter_.complete(edit_.text(), edit_.cursor()), edit_.text(),
-                       edit_.cursor());
+        show_candidates();
     } else {
         if (moves_or_ends(key)) menu_.close();
         return false;

@@ -53,6 +53,7 @@ class Prompt {
     bool motion_key(const Key& key);
     bool erase_key(const Key& key);
     void complete();
+    void show_candidates();
     void apply_candidate();
     void text_changed();
     void walk(bool older);

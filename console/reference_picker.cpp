@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
+#include <fettle/script/fuzzy.h>
+
 #include "fields.h"
-#include "fuzzy.h"
 #include "theme.h"
 
 namespace fettle::console {
@@ -26,7 +27,7 @@ void ReferencePicker::take_candidates(const property::Property& property) {
     tree_.each_below(tree_.root(), [&](Handle instance) {
         if (candidates_.size() >= most_candidates) return;
         if (of != nullptr && !tree_.class_of(instance).is_a(*of)) return;
-        if (!search_.empty() && !fuzzy_match(search_, tree_.path(instance))) return;
+        if (!search_.empty() && !script::fuzzy_match(search_, tree_.path(instance))) return;
         candidates_.push_back(instance);
     });
     taken_for_ = search_;

@@ -6,11 +6,11 @@
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
+#include <fettle/script/fuzzy.h>
 
 #include "description.h"
 #include "expression.h"
 #include "format.h"
-#include "fuzzy.h"
 #include "generic_methods.h"
 #include "globals.h"
 #include "help.h"
@@ -47,8 +47,9 @@ class Candidates {
     }
     void add_as(const std::string& label, const std::string& text, std::size_t from,
                 std::string detail, std::string doc, Group group) {
-        int score = fuzzy_score(typed_, label);
-        if (score == 0) return;
+        const auto match = fuzzy_match(typed_, label);
+        if (!match) return;
+        int score = match->score;
         if (expected_) score += 10'000;
         if (entries_.size() >= most_collected || !labels_.insert(label).second) return;
         entries_.push_back({score, group, {text, label, std::move(detail), std::move(doc), from}});

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzzy.h"
+#include <fettle/script/fuzzy.h>
 
 namespace fettle::console::test {
 
@@ -194,7 +194,8 @@ Interpreter Rig::stand_in() {
         std::string_view typed = input.substr(from, cursor - from);
         std::vector<std::pair<int, std::string>> names;
         for (const char* name : {"friction", "force", "fixed", "mass", "inertia"})
-            if (auto match = fuzzy_match(typed, name)) names.emplace_back(match->score, name);
+            if (auto match = script::fuzzy_match(typed, name))
+                names.emplace_back(match->score, name);
         std::stable_sort(names.begin(), names.end(),
                          [](const auto& a, const auto& b) { return a.first > b.first; });
         for (const auto& [score, name] : names)

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "catch.h"
-#include "fuzzy.h"
 #include "highlight.h"
 #include "log.h"
 
@@ -26,24 +25,6 @@ bool has(std::string_view line, const std::vector<Span>& spans, std::string_view
 }
 
 }  // namespace
-
-TEST_CASE("fuzzy matching prefers starts of words and runs") {
-    auto score = [](std::string_view pattern, std::string_view candidate) {
-        return fuzzy_match(pattern, candidate).value().score;
-    };
-    CHECK(score("gs", "gravity_scale") > score("gs", "angles"));
-    CHECK(score("mas", "mass") > score("mas", "max_steps"));
-    CHECK(score("mass", "mass") > score("mass", "mass_total"));
-    CHECK_FALSE(fuzzy_match("xyz", "position"));
-    CHECK_FALSE(fuzzy_match("longer than it", "it"));
-    CHECK(fuzzy_match("", "anything").value().score == 0);
-}
-
-TEST_CASE("fuzzy matching tells which letters matched") {
-    CHECK(fuzzy_match("gs", "gravity_scale").value().positions == std::vector<std::size_t>{0, 8});
-    CHECK(fuzzy_match("FRIC", "friction").value().positions ==
-          std::vector<std::size_t>{0, 1, 2, 3});
-}
 
 TEST_CASE("a command is colored by what its parts are") {
     std::string_view line = "if world[\"my ball\"].mass >= 0x1F then x = 'a' -- why";
