@@ -22,6 +22,7 @@ Hosting::Hosting(property::Tree& in, property::SnapshotPart& part)
                           {-0.5f, 0.5f}}},
         physics::Chain{.points = {{-0.5f, 0.0f}, {0.5f, 0.0f}}}};
     for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = {this, geometries[i]};
+    owner_.on_unlocked([this] { destroy_postponed(); });
     type_names = {"static", "kinematic", "dynamic"};
 }
 

@@ -166,7 +166,7 @@ class Hosting {
     /// False if the world can be changed now. While it calls a function it gives up nothing: then
     /// `destroy` is called by `destroy_postponed`.
     bool postpone(std::uint32_t world, std::function<void()> destroy);
-    void destroy_postponed();
+    void destroy_postponed();  ///< what can be by now
     /// Throws Error(rejected) while the world of `row` calls a function.
     void require_unlocked(Row row);
 

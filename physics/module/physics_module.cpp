@@ -1,5 +1,6 @@
 #include <fettle/physics_module/physics_module.h>
 
+#include <exception>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -92,9 +93,9 @@ void PhysicsModule::step(double dt) {
         throw std::invalid_argument("PhysicsModule::step: dt = " + std::to_string(dt) +
                                     ": expected a time in seconds, at least 0");
     const Hosting::Doing step(hosting());
-    hosting().destroy_postponed();
     hosting().follow_listeners();
     hosting().joints.tighten();
+    std::exception_ptr thrown;
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
@@ -102,10 +103,17 @@ void PhysicsModule::step(double dt) {
             hosted->departed_bodies.clear();
             hosted->departed_shapes.clear();
         }
-        hosted->world.step(static_cast<float>(dt));
-        hosted->unreported = true;
+        const bool makes_step = !hosted->world.locked();  // else this is called inside of one
+        // A function of the user that throws takes no step from another world and no event from
+        // its own: the step has been made.
+        try {
+            hosted->world.step(static_cast<float>(dt));
+        } catch (...) {
+            if (!thrown) thrown = std::current_exception();
+        }
+        if (makes_step && hosting().world_at(n) == hosted) hosted->unreported = true;
     }
-    hosting().destroy_postponed();
+    if (thrown) std::rethrow_exception(thrown);
 }
 
 void PhysicsModule::report(property::Tree& tree) {
@@ -113,7 +121,6 @@ void PhysicsModule::report(property::Tree& tree) {
         throw std::invalid_argument(
             "PhysicsModule::report: expected the tree that physics is attached to, got another");
     tree.stepped();
-    hosting().destroy_postponed();
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->unreported) continue;
@@ -123,7 +130,6 @@ void PhysicsModule::report(property::Tree& tree) {
 }
 
 property::Memory PhysicsModule::save(property::ByteWriter& to) const {
-    hosting().destroy_postponed();
     hosting().save(to);
     return {};
 }
@@ -137,7 +143,6 @@ void PhysicsModule::refresh(std::uint64_t what) {
 }
 
 std::uint64_t PhysicsModule::hash() const {
-    hosting().destroy_postponed();
     std::uint64_t combined = 0;
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         const HostedWorld* hosted = hosting().world_at(n);

@@ -3,6 +3,7 @@
 // A body is in the world of the nearest World above it, a shape on the nearest Body. What has none
 // is in limbo, a world that nobody steps: it can be read and edited all the same.
 
+#include <algorithm>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -123,8 +124,11 @@ bool Hosting::postpone(std::uint32_t world, std::function<void()> destroy) {
 }
 
 void Hosting::destroy_postponed() {
-    // One whose world calls a function even now is postponed again.
-    for (const Postponed& one : std::exchange(postponed_, {})) one.destroy();
+    const auto locked = [this](const Postponed& one) { return worlds_[one.world]->world.locked(); };
+    const auto first_ready = std::stable_partition(postponed_.begin(), postponed_.end(), locked);
+    const std::vector<Postponed> ready(first_ready, postponed_.end());
+    postponed_.erase(first_ready, postponed_.end());
+    for (const Postponed& one : ready) one.destroy();
 }
 
 void Hosting::require_unlocked(Row row) {

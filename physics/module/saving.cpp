@@ -134,6 +134,11 @@ void Hosting::refresh(std::uint64_t what) {
 // --- Saving
 
 void Hosting::save(property::ByteWriter& to) const {
+    if (!postponed_.empty())
+        throw property::Error(property::ErrorKind::rejected,
+                              "a snapshot cannot be taken by a function that a physics world calls "
+                              "after it has deleted something: wait until that step or query is "
+                              "over");
     to.put(std::uint8_t{wanted_.hits});
     const auto count = std::count_if(worlds_.begin(), worlds_.end(),
                                      [](const auto& hosted) { return hosted != nullptr; });

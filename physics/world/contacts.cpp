@@ -72,11 +72,7 @@ void WorldData::remix(ContactRecord& c) const {
 }
 
 void WorldData::remix_shape(uint32_t shape) {
-    if (forms[shape].body == none) return;
-    for_each_contact(forms[shape].body, [&](uint32_t contact) {
-        ContactRecord& c = contacts[contact];
-        if (c.shape_a == shape || c.shape_b == shape) remix(c);
-    });
+    for_each_contact_of(shape, [&](uint32_t contact) { remix(contacts[contact]); });
 }
 
 void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
@@ -139,24 +135,23 @@ void WorldData::destroy_contact(uint32_t slot) {
 }
 
 void WorldData::destroy_contacts_of_shape(uint32_t shape) {
-    if (forms[shape].body == none) return;
-    for_each_contact(forms[shape].body, [&](uint32_t contact) {
-        if (contacts[contact].shape_a == shape || contacts[contact].shape_b == shape)
-            destroy_contact(contact);
-    });
+    for_each_contact_of(shape, [&](uint32_t contact) { destroy_contact(contact); });
+}
+
+void WorldData::destroy_contacts_of_body(uint32_t body) {
+    for_each_contact(body, [&](uint32_t contact) { destroy_contact(contact); });
 }
 
 void WorldData::refilter(uint32_t shape) {
     const uint32_t body = forms[shape].body;
     if (body == none) return;
     wake_for_edit(body);
-    for_each_contact(body, [&](uint32_t contact) {
+    for_each_contact_of(shape, [&](uint32_t contact) {
         const ContactRecord& c = contacts[contact];
-        if (c.shape_a != shape && c.shape_b != shape) return;
         const bool sensor = shapes[c.shape_a].surface.sensor || shapes[c.shape_b].surface.sensor;
         if (c.sensor != sensor || !may_collide(c.shape_a, c.shape_b)) destroy_contact(contact);
     });
-    mark_moved(shape);
+    for_each_solid(shape, [&](uint32_t solid) { mark_moved(solid); });
 }
 
 /// Until the poses are finished, the states hold the velocities before the step.

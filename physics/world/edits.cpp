@@ -146,6 +146,7 @@ void WorldData::refresh_shape(uint32_t shape) {
         return;
     }
     ShapeForm& form = forms[shape];
+    const float radius_before = form.radius;
     V2* local = &pool.local[form.begin];
     switch (record.type) {
         case ShapeType::circle:
@@ -178,7 +179,7 @@ void WorldData::refresh_shape(uint32_t shape) {
     record.set_moments(record.type == ShapeType::ellipse
                            ? moments_of(record.figure.as<Ellipse>())
                            : moments_of({local, form.count}, form.radius));
-    remix_shape(shape);  // rolling resistance depends on the radius
+    if (form.radius != radius_before) remix_shape(shape);  // for the rolling resistance
     if (form.body == none) place_shape(shape, {});
 }
 
@@ -316,8 +317,7 @@ void WorldData::update_mobility(uint32_t body) {
 
     wake_for_edit(body);
     wake_touching(body);
-    for (uint32_t s = record.first_shape; s != none; s = shapes[s].next)
-        destroy_contacts_of_shape(s);
+    destroy_contacts_of_body(body);
     record.mobility = mobility;
     if (mobility == Mobility::fixed) {
         if (record.solver_index != 0) remove_awake(body);

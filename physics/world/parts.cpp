@@ -197,6 +197,22 @@ void WorldData::rebuild_parts(uint32_t shape) {
 void WorldData::drop_parts(uint32_t shape, uint32_t last) {
     uint32_t part = last == none ? shapes[shape].first_part : shapes[last].next_part;
     (last == none ? shapes[shape].first_part : shapes[last].next_part) = none;
+    if (part == none) return;
+    if (const uint32_t body = forms[shape].body; body != none) {
+        // The contacts of all of them in one walk: there may be many of both.
+        wake_for_edit(body);
+        wake_touching(body);
+        std::vector<bool> dropped(shapes.size());
+        for (uint32_t each = part; each != none; each = shapes[each].next_part)
+            dropped[each] = true;
+        for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = contacts[contact];
+            if (dropped[c.shape_a] || dropped[c.shape_b]) destroy_contact(contact);
+        });
+        for (uint32_t each = part; each != none; each = shapes[each].next_part) unlink_shape(each);
+        mark_mass(body);
+        mark_placement(body);
+    }
     while (part != none) {
         const uint32_t next = shapes[part].next_part;
         destroy_shape(part);

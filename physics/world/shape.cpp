@@ -30,7 +30,7 @@ void refuse_border_any(const ShapeRecord& record, const char* what) {
 void surface_changed(WorldData& data, uint32_t shape) {
     data.share_surface(shape);
     if (data.forms[shape].body == none) return;
-    data.for_each_solid(shape, [&](uint32_t solid) { data.remix_shape(solid); });
+    data.remix_shape(shape);
     data.wake_for_edit(data.forms[shape].body);
 }
 
@@ -42,7 +42,7 @@ void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) 
     data.shapes[shape].surface.*what = value;
     data.share_surface(shape);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
-    data.for_each_solid(shape, [&](uint32_t solid) { data.refilter(solid); });
+    data.refilter(shape);
     lock.finish();
 }
 
@@ -173,9 +173,7 @@ void Shape::set_sensor(bool sensor) {
     if (form.body != none) {
         data.wake_for_edit(form.body);
         data.wake_touching(form.body);
-        data.for_each_solid(id_.index, [&](uint32_t solid) {
-            data.destroy_contacts_of_shape(solid);  // ended as what they were
-        });
+        data.destroy_contacts_of_shape(id_.index);  // ended as what they were
     }
     record.surface.sensor = sensor;
     data.share_surface(id_.index);
@@ -193,7 +191,7 @@ void Shape::set_hit_events(bool enabled) {
     refuse_border_any(record, "hit_events");
     record.surface.hit_events = enabled;
     data.share_surface(id_.index);
-    data.for_each_solid(id_.index, [&](uint32_t solid) { data.remix_shape(solid); });
+    data.remix_shape(id_.index);
 }
 
 uint64_t Shape::category() const {

@@ -135,6 +135,7 @@ void WorldData::destroy_body(uint32_t body) {
     wake_for_edit(body);
     wake_touching(body);
     while (bodies[body].first_joint != none) destroy_joint(bodies[body].first_joint >> 1);
+    destroy_contacts_of_body(body);
     while (bodies[body].first_shape != none) destroy_shape(bodies[body].first_shape);
     if (bodies[body].solver_index != 0) remove_awake(body);
     leave_island(body);
@@ -252,8 +253,8 @@ void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vec
 }
 
 void WorldData::destroy_shape(uint32_t shape) {
-    drop_parts(shape, none);
     if (forms[shape].body != none) detach_shape(shape);
+    drop_parts(shape, none);
     if (shapes[shape].owner == none) --shape_slots.count;
     pool.release(forms[shape].begin, shapes[shape].capacity);
     const bool listed = shapes[shape].moved;
@@ -291,6 +292,7 @@ void WorldData::detach_shape(uint32_t shape) {
     const uint32_t body = forms[shape].body;
     wake_for_edit(body);
     wake_touching(body);
+    destroy_contacts_of_shape(shape);
     for_each_solid(shape, [&](uint32_t solid) { unlink_shape(solid); });
     if (!is_solid(shape)) unlink_shape(shape);
     mark_mass(body);
@@ -299,8 +301,8 @@ void WorldData::detach_shape(uint32_t shape) {
     for_each_solid(shape, [&](uint32_t solid) { place_shape(solid, {}); });
 }
 
+/// It has no contacts any more.
 void WorldData::unlink_shape(uint32_t shape) {
-    destroy_contacts_of_shape(shape);
     remove_proxy(shape);
     ShapeRecord& record = shapes[shape];
     BodyRecord& owner = bodies[forms[shape].body];

@@ -22,12 +22,15 @@ bool WorldData::same_pair(const ContactRecord& c, const ContactRecord& d) const 
 bool WorldData::touch_elsewhere(uint32_t slot) const {
     const ContactRecord& c = contacts[slot];
     const bool fewer = bodies[c.body_a].contact_count < bodies[c.body_b].contact_count;
-    bool elsewhere = false;
-    for_each_contact(fewer ? c.body_a : c.body_b, [&](uint32_t other) {
+    const uint32_t body = fewer ? c.body_a : c.body_b;
+    const ListEdge& own = contact_links[slot].edges[fewer ? 0 : 1];
+    const auto touches = [&](uint32_t other) {
         const ContactRecord& d = contacts[other];
-        elsewhere |= other != slot && d.touching && !d.disabled && same_pair(c, d);
-    });
-    return elsewhere;
+        return d.touching && !d.disabled && same_pair(c, d);
+    };
+    // From its own place on: those made beside it began, and are destroyed, beside it as well.
+    return any_contact(own.next, none, touches) ||
+           any_contact(bodies[body].first_contact, slot, touches);
 }
 
 void WorldData::set_touching(uint32_t slot, bool touching) {
@@ -97,12 +100,11 @@ bool WorldData::tells_for_pair(uint32_t slot) const {
     const ContactRecord& c = contacts[slot];
     if (!of_outline(c)) return true;
     const bool fewer = bodies[c.body_a].contact_count < bodies[c.body_b].contact_count;
-    bool first = true;
-    for_each_contact(fewer ? c.body_a : c.body_b, [&](uint32_t other) {
+    const uint32_t body = fewer ? c.body_a : c.body_b;
+    return !any_contact(bodies[body].first_contact, none, [&](uint32_t other) {
         const ContactRecord& d = contacts[other];
-        first &= other >= slot || !d.touching || d.disabled || !same_pair(c, d);
+        return other < slot && d.touching && !d.disabled && same_pair(c, d);
     });
-    return first;
 }
 
 }  // namespace fettle::physics::detail

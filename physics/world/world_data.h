@@ -224,7 +224,8 @@ struct WorldData : WorldState, StepScratch {
     bool callback_agrees(uint32_t shape_a, uint32_t shape_b) const;
     void create_contact(uint32_t shape_a, uint32_t shape_b);
     void destroy_contact(uint32_t contact);
-    void destroy_contacts_of_shape(uint32_t shape);
+    void destroy_contacts_of_shape(uint32_t shape);  ///< and of its parts
+    void destroy_contacts_of_body(uint32_t body);
     void refilter(uint32_t shape);
     void remix(ContactRecord& contact) const;
     void remix_shape(uint32_t shape);
@@ -257,11 +258,31 @@ struct WorldData : WorldState, StepScratch {
     Contact view(const ContactRecord& contact) const;
     template <typename Visit>
     void for_each_contact(uint32_t body, Visit&& visit) const {
-        for (uint32_t edge = bodies[body].first_contact; edge != none;) {
+        any_contact(bodies[body].first_contact, none, [&](uint32_t contact) {
+            visit(contact);
+            return false;
+        });
+    }
+    /// Whether `visit` is true of a contact in a body's list, from an edge on and before the
+    /// contact `end` (none: to the end of the list).
+    template <typename Visit>
+    bool any_contact(uint32_t edge, uint32_t end, Visit&& visit) const {
+        while (edge != none && edge >> 1 != end) {
             const uint32_t next = contact_links[edge >> 1].edges[edge & 1].next;
-            visit(edge >> 1);
+            if (visit(edge >> 1)) return true;
             edge = next;
         }
+        return false;
+    }
+    /// Those of the shape and of its parts.
+    template <typename Visit>
+    void for_each_contact_of(uint32_t shape, Visit&& visit) const {
+        if (forms[shape].body == none) return;
+        const auto is_its = [&](uint32_t s) { return s == shape || shapes[s].owner == shape; };
+        for_each_contact(forms[shape].body, [&](uint32_t contact) {
+            const ContactRecord& c = contacts[contact];
+            if (is_its(c.shape_a) || is_its(c.shape_b)) visit(contact);
+        });
     }
     uint32_t other_body(uint32_t contact, uint32_t body) const {
         const ContactRecord& c = contacts[contact];

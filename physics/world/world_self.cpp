@@ -56,6 +56,10 @@ void WorldLock::unlock() {
     const WorldSelf& self = *std::exchange(self_, nullptr);
     self.leave_to(outer_);
     if (self.work_.fetch_sub(weight_, std::memory_order_acq_rel) != weight_) return;
+    if (!self.orphaned()) {
+        if (self.owner != nullptr) self.owner->tell_unlocked();
+        return;
+    }
     // This was the last use of the data of a world that is gone.
     const std::unique_ptr<WorldData> dead = std::move(self.orphan_);
 }

@@ -278,4 +278,42 @@ TEST_CASE("ten thousand segments cost no more than those that are near") {
     REQUIRE(world.statistics().shapes == 51);
 }
 
+// What begins and ends between an outline's many parts and one body was looked for among all of
+// them: these took 50 s and 40 s.
+TEST_CASE("a long chain across the border of the world costs no square of its points") {
+    World world({.bounds = Aabb{{-1, -1}, {1, 1}}});
+    Chain chain;
+    for (int i = 0; i < 40'000; ++i) chain.points.push_back({float(i), float(i % 2)});
+    Body body = world.create_body();
+    body.add(chain);
+    world.step(frame);
+    CHECK(body.is_touching());
+    world.step(frame);
+    body.destroy();
+    CHECK_FALSE(world.validate());
+}
+
+TEST_CASE("deleting a chain under many bodies costs no square of its contacts") {
+    World world;
+    Chain chain;
+    for (int i = 0; i < 3'000; ++i)
+        chain.points.push_back({0.001f * float(i), 0.001f * float(i % 2)});
+    Body ground = world.create_body({.type = BodyType::static_body});
+    Shape line = ground.add(chain);
+    for (int i = 0; i < 200; ++i) add_ball(world, {1.5f, 0.1f}, 2.0f);
+    run(world, 2 * frame);
+    CHECK(world.statistics().contacts > 500'000);
+    SECTION("the body") {
+        ground.destroy();
+    }
+    SECTION("the shape") {
+        line.destroy();
+    }
+    SECTION("most of its points") {
+        line.set_geometry(Chain{{chain.points.begin(), chain.points.begin() + 2}});
+    }
+    run(world, frame);
+    CHECK(world.statistics().contacts < 200 * 200);
+}
+
 }  // namespace chain_test

@@ -93,25 +93,36 @@ TEST_CASE_METHOD(Game, "what is deleted inside a function of its world leaves th
         REQUIRE(called);
     };
     inside([&] {
-        for (const Handle gone : {crate, second, joint, wind}) tree.destroy(gone);
+        for (const Handle gone : {joint, crate, second, wind}) tree.destroy(gone);
+        // What is called meanwhile forgets none of them.
+        REQUIRE_NOTHROW(physics.hash());
+        REQUIRE_THROWS(physics.step(1.0 / 60));
+        REQUIRE_THROWS(tree.snapshot());
         for (const Handle kept : {ball, shape_of(ball)})
             REQUIRE_THROWS_WITH(tree.move(kept, mars), contains("calls a function"));
         REQUIRE_FALSE(tree.alive(crate));
         REQUIRE(physics.handle(circle) == Handle{});
     });
     REQUIRE_FALSE(hosted.validate());
-    // A snapshot of before the next step holds the rest alone.
-    const auto snapshot = tree.snapshot();
     const auto left = [&] {
         return std::vector<std::size_t>{hosted.body_count(), hosted.shapes().size(),
                                         hosted.joints().size(), hosted.fields().size()};
     };
     const std::vector<std::size_t> expected = {2, 2, 0, 0};
     REQUIRE(left() == expected);
+    const auto snapshot = tree.snapshot();
     step();
     tree.restore(snapshot);
     step();
     REQUIRE(left() == expected);
+
+    // The body of a shape that is gone moves to another world.
+    const Handle third = make("Box", ball);
+    inside([&] { tree.destroy(third); });
+    tree.move(ball, mars);
+    tree.move(ball, world());
+    REQUIRE_FALSE(hosted.validate());
+    REQUIRE_NOTHROW(tree.restore(tree.snapshot()));
 
     // And in a step.
     hosted.set_before_solve([&](physics_library::ContactEdit&) {
@@ -130,6 +141,31 @@ TEST_CASE_METHOD(Game, "what is deleted inside a function of its world leaves th
     step();
     REQUIRE(tree.alive(fresh));
     REQUIRE(physics.world(world()).body_count() == 1);
+}
+
+TEST_CASE_METHOD(Game, "a callback that throws loses no event and no step of another world") {
+    const Handle ground = floor();
+    const Handle crate = body("Box", {0, 0.6});
+    const Handle mars = make("World", tree.root(), "mars");
+    int begins = 0;
+    const auto begin = tree.on(crate, *tree.class_of(crate).event("contact_begin"),
+                               [&](const fettle::property::Occurrence&) { ++begins; });
+    physics.world(world()).set_before_solve(
+        [](physics_library::ContactEdit&) { throw std::runtime_error("a callback of the host"); });
+    int thrown = 0;
+    for (int i = 0; i < 30; ++i) {
+        try {
+            physics.step(1.0 / 60);
+        } catch (const std::runtime_error&) {
+            ++thrown;
+        }
+        physics.report(tree);
+        tree.barrier();
+    }
+    CHECK(thrown > 0);
+    CHECK(begins == 1);
+    CHECK(physics.world(mars).statistics().steps == 30);
+    (void)ground;
 }
 
 TEST_CASE("a world in no world is kept for the tree too") {

@@ -2,6 +2,9 @@
 
 #include <fettle/physics/export.h>
 
+#include <functional>
+#include <utility>
+
 FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
@@ -34,12 +37,21 @@ class Owner {
         Owner& owner_;
     };
 
+    /// Called when a step, an edit or a query of a world is over in which functions of the user
+    /// could be called: what the owner could not end inside of them it may end now. It must not
+    /// throw.
+    void on_unlocked(std::function<void()> call) { unlocked_ = std::move(call); }
+    void tell_unlocked() const {
+        if (unlocked_) unlocked_();
+    }
+
     bool acts() const { return acting_ != 0; }
     const char* advice() const { return advice_; }
 
   private:
     const char* advice_;
     int acting_ = 0;
+    std::function<void()> unlocked_;
 };
 
 }  // namespace fettle::physics
