@@ -388,7 +388,8 @@ Command add_run(CLI::App& app) {
     option("--screenshot", "Write the last frame there (png, jpg, bmp or tga)",
            [](RunOptions& to, const std::string& text) { to.screenshot = parse_picture(text); });
     option("--record",
-           "Write everything but the time of day that comes into the run there, to be replayed",
+           "Write there what comes into the run, to be replayed: not the computer's clock, no "
+           "saved games",
            [](RunOptions& to, const std::string& text) {
                to.record = given("--record", text, "a file");
            });

@@ -2081,7 +2081,7 @@ function os.difftime(later, earlier) end
 ---@return integer
 function os.time(date) end
 
----Visits all entries: numbers first, then names, in order.
+---Visits all entries: numbers first, then names, in order; then instances, in an order that a replay repeats. Other keys (tables, functions) come in any order.
 ---@param table table
 ---@return function
 ---@return table

@@ -51,6 +51,10 @@ OpenModule Plugin::State::open_file(const ModuleCopy& copy) {
                                   text_or_empty(opened.native.name) + "\"");
     if (opened.native.attach == nullptr)
         throw LoadError(file, "expected a module with `attach`, found none");
+    if ((opened.native.save == nullptr) != (opened.native.restore == nullptr))
+        throw LoadError(file,
+                        "expected a module with both `save` and `restore`, or neither; found "
+                        "one of them");
     return opened;
 }
 
@@ -78,7 +82,13 @@ void Plugin::State::step_once() {
 }
 
 void Plugin::State::close_native() {
-    if (open.native.close != nullptr) open.native.close(open.native.context);
+    // It is closed whatever it does: nobody is left who could do without it.
+    try {
+        if (open.native.close != nullptr) open.native.close(open.native.context);
+    } catch (...) {
+        if (host.print)
+            host.print("module " + name + ": its `close` threw: " + property::exception_text());
+    }
     open.native = {};
 }
 

@@ -132,9 +132,9 @@ int next_sorted(lua_State* L) {
 }
 
 struct Key {
-    enum Kind : int { number, text, other } kind = other;
+    enum Kind : int { number, text, instance, other } kind = other;
     double order = 0;          // of a number
-    std::int64_t integer = 0;  // where doubles are too coarse
+    std::int64_t integer = 0;  // where doubles are too coarse; of an instance, its handle
     const char* chars = nullptr;
     std::size_t length = 0;
     lua_Integer place = 0;  // in the table of keys
@@ -142,7 +142,7 @@ struct Key {
 
 bool before(const Key& a, const Key& b) {
     if (a.kind != b.kind) return a.kind < b.kind;
-    if (a.kind == Key::number)
+    if (a.kind == Key::number || a.kind == Key::instance)
         return a.order != b.order ? a.order < b.order : a.integer < b.integer;
     if (a.kind == Key::text) {
         const int order = std::memcmp(a.chars, b.chars, std::min(a.length, b.length));
@@ -173,6 +173,10 @@ int sorted_pairs(lua_State* L) {
         } else if (lua_type(L, -1) == LUA_TSTRING) {
             key.kind = Key::text;
             key.chars = lua_tolstring(L, -1, &key.length);
+        } else if (const InstanceBox* box = instance_at(L, -1)) {
+            // Lua has them in the order of their addresses, which no replay repeats.
+            key.kind = Key::instance;
+            key.integer = std::int64_t{box->handle.index} << 32 | box->handle.generation;
         }
         keys.push_back(key);
         lua_pushvalue(L, -1);

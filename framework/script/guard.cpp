@@ -16,6 +16,13 @@ std::string position(lua_State* L) {
     return {};
 }
 
+std::string definition(lua_State* L) {
+    lua_pushvalue(L, -1);
+    lua_Debug frame;
+    lua_getinfo(L, ">S", &frame);
+    return std::string(frame.short_src) + ":" + std::to_string(frame.linedefined) + ": ";
+}
+
 void raise(lua_State* L, const std::string& message) {
     raise_text(L, message.c_str());
 }

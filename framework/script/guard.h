@@ -12,6 +12,8 @@ namespace fettle::script {
 
 /// "main.lua:12: " of the innermost script function running, or "".
 std::string position(lua_State* L);
+/// Where the function on top of the stack was defined: "main.lua:3: ".
+std::string definition(lua_State* L);
 /// Raises `message` with its position in front.
 [[noreturn]] void raise(lua_State* L, const std::string& message);
 [[noreturn]] void raise_text(lua_State* L, const char* message);

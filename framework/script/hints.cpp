@@ -29,14 +29,6 @@ std::string did_you_mean(std::string_view what) {
     return " (did you mean " + std::string(what) + "?)";
 }
 
-// Where a function on top of the stack was defined: "main.lua:3: ".
-std::string definition(lua_State* L) {
-    lua_pushvalue(L, -1);
-    lua_Debug frame;
-    lua_getinfo(L, ">S", &frame);
-    return std::string(frame.short_src) + ":" + std::to_string(frame.linedefined) + ": ";
-}
-
 bool among(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }

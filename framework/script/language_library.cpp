@@ -88,7 +88,8 @@ const std::vector<GlobalDoc>& library_docs() {
          "not "
          "replayed as it was."},
         {"pairs", "pairs(table: table): function, table, nil",
-         "Visits all entries: numbers first, then names, in order."},
+         "Visits all entries: numbers first, then names, in order; then instances, in an order "
+         "that a replay repeats. Other keys (tables, functions) come in any order."},
         {"pcall", "pcall(action: function, ...: any): boolean, any",
          "Calls the function; false and the error when it raises one."},
         {"print", "print(...: any)", "Prints values: to the console, and to the terminal."},

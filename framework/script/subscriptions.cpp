@@ -179,6 +179,7 @@ void push_occurrence(lua_State* L, const Occurrence& occurrence) {
     lua_rawset(L, -3);
 }
 
+/// Of the record on top of the stack, which the handler below it was called with.
 void take_answer(lua_State* L, property::Question& question) {
     const auto& fields = question.event().fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -283,7 +284,15 @@ Connection connect_event(lua_State* L, Machine& machine, Handle instance, const 
             function->push(M);
             lua_pushvalue(M, -2);
             lua_call(M, 1, 0);
-            if (property::Question* asked = property::Question::current()) take_answer(M, *asked);
+            property::Question* asked = property::Question::current();
+            if (asked == nullptr) return;
+            try {
+                take_answer(M, *asked);
+            } catch (const Error& refused) {
+                // No line of the script runs: the place is that of the handler.
+                function->push(M);
+                throw Error(refused.kind(), definition(M) + refused.what());
+            }
         });
     };
     return whole_class ? tree.on(of, event, handler, options)

@@ -60,6 +60,21 @@ TEST_CASE("arrays without memory or of elements without size are refused") {
     }
 }
 
+TEST_CASE("a column goes on by what its elements take and not by anything") {
+    for (const char* wrong : {"odd_stride", "odd_small_stride"}) {
+        module::Plugins plugins;
+        property::Tree tree;
+        CHECK_THAT(complaint([&] { plugins.open(built(wrong)).attach(tree); }),
+                   contains("bytes: expected 8 to 1073741824"));
+    }
+}
+
+TEST_CASE("a module that saves restores too") {
+    module::Plugins plugins;
+    CHECK_THAT(complaint([&] { (void)plugins.open(built("half_saved")); }),
+               contains("both `save` and `restore`"));
+}
+
 TEST_CASE("a game in C is stepped by a time") {
     fettle_game* const game = fettle_game_open();
     const fettle_host* const host = fettle_game_host(game);

@@ -3,6 +3,10 @@
 #include <fettle/module/abi.h>
 #include <string.h>
 
+#ifndef STRIDE
+#define STRIDE 0
+#endif
+
 static const fettle_host* host;
 
 static void* nowhere(void* context) {
@@ -46,12 +50,21 @@ static fettle_status endless(void* context, fettle_row row, fettle_value* value)
     return FETTLE_OK;
 }
 
+#ifdef HALF_SAVED
+static fettle_status save(void* context, void* sink,
+                          void (*bytes)(void* sink, const void* data, size_t size)) {
+    (void)context, (void)sink, (void)bytes;
+    return FETTLE_OK;
+}
+#endif
+
 static const fettle_property properties[] = {
     {.name = "hollow",
      .type = FETTLE_NUMBER,
      .flags = FETTLE_READ_ONLY,
      .binding = FETTLE_COLUMN,
      .native = FETTLE_F64,
+     .stride = STRIDE,
      .base = nowhere},
     {.name = "failing", .type = FETTLE_NUMBER, .binding = FETTLE_ACCESSOR, .get = fails},
     {.name = "typeless", .type = FETTLE_NUMBER, .binding = FETTLE_ACCESSOR, .get = no_type},
@@ -87,5 +100,8 @@ FETTLE_MODULE_EXPORT fettle_status fettle_module_open(const fettle_host* given,
     module->name = "odd";
     module->version = "1";
     module->attach = attach;
+#ifdef HALF_SAVED
+    module->save = save;
+#endif
     return FETTLE_OK;
 }
