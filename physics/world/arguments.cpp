@@ -106,11 +106,11 @@ std::optional<float> check_inertial(const char* what, std::optional<float> value
     return value;
 }
 
-const Aabb& check_bounds(const Aabb& value) {
-    check_coordinates("bounds.min", value.min);
-    check_coordinates("bounds.max", value.max);
+const Aabb& check_box(const char* what, const Aabb& value) {
+    check_coordinates((std::string(what) + ".min").c_str(), value.min);
+    check_coordinates((std::string(what) + ".max").c_str(), value.max);
     if (!(value.min.x() < value.max.x() && value.min.y() < value.max.y())) {
-        refuse("bounds", text(value.min) + " to " + text(value.max),
+        refuse(what, text(value.min) + " to " + text(value.max),
                "a lower left and an upper right corner");
     }
     return value;
@@ -125,7 +125,7 @@ const Vec2& check_point(const char* what, const Vec2& p) {
 void check(const WorldDef& def) {
     check_finite("gravity", def.gravity);
     check_count("substeps", def.substeps, 1, 64);
-    if (def.bounds) check_bounds(*def.bounds);
+    if (def.bounds) check_box("bounds", *def.bounds);
     check_not_negative("bounds_friction", def.bounds_friction);
     check_range("bounds_restitution", def.bounds_restitution, 0.0f, 1.0f);
     check_not_negative("restitution_threshold", def.restitution_threshold);

@@ -51,7 +51,7 @@ const Vec2& check_coordinates(const char* what, const Vec2& value);  ///< within
 const Vec2& check_point(const char* what, const Vec2& value);        ///< of a body: within ±1e6
 /// Positive or infinite: mass, inertia.
 std::optional<float> check_inertial(const char* what, std::optional<float> value);
-const Aabb& check_bounds(const Aabb& value);
+const Aabb& check_box(const char* what, const Aabb& value);
 
 void check(const WorldDef& def);
 void check(const BodyDef& def);

@@ -241,7 +241,7 @@ struct FieldCheck {
 
 void detail::check(const FieldDef& def) {
     std::visit(FieldCheck{}, def.force);
-    if (def.region) check_bounds(*def.region);
+    if (def.region) check_box("region", *def.region);
 }
 
 Field World::create_field(const FieldDef& def) {

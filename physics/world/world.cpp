@@ -93,7 +93,7 @@ const std::optional<Aabb>& World::bounds() const {
 }
 void World::set_bounds(const std::optional<Aabb>& bounds) {
     WorldData& data = edit(__func__);
-    if (bounds) check_bounds(*bounds);
+    if (bounds) check_box("bounds", *bounds);
     data.settings.bounds = bounds;
     data.apply_bounds();
 }

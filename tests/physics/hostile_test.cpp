@@ -36,6 +36,7 @@ TEST_CASE("values without meaning are refused by name and change nothing") {
     REQUIRE_THROWS_WITH(world.set_gravity({0, not_a_number}), contains("gravity"));
     REQUIRE_THROWS_WITH(world.set_substeps(0), contains("substeps"));
     REQUIRE_THROWS_WITH(world.set_bounds(Aabb{{1, 0}, {0, 1}}), contains("bounds"));
+    REQUIRE_THROWS_WITH(world.create_field({.region = Aabb{{1, 1}, {0, 0}}}), contains("region"));
     REQUIRE_THROWS_WITH(world.create_body({.linear_damping = not_a_number}),
                         contains("linear_damping"));
     REQUIRE_THROWS_WITH(body.add(Circle{.radius = -1}), contains("radius"));

@@ -46,9 +46,12 @@ class Body {
     float angle() const;  ///< rad, not wrapped
     void set_angle(float angle);
     void set_pose(const Pose& pose);  ///< both in one teleport
-    Vec2 velocity() const;            ///< of the center of mass, m/s
+    /// Of the center of mass, m/s; a step limits it to 10 000 m/s. What does not move by itself,
+    /// being static or infinitely heavy, keeps none: setting one is without effect.
+    Vec2 velocity() const;
     void set_velocity(const Vec2& velocity);
-    float angular_velocity() const;  ///< rad/s
+    /// rad/s; a step limits it to 3 rad in each of its parts. Without effect as `set_velocity`.
+    float angular_velocity() const;
     void set_angular_velocity(float angular_velocity);
 
     Vec2 force() const;  ///< N, applied at the center of mass in every step until changed
