@@ -9,26 +9,24 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
-#include "scene_reference.h"
 #include "scene_value.h"
 #include "unknown_keys.h"
 
 namespace fettle::property {
 
-namespace {
-
-constexpr std::string_view version_of_tweaks = "fettle_tweaks";
-constexpr int format_version = 1;
-constexpr std::string_view empty_file = "{\n  \"fettle_tweaks\": 1\n}\n";
-
-/// The path of the first `count` names, as the tree writes it.
-std::string joined(const std::vector<Segment>& segments, std::size_t count) {
+std::string joined_path(const std::vector<Segment>& segments, std::size_t count) {
     std::string path;
     for (std::size_t i = 0; i < count; ++i)
         path += path_suffix(std::get<std::string>(segments[i].key));
     if (path.starts_with('.')) return path.substr(1);
     return "game" + path;
 }
+
+namespace {
+
+constexpr std::string_view version_of_tweaks = "fettle_tweaks";
+constexpr int format_version = 1;
+constexpr std::string_view empty_file = "{\n  \"fettle_tweaks\": 1\n}\n";
 
 bool all_names(const std::vector<Segment>& segments) {
     return std::none_of(segments.begin(), segments.end(),
@@ -58,7 +56,7 @@ void KeptTweaks::read_again() {
 }
 
 void KeptTweaks::read() {
-    document_ = std::make_unique<Document>(files_.read(file_), file_.string());
+    document_ = std::make_shared<const Document>(files_.read(file_), file_.string());
     const Node& root = document_->root();
     const Node* version = document_->member(root, version_of_tweaks);
     if (version == nullptr || version->kind != Document::Kind::integer || version->integer < 1)
@@ -100,7 +98,8 @@ KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
         for (const Node* node = document.first(*values); node; node = document.next(*node)) {
             const std::string& key = document.key(*node);
             const std::vector<Segment> path = names(key, node->key_begin);
-            const std::string instance = path.size() == 1 ? "game" : joined(path, path.size() - 1);
+            const std::string instance =
+                path.size() == 1 ? "game" : joined_path(path, path.size() - 1);
             contents.values[instance].push_back({std::get<std::string>(path.back().key), key});
         }
     if (const Node* created = section("created", Document::Kind::object))
@@ -115,145 +114,9 @@ KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
             if (node->kind != Document::Kind::text)
                 document.fail(ErrorKind::bad_structure, node->begin, "expected a path");
             const std::vector<Segment> path = names(document.text(*node), node->begin);
-            contents.deleted.push_back(joined(path, path.size()));
+            contents.deleted.push_back(joined_path(path, path.size()));
         }
     return contents;
-}
-
-// --- Applying ------------------------------------------------------------------------------------
-
-void KeptTweaks::warn(std::size_t offset, const std::string& reason) {
-    try {
-        document_->fail(ErrorKind::rejected, offset, reason);
-    } catch (const SceneError& error) {
-        if (told_.insert(error.what()).second) warn_(error.what());
-    }
-}
-
-const KeptTweaks::Node* KeptTweaks::member(std::string_view section, const std::string& key) const {
-    const Node* object = document_->member(document_->root(), section);
-    return object == nullptr ? nullptr : document_->member(*object, key);
-}
-
-void KeptTweaks::apply_value(Handle instance, const Kept& kept) {
-    const Node* node = member("values", kept.key);
-    if (node == nullptr) return;
-    std::function<std::string()> locate = [&] {
-        return file_.filename().string() + ":" + std::to_string(document_->line(node->begin));
-    };
-    const Tree::CauseScope cause(tree_, Writer::load, &locate);
-    try {
-        const Property* found = tree_.find(instance, kept.property);
-        const Type type = found != nullptr ? declared_type(*found) : Type::nil;
-        const Type element = found != nullptr ? found->element : Type::nil;
-        const FormulaText formula = formula_text(*document_, *node);
-        const Node* plain = formula ? formula.value : node;
-        if (!formula && plain->kind == Document::Kind::null && found != nullptr &&
-            !found->nullable) {
-            tree_.set(instance, *found, {});
-            return;
-        }
-        Value value;
-        if (plain != nullptr)
-            value = read_value(*document_, *plain, type, element,
-                               [&](const std::string& path, const Node& at) {
-                                   return find_reference({tree_, *document_, {}, {}, {}}, path, at);
-                               });
-        if (formula)
-            tree_.set_formula(instance, kept.property,
-                              make_formula(tree_, document_->text(*formula.is), value));
-        else
-            tree_.set_or_add(instance, kept.property, value);
-    } catch (const SceneError& error) {
-        if (told_.insert(error.what()).second) warn_(error.what());
-    } catch (const Error& error) {
-        warn(node->begin, error.what());
-    }
-}
-
-void KeptTweaks::apply_values(Handle top) {
-    if (contents_.values.empty() || !tree_.alive(top)) return;
-    if (top != tree_.root() && !tree_.is_below(top, tree_.root())) return;
-    std::vector<std::pair<Handle, const std::vector<Kept>*>> found;
-    tree_.each_below(top, [&](Handle handle) {
-        if (const auto it = contents_.values.find(tree_.path(handle)); it != contents_.values.end())
-            found.emplace_back(handle, &it->second);
-    });
-    for (const auto& [handle, kept] : found)
-        for (const Kept& each : *kept)
-            if (tree_.alive(handle)) apply_value(handle, each);
-}
-
-/// The instance to which the first `count` names lead. Where there is none, that is told, with
-/// `then`: what that means for the tweak.
-Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t count,
-                        const std::string& then) {
-    const std::vector<Segment> segments = parse_path(path);
-    Handle at = tree_.root();
-    for (std::size_t i = 0; i < count && i < segments.size(); ++i) {
-        const std::string& name = std::get<std::string>(segments[i].key);
-        const Handle child = tree_.child(at, name);
-        if (!child) {
-            std::vector<std::string> names;
-            for (const Handle each : tree_.children(at)) names.push_back(tree_.name(each));
-            warn(document_->has_key(node) ? node.key_begin : node.begin,
-                 path + ": there is no " + joined(segments, i + 1) + suggestion(name, names) +
-                     "; " + then);
-            return {};
-        }
-        at = child;
-    }
-    return at;
-}
-
-void KeptTweaks::tell_values_of_nobody() {
-    const Node* values =
-        problem_.empty() && document_ ? document_->member(document_->root(), "values") : nullptr;
-    if (values == nullptr) return;
-    for (const Node* node = document_->first(*values); node; node = document_->next(*node)) {
-        const std::string& path = document_->key(*node);
-        find(*node, path, parse_path(path).size() - 1,
-             "the value is set when an instance of that path is made");
-    }
-}
-
-void KeptTweaks::create(const std::string& path) {
-    const Node* node = member("created", path);
-    const std::vector<Segment> segments = parse_path(path);
-    const Handle parent =
-        find(*node, path, segments.size() - 1, "what was made below it is not made");
-    if (!parent) return;
-    const std::string& name = std::get<std::string>(segments.back().key);
-    if (tree_.child(parent, name)) return;
-    try {
-        // In its place, so that errors name it.
-        std::string text(document_->line(node->begin) - 1, '\n');
-        text += document_->raw(*node);
-        load_scene_text(tree_, text, file_.string(), parent, name);
-    } catch (const Error& error) {
-        if (told_.insert(error.what()).second) warn_(error.what());
-    }
-}
-
-void KeptTweaks::apply_all() {
-    const Node* deleted =
-        document_ != nullptr ? document_->member(document_->root(), "deleted") : nullptr;
-    std::size_t next = 0;
-    for (const Node* node = deleted != nullptr ? document_->first(*deleted) : nullptr;
-         node && next < contents_.deleted.size(); node = document_->next(*node)) {
-        const std::string& path = contents_.deleted[next++];
-        const Handle instance = find(*node, path, SIZE_MAX, "there is nothing to delete");
-        if (!instance) continue;
-        try {
-            const Tree::CauseScope cause(tree_, Writer::load);
-            tree_.destroy(instance);
-        } catch (const Error& error) {
-            warn(node->begin, path + ": " + error.what());
-        }
-    }
-    for (const std::string& path : contents_.created) create(path);
-    apply_values(tree_.root());
-    tell_values_of_nobody();
 }
 
 // --- Keeping -------------------------------------------------------------------------------------
@@ -385,7 +248,7 @@ void KeptTweaks::write() {
     for (const Changes& each : changes) make(edit, each);
     if (edit.text() == before) return;
     // What could not be read must not become the file.
-    auto document = std::make_unique<Document>(edit.text(), file_.string());
+    auto document = std::make_shared<const Document>(edit.text(), file_.string());
     Contents contents = contents_of(*document);
     files_.write(file_, edit.text());
     document_ = std::move(document);

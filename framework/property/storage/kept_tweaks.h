@@ -18,7 +18,9 @@
 #include <unordered_set>
 #include <vector>
 
+#include <fettle/property/path.h>
 #include <fettle/property/storage/game_files.h>
+#include <fettle/property/storage/scene.h>
 #include <fettle/property/tree.h>
 
 #include "image.h"
@@ -42,6 +44,8 @@ class KeptTweaks {
     void apply_values(Handle top);
     /// To everything there is: values, and what was created and deleted.
     void apply_all();
+    /// Tells of the values that name an instance which is not there by now.
+    void settle();
 
     // For the next run. Throw Error; `write` throws FileError.
     void set(const std::string& instance, const std::string& property, const Image& image);
@@ -62,12 +66,25 @@ class KeptTweaks {
     void read();
     static Contents contents_of(const Document& document);
     void check_value(const std::string& path, const Property* declared, const Image& image) const;
-    void apply_value(Handle instance, const Kept& kept);
+    /// A value that a property is to get.
+    struct Assignment {
+        Handle instance;
+        std::string property, path;
+        Handle top;  // of the scene that says it; null for one of "values"
+        std::shared_ptr<const Document> document;
+        const Node* node;
+    };
+    bool assign(const Assignment& to, bool last);
+    void assign_or_wait(Assignment to);
+    void try_waiting(bool last);
+    void create_all();
     void create(const std::string& path);
     Handle find(const Node& node, const std::string& path, std::size_t count,
                 const std::string& then);
     void tell_values_of_nobody();
     void warn(std::size_t offset, const std::string& reason);
+    void warn(const Document& document, std::size_t offset, const std::string& reason);
+    void tell(const SceneError& error);
     const Node* member(std::string_view section, const std::string& key) const;
     /// What is to be in the file; it is written with all others.
     void put(const std::string& section, const std::string& key, const std::string& value);
@@ -89,11 +106,16 @@ class KeptTweaks {
     GameFiles& files_;
     std::filesystem::path file_;
     Warn warn_;
-    std::string problem_;                 // why the file is not used
-    std::unique_ptr<Document> document_;  // as it was read
-    std::vector<Changes> changes_;        // since, of each section
+    std::string problem_;                       // why the file is not used
+    std::shared_ptr<const Document> document_;  // as it was read
+    std::vector<Changes> changes_;              // since, of each section
     Contents contents_;
     std::unordered_set<std::string> told_;  // warnings
+    std::vector<Assignment> waiting_;       // for an instance that they name
+    bool applied_ = false;                  // all of it, once
 };
+
+/// The path of the first `count` names, as the tree writes it.
+std::string joined_path(const std::vector<Segment>& segments, std::size_t count);
 
 }  // namespace fettle::property

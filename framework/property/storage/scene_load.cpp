@@ -14,6 +14,7 @@
 
 #include "document.h"
 #include "durable_file.h"
+#include "scene_load.h"
 #include "scene_plan.h"
 #include "scene_reference.h"
 #include "scene_value.h"
@@ -42,7 +43,8 @@ class Detached {
 class SceneLoader {
   public:
     SceneLoader(Tree& tree, const Document& document, Handle parent, std::string_view name,
-                std::vector<std::string>* warnings, std::vector<SceneInstance>* described)
+                std::vector<std::string>* warnings, std::vector<SceneInstance>* described,
+                std::vector<OpenReference>* open = nullptr)
         : tree_(tree),
           document_(document),
           parent_(parent),
@@ -51,6 +53,7 @@ class SceneLoader {
           made_(plan_.instances.size()),
           warnings_(warnings),
           described_(described),
+          open_(open),
           locate_([this] { return place(); }),
           resolve_([this](const std::string& path, const Node& node) {
               return find_reference(
@@ -202,11 +205,23 @@ class SceneLoader {
                           read_value(document_, *value, type, property.element, resolve_));
             if (pass == Pass::formulas) assign_formula(handle, property.name, node);
         } catch (const SceneError& e) {
+            if (left_open(index, property.name, node, pass, e)) return;
             throw e.about(plan_.path(index) + path_suffix(property.name));
         } catch (const Error& e) {
             fail(e, node.begin, plan_.path(index) + path_suffix(property.name),
                  made_.front().handle);
         }
+    }
+
+    /// Whether somebody else cares for a reference that leads nowhere yet.
+    bool left_open(std::size_t index, const std::string& property, const Node& node, Pass pass,
+                   const SceneError& error) const {
+        if (open_ == nullptr || pass != Pass::references || error.kind() != ErrorKind::unknown_name)
+            return false;
+        // A formula that can be computed has no need of its last value.
+        if (!formula_text(document_, node) || !tree_.formula_compiler())
+            open_->push_back({made_[index].handle, property, &node});
+        return true;
     }
 
     void assign_formula(Handle handle, const std::string& property, const Node& node) {
@@ -235,6 +250,7 @@ class SceneLoader {
                                  read_value(document_, *value, Type::nil, Type::nil, resolve_));
             if (pass == Pass::formulas) assign_formula(made.handle, key, node);
         } catch (const SceneError& e) {
+            if (left_open(index, key, node, pass, e)) return;
             throw e.about(where);
         } catch (const Error& e) {
             const bool no_longer =
@@ -299,6 +315,7 @@ class SceneLoader {
     std::map<std::pair<std::size_t, std::string>, std::size_t> numbers_;  // given, by stem
     std::vector<std::string>* warnings_;
     std::vector<SceneInstance>* described_;
+    std::vector<OpenReference>* open_;
     const Node* now_ = nullptr;  // what is being assigned
     std::function<std::string()> locate_;
     ReferenceResolver resolve_;
@@ -312,6 +329,11 @@ Handle load_scene_text(Tree& tree, std::string_view text, std::string_view file_
     const Document document{std::string(text), std::string(file_name)};
     if (parent) tree.require(parent);
     return SceneLoader(tree, document, parent, name, warnings, instances).run();
+}
+
+Handle load_scene_document(Tree& tree, const Document& document, Handle parent,
+                           std::string_view name, std::vector<OpenReference>& open) {
+    return SceneLoader(tree, document, parent, name, nullptr, nullptr, &open).run();
 }
 
 Handle load_scene(Tree& tree, const std::filesystem::path& file, Handle parent,

@@ -308,6 +308,7 @@ Tweaks::~Tweaks() {
 
 void Tweaks::barrier() {
     try {
+        state_->kept.settle();
         state_->barrier();
     } catch (const std::exception& error) {
         state_->warn("tweaks cannot be journaled: " + exception_text(error));

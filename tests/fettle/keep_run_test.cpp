@@ -1,0 +1,76 @@
+// What was typed into the console and kept is there in the next run, and nothing is told of it.
+
+#include <catch.h>
+
+#include "program.h"
+
+namespace keep_run_test {
+
+using namespace program_test;
+
+namespace {
+
+/// A run of the game in `folder`; `commands` are typed into the console as "STEP:TEXT".
+Outcome run(const Folder& folder, const std::vector<std::string>& commands,
+            const std::string& eval = {}) {
+    std::vector<std::string> arguments = {"run", (folder / "main.lua").string(), "--headless",
+                                          "--steps", "9"};
+    for (const std::string& command : commands) {
+        arguments.emplace_back("--console");
+        arguments.push_back(command);
+    }
+    if (!eval.empty()) {
+        arguments.emplace_back("--eval");
+        arguments.push_back(eval);
+    }
+    return fettle(folder, arguments);
+}
+
+/// What `eval` prints in a run after everything was kept; nothing else may be told.
+std::string next(const Folder& folder, const std::string& eval) {
+    const Outcome outcome = run(folder, {}, eval);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    return outcome.out;
+}
+
+}  // namespace
+
+TEST_CASE("instances made in the console that name each other are all made again") {
+    const Folder folder;
+    folder.write("main.lua", "world.b = Body { Circle {} }");
+    const Outcome kept =
+        run(folder, {"2:world.j=RevoluteJoint{body_a=world.b}",
+                     "3:world.c=Body{position=vec(3,0),Circle{}}", "4:world.j.body_b=world.c",
+                     "5:world.n=Object{}", "6:world.m=Object{other=world.n}",
+                     "7:world.n.other=world.m", "8:keep(\"**\")"});
+    CHECK(contains(kept.out + kept.err, "kept 4 tweaks in main.tweaks.json"));
+    CHECK(next(folder,
+               "print(world.j.body_a == world.b and world.j.body_b == world.c, "
+               "world.n.other == world.m and world.m.other == world.n)") == "true\ttrue\n");
+}
+
+TEST_CASE("a kept reference to what the script makes later is set without a warning") {
+    const Folder folder;
+    folder.write("main.lua", "world.joint = DistanceJoint {}  world.ball = Body { Circle {} }");
+    run(folder, {"2:world.joint.body_b=world.ball", "3:keep(\"**\")"});
+    CHECK(next(folder, "print(world.joint.body_b == world.ball)") == "true\n");
+    // Where it leads nowhere in the end, that is told with the path of the property.
+    folder.write("main.lua", "world.joint = DistanceJoint {}");
+    CHECK(contains(run(folder, {}).err,
+                   "world.joint.body_b: refers to \"world.ball\", which does not exist"));
+}
+
+TEST_CASE("a kept reference waits for an instance that comes in the same step of the game") {
+    const Folder folder;
+    folder.write("main.lua",
+                 "function make() world.joint = DistanceJoint {} world.ball = Body { Circle {} } "
+                 "end after(0.02, make)");
+    run(folder, {"4:world.joint.body_b=world.ball", "5:keep(\"**\")"});
+    const Outcome outcome =
+        run(folder, {}, "after(0.1, function() print(world.joint.body_b == world.ball) end)");
+    CHECK(outcome.out == "true\n");
+    CHECK_FALSE(contains(outcome.err, "refers to"));
+}
+
+}  // namespace keep_run_test
