@@ -73,4 +73,14 @@ TEST_CASE("a kept reference waits for an instance that comes in the same step of
     CHECK_FALSE(contains(outcome.err, "refers to"));
 }
 
+TEST_CASE("an instance made directly below the game is kept with everything else") {
+    const Folder folder;
+    folder.write("main.lua", "world.b = Body { Circle {} }");
+    const Outcome kept = run(folder, {"2:game.score=Object{points=3}", "3:world.b.mass=4",
+                                      "4:game[\"my x\"]=Object{}", "5:keep(\"**\")"});
+    CHECK(contains(kept.out + kept.err, "kept 3 tweaks in main.tweaks.json"));
+    CHECK(next(folder, "print(score.points, world.b.mass, game[\"my x\"] ~= nil)") ==
+          "3\t4.0\ttrue\n");
+}
+
 }  // namespace keep_run_test

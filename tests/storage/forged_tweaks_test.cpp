@@ -34,6 +34,14 @@ const char* const level =
     "  ]\n"
     "}\n";
 
+void change(const GameFolder& folder, const std::string& sql) {
+    sqlite3* database = nullptr;
+    REQUIRE(sqlite3_open((folder / journal).c_str(), &database) == SQLITE_OK);
+    INFO(sql);
+    CHECK(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
+    sqlite3_close(database);
+}
+
 /// A run that has left one tweak of a thing in a scene file, with its row changed as `sql` says.
 void leave(const GameFolder& folder, const std::string& sql) {
     folder.write("level.json", level);
@@ -42,11 +50,7 @@ void leave(const GameFolder& folder, const std::string& sql) {
         run.load(folder, "level.json");
         run.person([&] { run.tree.set(run.at("world.level.a"), "density", 3.0); });
     }
-    sqlite3* database = nullptr;
-    REQUIRE(sqlite3_open((folder / journal).c_str(), &database) == SQLITE_OK);
-    INFO(sql);
-    CHECK(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
-    sqlite3_close(database);
+    change(folder, sql);
 }
 
 std::string value(const std::string& property, const std::string& json) {
@@ -188,6 +192,31 @@ TEST_CASE("a row that is no tweak is told and left aside and the others are as t
     run.person([&] { run.tree.set(b, "number", 4.0); });
     CHECK(run.tweaks->keep("**").count == 1);
     CHECK(has(folder.text("main.tweaks.json"), "\"world.b.number\": 4"));
+}
+
+TEST_CASE("a tweak that the file of kept tweaks cannot hold is told and the others are kept") {
+    const GameFolder folder;
+    const int before = GENERATE(0, 1, 2);
+    {
+        Run run(folder);
+        run.person([&] {
+            for (const int i : {0, 1, 2}) {
+                const std::string name = i == before ? "deep" : "t" + std::to_string(i);
+                run.tree.set_or_add(run.world, name, Value(List{Value(1.0)}));
+            }
+        });
+    }
+    // As deep as a row may be, and deeper than it may be inside of a file.
+    const std::string deep = std::string(999, '[') + std::string(999, ']');
+    change(folder, "UPDATE tweaks SET now = '{\"value\": " + deep + "}' WHERE property = 'deep'");
+    Run run(folder);
+    const TweakReport report = run.tweaks->keep("**");
+    CHECK(report.count == 2);
+    CHECK(report.files.size() == 1);
+    REQUIRE(report.problems.size() == 1);
+    CHECK(has(report.problems[0], "world.deep: "));
+    CHECK(has(folder.text("main.tweaks.json"), "\"world.t"));
+    CHECK(Run(folder).tweaks->open_earlier() == 1);
 }
 
 TEST_CASE("a row names no file that is not the game's own") {

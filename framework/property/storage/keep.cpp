@@ -50,11 +50,11 @@ class Keeping {
             const bool whole = row->kind == Kind::deleted && row->inside.empty();
             if (!file.empty() && !whole)
                 scenes_[file].push_back(row);
-            else if (tried(*row, [&] { into_kept(*row); }))
+            else
                 kept_rows_.push_back(row);
         }
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
-        write(state_.kept.file(), kept_rows_, [&] { state_.kept.write(); });
+        keep_by_path(kept_rows_);
     }
 
   private:
@@ -162,6 +162,24 @@ class Keeping {
         }
     }
 
+    /// What the file cannot hold must not keep the rest out of it: it is looked for by halves.
+    void keep_by_path(const std::vector<JournalRow*>& rows) {
+        const std::size_t told_before = report_.problems.size();
+        std::vector<JournalRow*> done;
+        for (JournalRow* row : rows)
+            if (tried(*row, [&] { into_kept(*row); })) done.push_back(row);
+        try {
+            write(state_.kept.file(), done, [&] { state_.kept.write(); });
+        } catch (const SceneError& error) {
+            state_.kept.read_again();
+            if (done.size() == 1) return tell(*done.front(), error.reason());
+            report_.problems.resize(told_before);
+            const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+            keep_by_path({rows.begin(), middle});
+            keep_by_path({middle, rows.end()});
+        }
+    }
+
     /// Null where there is none now.
     Handle found(const std::string& path) const {
         try {
@@ -208,11 +226,14 @@ class Keeping {
         if (rows.empty()) return;
         try {
             write_it();
+        } catch (const SceneError&) {
+            throw;  // by what the rows say
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
             return;
         }
-        report_.files.push_back(file.string());
+        if (report_.files.empty() || report_.files.back() != file.string())
+            report_.files.push_back(file.string());
         report_.count += rows.size();
         for (JournalRow* row : rows) {
             row->kept_in = file.filename().string();
