@@ -83,4 +83,39 @@ TEST_CASE("an instance made directly below the game is kept with everything else
           "3\t4.0\ttrue\n");
 }
 
+TEST_CASE("a scene file gets no reference to what is outside of it") {
+    const Folder folder;
+    folder.write("main.lua",
+                 "scene.load(\"s.json\", world)  world.ball = Body { Circle {} } "
+                 "world.sc.own = Body { Circle {} }");
+    folder.write("s.json",
+                 "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"sc\", \"children\": [\n"
+                 "{\"class\": \"RevoluteJoint\", \"name\": \"j\"},\n"
+                 "{\"class\": \"Body\", \"name\": \"b\"},\n"
+                 "{\"class\": \"Circle\"}]}\n");
+    const Outcome kept = run(
+        folder,
+        {"2:world.sc.j.body_b=world.ball", "2:world.sc.j.body_a=world.sc.b",
+         "2:world.sc.b.friend=world.sc.own", "2:world.sc.b.list={world.ball,world.sc.j}",
+         "3:world.sc.made=RevoluteJoint{body_a=world.sc.b,body_b=world.ball}",
+         "4:world.sc.inner=RevoluteJoint{body_a=world.sc.b}", "4:world.sc.b.late=world.sc.inner",
+         "5:world.sc.b.odd=world.sc.made", "6:keep(\"**\")"});
+    INFO(kept.out << kept.err << folder.text("s.json") << folder.text("main.tweaks.json"));
+    CHECK(contains(kept.out + kept.err, "kept 8 tweaks in "));
+    for (const char* inside : {"\"body_a\": \".b\"", "\"inner\"", "\".inner\""})
+        CHECK(contains(folder.text("s.json"), inside));
+    for (const char* outside : {"ball", "own", "made"})
+        CHECK_FALSE(contains(folder.text("s.json"), outside));
+    const std::string all =
+        "local s = world.sc print(s.j.body_b == world.ball and s.j.body_a == s.b, "
+        "s.b.friend == s.own, s.b.list[1] == world.ball and s.b.list[2] == s.j, "
+        "s.made.body_a == s.b and s.made.body_b == world.ball, s.inner.body_a == s.b, "
+        "s.b.late == s.inner, s.b.odd == s.made)";
+    CHECK(next(folder, all) == "true\ttrue\ttrue\ttrue\ttrue\ttrue\ttrue\n");
+    // A later value that the scene can hold counts.
+    run(folder, {"2:world.sc.j.body_b=world.sc.b", "3:keep(\"**\")"});
+    CHECK(next(folder, "print(world.sc.j.body_b == world.sc.b)") == "true\n");
+    CHECK_FALSE(contains(folder.text("main.tweaks.json"), "j.body_b"));
+}
+
 }  // namespace keep_run_test

@@ -8,6 +8,7 @@
 
 #include "scene_check.h"
 #include "scene_edit.h"
+#include "scene_names.h"
 #include "tweaks_state.h"
 
 namespace fettle::property {
@@ -53,8 +54,10 @@ class Keeping {
             else
                 kept_rows_.push_back(row);
         }
+        leave_scenes();
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
         keep_by_path(kept_rows_);
+        forget_overridden();
     }
 
   private:
@@ -89,6 +92,94 @@ class Keeping {
         return file;
     }
 
+    // --- References out of a scene
+
+    /// A scene is loaded before there is anything else, so what it names must be in it. A tweak
+    /// that names something else is kept by path, which is set when everything is there.
+    void leave_scenes() {
+        for (bool more = true; more;) {
+            more = false;  // one that leaves may be what another one names
+            for (auto& [file, rows] : scenes_)
+                std::erase_if(rows, [&](JournalRow* row) {
+                    if (!leads_out(*row, file)) return false;
+                    kept_rows_.push_back(row);
+                    return more = true;
+                });
+        }
+        std::erase_if(scenes_, [](const auto& each) { return each.second.empty(); });
+    }
+
+    bool leads_out(const JournalRow& row, const fs::path& file) const {
+        bool out = false;
+        const NewPath look = [&](const std::string& path) -> std::optional<std::string> {
+            out = out || !in_scene(row, file, path);
+            return std::nullopt;
+        };
+        try {
+            if (row.kind == Kind::value)
+                (void)value_with_paths(read_image(row.now).value, look);
+            else if (row.kind == Kind::created)
+                (void)scene_with_paths(state_.tree, row.now, look);
+        } catch (const Error&) {  // what is wrong with it is told when it is written
+        }
+        return out;
+    }
+
+    /// Where the top of the row's scene is, or was when the row was written.
+    std::string top_path(const JournalRow& row) const {
+        const SceneSteps steps = read_steps(row.inside);
+        const std::string above =
+            row.kind == Kind::created ? split_path(row.instance).first : row.instance;
+        if (const auto origin = state_.origins.find(found(above)))
+            return state_.tree.path(origin->top);
+        const std::vector<Segment> names = parse_path(above);
+        return joined_path(names, names.size() - std::min(names.size(), steps.size()));
+    }
+
+    bool in_scene(const JournalRow& row, const fs::path& file, const std::string& path) const {
+        if (row.kind == Kind::created && is_at_or_below(path, row.instance)) return true;
+        const std::string top = top_path(row);
+        if (!is_at_or_below(path, top)) return false;
+        const Handle target = found(path);
+        if (!target) return true;  // the scene is not loaded, or the check of the scene will tell
+        if (const auto origin = state_.origins.find(target))
+            return state_.tree.path(origin->top) == top;
+        // A script made it, unless somebody made it who keeps it in the same file.
+        const auto rows = scenes_.find(file);
+        for (Handle at = target; at; at = state_.tree.parent(at))
+            if (const auto made = state_.created.find(Tweaks::State::key(at));
+                made != state_.created.end())
+                return made->second->row.state == RowState::kept
+                           ? made->second->row.kept_in == file.filename().string()
+                           : std::find(rows->second.begin(), rows->second.end(),
+                                       &made->second->row) != rows->second.end();
+        return false;
+    }
+
+    /// The scene may be loaded somewhere else the next time: what is in it is named from its top.
+    std::string from_top(const JournalRow& row) const {
+        const std::string top = top_path(row);
+        return scene_with_paths(state_.tree, row.now,
+                                [&](const std::string& path) -> std::optional<std::string> {
+                                    if (!is_at_or_below(path, top)) return std::nullopt;
+                                    return path == top ? "." : path.substr(top.size());
+                                });
+    }
+
+    /// What a scene says now must not be undone by what was kept by path before.
+    void forget_overridden() {
+        try {
+            for (const JournalRow* row : in_scenes_)
+                if (row->kind == Kind::value)
+                    state_.kept.forget_value(row->instance, row->property);
+                else if (row->kind == Kind::deleted)
+                    state_.kept.forget_values_below(row->instance);
+            if (!in_scenes_.empty()) state_.kept.write();
+        } catch (const Error& error) {
+            report_.problems.emplace_back(error.what());
+        }
+    }
+
     bool loadable(const SceneEdit& edit) const {
         try {
             check_scene(state_.tree, edit.document());
@@ -112,7 +203,8 @@ class Keeping {
                 edit.emplace(state_.tree, text, file.string());
                 done = edited(edit, rows, true);
             }
-            write(file, done, [&] { state_.files.write(file, edit->text()); });
+            if (write(file, done, [&] { state_.files.write(file, edit->text()); }))
+                in_scenes_.insert(in_scenes_.end(), done.begin(), done.end());
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
         }
@@ -150,7 +242,7 @@ class Keeping {
                 const Document made(row.now, "its scene");
                 const auto [parent, name] = split_path(row.instance);
                 check_scene(state_.tree, made, found(parent), name);
-                return edit.add_child(steps, row.now);
+                return edit.add_child(steps, from_top(row));
             }
             case Kind::deleted:
                 return edit.remove(steps);
@@ -222,15 +314,15 @@ class Keeping {
     }
 
     template <class Write>
-    void write(const fs::path& file, const std::vector<JournalRow*>& rows, Write write_it) {
-        if (rows.empty()) return;
+    bool write(const fs::path& file, const std::vector<JournalRow*>& rows, Write write_it) {
+        if (rows.empty()) return false;
         try {
             write_it();
         } catch (const SceneError&) {
             throw;  // by what the rows say
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
-            return;
+            return false;
         }
         if (report_.files.empty() || report_.files.back() != file.string())
             report_.files.push_back(file.string());
@@ -239,12 +331,14 @@ class Keeping {
             row->kept_in = file.filename().string();
             state_.set_state(*row, RowState::kept);
         }
+        return true;
     }
 
     Tweaks::State& state_;
     TweakReport& report_;
     std::map<fs::path, std::vector<JournalRow*>> scenes_;
     std::vector<JournalRow*> kept_rows_;
+    std::vector<const JournalRow*> in_scenes_;  // that were kept in one
 };
 
 }  // namespace

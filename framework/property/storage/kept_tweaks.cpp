@@ -9,6 +9,7 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
+#include "scene_names.h"
 #include "scene_value.h"
 #include "unknown_keys.h"
 
@@ -229,18 +230,28 @@ void KeptTweaks::remove(const std::string& path) {
     const std::vector<std::string>& created = contents_.created;
     const auto was_created = std::find(created.begin(), created.end(), path) != created.end();
     drop("created", path);
-    // Values of it, and of what was below it, are those of nobody from now on.
-    for (auto its = contents_.values.lower_bound(path);
-         its != contents_.values.end() && its->first.starts_with(path); ++its)
-        if (its->first.size() == path.size() || its->first[path.size()] == '.' ||
-            its->first[path.size()] == '[')
-            for (const Kept& kept : its->second) drop("values", kept.key);
+    forget_values_below(path);
     std::string quoted;
     append_quoted(quoted, path);
     if (!was_created) put("deleted", path, quoted);
 }
 
+/// They are those of nobody from now on.
+void KeptTweaks::forget_values_below(const std::string& path) {
+    for (auto its = contents_.values.lower_bound(path);
+         its != contents_.values.end() && its->first.starts_with(path); ++its)
+        if (is_at_or_below(its->first, path))
+            for (const Kept& kept : its->second) drop("values", kept.key);
+}
+
+void KeptTweaks::forget_value(const std::string& instance, const std::string& property) {
+    if (const auto its = contents_.values.find(instance); its != contents_.values.end())
+        for (const Kept& kept : its->second)
+            if (kept.property == property) drop("values", kept.key);
+}
+
 void KeptTweaks::write() {
+    if (changes_.empty()) return;
     const std::vector<Changes> changes = std::exchange(changes_, {});
     const std::string before = document_ ? document_->source() : std::string(empty_file);
     JsonEdit edit(before, file_.string());

@@ -51,6 +51,9 @@ class KeptTweaks {
     void set(const std::string& instance, const std::string& property, const Image& image);
     void add(const std::string& path, const std::string& scene);
     void remove(const std::string& path);
+    /// A value, or an instance with all its values, is told elsewhere from now on.
+    void forget_value(const std::string& instance, const std::string& property);
+    void forget_values_below(const std::string& path);
     void write();
 
   private:

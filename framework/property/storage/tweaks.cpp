@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "places.h"
+#include "scene_names.h"
 #include "temporary_file.h"
 #include "tweaks_state.h"
 
@@ -22,12 +23,6 @@ std::vector<std::string> names_in(const std::string& path) {
         names.push_back(segment.is_index() ? std::to_string(std::get<std::int64_t>(segment.key))
                                            : std::get<std::string>(segment.key));
     return names;
-}
-
-/// Whether `path` is `top` or leads below it.
-bool is_at_or_below(const std::string& path, const std::string& top) {
-    return path.starts_with(top) &&
-           (path.size() == top.size() || path[top.size()] == '.' || path[top.size()] == '[');
 }
 
 /// Before the first file is read.
