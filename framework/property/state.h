@@ -256,6 +256,9 @@ struct Tree::State {
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});
     void check_child_name(Handle parent, std::string_view name) const;
+    /// Bytes of a name of an instance, or of a property that is added to one: a person reads it.
+    static constexpr std::size_t longest_name = 1000;
+    static void check_length(std::string_view name);
     /// Whether something of that name is below `parent`: a child, a property or a method.
     bool is_taken(std::uint32_t parent, const NodeName& name) const;
     /// `stem_1`, `stem_2` ...: never one used before under this parent.

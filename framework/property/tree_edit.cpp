@@ -390,6 +390,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     };
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) refuse(ErrorKind::bad_name, "the name of a property cannot be empty");
+    check_length(name);
     if (name.find('\0') != std::string_view::npos)
         refuse(ErrorKind::bad_name, "the name " + quoted + " holds a zero byte");
     if (of.method(name) != nullptr)

@@ -192,6 +192,56 @@ TEST_CASE("a row that is no tweak is told and left aside and the others are as t
     run.person([&] { run.tree.set(b, "number", 4.0); });
     CHECK(run.tweaks->keep("**").count == 1);
     CHECK(has(folder.text("main.tweaks.json"), "\"world.b.number\": 4"));
+    // It can be dropped, and is never heard of again.
+    CHECK(run.tweaks->drop("**").count == 1);
+    Run next(folder);
+    CHECK(next.told.empty());
+    CHECK(next.tweaks->drop("**").count == 0);
+}
+
+TEST_CASE("several rows that are no tweaks are told in one sentence") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        const Handle a = run.add("Thing", "a");
+        run.person([&] { run.tree.set(a, "density", 3.0), run.tree.set(a, "number", 3.0); });
+    }
+    change(folder, "UPDATE tweaks SET now = '{}'");
+    Run run(folder);
+    REQUIRE(run.told.size() == 1);
+    CHECK(has(run.told[0], "2 rows that earlier runs have left are no tweaks, and are left aside"));
+    CHECK(has(run.told[0], "drop_tweaks(\"**\") removes them"));
+    CHECK(run.tweaks->drop("world.other.*").count == 0);
+    CHECK(run.tweaks->drop("world.a.density").count == 1);
+    CHECK(run.tweaks->drop("**").count == 1);
+    CHECK(Run(folder).told.empty());
+}
+
+TEST_CASE("every edit that is accepted can be kept however long its texts are") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        Handle at = run.add("Thing", "a");
+        const std::string name = std::string(999, 'x');
+        run.barrier();
+        run.person([&] {
+            CHECK_THROWS_AS(run.tree.set_or_add(at, name + "yy", Value(1.0)), Error);
+            CHECK_THROWS_AS(run.add("Thing", at, name + "yy"), Error);
+            CHECK_THROWS_AS(run.tree.rename(at, name + "yy"), Error);
+        });
+        for (int i = 0; i < 30; ++i) at = run.add("Thing", at, name + "y");
+        run.barrier();
+        run.person([&] { run.tree.set_or_add(at, name + "z", Value(1.0)); });
+        run.person([&] {
+            run.tree.set_formula(at, "number",
+                                 {.function = [](const Tree&) { return Value(2.0); },
+                                  .source = "2.0" + std::string(100'000, ' ') + "--"});
+        });
+    }
+    Run run(folder);
+    CHECK(run.told.empty());
+    CHECK(run.tweaks->open_earlier() == 2);
+    CHECK(run.tweaks->keep("**").count == 2);
 }
 
 TEST_CASE("a tweak that the file of kept tweaks cannot hold is told and the others are kept") {

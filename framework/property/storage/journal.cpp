@@ -304,6 +304,8 @@ bool Journal::commit(const Changes& changes) {
                 database_->statement("DELETE FROM tweaks WHERE run = ? AND number = ?");
             for (const std::int64_t number : changes.withdrawn)
                 withdraw.bind(1, run_).bind(2, number).run();
+            for (const JournalRow* row : changes.removed)
+                withdraw.bind(1, row->run).bind(2, row->number).run();
             // Not what has become of the row since it was read: its run may still be there.
             Statement settle = database_->statement(
                 "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = "

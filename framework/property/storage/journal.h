@@ -62,6 +62,7 @@ class Journal {
         std::vector<const JournalRow*> put;      // rows of this run, new ones or new contents
         std::vector<std::int64_t> withdrawn;     // rows of this run, by number
         std::vector<const JournalRow*> settled;  // rows of other runs that are not open any more
+        std::vector<const JournalRow*> removed;  // rows of other runs that are no tweaks
     };
     /// All of it or nothing. False when another program is writing just now. Throws DatabaseError.
     bool commit(const Changes& changes);

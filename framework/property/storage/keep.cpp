@@ -390,6 +390,21 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
     return report;
 }
 
+/// How many. Those whose path is none are meant by the pattern of everything alone.
+std::size_t Tweaks::State::drop_left_aside(std::string_view text) {
+    const TweakPattern pattern(text);
+    return std::erase_if(left_aside, [&](JournalRow& row) {
+        try {
+            if (text != "**" && !pattern.matches(row)) return false;
+        } catch (const Error&) {
+            return false;
+        }
+        rest = 0;
+        if (row.run != JournalRow::elsewhere) removed.push_back(std::move(row));
+        return true;
+    });
+}
+
 TweakReport Tweaks::State::drop(std::string_view pattern) {
     TweakReport report;
     barrier();
@@ -398,6 +413,7 @@ TweakReport Tweaks::State::drop(std::string_view pattern) {
         set_state(*row, RowState::dropped);
         ++report.count;
     }
+    report.count += drop_left_aside(pattern);
     barrier();
     return report;
 }

@@ -75,11 +75,21 @@ void require_names(const std::string& path, bool root_too) {
 
 }  // namespace
 
+std::string shortened(const std::string& text, std::size_t longest) {
+    if (text.size() <= longest) return text;
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80) --end;
+    return text.substr(0, end) + "...";
+}
+
 std::string problem_of(const JournalRow& row) {
-    constexpr std::size_t longest = 10'000;  // bytes, of a path and of what is shown to people
-    for (const auto text : {&JournalRow::instance, &JournalRow::property, &JournalRow::was_text,
-                            &JournalRow::now_text, &JournalRow::file})
-        if ((row.*text).size() > longest) return "a text in it is too long";
+    // Bytes. Names may be long and stand deep inside of each other; the others are made to fit.
+    constexpr std::size_t longest_path = 1'000'000, longest = 10'000;
+    if (row.instance.size() > longest_path || row.property.size() > longest_path)
+        return "its path is too long: " + shortened(row.instance, 40);
+    for (const auto text : {&JournalRow::was_text, &JournalRow::now_text, &JournalRow::file})
+        if ((row.*text).size() > longest)
+            return shortened(row.instance, 1000) + ": a text of it is too long";
     try {
         require_names(row.instance, row.kind == Kind::value);
         (void)read_steps(row.inside);

@@ -84,22 +84,26 @@ Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal:
     tree.observe_edits(this);
 }
 
-/// Those that say what a tweak is. The others stay in the journal as they are.
+/// Those that say what a tweak is. The others stay in the journal until they are dropped.
 void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
-    std::size_t odd = 0;
     std::string first;
     for (JournalRow& row : rows) {
         const std::string problem = problem_of(row);
         if (problem.empty()) {
             earlier.push_back(std::move(row));
-        } else if (++odd == 1) {
-            first = problem;
+            continue;
         }
+        if (left_aside.empty()) first = problem;
+        left_aside.push_back(std::move(row));
     }
-    if (odd > 0)
-        warn((odd == 1 ? "1 row that an earlier run has left is no tweak"
-                       : std::to_string(odd) + " rows that earlier runs have left are no tweaks") +
-             ", and is left aside: " + first);
+    const std::size_t odd = left_aside.size();
+    if (odd == 1)
+        warn("1 row that an earlier run has left is no tweak, and is left aside: " + first +
+             "; drop_tweaks(\"**\") removes it");
+    else if (odd > 1)
+        warn(std::to_string(odd) +
+             " rows that earlier runs have left are no tweaks, and are left aside, the first: " +
+             first + "; drop_tweaks(\"**\") removes them");
 }
 
 Tweaks::State::~State() {

@@ -17,6 +17,8 @@ namespace {
 // After a failure (a full disk), this many barriers pass before the next attempt, unless somebody
 // edits.
 constexpr int barriers_of_rest = 60;
+// Bytes of what people read about a tweak: the text of a formula, a path.
+constexpr std::size_t longest_shown = 5000;
 
 }  // namespace
 
@@ -26,7 +28,7 @@ bool Tweaks::State::visible(const Entry& entry) const {
 }
 
 void Tweaks::State::barrier() {
-    if (fresh.empty() && dirty.empty() && changed.empty()) return;
+    if (fresh.empty() && dirty.empty() && changed.empty() && removed.empty()) return;
     if (rest > 0) {
         --rest;
         return;
@@ -131,16 +133,19 @@ void Tweaks::State::commit() {
         }
     }
     Journal::Changes changes;
-    for (const Entry* entry : dirty) {
+    for (Entry* entry : dirty) {
+        for (const auto text : {&JournalRow::was_text, &JournalRow::now_text})
+            entry->row.*text = shortened(entry->row.*text, longest_shown);
         if (visible(*entry))
             changes.put.push_back(&entry->row);
         else if (entry->committed)
             changes.withdrawn.push_back(entry->row.number);
     }
     changes.settled.assign(changed.begin(), changed.end());
+    for (const JournalRow& row : removed) changes.removed.push_back(&row);
     try {
-        const bool nothing =
-            changes.put.empty() && changes.withdrawn.empty() && changes.settled.empty();
+        const bool nothing = changes.put.empty() && changes.withdrawn.empty() &&
+                             changes.settled.empty() && changes.removed.empty();
         if (journal && !nothing && !journal->commit(changes))
             return;  // another run is writing; the next barrier tries again
     } catch (const std::exception& error) {
@@ -158,6 +163,7 @@ void Tweaks::State::commit() {
     }
     dirty.clear();
     changed.clear();
+    removed.clear();
     if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
 }
 

@@ -43,6 +43,7 @@ struct Tweaks::State : EditObserver {
 
     State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
     ~State() override;
+    std::size_t drop_left_aside(std::string_view pattern);
     void take_earlier(std::vector<JournalRow> rows);
     void refresh_earlier();
 
@@ -96,6 +97,8 @@ struct Tweaks::State : EditObserver {
     std::unordered_map<std::uint64_t, Entry*> created;  // by instance
     std::vector<JournalRow> earlier;                    // of earlier runs
     std::vector<JournalRow*> changed;                   // of those, to be put again
+    std::vector<JournalRow> left_aside;                 // of earlier runs: they say no tweak
+    std::vector<JournalRow> removed;                    // of those, dropped
     std::int64_t last_number = 0;
     std::string last_failure;  // told once
     int rest = 0;              // barriers until a failed commit is tried again
@@ -121,6 +124,9 @@ JournalRow row_of(const TweakWords& words);
 /// none
 /// ...; "" when it is one.
 std::string problem_of(const JournalRow& row);
+
+/// The text, or its first bytes, whole characters of them, and "...".
+std::string shortened(const std::string& text, std::size_t longest);
 
 /// "world.ball.mass", or the path of the instance.
 std::string path_of(const JournalRow& row);
