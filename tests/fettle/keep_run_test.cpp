@@ -83,6 +83,34 @@ TEST_CASE("an instance made directly below the game is kept with everything else
           "3\t4.0\ttrue\n");
 }
 
+TEST_CASE("an instance made in the console is kept under the name and parent it has now") {
+    const Folder folder;
+    folder.write("main.lua", "world.b = Body {}  game.box = Object {}");
+    const Outcome kept =
+        run(folder, {"2:world.nb=Body{position=vec(1,2),Circle{name=\"c\"}}",
+                     "2:world.j=RevoluteJoint{body_b=world.nb}", "2:box.n=Object{}",
+                     "3:world.nb.extra=Object{}", "3:box.friend=world.nb", "4:world.nb.name=\"bb\"",
+                     "5:world.bb.mass=7", "5:world.bb.c.name=\"cc\"", "6:world.bb.cc.radius=0.25",
+                     "6:box.n:move(world,\"n2\")", "7:keep(\"**\")"});
+    INFO(kept.out << kept.err << folder.text("main.tweaks.json"));
+    CHECK(contains(kept.out + kept.err, "kept 5 tweaks in main.tweaks.json"));
+    CHECK_FALSE(contains(folder.text("main.tweaks.json"), "nb"));
+    const std::string all =
+        "local b = world.bb print(b.position.x, b.mass, b.cc.radius, b.extra ~= nil, "
+        "world.j.body_b == b, box.friend == b, world.n2 ~= nil)";
+    CHECK(next(folder, all) == "1.0\t7.0\t0.25\ttrue\ttrue\ttrue\ttrue\n");
+    // A later run may change them again.
+    const Outcome again = run(
+        folder, {"2:world.bb.mass=8", "3:keep(\"**\")", "4:world.bb.name=\"third\"",
+                 "5:world.third.cc.name=\"c3\"", "6:world.n2:move(box,\"n3\")", "7:keep(\"**\")"});
+    INFO(again.out << again.err << folder.text("main.tweaks.json"));
+    CHECK(contains(again.out + again.err, "kept 3 tweaks in main.tweaks.json"));
+    const std::string then =
+        "local b = world.third print(b.position.x, b.mass, b.c3.radius, b.extra ~= nil, "
+        "world.j.body_b == b, box.friend == b, box.n3 ~= nil)";
+    CHECK(next(folder, then) == "1.0\t8.0\t0.25\ttrue\ttrue\ttrue\ttrue\n");
+}
+
 TEST_CASE("a scene file gets no reference to what is outside of it") {
     const Folder folder;
     folder.write("main.lua",

@@ -20,23 +20,6 @@ namespace {
 using Kind = JournalRow::Kind;
 using RowState = JournalRow::State;
 
-/// The parent's path of a path of an instance, and its last name.
-std::pair<std::string, std::string> split_path(const std::string& path) {
-    std::vector<Segment> segments = parse_path(path);
-    if (segments.empty()) throw Error(ErrorKind::bad_path, "game is the root of everything");
-    const std::string name = std::get<std::string>(segments.back().key);
-    const std::string suffix = path_suffix(name);
-    if (segments.size() == 1) return {"game", name};
-    return {path.substr(0, path.size() - suffix.size()), name};
-}
-
-Handle instance_at(const Tree& tree, const std::string& path) {
-    const Place place = resolve(tree, path);
-    if (place.property != nullptr)
-        throw Error(ErrorKind::unknown_name, path + " is a property now, not an instance");
-    return place.instance;
-}
-
 /// Keeps rows in files, each of which is read, changed and written once.
 class Keeping {
   public:
@@ -174,6 +157,8 @@ class Keeping {
                     state_.kept.forget_value(row->instance, row->property);
                 else if (row->kind == Kind::deleted)
                     state_.kept.forget_values_below(row->instance);
+                else if (row->kind == Kind::moved)
+                    state_.kept.move_values(row->instance, row->now);
             if (!in_scenes_.empty()) state_.kept.write();
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
@@ -297,10 +282,24 @@ class Keeping {
                 state_.kept.remove(row.instance);
                 break;
             case Kind::moved:
+                if (state_.kept.move(row.instance, row.now)) break;
+                if (const std::string file = scene_it_was_kept_in(row); !file.empty())
+                    throw Error(ErrorKind::rejected,
+                                "it was kept in " + file +
+                                    " in this run: change its name there, or in the next run");
                 throw Error(
                     ErrorKind::rejected,
                     "a name or parent that a script gives cannot be kept: change the script");
         }
+    }
+
+    /// The file that holds an instance made in this run; "" when it is none.
+    std::string scene_it_was_kept_in(const JournalRow& row) const {
+        for (Handle at = found(row.now); at; at = state_.tree.parent(at))
+            if (const auto made = state_.created.find(Tweaks::State::key(at));
+                made != state_.created.end())
+                return made->second->row.kept_in;
+        return {};
     }
 
     Image told(const JournalRow& row) const {
@@ -415,71 +414,6 @@ TweakReport Tweaks::State::drop(std::string_view pattern) {
     }
     report.count += drop_left_aside(pattern);
     barrier();
-    return report;
-}
-
-namespace {
-
-/// Whatever it does is one edit, scripts' or not.
-class EditScope {
-  public:
-    EditScope(Tree& tree, const std::string& name) : tree_(tree) { tree_.begin_edit(name); }
-    ~EditScope() { tree_.end_edit(); }
-    EditScope(const EditScope&) = delete;
-
-  private:
-    Tree& tree_;
-};
-
-}  // namespace
-
-TweakReport Tweaks::State::reapply(std::string_view pattern) {
-    TweakReport report;
-    refresh_earlier();
-    const std::vector<JournalRow*> rows = matching(pattern, true);
-    const EditScope edit(tree, "reapply tweaks of " + std::string(pattern));
-    for (JournalRow* row : rows) {
-        try {
-            switch (row->kind) {
-                case Kind::value: {
-                    const Image image = read_image(row->now);
-                    if (image.kind == Image::Kind::value && !image.not_saved.empty())
-                        throw Error(ErrorKind::rejected, image.not_saved);
-                    apply_image(tree, instance_at(tree, row->instance), row->property, image);
-                    if (!image.not_saved.empty())
-                        report.problems.push_back(path_of(*row) + ": its formula " +
-                                                  image.not_saved +
-                                                  ", so its value is set instead");
-                    break;
-                }
-                case Kind::created: {
-                    const auto [parent, name] = split_path(row->instance);
-                    const Handle at = instance_at(tree, parent);
-                    if (tree.child(at, name))
-                        throw Error(ErrorKind::bad_name, "there is something of this name already");
-                    born(load_scene_text(tree, row->now, "journal", at, name));
-                    break;
-                }
-                case Kind::deleted:
-                    tree.destroy(instance_at(tree, row->instance));
-                    break;
-                case Kind::moved: {
-                    const auto [parent, name] = split_path(row->now);
-                    const Handle moved = instance_at(tree, row->instance);
-                    const Handle to = instance_at(tree, parent);
-                    if (tree.parent(moved) == to)
-                        tree.rename(moved, name);
-                    else
-                        tree.move(moved, to, name);
-                    break;
-                }
-            }
-            ++report.count;
-            set_state(*row, RowState::dropped);
-        } catch (const Error& error) {
-            report.problems.push_back(path_of(*row) + ": " + error.what());
-        }
-    }
     return report;
 }
 

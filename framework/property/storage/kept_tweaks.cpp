@@ -44,6 +44,7 @@ KeptTweaks::KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file,
 
 void KeptTweaks::read_again() {
     changes_.clear();
+    unwritten_ = false;
     document_.reset();
     contents_ = {};
     problem_.clear();
@@ -250,19 +251,25 @@ void KeptTweaks::forget_value(const std::string& instance, const std::string& pr
             if (kept.property == property) drop("values", kept.key);
 }
 
-void KeptTweaks::write() {
+/// What was changed so far, in memory. Throws SceneError for what could not be read again.
+void KeptTweaks::fold() {
     if (changes_.empty()) return;
     const std::vector<Changes> changes = std::exchange(changes_, {});
     const std::string before = document_ ? document_->source() : std::string(empty_file);
     JsonEdit edit(before, file_.string());
     for (const Changes& each : changes) make(edit, each);
     if (edit.text() == before) return;
-    // What could not be read must not become the file.
     auto document = std::make_shared<const Document>(edit.text(), file_.string());
-    Contents contents = contents_of(*document);
-    files_.write(file_, edit.text());
+    contents_ = contents_of(*document);
     document_ = std::move(document);
-    contents_ = std::move(contents);
+    unwritten_ = true;
+}
+
+void KeptTweaks::write() {
+    fold();
+    if (!unwritten_) return;
+    files_.write(file_, document_->source());
+    unwritten_ = false;
 }
 
 }  // namespace fettle::property

@@ -51,6 +51,11 @@ class KeptTweaks {
     void set(const std::string& instance, const std::string& property, const Image& image);
     void add(const std::string& path, const std::string& scene);
     void remove(const std::string& path);
+    /// False when the file makes no such instance. Throws Error for one that it makes as a part of
+    /// another one and that is to leave it.
+    bool move(const std::string& path, const std::string& to);
+    /// Values of an instance that has another path now, and of what is below it.
+    void move_values(const std::string& path, const std::string& to);
     /// A value, or an instance with all its values, is told elsewhere from now on.
     void forget_value(const std::string& instance, const std::string& property);
     void forget_values_below(const std::string& path);
@@ -81,6 +86,8 @@ class KeptTweaks {
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
     void create_all();
+    void fold();
+    void rename_in_references(const std::string& path, const std::string& to);
     void create(const std::string& path);
     Handle find(const Node& node, const std::string& path, std::size_t count,
                 const std::string& then);
@@ -115,6 +122,7 @@ class KeptTweaks {
     Contents contents_;
     std::unordered_set<std::string> told_;  // warnings
     std::vector<Assignment> waiting_;       // for an instance that they name
+    bool unwritten_ = false;                // the document is newer than the file
     bool applied_ = false;                  // all of it, once
 };
 

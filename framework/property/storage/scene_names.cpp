@@ -61,11 +61,12 @@ std::string scene_with_paths(const Tree& tree, const std::string& scene, const N
     return edit.text();
 }
 
-std::string value_with_paths(const std::string& value, const NewPath& path) {
+std::string value_with_paths(const std::string& value, const NewPath& path, Type type,
+                             Type element) {
     if (value.empty()) return value;
     JsonEdit edit(value, "its value");
     Replacements replacements(path);
-    replacements.look(edit.document(), edit.document().root(), Type::nil, Type::nil);
+    replacements.look(edit.document(), edit.document().root(), type, element);
     replacements.make(edit);
     return edit.text();
 }

@@ -84,7 +84,7 @@ std::string shortened(const std::string& text, std::size_t longest) {
 
 std::string problem_of(const JournalRow& row) {
     // Bytes. Names may be long and stand deep inside of each other; the others are made to fit.
-    constexpr std::size_t longest_path = 1'000'000, longest = 10'000;
+    constexpr std::size_t longest_path = 5'000'000, longest = 10'000;
     if (row.instance.size() > longest_path || row.property.size() > longest_path)
         return "its path is too long: " + shortened(row.instance, 40);
     for (const auto text : {&JournalRow::was_text, &JournalRow::now_text, &JournalRow::file})

@@ -226,32 +226,6 @@ void Tweaks::State::revive(Entry& deletion) {
         }
 }
 
-void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string& old_name) {
-    if (is_fresh(instance)) return;
-    const bool was = old_parent && tree.alive(old_parent) && attached(old_parent);
-    const bool is = attached(instance);
-    if (!was && is) return born(instance);
-    if (!was) return;
-    const std::string suffix = path_suffix(old_name);
-    const std::string old_path = old_parent != tree.root() ? tree.path(old_parent) + suffix
-                                 : suffix.starts_with('.') ? suffix.substr(1)
-                                                           : "game" + suffix;
-    if (!is) return bury(instance, old_path);
-    const std::string path = tree.path(instance);
-    Entry* last = entries.empty() ? nullptr : entries.back().get();
-    const bool again = last != nullptr && last->row.kind == Kind::moved &&
-                       last->handle == instance && last->row.now == old_path;
-    Entry& move =
-        again ? *last : entry(Kind::moved, old_path, std::to_string(last_number + 1), instance);
-    if (!again) tell_origin(move, instance);
-    move.row.property.clear();
-    move.row.now = path;
-    move.row.was_text = move.row.instance;
-    move.row.now_text = "moved to " + path;
-    move.gone = path == move.row.instance;
-    touch(move);
-}
-
 // --- What is told of them
 
 std::vector<Tweak> Tweaks::list() const {

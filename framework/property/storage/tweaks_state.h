@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/edits.h>
@@ -60,6 +61,9 @@ struct Tweaks::State : EditObserver {
     void touch(Entry& entry);
     void bury(Handle instance, const std::string& path);
     void revive(Entry& deletion);
+    bool moved_with_creation(Handle instance, Handle old_parent, const std::string& old_name,
+                             const std::string& old_path);
+    void repath(Handle instance, const std::string& old_path);
     void tell_origin(Entry& entry, Handle instance) const;
 
     // tweaks_commit.cpp: what becomes rows
@@ -127,6 +131,11 @@ std::string problem_of(const JournalRow& row);
 
 /// The text, or its first bytes, whole characters of them, and "...".
 std::string shortened(const std::string& text, std::size_t longest);
+
+/// The parent's path of a path of an instance, and its last name.
+std::pair<std::string, std::string> split_path(const std::string& path);
+/// Throws Error where there is none.
+Handle instance_at(const Tree& tree, const std::string& path);
 
 /// "world.ball.mass", or the path of the instance.
 std::string path_of(const JournalRow& row);
