@@ -22,6 +22,7 @@ using property::Value;
 
 struct Runtime::State : Machine {
     using Machine::Machine;
+    std::shared_ptr<const void> life = std::make_shared<char>();  // of the runtime itself
 };
 
 namespace {
@@ -68,10 +69,15 @@ Runtime::Runtime(property::Tree& tree, Options options)
 
 Runtime::~Runtime() {
     Machine& machine = *state_;
+    state_->life.reset();
     if (machine.uses > 0) {
         machine.leave();
         machine.orphan = std::shared_ptr<State>(std::move(state_));
     }
+}
+
+std::weak_ptr<const void> Runtime::lifetime() const {
+    return state_->life;
 }
 
 /// For what runs scripts.

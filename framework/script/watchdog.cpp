@@ -148,7 +148,8 @@ void Watchdog::ask(lua_State* L) {
         const auto go_on = go_on_;  // it may put another in its place
         goes_on = go_on(call);
     }
-    if (goes_on) return;
+    // Without a runtime nobody is left who could end it.
+    if (goes_on && machine_.orphan == nullptr) return;
     char text[80];
     std::snprintf(text, sizeof text, "stopped: it ran for %.1f seconds and did not come back",
                   lasted);

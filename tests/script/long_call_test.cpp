@@ -126,6 +126,17 @@ TEST_CASE("a call that takes long is asked about again and again until it is sto
     CHECK(asked == 4);
 }
 
+TEST_CASE("a long call whose runtime is destroyed is stopped whatever the answer was") {
+    Stage s;
+    fettle::script::Runtime& runtime = *s.runtime;
+    runtime.limit_calls(patience, [&](const LongCall&) {
+        s.runtime.reset();
+        return true;
+    });
+    CHECK_FALSE(runtime.run("while true do end", "main.lua"));
+    CHECK(s.runtime == nullptr);
+}
+
 TEST_CASE("no call is limited unless the host asks for it") {
     Stage s;
     s.runtime->limit_calls(patience, {});

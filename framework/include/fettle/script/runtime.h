@@ -101,6 +101,10 @@ class Runtime {
     Runtime(const Runtime&) = delete;
     Runtime& operator=(const Runtime&) = delete;
 
+    /// For objects that hold a reference to the runtime and may outlive it: expired from the
+    /// beginning of its destruction on.
+    std::weak_ptr<const void> lifetime() const;
+
     /// Runs main.lua of a folder, or one .lua file; then its `start()`. False when it raised; the
     /// error goes to the sink. The folder is where the game's files are, and none of them lies
     /// elsewhere: links that lead out of it are not followed. Throws property::FileError when the
@@ -141,7 +145,8 @@ class Runtime {
     /// A call into the game's scripts (main.lua, a chunk, a callback, a timer, a handler, drawing)
     /// that takes longer than `seconds` is asked about, ten times a second from then on: `go_on`
     /// says whether it may; it may look at events, draw, and evaluate commands meanwhile. Without
-    /// it the call is stopped, as by an error: so it is after `Options::call_seconds` until this is
+    /// it, and when it has destroyed the runtime whatever it says, the call is stopped, as by an
+    /// error: so it is after `Options::call_seconds` until this is
     /// called. 0: calls last as long as they like. A runtime whose calls are limited has a thread
     /// of its own from its first call on, and uses the signal SIGURG, whose handler it sets.
     void limit_calls(double seconds, std::function<bool(const LongCall&)> go_on);
