@@ -42,6 +42,7 @@ std::uint64_t Tree::step() const {
 }
 
 void Tree::set_step(std::uint64_t step) {
+    state_->require_changeable("set the step");
     state_->tell_plain_writes();
     state_->step = step;
     ++state_->upheavals;  // the clock, too, is written without telling

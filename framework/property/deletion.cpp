@@ -25,6 +25,14 @@ void Tree::State::require_staying(Handle instance, std::string_view what) const 
     });
 }
 
+void Tree::State::require_made(Handle instance, std::string_view what) const {
+    for (const Handle self : making)
+        if (self == instance || (nodes.find(self) != nullptr && tree.is_below(self, instance)))
+            throw Error(ErrorKind::bad_structure,
+                        tree.path(self) + " is being made: its module, which makes it, cannot " +
+                            std::string(what) + " meanwhile");
+}
+
 std::string Tree::State::destroy_below(std::uint32_t top) {
     const Pin pin(*this, "a lifecycle function");
     struct Deleting {
@@ -88,6 +96,7 @@ void Tree::destroy(Handle instance) {
     if (instance == s.root && !s.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     s.require_staying(instance, "delete it");
+    if (!s.ending) s.require_made(instance, "delete it");
     // Nobody will undo the end of the tree, and its modules may be gone already.
     if (!s.ending && s.history.recording()) s.history.dying(instance);
     if (!s.ending) s.tell([&](Observer& o) { o.destroying(instance); });

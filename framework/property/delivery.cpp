@@ -11,6 +11,7 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/tree.h>
 
+#include "failures_go.h"
 #include "state.h"
 
 namespace fettle::property {
@@ -131,6 +132,7 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
     State& s = *state_;
     s.require_event(instance, event);
     s.require_values(instance, event, values);
+    s.require_changeable("tell an event");
     if (event.listeners == 0) return;
     QueueItem item;
     item.kind = QueueItem::Kind::event;
@@ -231,11 +233,9 @@ void Tree::State::call(const Watcher& watcher, const What& what) {
     try {
         hand_over(watcher, what);
     } catch (...) {
-        if (!error_sink || ending) throw;
-        tell_error({.path = describe(what),
-                    .where = watcher.label,
-                    .message = exception_text(),
-                    .exception = std::current_exception()});
+        if (failure == nullptr) throw;
+        report(
+            *failure, [&] { return describe(what); }, watcher.label);
     }
 }
 
@@ -372,13 +372,7 @@ void Tree::State::run_actions(std::exception_ptr& first_error) {
         try {
             action();
         } catch (...) {
-            if (error_sink && !ending)
-                tell_error({.path = "barrier",
-                            .where = {},
-                            .message = exception_text(),
-                            .exception = std::current_exception()});
-            else if (!first_error)
-                first_error = std::current_exception();
+            report(first_error, [] { return std::string("barrier"); });
         }
     }
 }
@@ -390,6 +384,7 @@ void Tree::barrier(bool between_steps) {
     const State::Use use(s);
     s.require_changeable("start a barrier");
     std::exception_ptr first_error;
+    const FailuresGo failures_go(s.failure, first_error);
     s.deliver_all(first_error);
     if (between_steps && !s.ending && !s.at_barrier.empty()) {
         s.run_actions(first_error);
@@ -445,6 +440,19 @@ void Tree::State::deliver_all(std::exception_ptr& first_error) {
         formulas.tell_problems();
         if (ending) return;
         compare_shadows();
+    }
+}
+
+void Tree::State::report(std::exception_ptr& first, const std::function<std::string()>& path,
+                         const std::string& where) const {
+    try {
+        if (!error_sink || ending) throw;
+        tell_error({.path = path(),
+                    .where = where,
+                    .message = exception_text(),
+                    .exception = std::current_exception()});
+    } catch (...) {
+        if (!first) first = std::current_exception();
     }
 }
 

@@ -1,10 +1,12 @@
 #include <fettle/property/question.h>
 
+#include <exception>
 #include <utility>
 
 #include <fettle/property/tree.h>
 
 #include "coerce.h"
+#include "failures_go.h"
 #include "state.h"
 
 namespace fettle::property {
@@ -88,12 +90,15 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     const Asking asking(question);
     // A handler may stop watchers, itself included.
     const Watchers::HandlersRun running(s.watchers);
+    std::exception_ptr first_error;
+    const FailuresGo failures_go(s.failure, first_error);
     for (const Watcher* watcher : s.watchers.of_event(instance, event, s.watchers.last_id()))
         if (watcher->active)
             s.call(*watcher, Occurrence{.instance = instance,
                                         .event = &event,
                                         .record = {&event.fields, values},
                                         .step = s.step});
+    if (first_error) std::rethrow_exception(first_error);
 }
 
 }  // namespace fettle::property

@@ -103,6 +103,11 @@ struct Tree::State {
     Cause last_edit;  // kept while anything is shadowed; its place, while what is derived
     std::function<void(const HandlerError&)> error_sink;
     void tell_error(const HandlerError& error) const;
+    /// In a handler of exceptions: the one at hand goes to the sink. Without a sink, and where that
+    /// throws, it is kept in `first` unless there is one: the others are told all the same.
+    void report(std::exception_ptr& first, const std::function<std::string()>& path,
+                const std::string& where = {}) const;
+    std::exception_ptr* failure = nullptr;  // where what handlers throw goes without a sink
     /// Where in a program the writes come from, as the innermost CauseScope tells it.
     std::string place() const;
     std::vector<std::function<void()>> at_barrier;  // when it is between steps
@@ -126,6 +131,7 @@ struct Tree::State {
     std::vector<std::string> remarks;  // what could not be as it was, of the last restore
     const char* pinned = nullptr;      // what is called and must not destroy the tree, if anything
     int deletions = 0;                 // that go on, one inside the other
+    std::vector<Handle> making;        // whose modules make them, one inside the other
     bool restoring = false;
     FormulaCompiler formula_compiler;
     Handle root;
@@ -169,6 +175,18 @@ struct Tree::State {
     void require_unpinned() const;
     /// Throws where the instance, or one below it, is being deleted. `what`: "move an instance".
     void require_staying(Handle instance, std::string_view what) const;
+    /// While it lives, the module of an instance makes it and must not delete it.
+    class Making {
+      public:
+        Making(State& state, Handle self) : state_(state) { state_.making.push_back(self); }
+        ~Making() { state_.making.pop_back(); }
+        Making(const Making&) = delete;
+
+      private:
+        State& state_;
+    };
+    /// Throws where the instance, or one below it, is being made.
+    void require_made(Handle instance, std::string_view what) const;
     /// Throws while anything is being deleted, for what changes the tree as a whole.
     void require_no_deletion(std::string_view what) const;
 

@@ -4,7 +4,9 @@
 #include <fettle/property/tree.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fettle/property/drawing.h>
 #include <fettle/property/path.h>
@@ -190,6 +192,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
         nodes[index].stored_row = row;
     }
     const Lifecycle& lifecycle = of.lifecycle();
+    std::optional<Making> making_it(std::in_place, *this, self);
     bool has_row = false;
     try {
         if (lifecycle.create) {
@@ -198,7 +201,12 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
             has_row = true;
         }
         if (!of.columns_found_) require_columns(of);
-    } catch (...) {  // its module has no room for it: it never was
+    } catch (...) {                              // its module has no room for it: it never was
+        while (nodes[index].first_child != 0) {  // what it made below it before
+            const Handle child = nodes.handle(nodes[index].first_child);
+            tell([&](Observer& o) { o.destroying(child); });
+            destroy_below(child.index);
+        }
         if (has_row && lifecycle.destroy) try {
                 lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row);
             } catch (...) {
@@ -212,6 +220,7 @@ std::uint32_t Tree::State::make(const Class& of, std::uint32_t parent, NodeName 
         throw;
     }
     finish_making(self, of);
+    making_it.reset();
     structure_changed(parent, name);
     if (watchers.any_broad()) {
         shadows.refresh(tree, watchers, self);
@@ -371,7 +380,9 @@ Row Tree::row(Handle instance) const {
     return state_->require(instance).row;
 }
 void Tree::set_row(Handle instance, Row row) {
-    state_->require(instance).row = row;
+    Node& node = state_->require(instance);
+    state_->require_changeable("move a row");
+    node.row = row;
 }
 
 Handle Tree::parent(Handle instance) const {

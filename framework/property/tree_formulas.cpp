@@ -117,9 +117,11 @@ void Tree::observe_edits(EditObserver* observer) {
 }
 
 void Tree::begin_edit(std::string name, bool scripts) {
+    state_->require_changeable("begin an edit");
     state_->history.begin(std::move(name), scripts);
 }
 void Tree::end_edit() {
+    state_->require_changeable("end an edit");
     state_->history.end();
 }
 UndoResult Tree::undo() {
@@ -142,6 +144,7 @@ std::size_t Tree::history_bytes_ever() const {
     return state_->history.bytes_ever();
 }
 void Tree::set_history_limit(std::size_t bytes) {
+    state_->require_changeable("limit the history");
     state_->history.set_limit(bytes);
 }
 

@@ -76,6 +76,7 @@ class TreeImage {
     void put_formulas();
     void make_rows();
     void drop(std::uint32_t index);
+    void end_row(Handle self);
     bool lived_before(Handle instance) const;
 
     Tree::State& state_;

@@ -3,6 +3,7 @@
 #include "tree_image.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
@@ -34,14 +35,7 @@ void TreeImage::end_rows() {
         if (before_[i] == 0) continue;
         const Handle gone = s.nodes.handle(i);
         const Class& of = s.classes[s.nodes[i].class_id];
-        const Lifecycle& lifecycle = of.lifecycle();
-        if (nodes_.find(gone) == nullptr && by_value(of) && lifecycle.destroy) {
-            try {
-                lifecycle.destroy(lifecycle.context, s.tree, gone, s.nodes[i].row);
-            } catch (...) {
-                // Its module knows nothing of it; nothing is left to end.
-            }
-        }
+        if (nodes_.find(gone) == nullptr && by_value(of)) end_row(gone);
         if (nodes_.find(gone) == nullptr && of.snapshots() == Snapshots::never &&
             s.stored[of.id()] != nullptr)
             s.stored[of.id()]->remove(s.nodes[i].stored_row);
@@ -120,26 +114,49 @@ void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
 /// Rows of those whose module makes them anew; parents before children.
 void TreeImage::make_rows() {
     Tree::State& s = state_;
-    std::vector<Handle> refused;
+    std::vector<Handle> refused;  // parents before children
+    std::set<std::uint32_t> without;
     const auto make = [&](std::uint32_t i) {
         const Class& of = s.classes[s.nodes[i].class_id];
         const Lifecycle& lifecycle = of.lifecycle();
         const Handle self = s.nodes.handle(i);
+        const bool below = without.contains(s.nodes[i].parent);  // goes with that
+        if (below) without.insert(i);
         if (!by_value(of) || !lifecycle.create || lived_before(self)) return;
+        bool has_row = false;
         try {
-            const Row row = lifecycle.create(lifecycle.context, s.tree, self);
-            s.nodes[i].row = row;
-            if (!lifecycle.place || s.nodes[i].parent == 0) return;
-            const Row placed = lifecycle.place(lifecycle.context, s.tree, self, row);
-            s.nodes[i].row = placed;
-        } catch (...) {
-            refused.push_back(self);  // its module has no room for it any more
+            if (!below) {
+                const Tree::State::Making making(s, self);
+                s.nodes[i].row = lifecycle.create(lifecycle.context, s.tree, self);
+                has_row = true;
+                if (!lifecycle.place || s.nodes[i].parent == 0) return;
+                const Row row = s.nodes[i].row;
+                s.nodes[i].row = lifecycle.place(lifecycle.context, s.tree, self, row);
+                return;
+            }
+        } catch (...) {  // its module has no room for it any more
+            remarks_.push_back(s.tree.path(self) + ": it cannot be made, and is missing with all " +
+                               "that was below it: " + exception_text());
+            if (has_row) end_row(self);
         }
+        without.insert(i);
+        refused.push_back(self);
     };
     for (std::uint32_t top = 1; top < s.nodes.end(); ++top)
         if (s.nodes[top].alive() && s.nodes[top].parent == 0) s.visit_below(top, make);
-    for (const Handle self : refused)
-        if (s.nodes.find(self) != nullptr) drop(self.index);
+    for (auto self = refused.rbegin(); self != refused.rend(); ++self)
+        if (s.nodes.find(*self) != nullptr) drop(self->index);
+}
+
+void TreeImage::end_row(Handle self) {
+    const Node& node = state_.nodes[self.index];
+    const Lifecycle& lifecycle = state_.classes[node.class_id].lifecycle();
+    if (!lifecycle.destroy) return;
+    try {
+        lifecycle.destroy(lifecycle.context, state_.tree, self, node.row);
+    } catch (...) {
+        // Its module knows nothing of it; nothing is left to end.
+    }
 }
 
 /// An instance without a row cannot be; what is below it goes with it.

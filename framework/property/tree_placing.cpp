@@ -169,6 +169,7 @@ void Tree::replace(Handle old, Handle by) {
     s.require(by);
     s.require_changeable("replace an instance");
     s.require_staying(old, "replace it");
+    s.require_made(old, "replace it");
     s.require_staying(by, "move it");
     const Position at = s.history.position(old), was = s.history.position(by);
     s.require_movable(old);

@@ -252,8 +252,9 @@ class Made : public property::Observer {
 // Everything that must be undone however the command ends.
 class Session {
   public:
-    Session(Machine& machine, std::string_view command) : machine_(machine) {
-        {
+    Session(Machine& machine, std::string_view command)
+        : machine_(machine), edits_(machine.tree.changeable()) {
+        if (edits_) {
             const property::Tree::CauseScope scope(machine.tree, property::Writer::console);
             machine.tree.begin_edit(std::string(command.substr(0, 80)));
         }
@@ -264,12 +265,13 @@ class Session {
     ~Session() {
         machine_.writer = property::Writer::script;
         machine_.record(false);
-        machine_.tree.end_edit();
+        if (edits_) machine_.tree.end_edit();
     }
     Session(const Session&) = delete;
 
   private:
     Machine& machine_;
+    const bool edits_;  // nothing can be changed inside of a formula and of a question
 };
 
 }  // namespace

@@ -255,7 +255,8 @@ struct Event {
 struct Lifecycle {
     void* context = nullptr;
     /// Makes the module's row, with defaults, before anyone can see the instance. May throw Error
-    /// when there is no room for it.
+    /// when there is no room for it. Until the instance is made, `place` included, it cannot be
+    /// deleted: that throws Error(bad_structure).
     Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
     /// The chain of parents above `self` changed (parents are told before children). Returns the
     /// row, possibly another.

@@ -17,7 +17,8 @@ class Tree;
 std::vector<std::string> unsaved_formulas(const Tree& tree);
 
 /// What could not be as it was when the last snapshot was restored, a line each: formulas that were
-/// not saved or no longer compile, values that no longer fit their properties.
+/// not saved or no longer compile, values that no longer fit their properties, instances that their
+/// modules would not make (`world.a: it cannot be made ...`).
 const std::vector<std::string>& restore_remarks(const Tree& tree);
 
 }  // namespace fettle::property

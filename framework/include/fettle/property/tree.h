@@ -248,7 +248,8 @@ class Tree {
     void begin_edit(std::string name, bool scripts = true);
     void end_edit();
     /// Acts at once, as a new edit at the current time. Throws Error(bad_structure) in the middle
-    /// of an edit.
+    /// of an edit that has changed something; before that, it undoes the step before the edit, as a
+    /// console command does that is nothing but `undo()`.
     UndoResult undo();
     UndoResult redo();
     /// The latest first.
@@ -303,10 +304,10 @@ class Tree {
     void at_barrier(std::function<void()> action);
 
     /// Delivers everything queued, and compares what is watched of the simulation. Errors of
-    /// handlers go to the error sink; without one the first is thrown when all are delivered.
-    /// Throws Error(no_barrier_end) after 16 generations of handlers that make changes.
-    /// `between_steps` is false in the middle of a step, when what `at_barrier` was given has to
-    /// wait.
+    /// handlers go to the error sink; without one the first is thrown when all are delivered, and
+    /// so is the first that the sink throws. Throws Error(no_barrier_end) after 16 generations of
+    /// handlers that make changes. `between_steps` is false in the middle of a step, when what
+    /// `at_barrier` was given has to wait.
     void barrier(bool between_steps = true);
     void on_handler_error(std::function<void(const HandlerError&)> sink);
     /// How many watchers are registered.
@@ -348,10 +349,11 @@ class Tree {
     /// (`Snapshot::take_payload`): finding new pages takes the system longer than filling them.
     Snapshot snapshot(std::vector<std::byte> room) const;
     /// Puts the tree back, in place. Who existed then has their handles again; who came since is
-    /// deleted, and no handle to them will ever mean anybody else. Watchers stay with the instances
-    /// that exist on both sides and are told of what changed, cause `restore`, at the next barrier;
-    /// so is who listens to `restored` of the root. Classes stay. Changes that were still to be
-    /// delivered are not.
+    /// deleted, and no handle to them will ever mean anybody else. Whom its module would not make
+    /// again (`Lifecycle::create`) is missing with all below: `restore_remarks` tells. Watchers
+    /// stay with the instances that exist on both sides and are told of what changed, cause
+    /// `restore`, at the next barrier; so is who listens to `restored` of the root. Classes stay.
+    /// Changes that were still to be delivered are not.
     ///
     /// Throws Error(damaged) or, for what this game does not have (a class, a module),
     /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler, and in

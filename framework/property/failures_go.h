@@ -1,0 +1,22 @@
+#pragma once
+// Where what handlers throw goes while they are told of something.
+
+#include <exception>
+#include <utility>
+
+namespace fettle::property {
+
+/// While it lives, `failure` leads to `first`: the first error is thrown when all are told.
+class FailuresGo {
+  public:
+    FailuresGo(std::exception_ptr*& failure, std::exception_ptr& first)
+        : failure_(failure), before_(std::exchange(failure, &first)) {}
+    ~FailuresGo() { failure_ = before_; }
+    FailuresGo(const FailuresGo&) = delete;
+
+  private:
+    std::exception_ptr*& failure_;
+    std::exception_ptr* before_;
+};
+
+}  // namespace fettle::property
