@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fettle/property/error.h>
-#include <fettle/property/exception_text.h>
-
 #include "state.h"
 
 namespace fettle::property {
@@ -33,6 +30,9 @@ void History::begin(std::string name, bool scripts) {
     open_ = {};
     open_bytes_ = 0;
     written_.clear();
+    references_.clear();
+    has_references_ = false;
+    wants_references_ = true;
     open_.name = std::move(name);
     open_.cause = tree_.cause();
 }
@@ -43,6 +43,8 @@ void History::end() {
     scripts_.pop_back();
     tree_.state().note_recording();
     if (--depth_ > 0) return;
+    references_.clear();
+    wants_references_ = false;
     close();
 }
 
@@ -115,6 +117,7 @@ History::Position History::position(Handle instance) const {
 
 void History::edited(Handle instance, const Property& property, CellState before) {
     if (observer_ != nullptr) observer_->edited(instance, property, before);
+    references_.erase({instance.index, property.symbol});
     CellState after;
     if (tree_.find(instance, property.symbol) != nullptr) after = capture(instance, property);
     // A drag is many edits of one cell: only its ends are kept.
@@ -147,6 +150,7 @@ void History::born(Handle instance) {
 
 void History::dying(Handle instance) {
     if (observer_ != nullptr) observer_->dying(instance);
+    note_references();
     ExistenceEdit existence;
     existence.top = instance;
     existence.buried = buried_below(instance);
@@ -169,13 +173,48 @@ std::vector<Buried> History::buried_below(Handle top) const {
         buried.position = position(handle);
         for (const Property* property : tree_.properties(handle)) {
             if (property->read_only || property->binding.kind == BindingKind::node) continue;
-            CellState state = capture(handle, *property);
+            CellState state = before_deletion(handle, *property);
             if (state.overridden || state.formula)
                 buried.cells.emplace_back(property->symbol, std::move(state));
         }
         all.push_back(std::move(buried));
     });
     return all;
+}
+
+/// Looked up once an edit, however many it deletes.
+void History::note_references() {
+    if (!wants_references_ || has_references_) return;
+    has_references_ = true;
+    const Tree::State& s = tree_.state();
+    std::vector<std::vector<const Property*>> of_class(s.classes.size());
+    for (std::uint32_t id = 0; id < s.classes.size(); ++id)
+        for (const Property* property : s.classes[id].properties())
+            if (property->type == Type::reference && !property->read_only &&
+                property->binding.kind != BindingKind::node)
+                of_class[id].push_back(property);
+    for (std::uint32_t i = 1; i < s.nodes.end(); ++i) {
+        if (!s.nodes[i].alive()) continue;
+        for (const Property* property : of_class[s.nodes[i].class_id]) try {
+                const Value value = s.read(i, s.nodes[i], *property);
+                if (value.is(Type::reference) && value.reference())
+                    references_[{i, property->symbol}] = value.reference();
+            } catch (...) {
+                // It is not what is deleted, and nobody has asked.
+            }
+    }
+}
+
+/// The cell of who is about to be deleted: it refers to whom it did before they were.
+History::CellState History::before_deletion(Handle instance, const Property& property) const {
+    CellState state = capture(instance, property);
+    if (property.type != Type::reference || state.formula || references_.empty()) return state;
+    const auto known = references_.find({instance.index, property.symbol});
+    if (known == references_.end() || tree_.alive(known->second)) return state;
+    if (state.value.is(Type::reference) && state.value.reference()) return state;
+    state.value = known->second;
+    state.overridden = true;
+    return state;
 }
 
 // --- Forgetting
@@ -259,220 +298,6 @@ std::vector<HistoryEntry> History::entries() const {
     std::reverse(all.begin(), all.end());  // what was undone first was done last
     list(lists_.done, false);
     return all;
-}
-
-// --- Undoing
-// ---------------------------------------------------------------------------------------------------------
-
-UndoResult History::undo() {
-    if (edit_is_open())
-        throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
-    return carry_over(lists_.done, lists_.undone, true);
-}
-
-UndoResult History::redo() {
-    if (edit_is_open())
-        throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
-    return carry_over(lists_.undone, lists_.done, false);
-}
-
-/// Undoes, or does again, the latest of `from`.
-UndoResult History::carry_over(Transactions& from, Transactions& to, bool back) {
-    if (from.empty()) return {};
-    Transaction transaction = take(from);
-    UndoResult result;
-    try {
-        result = run(transaction, back);
-    } catch (...) {  // a module has no room: it can be tried again
-        put(from, std::move(transaction));
-        throw;
-    }
-    put(to, std::move(transaction));
-    trim();
-    return result;
-}
-
-UndoResult History::run(Transaction& transaction, bool back) {
-    UndoResult result{.done = true, .name = transaction.name, .notes = {}};
-    if (transaction.too_large)
-        result.notes.emplace_back("it took more memory than the history may: nothing was changed");
-    const Tree::CauseScope scope(tree_, Writer::undo);
-    struct Applying {
-        bool& flag;
-        explicit Applying(bool& f) : flag(f) { flag = true; }
-        ~Applying() { flag = false; }
-    } applying(applying_);
-    const auto one = [&](EditStep& step) {
-        std::visit([&](auto& what) { apply(what, back, result); }, step);
-    };
-    if (back)
-        for (auto step = transaction.steps.rbegin(); step != transaction.steps.rend(); ++step)
-            one(*step);
-    else
-        for (EditStep& step : transaction.steps) one(step);
-    return result;
-}
-
-void History::set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
-    try {
-        const Property* property = tree_.find(instance, name);
-        if (!state.present) {
-            if (property != nullptr) tree_.remove_ad_hoc(instance, name.text());
-            return;
-        }
-        if (property == nullptr) {
-            tree_.set_or_add(instance, name.text(),
-                             state.value.is_nil() ? Value(false) : state.value);
-            property = tree_.find(instance, name);
-        }
-        if (property == nullptr) return;
-        // A formula that is in error leaves the default where it was, and is to go all the same.
-        const bool stands =
-            tree_.overridden(instance, *property) || tree_.formula(instance, *property) != nullptr;
-        if (!state.overridden && stands)
-            tree_.reset(instance, *property);
-        else if (state.overridden && !(state.formula && state.value.is_nil()))
-            tree_.set(instance, *property, state.value);
-        if (state.formula) tree_.set_formula(instance, *property, *state.formula);
-    } catch (...) {
-        result.notes.push_back(exception_text());
-    }
-}
-
-void History::apply(CellEdit& edit, bool back, UndoResult& result) {
-    if (!tree_.alive(edit.instance)) {
-        result.notes.push_back("an edit of \"" + edit.property.text() +
-                               "\" is void: its instance was deleted since");
-        return;
-    }
-    const Property* property = tree_.find(edit.instance, edit.property);
-    CellState found;
-    if (property != nullptr) found = capture(edit.instance, *property);
-    set_cell(edit.instance, edit.property, back ? edit.before : edit.after, result);
-    if (property == nullptr) property = tree_.find(edit.instance, edit.property);
-    if (observer_ != nullptr && property != nullptr)
-        observer_->edited(edit.instance, *property, found);
-}
-
-void History::apply(MoveEdit& move, bool back, UndoResult& result) {
-    if (!tree_.alive(move.instance)) {
-        result.notes.emplace_back("a move is void: its instance was deleted since");
-        return;
-    }
-    const Position found = position(move.instance);
-    place(move.instance, back ? move.before : move.after, result);
-    if (observer_ != nullptr) observer_->moved(move.instance, found.parent, found.name.text());
-}
-
-void History::apply(ExistenceEdit& existence, bool back, UndoResult& result) {
-    if (existence.birth == back)
-        bury(existence, result);
-    else
-        revive(existence, result);
-}
-
-void History::bury(ExistenceEdit& existence, UndoResult& result) {
-    if (!tree_.alive(existence.top)) {
-        result.notes.emplace_back("an instance to be deleted is gone already");
-        return;
-    }
-    if (observer_ != nullptr) observer_->dying(existence.top);
-    existence.buried = buried_below(existence.top);
-    existence.lost_watchers = 0;
-    for (const Buried& buried : existence.buried)
-        if (tree_.state().nodes[buried.handle.index].watched) ++existence.lost_watchers;
-    keep_slots_ = true;
-    tree_.destroy(existence.top);
-    keep_slots_ = false;
-}
-
-bool History::hangs_too_deep(const ExistenceEdit& existence) const {
-    const Nodes& nodes = tree_.state().nodes;
-    std::unordered_map<std::uint32_t, std::size_t> depths;  // parents come before their children
-    for (const Buried& buried : existence.buried) {
-        const std::uint32_t parent = buried.position.parent.index;
-        const auto above = depths.find(parent);
-        const std::size_t depth = above != depths.end() ? above->second : nodes.depth(parent);
-        if (depth + 1 > Nodes::deepest) return true;
-        depths[buried.handle.index] = depth + 1;
-    }
-    return false;
-}
-
-void History::revive(ExistenceEdit& existence, UndoResult& result) {
-    Tree::State& s = tree_.state();
-    if (existence.buried.empty() || tree_.alive(existence.top)) {
-        result.notes.emplace_back("an instance cannot be brought back: nothing is known of it");
-        return;
-    }
-    if (!std::all_of(existence.buried.begin(), existence.buried.end(),
-                     [&s](const Buried& buried) { return s.nodes.keeps(buried.handle); })) {
-        result.notes.emplace_back("an instance cannot be brought back: its place was given away");
-        return;
-    }
-    if (const Handle parent = existence.buried.front().position.parent;
-        parent && !tree_.alive(parent)) {
-        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
-                               "\" cannot be brought back: what it hung under is gone");
-        return;
-    }
-    if (hangs_too_deep(existence)) {
-        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
-                               "\" cannot be brought back: what it hung under hangs deeper now");
-        return;
-    }
-    for (const Buried& buried : existence.buried) {
-        NodeName name = buried.position.name;
-        const std::uint32_t parent = buried.position.parent.index;
-        if (const std::uint32_t there = parent == 0 ? 0 : s.nodes.child(parent, name); there != 0) {
-            // Below, it can only be what the parent made for itself just now; at the top, the
-            // game's own.
-            if (&buried != &existence.buried.front()) tree_.destroy(s.nodes.handle(there));
-        }
-        if (parent != 0 && s.is_taken(parent, name)) name = s.free_name(parent, name.base.text());
-        try {
-            keep_slots_ = true;
-            s.make(*buried.of, parent, name, buried.position.named, buried.handle);
-            keep_slots_ = false;
-        } catch (...) {  // its module has no room: they stay dead, and may be tried again
-            if (tree_.alive(existence.top)) tree_.destroy(existence.top);
-            keep_slots_ = false;
-            throw;
-        }
-    }
-    // Values when all are there, so that references find whom they mean.
-    for (const Buried& buried : existence.buried)
-        for (const auto& [symbol, state] : buried.cells)
-            set_cell(buried.handle, symbol, state, result);
-    place(existence.top, existence.buried.front().position, result);
-    if (observer_ != nullptr) observer_->born(existence.top);
-    // Whoever buries them next knows better what they are, and the slots to give back.
-    existence.buried.clear();
-    if (existence.lost_watchers > 0)
-        result.notes.push_back("watchers of " + tree_.path(existence.top) +
-                               " ended when it was deleted; they are not brought back");
-}
-
-void History::place(Handle instance, const Position& at, UndoResult& result) {
-    Tree::State& s = tree_.state();
-    if (at.parent && !tree_.alive(at.parent)) {
-        result.notes.push_back(tree_.path(instance) + " stays: where it was is gone");
-        return;
-    }
-    try {
-        const bool taken = at.parent && s.is_taken(at.parent.index, at.name) &&
-                           s.nodes.child(at.parent.index, at.name) != instance.index;
-        if (tree_.parent(instance) != at.parent)
-            tree_.move(instance, at.parent, taken ? std::string() : at.name.text());
-        else if (!taken)
-            tree_.rename(instance, at.name.text());
-        s.nodes[instance.index].named = at.named;
-        if (at.parent)
-            s.nodes.reorder(instance.index, tree_.alive(at.before) ? at.before.index : 0);
-        s.tell([&](Observer& o) { o.moved(instance); });
-    } catch (const Error& error) {
-        result.notes.emplace_back(error.what());
-    }
 }
 
 }  // namespace fettle::property

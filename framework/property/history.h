@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/edits.h>
@@ -83,7 +84,20 @@ class History {
     struct Lists {
         Transactions done, undone;
     };
+    /// While it lives and something is deleted, whom the living refer to is known as it was before.
+    class References {
+      public:
+        References(History& history, bool wanted);
+        ~References();
+        References(const References&) = delete;
 
+      private:
+        History& history_;
+        bool before_;
+    };
+
+    /// One that has changed nothing yet is none: `undo()` is a console command, and each is an
+    /// edit.
     bool edit_is_open() const { return depth_ > 0 && (!open_.steps.empty() || open_.too_large); }
     /// What is more than this is forgotten as soon as it is made.
     std::size_t most_of_one() const { return limit_ - limit_ / 4; }
@@ -97,6 +111,8 @@ class History {
     void make_void(Transaction& transaction);
     void trim();
     std::vector<Buried> buried_below(Handle top) const;
+    void note_references();
+    CellState before_deletion(Handle instance, const Property& property) const;
     UndoResult run(Transaction& transaction, bool back);
     void apply(CellEdit& edit, bool back, UndoResult& result);
     void apply(ExistenceEdit& existence, bool back, UndoResult& result);
@@ -115,6 +131,13 @@ class History {
     std::size_t open_bytes_ = 0;
     // Which step of the open edit a cell was written by, since something came or went last.
     std::unordered_map<Cell, std::size_t, CellHash> written_;
+    // Whom each cell referred to when the first instance of several was about to be deleted: the
+    // modules of those that are left may forget it.
+    std::unordered_map<Cell, Handle, CellHash> references_;
+    bool wants_references_ = false;
+    bool has_references_ = false;
+    // Cells of those who were brought back, and refer to some who are not yet.
+    std::vector<std::pair<Handle, std::vector<std::pair<Symbol, CellState>>>> waiting_;
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
     std::size_t script_edits_ = 0;  // how many of them that is true of

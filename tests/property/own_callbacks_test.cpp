@@ -10,7 +10,7 @@ namespace own_callbacks_test {
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
-TEST_CASE("an undo that fails can be tried again") {
+TEST_CASE("an undo that a module has no room for is noted and can be tried again") {
     Tree tree;
     static bool full;
     full = false;
@@ -25,9 +25,12 @@ TEST_CASE("an undo that fails can be tried again") {
     const Tree::CauseScope scope(tree, Writer::console);
     tree.destroy(guest);
     full = true;
-    CHECK_THROWS_AS(tree.undo(), Error);
+    const UndoResult refused = tree.undo();
+    CHECK(refused.done);
+    CHECK(refused.notes == std::vector<std::string>{"\"guest\" cannot be brought back: no room"});
     CHECK(tree.history().size() == 1);
     full = false;
+    CHECK(tree.redo().done);
     CHECK(tree.undo().done);
     CHECK(tree.alive(guest));
     CHECK(tree.redo().done);

@@ -24,7 +24,8 @@ struct UndoResult {
     bool done = false;  // false: there was nothing to undo
     std::string name;
     /// What could not be brought back, a line each: watchers that ended with their instance, values
-    /// their owner refused, instances the game has deleted since.
+    /// their owner refused, instances their module would not make, or that the game has deleted
+    /// since. The rest of the step is undone all the same.
     std::vector<std::string> notes;
 };
 

@@ -1,0 +1,257 @@
+// Undoing what people edited, and doing it again. What cannot be as it was is told in notes, and
+// the rest of the step is undone all the same.
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+
+#include "history.h"
+#include "state.h"
+
+namespace fettle::property {
+
+UndoResult History::undo() {
+    if (edit_is_open())
+        throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
+    return carry_over(lists_.done, lists_.undone, true);
+}
+
+UndoResult History::redo() {
+    if (edit_is_open())
+        throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
+    return carry_over(lists_.undone, lists_.done, false);
+}
+
+/// Undoes, or does again, the latest of `from`.
+UndoResult History::carry_over(Transactions& from, Transactions& to, bool back) {
+    if (from.empty()) return {};
+    Transaction transaction = take(from);
+    UndoResult result = run(transaction, back);
+    put(to, std::move(transaction));
+    trim();
+    return result;
+}
+
+History::References::References(History& history, bool wanted)
+    : history_(history), before_(std::exchange(history.wants_references_, wanted)) {
+    history_.references_.clear();
+    history_.has_references_ = false;
+}
+
+History::References::~References() {
+    history_.references_.clear();
+    history_.has_references_ = false;
+    history_.wants_references_ = before_;
+}
+
+UndoResult History::run(Transaction& transaction, bool back) {
+    UndoResult result{.done = true, .name = transaction.name, .notes = {}};
+    if (transaction.too_large)
+        result.notes.emplace_back("it took more memory than the history may: nothing was changed");
+    const Tree::CauseScope scope(tree_, Writer::undo);
+    struct Applying {
+        bool& flag;
+        explicit Applying(bool& f) : flag(f) { flag = true; }
+        ~Applying() { flag = false; }
+    } applying(applying_);
+    // Who dies after one that it refers to has forgotten that by then.
+    const References references(*this, transaction.steps.size() > 1);
+    const auto one = [&](EditStep& step) {
+        try {
+            std::visit([&](auto& what) { apply(what, back, result); }, step);
+        } catch (...) {  // the rest is undone all the same
+            keep_slots_ = false;
+            result.notes.push_back(exception_text());
+        }
+    };
+    if (back)
+        for (auto step = transaction.steps.rbegin(); step != transaction.steps.rend(); ++step)
+            one(*step);
+    else
+        for (EditStep& step : transaction.steps) one(step);
+    for (const auto& [instance, cells] : std::exchange(waiting_, {}))
+        if (tree_.alive(instance))
+            for (const auto& [symbol, state] : cells) set_cell(instance, symbol, state, result);
+    return result;
+}
+
+void History::set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
+    references_.erase({instance.index, name});
+    try {
+        const Property* property = tree_.find(instance, name);
+        if (!state.present) {
+            if (property != nullptr) tree_.remove_ad_hoc(instance, name.text());
+            return;
+        }
+        if (property == nullptr) {
+            tree_.set_or_add(instance, name.text(),
+                             state.value.is_nil() ? Value(false) : state.value);
+            property = tree_.find(instance, name);
+        }
+        if (property == nullptr) return;
+        // A formula that is in error leaves the default where it was, and is to go all the same.
+        const bool stands =
+            tree_.overridden(instance, *property) || tree_.formula(instance, *property) != nullptr;
+        if (!state.overridden && stands)
+            tree_.reset(instance, *property);
+        else if (state.overridden && !(state.formula && state.value.is_nil()))
+            tree_.set(instance, *property, state.value);
+        if (state.formula) tree_.set_formula(instance, *property, *state.formula);
+    } catch (...) {
+        result.notes.push_back(exception_text());
+    }
+}
+
+void History::apply(CellEdit& edit, bool back, UndoResult& result) {
+    if (!tree_.alive(edit.instance)) {
+        result.notes.push_back("an edit of \"" + edit.property.text() +
+                               "\" is void: its instance was deleted since");
+        return;
+    }
+    const Property* property = tree_.find(edit.instance, edit.property);
+    CellState found;
+    if (property != nullptr) found = capture(edit.instance, *property);
+    set_cell(edit.instance, edit.property, back ? edit.before : edit.after, result);
+    if (property == nullptr) property = tree_.find(edit.instance, edit.property);
+    if (observer_ != nullptr && property != nullptr)
+        observer_->edited(edit.instance, *property, found);
+}
+
+void History::apply(MoveEdit& move, bool back, UndoResult& result) {
+    if (!tree_.alive(move.instance)) {
+        result.notes.emplace_back("a move is void: its instance was deleted since");
+        return;
+    }
+    const Position found = position(move.instance);
+    place(move.instance, back ? move.before : move.after, result);
+    if (observer_ != nullptr) observer_->moved(move.instance, found.parent, found.name.text());
+}
+
+void History::apply(ExistenceEdit& existence, bool back, UndoResult& result) {
+    if (existence.birth == back)
+        bury(existence, result);
+    else
+        revive(existence, result);
+}
+
+void History::bury(ExistenceEdit& existence, UndoResult& result) {
+    if (!tree_.alive(existence.top)) {
+        result.notes.emplace_back("an instance to be deleted is gone already");
+        return;
+    }
+    if (observer_ != nullptr) observer_->dying(existence.top);
+    note_references();
+    existence.buried = buried_below(existence.top);
+    existence.lost_watchers = 0;
+    for (const Buried& buried : existence.buried)
+        if (tree_.state().nodes[buried.handle.index].watched) ++existence.lost_watchers;
+    keep_slots_ = true;
+    tree_.destroy(existence.top);
+    keep_slots_ = false;
+}
+
+bool History::hangs_too_deep(const ExistenceEdit& existence) const {
+    const Nodes& nodes = tree_.state().nodes;
+    std::unordered_map<std::uint32_t, std::size_t> depths;  // parents come before their children
+    for (const Buried& buried : existence.buried) {
+        const std::uint32_t parent = buried.position.parent.index;
+        const auto above = depths.find(parent);
+        const std::size_t depth = above != depths.end() ? above->second : nodes.depth(parent);
+        if (depth + 1 > Nodes::deepest) return true;
+        depths[buried.handle.index] = depth + 1;
+    }
+    return false;
+}
+
+void History::revive(ExistenceEdit& existence, UndoResult& result) {
+    Tree::State& s = tree_.state();
+    if (existence.buried.empty() || tree_.alive(existence.top)) {
+        result.notes.emplace_back("an instance cannot be brought back: nothing is known of it");
+        return;
+    }
+    if (!std::all_of(existence.buried.begin(), existence.buried.end(),
+                     [&s](const Buried& buried) { return s.nodes.keeps(buried.handle); })) {
+        result.notes.emplace_back("an instance cannot be brought back: its place was given away");
+        return;
+    }
+    if (const Handle parent = existence.buried.front().position.parent;
+        parent && !tree_.alive(parent)) {
+        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
+                               "\" cannot be brought back: what it hung under is gone");
+        return;
+    }
+    if (hangs_too_deep(existence)) {
+        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
+                               "\" cannot be brought back: what it hung under hangs deeper now");
+        return;
+    }
+    for (const Buried& buried : existence.buried) {
+        NodeName name = buried.position.name;
+        const std::uint32_t parent = buried.position.parent.index;
+        if (const std::uint32_t there = parent == 0 ? 0 : s.nodes.child(parent, name); there != 0) {
+            // Below, it can only be what the parent made for itself just now; at the top, the
+            // game's own.
+            if (&buried != &existence.buried.front()) tree_.destroy(s.nodes.handle(there));
+        }
+        if (parent != 0 && s.is_taken(parent, name)) name = s.free_name(parent, name.base.text());
+        try {
+            keep_slots_ = true;
+            s.make(*buried.of, parent, name, buried.position.named, buried.handle);
+            keep_slots_ = false;
+        } catch (...) {  // its module has no room: all of them stay dead
+            const std::string& top = existence.buried.front().position.name.text();
+            result.notes.push_back(
+                "\"" + top + "\" cannot be brought back: " +
+                (&buried == &existence.buried.front() ? "" : name.text() + ": ") +
+                exception_text());
+            if (tree_.alive(existence.top)) tree_.destroy(existence.top);
+            keep_slots_ = false;
+            return;
+        }
+    }
+    // Values when all are there, so that references find whom they mean.
+    for (const Buried& buried : existence.buried) {
+        const bool waits = std::ranges::any_of(buried.cells, [&](const auto& cell) {
+            return names_deleted(tree_, cell.second.value);
+        });
+        if (waits)  // for whom the same step may bring back after it
+            waiting_.emplace_back(buried.handle, buried.cells);
+        else
+            for (const auto& [symbol, state] : buried.cells)
+                set_cell(buried.handle, symbol, state, result);
+    }
+    place(existence.top, existence.buried.front().position, result);
+    if (observer_ != nullptr) observer_->born(existence.top);
+    // Whoever buries them next knows better what they are, and the slots to give back.
+    existence.buried.clear();
+    if (existence.lost_watchers > 0)
+        result.notes.push_back("watchers of " + tree_.path(existence.top) +
+                               " ended when it was deleted; they are not brought back");
+}
+
+void History::place(Handle instance, const Position& at, UndoResult& result) {
+    Tree::State& s = tree_.state();
+    if (at.parent && !tree_.alive(at.parent)) {
+        result.notes.push_back(tree_.path(instance) + " stays: where it was is gone");
+        return;
+    }
+    try {
+        const bool taken = at.parent && s.is_taken(at.parent.index, at.name) &&
+                           s.nodes.child(at.parent.index, at.name) != instance.index;
+        if (tree_.parent(instance) != at.parent)
+            tree_.move(instance, at.parent, taken ? std::string() : at.name.text());
+        else if (!taken)
+            tree_.rename(instance, at.name.text());
+        s.nodes[instance.index].named = at.named;
+        if (at.parent)
+            s.nodes.reorder(instance.index, tree_.alive(at.before) ? at.before.index : 0);
+        s.tell([&](Observer& o) { o.moved(instance); });
+    } catch (const Error& error) {
+        result.notes.emplace_back(error.what());
+    }
+}
+
+}  // namespace fettle::property

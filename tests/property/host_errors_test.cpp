@@ -1,0 +1,247 @@
+// What functions of a host and of its modules do wrong in the middle of the tree's work: it is
+// refused or told, and nothing else is lost by it.
+
+#include <fettle/property/question.h>
+#include <fettle/property/snapshot_remarks.h>
+
+#include "catch.h"
+#include "fixture.h"
+
+namespace host_errors_test {
+
+using namespace fettle::property;
+using namespace fettle::property::testing;
+
+namespace {
+
+/// Instances with rows that are counted, and a module that may have no room for some.
+struct Things {
+    Row rows = 0;
+    std::vector<Row> ended;
+    std::string full;  // called so, it is not made
+    std::function<void(Handle)> making;
+    const Class* is = nullptr;
+    Tree tree;  // last: as it ends it tells of each
+
+    Things() {
+        ClassDescriptor d{.name = "Thing"};
+        d.properties = {{.name = "of", .type = Type::reference}, {.name = "size"}};
+        d.events = {{.name = "told"}};
+        d.lifecycle.context = this;
+        d.lifecycle.create = [](void* context, Tree& in, Handle self) -> Row {
+            Things& things = *static_cast<Things*>(context);
+            if (in.name(self) == things.full) throw Error(ErrorKind::rejected, "no room");
+            const Row row = things.rows++;
+            if (things.making) things.making(self);
+            return row;
+        };
+        d.lifecycle.destroy = [](void* context, Tree&, Handle, Row row) {
+            static_cast<Things*>(context)->ended.push_back(row);
+        };
+        is = &tree.define(std::move(d));
+    }
+    ~Things() { making = {}; }
+    Handle make(const std::string& name, Handle parent = {}) {
+        return tree.create(*is, parent ? parent : tree.root(), name);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("what is asked cannot tell events nor move rows nor set the step nor begin an edit") {
+    Things things;
+    Tree& tree = things.tree;
+    const Handle a = things.make("a");
+    int told = 0;
+    tree.on(a, *things.is->event("told"), [&](const Occurrence&) { ++told; });
+    const std::vector<std::pair<std::string, std::function<void(Tree&)>>> changes = {
+        {"tell an event", [&](Tree& t) { t.emit(a, *things.is->event("told"), {}); }},
+        {"move a row", [&](Tree& t) { t.set_row(a, 77); }},
+        {"set the step", [](Tree& t) { t.set_step(9); }},
+        {"begin an edit", [](Tree& t) { t.begin_edit("left open"); }},
+        {"end an edit", [](Tree& t) { t.end_edit(); }},
+        {"limit the history", [](Tree& t) { t.set_history_limit(0); }}};
+    for (const auto& [what, change] : changes) {
+        CAPTURE(what);
+        {
+            const Inquiry inquiry(tree, "the question", "is asked: it cannot");
+            CHECK(message_of([&] { change(tree); }) == "the question is asked: it cannot " + what);
+        }
+        std::string refusal;
+        tree.set_formula(a, "size", {.function = [&](const Tree& t) {
+                             refusal = message_of([&] { change(const_cast<Tree&>(t)); });
+                             return Value(1.0);
+                         }});
+        (void)tree.get(a, "size");
+        CHECK_THAT(refusal, contains("computes a value: it cannot " + what));
+    }
+    tree.barrier();
+    CHECK(told == 0);
+    CHECK(tree.row(a) == 0);
+    CHECK(tree.step() == 0);
+    const Tree::CauseScope me(tree, Writer::console);
+    tree.set(a, "size", 2.0);
+    CHECK(tree.undo().done);
+}
+
+TEST_CASE("a module cannot delete what it makes") {
+    Things things;
+    const Handle a = things.make("a");
+    std::string refusal;
+    things.making = [&](Handle self) {
+        refusal = message_of([&] { things.tree.destroy(self); });
+        refusal += " " + message_of([&] { things.tree.destroy(a); });
+    };
+    const Handle b = things.make("b", a);
+    const std::string words =
+        " is being made: its module, which makes it, cannot delete it meanwhile";
+    CHECK(refusal == "a.b" + words + " a.b" + words);
+    CHECK(things.tree.alive(b));
+    CHECK(things.ended.empty());
+    things.making = [&](Handle self) { things.tree.destroy(self); };
+    CHECK_THROWS_AS(things.make("c"), Error);
+    CHECK(things.ended.empty());
+    CHECK(things.tree.size() == 3);
+    things.making = {};
+    things.tree.destroy(b);
+    CHECK(things.ended == std::vector<Row>{1});
+}
+
+TEST_CASE("what a module made below an instance goes with the instance that it then refuses") {
+    Things things;
+    Handle kid;
+    bool first = true;
+    things.making = [&](Handle self) {
+        if (!std::exchange(first, false)) return;
+        kid = things.make("kid", self);
+        throw Error(ErrorKind::rejected, "no room");
+    };
+    CHECK_THROWS_AS(things.make("a"), Error);
+    CHECK_FALSE(things.tree.alive(kid));
+    CHECK(things.ended == std::vector<Row>{1});
+    CHECK(things.tree.size() == 1);
+    things.tree.restore(things.tree.snapshot());
+}
+
+TEST_CASE("a restore names whom its module would not make again") {
+    Things things;
+    const Handle a = things.make("a"), kid = things.make("kid", a);
+    const Snapshot with = things.tree.snapshot();
+    things.tree.destroy(a);
+    const Handle other = things.make("other");
+    const Snapshot without = things.tree.snapshot();
+    things.full = GENERATE(as<std::string>{}, "a", "kid");
+    CAPTURE(things.full);
+    things.tree.restore(without);
+    CHECK(restore_remarks(things.tree).empty());
+    things.ended.clear();
+    things.tree.restore(with);
+    const bool top = things.full == "a";
+    CHECK(things.tree.alive(a) == !top);
+    CHECK_FALSE(things.tree.alive(kid));
+    CHECK_FALSE(things.tree.alive(other));
+    CHECK(restore_remarks(things.tree) ==
+          std::vector<std::string>{std::string(top ? "a" : "a.kid") +
+                                   ": it cannot be made, and is missing with all that was below "
+                                   "it: no room"});
+    CHECK(things.ended == std::vector<Row>{2});  // nobody's row but that of who came since
+    CHECK(things.tree.size() == (top ? 1 : 2));
+}
+
+TEST_CASE("an undo that cannot make one instance undoes the rest and says so") {
+    Things things;
+    Tree& tree = things.tree;
+    const Handle a = things.make("a"), kid = things.make("kid", a), b = things.make("b");
+    tree.set_or_add(tree.root(), "n", 0);
+    {
+        const Tree::CauseScope me(tree, Writer::console);
+        tree.begin_edit("three things");
+        tree.set(tree.root(), "n", 1);
+        tree.destroy(a);
+        tree.destroy(b);
+        tree.end_edit();
+    }
+    things.full = GENERATE(as<std::string>{}, "a", "kid");
+    const UndoResult undone = tree.undo();
+    CHECK(undone.notes ==
+          std::vector<std::string>{"\"a\" cannot be brought back: " +
+                                   std::string(things.full == "a" ? "" : "kid: ") + "no room"});
+    CHECK(tree.get(tree.root(), "n") == Value(0));
+    CHECK(tree.alive(b));
+    CHECK_FALSE(tree.alive(a));
+    CHECK(tree.history()[0].undone);
+    things.full = "";
+    tree.redo();
+    CHECK(tree.undo().notes.empty());
+    CHECK(tree.alive(kid));
+}
+
+TEST_CASE("an undo that brings two back lets one refer to the other again") {
+    Things things;
+    Tree& tree = things.tree;
+    const Handle a = things.make("a"), j = things.make("j");
+    tree.set(j, "of", a);
+    {
+        const Tree::CauseScope me(tree, Writer::console);
+        tree.begin_edit("both");
+        tree.destroy(a);
+        tree.destroy(j);
+        tree.end_edit();
+    }
+    for (int i = 0; i < 2; ++i) {
+        CHECK(tree.undo().notes.empty());
+        CHECK(tree.get(j, "of") == Value(a));
+        CHECK(tree.redo().notes.empty());
+        CHECK_FALSE(tree.alive(j));
+    }
+}
+
+TEST_CASE(
+    "whoever throws the other handlers are told and the barrier throws the first at its end") {
+    Tree tree;
+    tree.set_or_add(tree.root(), "v", 0);
+    std::vector<std::string> told;
+    const bool sink = GENERATE(true, false);
+    if (sink)
+        tree.on_handler_error(
+            [&](const HandlerError& e) { throw std::runtime_error("sink of " + e.message); });
+    tree.watch(tree.root(), "v", [](const Change&) { throw std::runtime_error("first"); });
+    tree.watch(tree.root(), "v", [](const Change&) { throw std::runtime_error("second"); });
+    tree.watch(tree.root(), "v", [&](const Change&) { told.emplace_back("watcher"); });
+    tree.at_barrier([] { throw std::runtime_error("action"); });
+    tree.at_barrier([&] { told.emplace_back("action"); });
+    tree.set(tree.root(), "v", 1);
+    CHECK_THROWS_WITH(tree.barrier(), sink ? "sink of first" : "first");
+    CHECK(told == std::vector<std::string>{"watcher", "action"});
+    tree.barrier();
+    CHECK(told.size() == 2);
+}
+
+TEST_CASE("whoever throws as it is asked the others are asked too") {
+    Things things;
+    const Handle a = things.make("a");
+    const Event& event = *things.is->event("told");
+    int asked = 0;
+    if (GENERATE(true, false))
+        things.tree.on_handler_error([](const HandlerError&) { throw std::runtime_error("x"); });
+    things.tree.on(a, event, [](const Occurrence&) { throw std::runtime_error("x"); });
+    things.tree.on(a, event, [&](const Occurrence&) { ++asked; });
+    std::vector<Value> values;
+    CHECK_THROWS_WITH(ask(things.tree, a, event, values, 0), "x");
+    CHECK(asked == 1);
+}
+
+TEST_CASE("an edit that has changed nothing yet does not stand in the way of undo") {
+    Tree tree;
+    tree.set_or_add(tree.root(), "v", 0);
+    const Tree::CauseScope me(tree, Writer::console);
+    tree.set(tree.root(), "v", 1);
+    tree.begin_edit("e");
+    CHECK(tree.undo().done);
+    CHECK(tree.get(tree.root(), "v") == Value(0));
+    tree.set(tree.root(), "v", 2);
+    CHECK_THROWS_AS(tree.undo(), Error);
+    tree.end_edit();
+}
+
+}  // namespace host_errors_test
