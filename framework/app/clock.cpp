@@ -1,6 +1,10 @@
 #include <fettle/app/clock.h>
 
+#include <cmath>
 #include <stdexcept>
+#include <string>
+
+#include <fettle/property/error.h>
 
 namespace fettle::app {
 
@@ -174,6 +178,23 @@ std::vector<Property> timings_of(Timings& timings) {
 }
 
 }  // namespace
+
+void Clock::require_usable() const {
+    const auto require = [](const char* name, double value, bool good, const char* expected) {
+        if (!good)
+            throw property::Error(property::ErrorKind::out_of_range,
+                                  std::string("time.") + name + " = " +
+                                      property::number_text(value) + ": expected " + expected);
+    };
+    constexpr double most = 1e6;  // s, so that no sum of them comes near what is no time
+    require("dt", dt, dt > 0 && dt <= most, "a time in seconds, more than 0 and at most 1e6");
+    const auto amount = [](double value) { return value >= 0 && std::isfinite(value); };
+    require("scale", scale, amount(scale), "a number, at least 0");
+    require("max_steps", max_steps, max_steps >= 0, "a number of steps, at least 0");
+    require("rewind_limit", rewind_limit, amount(rewind_limit), "a time in seconds, at least 0");
+    require("rewind_memory", rewind_memory, rewind_memory >= 0 && rewind_memory <= 1e9,
+            "an amount of MiB, at least 0 and at most 1e9");
+}
 
 void Clock::advance() {
     if (dt != origin_dt_) {

@@ -96,7 +96,7 @@ void Loop::draw(Screen& screen, double seconds) {
     property::Painter& painter = screen.painter(view);
     if (view.show.grid) draw_grid(painter, view);
     tree_.draw(tree_.root(), painter, clock.alpha);
-    if (!halted_) runtime_.draw(painter);
+    if (!halted_ && !runtime_life_.expired()) runtime_.draw(painter);
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (Layer* layer : layers_) layer->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =

@@ -237,9 +237,10 @@ bool Input::deliver(script::Runtime& runtime) {
     // What a callback presses is delivered in the next frame.
     state_->wheel_told = state_->wheel;
     const std::vector<State::Call> calls = std::exchange(state_->calls, {});
+    const auto life = runtime.lifetime();  // what a callback calls may end it
     for (const State::Call& call : calls) {
         if (!runtime.call(call.callback, call.arguments)) return false;
-        if (runtime.quit_status()) break;
+        if (life.expired() || runtime.quit_status()) break;
     }
     return true;
 }

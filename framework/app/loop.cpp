@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
+#include <stdexcept>
 
+#include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 
 #include "state_hash.h"
@@ -39,13 +42,20 @@ class Witnessed {
     Witnessed(Witness* witness, Begin begin) : witness_(witness) {
         if (witness_ != nullptr) begin(*witness_);
     }
-    ~Witnessed() {
-        if (witness_ != nullptr) witness_->frame_ends();
+    /// Throws what the witness throws, unless the frame itself is left by an exception.
+    ~Witnessed() noexcept(false) {
+        if (witness_ == nullptr) return;
+        try {
+            witness_->frame_ends();
+        } catch (...) {
+            if (std::uncaught_exceptions() == uncaught_) throw;
+        }
     }
     Witnessed(const Witnessed&) = delete;
 
   private:
     Witness* witness_;
+    const int uncaught_ = std::uncaught_exceptions();
 };
 
 }  // namespace
@@ -53,6 +63,7 @@ class Witnessed {
 Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     : tree_(tree),
       runtime_(runtime),
+      runtime_life_(runtime.lifetime()),
       services_(services),
       time_(tree.child(tree.root(), "time")),
       timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
@@ -64,7 +75,7 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
 }
 
 Loop::~Loop() {
-    runtime_.on_rewind({});
+    if (!runtime_life_.expired()) runtime_.on_rewind({});
     services_.clock.go_to = {};
 }
 
@@ -73,6 +84,9 @@ void Loop::step_modules(double dt) {
 }
 
 void Loop::add(SteppedModule module) {
+    if (!module.step)
+        throw std::invalid_argument("the module \"" + module.name +
+                                    "\" needs a function that makes its step");
     modules_.push_back(std::move(module));
 }
 void Loop::add(Layer& layer) {
@@ -106,22 +120,41 @@ void Loop::after_barrier(std::function<void()> hook) {
 }
 
 void Loop::barrier(bool between_steps) {
-    struct After {
-        const std::function<void()>& hook;
-        ~After() {
-            if (hook) hook();
+    std::exception_ptr problem;
+    const auto attempt = [&problem](const auto& what) {
+        try {
+            what();
+        } catch (...) {
+            if (!problem) problem = std::current_exception();
         }
-    } after{after_barrier_};
+    };
+    attempt([&] { deliver(between_steps); });
+    // It may put another in its place.
+    if (const auto hook = after_barrier_) attempt(hook);
+    if (problem) std::rethrow_exception(problem);
+}
+
+void Loop::deliver(bool between_steps) {
     try {
         tree_.barrier(between_steps);
     } catch (const std::exception& error) {
         // Handlers that never come to rest: the game's fault, and no reason to fall over.
-        if (!on_error_) throw;
+        const auto sink = on_error_;
+        if (!sink) throw;
         script::ScriptError told;
         told.message = property::exception_text(error);
         told.context = "barrier";
-        on_error_(told);
+        sink(told);
     }
+}
+
+/// Before anything moves.
+void Loop::require_ready() const {
+    if (runtime_life_.expired())
+        throw property::Error(property::ErrorKind::deleted,
+                              "the runtime of this loop was destroyed: nothing is left to run");
+    timeline_.require_between_steps("a frame cannot begin");
+    services_.clock.require_usable();
 }
 
 void Loop::on_error(std::function<void(const script::ScriptError&)> sink) {
@@ -167,7 +200,12 @@ bool Loop::prelude(double dt, Stopwatch& watch) {
 /// One fixed step. False when it was the last.
 bool Loop::make_step(Stopwatch& watch) {
     Clock& clock = services_.clock;
+    clock.require_usable();  // a script's host may have set it since the frame began
     const double dt = clock.dt;
+    struct Leave {
+        Timeline& timeline;
+        ~Leave() { timeline.leave_step(); }
+    } leave{timeline_};
     timeline_.begin_step();
     clock.advance();
     tree_.set_step(static_cast<std::uint64_t>(clock.step));
@@ -196,6 +234,11 @@ bool Loop::make_step(Stopwatch& watch) {
 
 void Loop::frame(double seconds, std::int64_t step_limit) {
     if (between_frames_) between_frames_();
+    require_ready();
+    if (!std::isfinite(seconds))
+        throw property::Error(
+            property::ErrorKind::out_of_range,
+            "a frame of " + property::number_text(seconds) + " seconds: expected how long it was");
     const Witnessed witnessed(witness_, [&](Witness& w) { w.frame_begins(seconds, step_limit); });
     Stopwatch watch;
     Clock& clock = services_.clock;
@@ -243,6 +286,7 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
 
 void Loop::turn() {
     if (between_frames_) between_frames_();
+    require_ready();
     const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
     Stopwatch watch;
     Clock& clock = services_.clock;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -33,18 +34,27 @@ double now() {
 /// Snapshots that somebody else restores: time has jumped.
 class Timeline::Jumps : public property::Observer {
   public:
-    explicit Jumps(property::Tree& tree) : tree_(tree) { tree_.observe(*this); }
-    ~Jumps() override { tree_.unobserve(*this); }
-    void restored() override { jumped = !travelling; }
+    explicit Jumps(property::Tree& tree) : tree_(tree), tree_life_(tree.lifetime()) {
+        tree_.observe(*this);
+    }
+    ~Jumps() override {
+        if (!tree_life_.expired()) tree_.unobserve(*this);
+    }
+    void restored() override {
+        jumped = !travelling;
+        arrived = true;
+    }
     void wrote_plain(const property::PlainWrites&) override {
         // not one by one
     }
 
     bool jumped = false;
     bool travelling = false;
+    bool arrived = false;
 
   private:
     property::Tree& tree_;
+    std::weak_ptr<const property::Tree*> tree_life_;
 };
 
 /// To write the next keyframe to.
@@ -69,6 +79,11 @@ bool Timeline::on() const {
 }
 
 void Timeline::clear() {
+    require_between_steps("the past cannot be forgotten");
+    forget_all();
+}
+
+void Timeline::forget_all() {
     log_.reset();
     keyframes_.clear();
     steps_.clear();
@@ -97,10 +112,11 @@ void Timeline::begin_log() {
 }
 
 void Timeline::begin_step() {
+    in_step_ = true;
     share_room();
     stepping_ = on() && there_is_room();
     if (!stepping_) {
-        if (log_ != nullptr) clear();
+        if (log_ != nullptr) forget_all();
         clock_.oldest = clock_.newest = clock_.step;
         return;
     }
@@ -133,6 +149,7 @@ void Timeline::modules_step(double dt) {
 }
 
 void Timeline::end_step() {
+    in_step_ = false;
     if (!std::exchange(stepping_, false)) {
         clock_.oldest = clock_.newest = clock_.step;
         return;
@@ -174,7 +191,7 @@ bool Timeline::too_much(const Step& step) const {
 /// What cannot be done again cannot be gone back over.
 void Timeline::begin_anew() {
     const std::int64_t step = clock_.step;
-    clear();
+    forget_all();
     begin_log();
     here_ = step;
     take_keyframe();
@@ -233,7 +250,7 @@ void Timeline::note_jump() {
     if (!std::exchange(jumps_->jumped, false) || log_ == nullptr) return;
     const std::int64_t step = clock_.step;
     if (keyframes_.empty() || step < oldest() || step > newest())
-        clear();
+        forget_all();
     else
         drop_after(step - 1);
     if (log_ == nullptr) begin_log();
@@ -275,7 +292,8 @@ void Timeline::thin_out() {
 }
 
 void Timeline::trim() {
-    const auto limit = static_cast<std::int64_t>(std::ceil(clock_.rewind_limit / clock_.dt));
+    const auto limit = static_cast<std::int64_t>(
+        std::clamp(std::ceil(clock_.rewind_limit / clock_.dt), 0.0, 1e15));
     while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit) drop_oldest();
     const std::size_t room = room_ - std::min(room_, tree_.history_bytes());
     while (keyframes_.size() > 1 && memory() > room) {
@@ -288,7 +306,7 @@ void Timeline::trim() {
     if (memory() <= room) return;
     no_room_at_ = clock_.step;
     no_room_ = room_;
-    clear();
+    forget_all();
 }
 
 std::int64_t Timeline::oldest() const {
@@ -335,21 +353,38 @@ void Timeline::require(std::int64_t step) const {
                                   std::to_string(oldest()) + " to " + std::to_string(newest()));
 }
 
+void Timeline::require_between_steps(const char* what) const {
+    if (in_step_ || jumps_->travelling)
+        throw property::Error(property::ErrorKind::bad_structure,
+                              std::string(what) +
+                                  (in_step_ ? " in the middle of a step" : " while time travels") +
+                                  ": wait for the next barrier between steps");
+}
+
 void Timeline::go_to(std::int64_t step) {
+    require_between_steps("the past cannot be gone back to");
     settle();
     require(step);
     travel(step);
 }
 
 void Timeline::go_near(std::int64_t step) {
+    require_between_steps("the past cannot be gone back to");
     settle();
     if (keeps()) travel(std::clamp(step, oldest(), newest()));
 }
 
 void Timeline::rewind(double seconds) {
+    require_between_steps("the past cannot be gone back to");
+    clock_.require_usable();
+    if (std::isnan(seconds))
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "rewind: nan: expected a time in seconds");
     settle();
-    const double steps = std::min(std::round(seconds / clock_.dt), 1e15);
-    if (keeps()) travel(std::max(oldest(), clock_.step - static_cast<std::int64_t>(steps)));
+    const double steps = std::clamp(std::round(seconds / clock_.dt), -1e15, 1e15);
+    if (!keeps()) return;
+    const std::int64_t to = clock_.step - static_cast<std::int64_t>(steps);
+    travel(std::clamp(to, oldest(), newest()));
 }
 
 void Timeline::redo_writes(const Step& step) {
@@ -380,6 +415,7 @@ void Timeline::travel(std::int64_t step) {
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
     const Snapshot from(frame->payload->payload(), frame->memories);
     jumps_->travelling = true;
+    jumps_->arrived = false;
     struct Arrive {
         bool& travelling;
         ~Arrive() { travelling = false; }
@@ -391,7 +427,7 @@ void Timeline::travel(std::int64_t step) {
             if (step == newest()) redo_writes(tail_);
         });
     } catch (...) {
-        begin_anew();  // wherever it has come
+        if (jumps_->arrived) begin_anew();  // wherever it has come; else nothing has changed
         throw;
     }
     here_ = step;

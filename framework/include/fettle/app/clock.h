@@ -23,7 +23,7 @@ struct Timings {
 };
 
 struct Clock {
-    // Set by whoever likes.
+    // Set by whoever likes; a frame or a turn with what is none throws (`require_usable`).
     double dt = 1.0 / 60;        // s, one fixed step
     double scale = 1;            // simulated seconds a real second
     bool paused = false;         // no steps are made
@@ -46,6 +46,9 @@ struct Clock {
 
     /// One fixed step passes.
     void advance();
+    /// Throws Error(out_of_range) for what nobody can go on with: a `dt` that is none or not above
+    /// 0, another number that is none or negative.
+    void require_usable() const;
 
   private:
     friend class ClockPart;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,12 +48,20 @@ class Witness {
     virtual void stepped() = 0;
 };
 
+/// **Lifetimes.** Tree and services outlive the loop, and layers and the witness what they are
+/// given to. A runtime may be destroyed before the loop: then `stopped` is true, and `frame` and
+/// `turn` throw Error(deleted).
+///
+/// `frame` and `turn` throw, before anything moves, Error(out_of_range) for a clock that nobody can
+/// go on with (`Clock::require_usable`), and Error(bad_structure) in the middle of a step. What a
+/// function that a host gave them throws leaves them.
 class Loop {
   public:
     Loop(property::Tree& tree, script::Runtime& runtime, Services& services);
     ~Loop();
     Loop(const Loop&) = delete;
 
+    /// Throws std::invalid_argument, which names the module, for one without `step`.
     void add(SteppedModule module);
     /// Layers get events last added first, and are drawn last added last. Not owned.
     void add(Layer& layer);
@@ -61,7 +70,8 @@ class Loop {
     /// paused game can be woken.
     void before_step(std::function<void(std::uint64_t n)> hook);
 
-    /// Called after each barrier, whatever came of it.
+    /// Called after each barrier, whatever came of it. What it throws leaves the frame, unless the
+    /// barrier threw already.
     void after_barrier(std::function<void()> hook);
     /// Called when a frame begins and nothing of the game runs.
     void between_frames(std::function<void()> hook);
@@ -77,9 +87,9 @@ class Loop {
     void feed(const InputEvent& event, bool taken);
     /// Not owned; null: nobody.
     void witness(Witness* witness) { witness_ = witness; }
-    /// A frame, `seconds` of real time after the last. Steps that are due are made,
-    /// `time.max_steps` at most; `step_limit`: none once this
-    /// run has lived so many.
+    /// A frame, `seconds` of real time after the last (Error(out_of_range) for what is none). Steps
+    /// that are due are made, `time.max_steps` at most; `step_limit`: none once this run has lived
+    /// so many.
     void frame(double seconds, std::int64_t step_limit = INT64_MAX);
     /// A frame of a headless run: one step, unless paused, however long it takes.
     void turn();
@@ -96,8 +106,10 @@ class Loop {
     void halt() { halted_ = true; }
     void resume();
     bool halted() const { return halted_; }
-    /// Halted, or the game has called quit().
-    bool stopped() const { return halted_ || runtime_.quit_status().has_value(); }
+    /// Halted, or the game has called quit(), or its runtime is gone.
+    bool stopped() const {
+        return halted_ || runtime_life_.expired() || runtime_.quit_status().has_value();
+    }
     /// The window was asked to close.
     bool closing() const { return closing_; }
 
@@ -118,10 +130,13 @@ class Loop {
     void step_modules(double dt);
     void catch_up(std::uint64_t limit, Stopwatch& watch);
     void barrier(bool between_steps = true);
+    void deliver(bool between_steps);
+    void require_ready() const;
     void end_frame(const Stopwatch& watch, double seconds);
 
     property::Tree& tree_;
     script::Runtime& runtime_;
+    std::weak_ptr<const void> runtime_life_;
     Services& services_;
     property::Handle time_;
     std::vector<SteppedModule> modules_;

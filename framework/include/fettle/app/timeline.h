@@ -34,13 +34,19 @@ class Timeline {
     Timeline(const Timeline&) = delete;
 
     // --- Told by the loop
+    /// From here to `end_step`, or to `leave_step` where that is not reached, nobody can travel.
     void begin_step();
     /// Right before the modules step.
     void modules_step(double dt);
     /// The modules have stepped, and all of it is delivered.
     void end_step();
+    /// The step is over, however it went.
+    void leave_step() { in_step_ = false; }
 
-    // --- Travelling, between steps
+    // --- Travelling, between steps: in the middle of one, and while time travels, `go_to`,
+    // `go_near`, `rewind` and `clear` throw Error(bad_structure), and nothing has changed
+    /// Throws as they do. `what`: "the past cannot be left".
+    void require_between_steps(const char* what) const;
     /// Throws Error(out_of_range) outside `oldest` and `newest`.
     void require(std::int64_t step) const;
     /// Nothing of the past is forgotten until a step is made from here: then what came later is.
@@ -48,13 +54,16 @@ class Timeline {
     void go_to(std::int64_t step);
     /// The same, or the nearest step that is kept; nowhere while nothing is.
     void go_near(std::int64_t step);
-    /// By simulation time from now, as far back as the past is kept; nowhere while nothing is.
+    /// By simulation time from now, as far back as the past is kept, and no further than the
+    /// newest step; nowhere while nothing is. Throws Error(out_of_range) for what is no number.
     void rewind(double seconds);
 
     /// Keyframes may take this share of the time the game's steps take, 0.01 unless told; the less,
     /// the longer it takes to go somewhere.
     void set_share(double share) { share_ = share; }
 
+    /// Forgets the past.
+    void clear();
     bool keeps() const { return !keyframes_.empty(); }
     std::int64_t oldest() const;
     std::int64_t newest() const;
@@ -64,7 +73,6 @@ class Timeline {
     std::size_t memory() const;
     /// How many whole states are kept.
     std::size_t keyframes() const { return keyframes_.size(); }
-    void clear();
 
   private:
     struct Step {
@@ -90,6 +98,7 @@ class Timeline {
     bool on() const;
     bool there_is_room() const;
     void share_room();
+    void forget_all();
     void begin_log();
     void take_keyframe();
     struct FETTLE_APP_PRIVATE Room;
@@ -121,7 +130,8 @@ class Timeline {
     std::deque<Step> steps_;
     Step tail_;  // done since the newest step, while one is earlier; `before` and `changes` only
     Step open_;
-    bool stepping_ = false;
+    bool in_step_ = false;
+    bool stepping_ = false;         // and what is done is kept
     std::int64_t here_ = 0;         // the step that the tree is at
     std::int64_t spacing_ = 0;      // steps from one keyframe to the next
     std::size_t logged_ = 0;        // bytes of `steps_`
