@@ -45,9 +45,16 @@ struct Module {
     void attach(Tree& tree);
 };
 
+/// No call is stopped for its time: a machine may be slow, and a sanitizer is.
+inline fettle::script::Options unhurried() {
+    fettle::script::Options options;
+    options.call_seconds = 0;
+    return options;
+}
+
 class Stage {
   public:
-    explicit Stage(fettle::script::Options options = {});
+    explicit Stage(fettle::script::Options options = unhurried());
     ~Stage();
 
     /// Runs a chunk as the game; the test fails when it raises.

@@ -54,7 +54,8 @@ class PhysicsModule : public module::Module {
     // assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). Everything
     // else may be called but `World::set_owner`, which is the module's; so are the worlds'
     // callbacks while a handler listens. An instance that is deleted inside a function that its
-    // world calls is gone from the tree at once, and from the world when that step or query is over.
+    // world calls is gone from the tree at once, and from the world when that step or query is
+    // over.
 
     /// The world of a World instance; for any other the nearest above it, and where there is none
     /// the one of all that is in no world.
