@@ -397,7 +397,7 @@ Game = {}
 ---What the last step of a world did, and how long that took.
 ---@class StepStatistics : Object
 ---@field awake_bodies integer Bodies that took part in the step. · any integer · read-only, simulated
----@field awake_contacts integer Such pairs with a body that is awake. · any integer · read-only, simulated
+---@field awake_contacts integer Pairs of shapes near each other of which a body is awake. · any integer · read-only, simulated
 ---@field awake_joints integer Joints on a body that is awake. · any integer · read-only, simulated
 ---@field bodies integer Bodies in the world. · any integer · read-only, simulated
 ---@field contacts integer Pairs of shapes near each other. · any integer · read-only, simulated
@@ -517,7 +517,7 @@ StepStatistics = {}
 ---@field sleeping boolean What rests falls asleep and costs nothing until it is disturbed. · true or false · default true
 ---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" sweeps over them in small steps and remembers; "sequential" goes over the contacts once, the worst first, as in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
 ---@field substeps integer Parts a step is solved in: more is stiffer and slower. · 1 to 64 · default 4
----@field threads integer How many threads share a step; no more work than the machine has processors. The number changes no result. · 1 to 64 · default 1 · not saved
+---@field threads integer How many threads share a step; the machine runs no more of them at a time than it has processors. The number changes no result. · 1 to 64 · default 1 · not saved
 ---@field step StepStatistics What the last step of a world did, and how long that took.
 local fettle_World = {}
 

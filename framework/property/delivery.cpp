@@ -11,7 +11,7 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/tree.h>
 
-#include "failures_go.h"
+#include "failure_scope.h"
 #include "state.h"
 
 namespace fettle::property {
@@ -384,7 +384,7 @@ void Tree::barrier(bool between_steps) {
     const State::Use use(s);
     s.require_changeable("start a barrier");
     std::exception_ptr first_error;
-    const FailuresGo failures_go(s.failure, first_error);
+    const FailureScope failure_scope(s.failure, first_error);
     s.deliver_all(first_error);
     if (between_steps && !s.ending && !s.at_barrier.empty()) {
         s.run_actions(first_error);

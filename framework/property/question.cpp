@@ -6,7 +6,7 @@
 #include <fettle/property/tree.h>
 
 #include "coerce.h"
-#include "failures_go.h"
+#include "failure_scope.h"
 #include "state.h"
 
 namespace fettle::property {
@@ -91,7 +91,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     // A handler may stop watchers, itself included.
     const Watchers::HandlersRun running(s.watchers);
     std::exception_ptr first_error;
-    const FailuresGo failures_go(s.failure, first_error);
+    const FailureScope failure_scope(s.failure, first_error);
     for (const Watcher* watcher : s.watchers.of_event(instance, event, s.watchers.last_id()))
         if (watcher->active)
             s.call(*watcher, Occurrence{.instance = instance,

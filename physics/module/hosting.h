@@ -139,7 +139,7 @@ class Hosting {
     const HostedWorld* world_at(std::uint32_t number) const { return worlds_[number].get(); }
 
     /// The instance of an object's 64 bits; null once it was deleted.
-    Handle alive(std::uint64_t user_data) const {
+    Handle instance_of(std::uint64_t user_data) const {
         const Handle instance = unpack(user_data);
         return tree.alive(instance) ? instance : Handle{};
     }

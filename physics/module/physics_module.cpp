@@ -170,11 +170,11 @@ physics::Shape PhysicsModule::shape(Handle instance) {
 }
 
 Handle PhysicsModule::handle(const physics::Body& body) const {
-    return body ? hosting().alive(body.user_data()) : Handle{};
+    return body ? hosting().instance_of(body.user_data()) : Handle{};
 }
 
 Handle PhysicsModule::handle(const physics::Shape& shape) const {
-    return shape ? hosting().alive(shape.user_data()) : Handle{};
+    return shape ? hosting().instance_of(shape.user_data()) : Handle{};
 }
 
 }  // namespace fettle::physics_module

@@ -34,8 +34,7 @@ const std::vector<Field> hit_fields = {
     {"point", Type::vec2, "m", "Where, in the world."},
     {"normal", Type::vec2, "",
      "Of the surface there, outward; its length is 1. Against the motion where a shape that is "
-     "cast "
-     "overlaps it from the beginning."},
+     "cast overlaps it from the beginning."},
     {"fraction", Type::number, "", "How far along the ray, 0 to 1."},
 };
 const std::vector<Field> found_contact_fields = {

@@ -146,8 +146,7 @@ std::vector<property::Property> touch_properties(Hosting& hosting) {
         listed(hosting, "contact_shapes", Type::reference, "",
                "The shapes it touches now, one for each touch; the world itself for its bounds. "
                "`contact_points`, `contact_normals` and `contact_impulses` have as many entries, "
-               "in the "
-               "same order.",
+               "in the same order.",
                [](Hosting& h, Row row, const Touch& t) -> Value {
                    const Handle shape = shape_of(h, row, t.other_shape);
                    return shape ? shape : h.hosted(row).self;

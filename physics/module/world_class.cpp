@@ -100,8 +100,9 @@ std::vector<Property> simulation(Hosting& hosting) {
          .type = Type::integer,
          .default_value = 1,
          .range = {.min = 1, .max = 64},
-         .doc = "How many threads share a step; no more work than the machine has processors. "
-                "The number changes no result.",
+         .doc = "How many threads share a step; the machine runs no more of them at a time than it "
+                "has "
+                "processors. The number changes no result.",
          .binding = accessor(
              hosting, [](Hosting& h, Row row) { return Value(h.world(row).threads()); },
              [](Hosting& h, Row row, const Value& value) { set_threads(h, row, value); }),
@@ -218,7 +219,8 @@ void define_step_statistics(Hosting& hosting) {
         statistic<&S::joints>(h, "joints", "Joints that act on a body."),
         statistic<&S::awake_joints>(h, "awake_joints", "Joints on a body that is awake."),
         statistic<&S::contacts>(h, "contacts", "Pairs of shapes near each other."),
-        statistic<&S::awake_contacts>(h, "awake_contacts", "Such pairs with a body that is awake."),
+        statistic<&S::awake_contacts>(h, "awake_contacts",
+                                      "Pairs of shapes near each other of which a body is awake."),
         statistic<&S::touching>(h, "touching", "Pairs near enough to be solved."),
         statistic<&S::islands>(h, "islands", "Groups of bodies that sleep together."),
         statistic<&S::moved_proxies>(h, "moved_proxies", "Shapes that left their box in the tree."),

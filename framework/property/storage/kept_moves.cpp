@@ -63,24 +63,16 @@ bool KeptTweaks::move(const std::string& path, const std::string& to) {
 
 void KeptTweaks::move_values(const std::string& path, const std::string& to) {
     if (document_ == nullptr || !problem_.empty()) return;
-    for (auto its = contents_.values.lower_bound(path);
-         its != contents_.values.end() && its->first.starts_with(path); ++its)
-        if (is_at_or_below(its->first, path))
-            for (const Kept& kept : its->second) {
-                drop("values", kept.key);
-                put("values", to + its->first.substr(path.size()) + path_suffix(kept.property),
-                    std::string(document_->raw(*member("values", kept.key))));
-            }
+    each_value_below(path, [&](const std::string& instance, const Kept& kept) {
+        drop("values", kept.key);
+        put("values", to + instance.substr(path.size()) + path_suffix(kept.property),
+            std::string(document_->raw(*member("values", kept.key))));
+    });
 }
 
 void KeptTweaks::rename_in_references(const std::string& path, const std::string& to) {
-    const NewPath now_at = [&](const std::string& old) -> std::optional<std::string> {
-        if (!is_at_or_below(old, path)) return std::nullopt;
-        return to + old.substr(path.size());
-    };
-    std::string quoted;
-    append_quoted(quoted, path);
-    quoted.pop_back();  // paths below it are longer
+    const NewPath now_at = moved_path(path, to);
+    const std::string quoted = mention_of(path);
     const auto names_it = [&](const Node& node) {
         return document_->raw(node).find(quoted) != std::string_view::npos;
     };

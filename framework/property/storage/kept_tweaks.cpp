@@ -15,14 +15,6 @@
 
 namespace fettle::property {
 
-std::string joined_path(const std::vector<Segment>& segments, std::size_t count) {
-    std::string path;
-    for (std::size_t i = 0; i < count; ++i)
-        path += path_suffix(std::get<std::string>(segments[i].key));
-    if (path.starts_with('.')) return path.substr(1);
-    return "game" + path;
-}
-
 namespace {
 
 constexpr std::string_view version_of_tweaks = "fettle_tweaks";
@@ -239,10 +231,7 @@ void KeptTweaks::remove(const std::string& path) {
 
 /// They are those of nobody from now on.
 void KeptTweaks::forget_values_below(const std::string& path) {
-    for (auto its = contents_.values.lower_bound(path);
-         its != contents_.values.end() && its->first.starts_with(path); ++its)
-        if (is_at_or_below(its->first, path))
-            for (const Kept& kept : its->second) drop("values", kept.key);
+    each_value_below(path, [&](const std::string&, const Kept& kept) { drop("values", kept.key); });
 }
 
 void KeptTweaks::forget_value(const std::string& instance, const std::string& property) {

@@ -24,6 +24,7 @@
 #include <fettle/property/tree.h>
 
 #include "image.h"
+#include "instance_paths.h"
 #include "json_edit.h"
 
 namespace fettle::property {
@@ -44,7 +45,8 @@ class KeptTweaks {
     void apply_values(Handle top);
     /// To everything there is: values, and what was created and deleted.
     void apply_all();
-    /// Tells of the values that name an instance which is not there by now.
+    /// Sets the values that wait for an instance, and tells of those whose instance is not there
+    /// by now.
     void settle();
 
     // For the next run. Throw Error; `write` throws FileError.
@@ -86,6 +88,14 @@ class KeptTweaks {
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
     void create_all();
+    /// `visit` gets the path of each instance at `path` or below it that has values, and these.
+    template <class Visit>
+    void each_value_below(const std::string& path, Visit visit) const {
+        for (auto its = contents_.values.lower_bound(path);
+             its != contents_.values.end() && its->first.starts_with(path); ++its)
+            if (is_at_or_below(its->first, path))
+                for (const Kept& kept : its->second) visit(its->first, kept);
+    }
     void fold();
     void rename_in_references(const std::string& path, const std::string& to);
     void create(const std::string& path);
@@ -125,8 +135,5 @@ class KeptTweaks {
     bool unwritten_ = false;                // the document is newer than the file
     bool applied_ = false;                  // all of it, once
 };
-
-/// The path of the first `count` names, as the tree writes it.
-std::string joined_path(const std::vector<Segment>& segments, std::size_t count);
 
 }  // namespace fettle::property

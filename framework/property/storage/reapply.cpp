@@ -7,22 +7,6 @@
 
 namespace fettle::property {
 
-std::pair<std::string, std::string> split_path(const std::string& path) {
-    std::vector<Segment> segments = parse_path(path);
-    if (segments.empty()) throw Error(ErrorKind::bad_path, "game is the root of everything");
-    const std::string name = std::get<std::string>(segments.back().key);
-    const std::string suffix = path_suffix(name);
-    if (segments.size() == 1) return {"game", name};
-    return {path.substr(0, path.size() - suffix.size()), name};
-}
-
-Handle instance_at(const Tree& tree, const std::string& path) {
-    const Place place = resolve(tree, path);
-    if (place.property != nullptr)
-        throw Error(ErrorKind::unknown_name, path + " is a property now, not an instance");
-    return place.instance;
-}
-
 namespace {
 
 /// Whatever it does is one edit, scripts' or not.

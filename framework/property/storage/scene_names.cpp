@@ -71,9 +71,4 @@ std::string value_with_paths(const std::string& value, const NewPath& path, Type
     return edit.text();
 }
 
-bool is_at_or_below(const std::string& path, const std::string& top) {
-    return path.starts_with(top) &&
-           (path.size() == top.size() || path[top.size()] == '.' || path[top.size()] == '[');
-}
-
 }  // namespace fettle::property

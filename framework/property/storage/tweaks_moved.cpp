@@ -84,14 +84,8 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
 
 /// Tweaks of what is at the instance or below it, and those that name it, say where it is now.
 void Tweaks::State::repath(Handle instance, const std::string& old_path) {
-    const std::string path = tree.path(instance);
-    const auto now_at = [&](const std::string& old) -> std::optional<std::string> {
-        if (!is_at_or_below(old, old_path)) return std::nullopt;
-        return path + old.substr(old_path.size());
-    };
-    std::string quoted;
-    append_quoted(quoted, old_path);
-    quoted.pop_back();  // paths below it are longer
+    const NewPath now_at = moved_path(old_path, tree.path(instance));
+    const std::string quoted = mention_of(old_path);
     for (const auto& each : entries) {
         Entry& its = *each;
         if (its.gone || its.row.state != RowState::open) continue;

@@ -15,6 +15,7 @@
 #include <fettle/property/storage/tweaks.h>
 
 #include "image.h"
+#include "instance_paths.h"
 #include "journal.h"
 #include "kept_tweaks.h"
 #include "scene_origins.h"
@@ -131,11 +132,6 @@ std::string problem_of(const JournalRow& row);
 
 /// The text, or its first bytes, whole characters of them, and "...".
 std::string shortened(const std::string& text, std::size_t longest);
-
-/// The parent's path of a path of an instance, and its last name.
-std::pair<std::string, std::string> split_path(const std::string& path);
-/// Throws Error where there is none.
-Handle instance_at(const Tree& tree, const std::string& path);
 
 /// "world.ball.mass", or the path of the instance.
 std::string path_of(const JournalRow& row);

@@ -7,12 +7,12 @@
 namespace fettle::property {
 
 /// While it lives, `failure` leads to `first`: the first error is thrown when all are told.
-class FailuresGo {
+class FailureScope {
   public:
-    FailuresGo(std::exception_ptr*& failure, std::exception_ptr& first)
+    FailureScope(std::exception_ptr*& failure, std::exception_ptr& first)
         : failure_(failure), before_(std::exchange(failure, &first)) {}
-    ~FailuresGo() { failure_ = before_; }
-    FailuresGo(const FailuresGo&) = delete;
+    ~FailureScope() { failure_ = before_; }
+    FailureScope(const FailureScope&) = delete;
 
   private:
     std::exception_ptr*& failure_;
