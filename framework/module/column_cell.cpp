@@ -126,11 +126,11 @@ void bind_column(property::Property& property, BridgedProperty& kept) {
         (native == Native::enumeration && property.enumerators.empty()))
         throw wrong("a " + std::string(property::type_name(property.type)) +
                     " does not lie in a column of that native type");
-    constexpr std::size_t largest_stride = std::size_t{1} << 30;
     const std::size_t stride = kept.native.stride;
-    if (stride != 0 && (stride < size_of(native) || stride > largest_stride))
+    if (stride != 0 && (stride < size_of(native) || stride > property::largest_stride))
         throw wrong("its column goes on by " + std::to_string(stride) + " bytes: expected " +
-                    std::to_string(size_of(native)) + " to " + std::to_string(largest_stride));
+                    std::to_string(size_of(native)) + " to " +
+                    std::to_string(property::largest_stride));
     property.single_precision |= native == Native::f32 || native == Native::vec2f;
     if (native == Native::i32) {  // what the memory cannot hold is refused, not wrapped around
         property.range.min = std::max(property.range.min, -0x1p31);

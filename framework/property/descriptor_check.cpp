@@ -12,7 +12,6 @@ namespace fettle::property {
 namespace {
 
 /// Of a row: with any row below 2³² an address is still one.
-constexpr std::size_t largest_stride = std::size_t{1} << 30;
 
 std::string in_quotes(std::string_view name) {
     return "\"" + std::string(name) + "\"";

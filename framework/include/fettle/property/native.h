@@ -15,6 +15,8 @@ Type type_of(Native native);
 
 /// The size of one element in bytes.
 std::size_t size_of(Native native);
+/// Bytes from one element of a column to the next, at most.
+inline constexpr std::size_t largest_stride = std::size_t{1} << 30;
 
 }  // namespace fettle::property
 
