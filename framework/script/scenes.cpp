@@ -84,7 +84,7 @@ int load(lua_State* L) {
     const Handle loaded = property::load_scene_text(machine.tree, text, path.string(), parent, name,
                                                     &warnings, &instances);
     if (property::Tweaks* tweaks = machine.options.tweaks) {
-        tweaks->scene_loaded(path, instances);
+        tweaks->scene_loaded(path, instances, !name.empty());
         tweaks->placed(loaded);
     }
     for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);

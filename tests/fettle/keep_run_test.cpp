@@ -2,39 +2,11 @@
 
 #include <catch.h>
 
-#include "program.h"
+#include "keep_run.h"
 
 namespace keep_run_test {
 
 using namespace program_test;
-
-namespace {
-
-/// A run of the game in `folder`; `commands` are typed into the console as "STEP:TEXT".
-Outcome run(const Folder& folder, const std::vector<std::string>& commands,
-            const std::string& eval = {}) {
-    std::vector<std::string> arguments = {"run", (folder / "main.lua").string(), "--headless",
-                                          "--steps", "9"};
-    for (const std::string& command : commands) {
-        arguments.emplace_back("--console");
-        arguments.push_back(command);
-    }
-    if (!eval.empty()) {
-        arguments.emplace_back("--eval");
-        arguments.push_back(eval);
-    }
-    return fettle(folder, arguments);
-}
-
-/// What `eval` prints in a run after everything was kept; nothing else may be told.
-std::string next(const Folder& folder, const std::string& eval) {
-    const Outcome outcome = run(folder, {}, eval);
-    CHECK(outcome.status == 0);
-    CHECK(outcome.err.empty());
-    return outcome.out;
-}
-
-}  // namespace
 
 TEST_CASE("instances made in the console that name each other are all made again") {
     const Folder folder;

@@ -173,7 +173,17 @@ TEST_CASE("tweaks of an earlier run are made again as edits that can be undone")
     run.tree.undo();
     run.barrier();
     CHECK(run.tree.get(a, "number") == Value(0.0));
-    CHECK(run.lines().size() == 1);
+    CHECK(run.tweaks->open_earlier() == 3);  // none of them is forgotten
+    CHECK(run.lines().size() == 3);
+    run.tree.redo();
+    run.barrier();
+    CHECK(run.tweaks->open_earlier() == 1);
+    CHECK(run.lines().size() == 3);
+    run.tree.undo();
+    run.barrier();
+    run.tweaks.reset();
+    Run next(folder);
+    CHECK(next.tweaks->open_earlier() == 3);
 }
 
 TEST_CASE("dropped tweaks are forgotten and their values stay") {

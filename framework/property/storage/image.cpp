@@ -3,6 +3,7 @@
 #include <fettle/property/path.h>
 
 #include "document.h"
+#include "scene_names.h"
 #include "scene_reference.h"
 #include "scene_value.h"
 
@@ -154,22 +155,25 @@ Value image_value(const Tree& tree, const Image& image) {
     return read_value(document, document.root(), Type::nil, Type::nil, resolver(tree, document));
 }
 
-std::string image_in_file(const Tree& tree, Handle top, const Property* declared,
-                          const Image& image) {
+std::string image_in_file(const Tree& tree, const Property* declared, const Image& image,
+                          const NewPath& written) {
     static const Property ad_hoc = undeclared({});
     const Property& property = declared != nullptr ? *declared : ad_hoc;
-    const ValueWriter writer(tree, top);
+    const ValueWriter writer(tree, {});
     const Value value = image_value(tree, image);
     std::string out;
-    if (image.kind == Image::Kind::formula && image.not_saved.empty() &&
-        writer.append(out, property, {.function = {}, .source = image.source}, value))
-        return out;
+    const bool formula =
+        image.kind == Image::Kind::formula && image.not_saved.empty() &&
+        writer.append(out, property, {.function = {}, .source = image.source}, value);
     // What is read back is what the property makes of it: a number of an integer property is one.
-    if (declared != nullptr && value.is(Type::integer) && declared->type == Type::number)
+    if (!formula && declared != nullptr && value.is(Type::integer) &&
+        declared->type == Type::number)
         writer.append(out, property, Value(value.as_double()), 0, 0);
-    else
+    else if (!formula)
         writer.append(out, property, value, 0, 0);
-    return out;
+    if (!written) return out;
+    if (declared == nullptr) return value_with_paths(out, written);
+    return value_with_paths(out, written, declared_type(*declared), declared->element);
 }
 
 void apply_image(Tree& tree, Handle instance, const std::string& property, const Image& image) {

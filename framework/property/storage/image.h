@@ -7,6 +7,8 @@
 #include <fettle/property/edits.h>
 #include <fettle/property/tree.h>
 
+#include "instance_paths.h"
+
 namespace fettle::property {
 
 struct Image {
@@ -39,10 +41,11 @@ Image read_image(const std::string& json);
 /// Its value, a formula's included. Throws Error for a reference that leads nowhere now.
 Value image_value(const Tree& tree, const Image& image);
 
-/// As it stands in a scene file whose topmost instance is `top` (null: references by path), for a
-/// property that the class declares, or for an ad-hoc one (null).
-std::string image_in_file(const Tree& tree, Handle top, const Property* declared,
-                          const Image& image);
+/// As it stands in a file, for a property that the class declares, or for an ad-hoc one (null).
+/// `written`: the path to write in the place of one from the root of the tree; none: all as they
+/// are.
+std::string image_in_file(const Tree& tree, const Property* declared, const Image& image,
+                          const NewPath& written = {});
 
 /// Makes the property be that. Throws Error.
 void apply_image(Tree& tree, Handle instance, const std::string& property, const Image& image);

@@ -23,6 +23,12 @@ std::pair<std::string, std::string> split_path(const std::string& path) {
     return {path.substr(0, path.size() - suffix.size()), name};
 }
 
+std::string path_below(const std::string& parent, const std::string& name) {
+    const std::string suffix = path_suffix(name);
+    if (parent != "game") return parent + suffix;
+    return suffix.starts_with('.') ? suffix.substr(1) : "game" + suffix;
+}
+
 Handle instance_at(const Tree& tree, const std::string& path) {
     const Place place = resolve(tree, path);
     if (place.property != nullptr)

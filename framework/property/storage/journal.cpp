@@ -199,7 +199,7 @@ void Journal::read_rows(Database& from, std::vector<JournalRow>& rows) {
         row.run = query.integer(0);
         row.number = query.integer(1);
         const std::int64_t kind = query.integer(2);
-        row.kind = static_cast<JournalRow::Kind>(kind >= 0 && kind <= 3 ? kind : UINT8_MAX);
+        row.kind = static_cast<JournalRow::Kind>(kind >= 0 && kind <= 4 ? kind : UINT8_MAX);
         row.state = static_cast<JournalRow::State>(query.integer(3));
         row.instance = query.text(4);
         row.property = query.text(5);

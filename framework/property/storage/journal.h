@@ -19,7 +19,8 @@ namespace fettle::property {
 
 /// A row of the journal. A run numbers its own rows.
 struct JournalRow {
-    enum class Kind : std::uint8_t { value, created, deleted, moved };
+    /// `restored`: a deletion that was kept has been undone since.
+    enum class Kind : std::uint8_t { value, created, deleted, moved, restored };
     enum class State : std::uint8_t { open, kept, dropped };
 
     static constexpr std::int64_t elsewhere = -1;  // as `run`: of a journal that can only be read
@@ -27,9 +28,11 @@ struct JournalRow {
     std::int64_t number = 0;
     Kind kind = Kind::value;
     State state = State::open;
-    std::string instance;  // path
+    std::string instance;  // path; of a deletion and of a move, the one that the files give it
     std::string property;  // "" unless kind is value
-    std::string was, now;  // as image.h writes them; of a creation, a scene; of a move, a path
+    /// As image.h writes them. `now` of a creation: a scene; of a move: the path. Of a restoration,
+    /// `was` is what its deletion took out of a file, and `now` a scene.
+    std::string was, now;
     std::string was_text, now_text;  // for people
     std::int64_t step = 0;
     std::int64_t time = 0;  // seconds since 1970

@@ -4,6 +4,17 @@
 
 namespace fettle::property {
 
+std::string without_indent(std::string text, const Document& document, const Document::Node& node) {
+    const std::string& all = document.source();
+    const std::size_t line = all.rfind('\n', node.begin) + 1;  // 0 where it is the first
+    const std::size_t indent = all.find_first_not_of(' ', line) - line;
+    for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 1)) {
+        const std::size_t spaces = text.find_first_not_of(' ', i + 1) - i - 1;
+        text.erase(i + 1, std::min(spaces, indent));
+    }
+    return text;
+}
+
 JsonEdit::JsonEdit(std::string text, std::string file_name)
     : newline_(text.find("\r\n") != std::string::npos ? "\r\n" : "\n"),
       document_(std::move(text), std::move(file_name)) {}
@@ -101,8 +112,8 @@ void JsonEdit::add_member(const Node& object, std::string_view key, std::string_
     add(object, item + ": " + std::string(value), after);
 }
 
-void JsonEdit::add_element(const Node& array, std::string_view value) {
-    add(array, std::string(value), nullptr);
+void JsonEdit::add_element(const Node& array, std::string_view value, const Node* after) {
+    add(array, std::string(value), after);
 }
 
 /// The first shows how the others are to stand: each on a line of its own or behind the other.

@@ -11,6 +11,9 @@
 
 namespace fettle::property {
 
+/// A text that stood at `node`, or stands there, as if it began in column 1: so must what is added.
+std::string without_indent(std::string text, const Document& document, const Document::Node& node);
+
 class JsonEdit {
   public:
     /// Throws SceneError for a text that is not JSON.
@@ -27,7 +30,7 @@ class JsonEdit {
     /// lines, indented as if it began in column 1.
     void add_member(const Node& object, std::string_view key, std::string_view value,
                     const Node* after = nullptr);
-    void add_element(const Node& array, std::string_view value);
+    void add_element(const Node& array, std::string_view value, const Node* after = nullptr);
 
     // Many at once, for the price of one.
     void replace(const std::vector<std::pair<const Node*, std::string>>& values);

@@ -1,13 +1,17 @@
-// Keeping tweaks, making them again, dropping them.
+// Keeping tweaks, and dropping them. Everything is written under the names that the files have; new
+// names come last, all of them together.
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "row_paths.h"
+#include "row_report.h"
 #include "scene_check.h"
-#include "scene_edit.h"
+#include "scene_keeping.h"
 #include "scene_names.h"
 #include "tweaks_state.h"
 
@@ -20,14 +24,25 @@ namespace {
 using Kind = JournalRow::Kind;
 using RowState = JournalRow::State;
 
+/// In which order rows are written: what takes the place of something after that has gone, values
+/// when their instances are there, names last.
+bool comes_before(const JournalRow* a, const JournalRow* b) {
+    static constexpr std::array order{Kind::deleted, Kind::restored, Kind::created, Kind::value,
+                                      Kind::moved};
+    return std::find(order.begin(), order.end(), a->kind) <
+           std::find(order.begin(), order.end(), b->kind);
+}
+
 /// Keeps rows in files, each of which is read, changed and written once.
 class Keeping {
   public:
-    Keeping(Tweaks::State& state, TweakReport& report) : state_(state), report_(report) {
+    Keeping(Tweaks::State& state, TweakReport& report)
+        : state_(state), report_(report), rows_(report), paths_(state) {
         state_.kept.read_again();
     }
 
-    void keep(const std::vector<JournalRow*>& rows) {
+    void keep(Rows rows) {
+        std::stable_sort(rows.begin(), rows.end(), comes_before);
         for (JournalRow* row : rows) {
             const fs::path file = scene_file(*row);
             // A scene that goes as a whole is loaded by somebody: a script.
@@ -39,30 +54,11 @@ class Keeping {
         }
         leave_scenes();
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
-        keep_by_path(kept_rows_);
-        forget_overridden();
+        keep_by_path(without_moves(kept_rows_));
+        keep_moves_by_path(moves_in(kept_rows_));
     }
 
   private:
-    template <class Keep>
-    bool tried(const JournalRow& row, Keep keep_it) {
-        try {
-            keep_it();
-            return true;
-        } catch (const SceneError& error) {
-            tell(row, error.reason());  // the place is one in a text that nobody will see
-        } catch (const Error& error) {
-            tell(row, error.what());
-        }
-        return false;
-    }
-    void tell(const JournalRow& row, const std::string& reason) {
-        // What a file says of an instance begins at the top of its scene: "ball.mass: expected ..."
-        const std::string path = path_of(row), about = reason.substr(0, reason.find(": "));
-        const bool same = about.size() < reason.size() && path.ends_with(about);
-        report_.problems.push_back(path + (same ? reason.substr(about.size()) : ": " + reason));
-    }
-
     /// Empty when it is none of the game's own: what was loaded from elsewhere is not ours to
     /// write.
     fs::path scene_file(const JournalRow& row) const {
@@ -100,156 +96,132 @@ class Keeping {
         };
         try {
             if (row.kind == Kind::value)
-                (void)value_with_paths(read_image(row.now).value, look);
+                (void)value_with_paths(paths_.live_image(row).value, [&](const std::string& path) {
+                    return look(paths_.home_of_live(path));
+                });
             else if (row.kind == Kind::created)
-                (void)scene_with_paths(state_.tree, row.now, look);
+                (void)paths_.home_scene(row, look);
         } catch (const Error&) {  // what is wrong with it is told when it is written
         }
         return out;
     }
 
-    /// Where the top of the row's scene is, or was when the row was written.
-    std::string top_path(const JournalRow& row) const {
-        const SceneSteps steps = read_steps(row.inside);
-        const std::string above =
-            row.kind == Kind::created ? split_path(row.instance).first : row.instance;
-        if (const auto origin = state_.origins.find(found(above)))
-            return state_.tree.path(origin->top);
-        const std::vector<Segment> names = parse_path(above);
-        return joined_path(names, names.size() - std::min(names.size(), steps.size()));
-    }
-
-    bool in_scene(const JournalRow& row, const fs::path& file, const std::string& path) const {
-        if (row.kind == Kind::created && is_at_or_below(path, row.instance)) return true;
-        const std::string top = top_path(row);
-        if (!is_at_or_below(path, top)) return false;
-        const Handle target = found(path);
+    bool in_scene(const JournalRow& row, const fs::path& file, const std::string& home) const {
+        if (row.kind == Kind::created && is_at_or_below(home, paths_.home(row))) return true;
+        const std::string top = paths_.home_of_top(row);
+        if (!is_at_or_below(home, top)) return false;
+        const Handle target = paths_.instance(home);
         if (!target) return true;  // the scene is not loaded, or the check of the scene will tell
         if (const auto origin = state_.origins.find(target))
-            return state_.tree.path(origin->top) == top;
+            return paths_.home_of_live(state_.tree.path(origin->top)) == top;
         // A script made it, unless somebody made it who keeps it in the same file.
         const auto rows = scenes_.find(file);
         for (Handle at = target; at; at = state_.tree.parent(at))
             if (const auto made = state_.created.find(Tweaks::State::key(at));
                 made != state_.created.end())
-                return made->second->row.state == RowState::kept
-                           ? made->second->row.kept_in == file.filename().string()
-                           : std::find(rows->second.begin(), rows->second.end(),
-                                       &made->second->row) != rows->second.end();
+                return made->second->row.state != RowState::kept &&
+                       std::find(rows->second.begin(), rows->second.end(), &made->second->row) !=
+                           rows->second.end();
         return false;
     }
 
-    /// The scene may be loaded somewhere else the next time: what is in it is named from its top.
-    std::string from_top(const JournalRow& row) const {
-        const std::string top = top_path(row);
-        return scene_with_paths(state_.tree, row.now,
-                                [&](const std::string& path) -> std::optional<std::string> {
-                                    if (!is_at_or_below(path, top)) return std::nullopt;
-                                    return path == top ? "." : path.substr(top.size());
-                                });
+    // --- Scenes
+
+    void keep_in_scene(const fs::path& file, const Rows& rows) {
+        try {
+            SceneKeeping scene(state_, paths_, rows_, file);
+            const Rows done = scene.keep(rows);
+            if (!write(file, done, [&] { state_.files.write(file, scene.text()); })) return;
+            forget_kept_by_path(without_moves(done));
+            now_described(done);
+            names_are_kept(file, moves_in(done));
+        } catch (const Error& error) {
+            report_.problems.emplace_back(error.what());
+        }
+    }
+
+    /// New instances are described in the file from now on, and so is what comes with them.
+    void now_described(const Rows& rows) {
+        for (const JournalRow* row : rows) {
+            if (row->kind == Kind::restored && row->run == 0) {
+                Tweaks::State::Entry& its = state_.entry_of(*row);
+                Tweaks::State::Entry& deletion = *state_.deleted.at(Tweaks::State::key(its.handle));
+                deletion.gone = true;
+                state_.touch(deletion);
+            }
+            if (row->kind != Kind::created || row->run != 0) continue;
+            const Handle made = state_.entry_of(*row).handle;
+            if (!state_.tree.alive(made)) continue;
+            const Document document(row->now, "its scene");
+            describe(document, document.root(), state_.tree.parent(made), made);
+        }
+    }
+
+    void describe(const Document& document, const Document::Node& node, Handle parent,
+                  Handle instance) {
+        state_.origins.added(state_.tree, parent, instance);
+        const Document::Node* children = document.member(node, "children");
+        for (const Document::Node* child = children ? document.first(*children) : nullptr; child;
+             child = document.next(*child))
+            if (const Document::Node* name = document.member(*child, "name"))
+                if (const Handle handle = state_.tree.child(instance, document.text(*name)))
+                    describe(document, *child, instance, handle);
     }
 
     /// What a scene says now must not be undone by what was kept by path before.
-    void forget_overridden() {
-        try {
-            for (const JournalRow* row : in_scenes_)
-                if (row->kind == Kind::value)
-                    state_.kept.forget_value(row->instance, row->property);
-                else if (row->kind == Kind::deleted)
-                    state_.kept.forget_values_below(row->instance);
-                else if (row->kind == Kind::moved)
-                    state_.kept.move_values(row->instance, row->now);
-            if (!in_scenes_.empty()) state_.kept.write();
-        } catch (const Error& error) {
-            report_.problems.emplace_back(error.what());
-        }
+    void forget_kept_by_path(const Rows& rows) {
+        for (const JournalRow* row : rows)
+            if (row->kind == Kind::value)
+                state_.kept.forget_value(paths_.home(*row), row->property);
+            else if (row->kind == Kind::deleted)
+                state_.kept.forget_values_below(row->instance);
+        state_.kept.write();
     }
 
-    bool loadable(const SceneEdit& edit) const {
-        try {
-            check_scene(state_.tree, edit.document());
-            return true;
-        } catch (const Error&) {
-            return false;
+    void names_are_kept(const fs::path& file, const Rows& rows) {
+        if (rows.empty()) return;
+        std::vector<MoveStep> moves;
+        std::vector<std::pair<SceneSteps, std::string>> names;
+        for (const JournalRow* row : rows) {
+            const auto [parent, name] = split_path(row->instance);
+            moves.push_back({0, row->instance, path_below(parent, split_path(row->now).second)});
+            names.emplace_back(read_steps(row->inside), split_path(row->now).second);
         }
+        state_.origins.renamed(file, names);
+        state_.steps_renamed(file, names);
+        homes_changed(moves);
     }
 
-    /// A row may say anything: an earlier run, whose classes were other ones, has left it. What
-    /// would make the scene one that cannot be loaded is not kept in it.
-    void keep_in_scene(const fs::path& file, const std::vector<JournalRow*>& rows) {
-        try {
-            const std::string text = state_.files.read(file);
-            std::optional<SceneEdit> edit(std::in_place, state_.tree, text, file.string());
-            const bool was_loadable = loadable(*edit);
-            const std::size_t told_before = report_.problems.size();
-            std::vector<JournalRow*> done = edited(edit, rows, false);
-            if (was_loadable && !loadable(*edit)) {
-                report_.problems.resize(told_before);
-                edit.emplace(state_.tree, text, file.string());
-                done = edited(edit, rows, true);
-            }
-            if (write(file, done, [&] { state_.files.write(file, edit->text()); }))
-                in_scenes_.insert(in_scenes_.end(), done.begin(), done.end());
-        } catch (const Error& error) {
-            report_.problems.emplace_back(error.what());
+    /// What rows and the file of kept tweaks call the instances that the files call otherwise now.
+    void homes_changed(const std::vector<MoveStep>& moves) {
+        InstanceMoves all;
+        for (const auto& [from, to] : parents_first(moves)) {
+            const auto [parent, name] = split_path(to);
+            all.add(from, path_below(all.now(parent), name));
         }
+        const RowPaths before = std::exchange(paths_, RowPaths(state_));
+        for (JournalRow& row : state_.earlier)
+            if (row.state == RowState::open)
+                row.instance = paths_.said(row, all.now(before.home(row)));
+        const NewPath now_at = [&](const std::string& home) { return all.now(home); };
+        state_.homes_changed(now_at);
+        state_.kept.rename(now_at);
+        state_.kept.write();
     }
 
-    /// Those that are in the text now. `each`: the scene is checked after each of them.
-    std::vector<JournalRow*> edited(std::optional<SceneEdit>& edit,
-                                    const std::vector<JournalRow*>& rows, bool each) {
-        std::vector<JournalRow*> done;
-        for (JournalRow* row : rows) {
-            const std::string before = edit->text(), name = edit->document().file_name();
-            const bool kept = tried(*row, [&] {
-                edit_scene(*row, *edit);
-                if (each) check_scene(state_.tree, edit->document());
-            });
-            if (kept)
-                done.push_back(row);
-            else
-                edit.emplace(state_.tree, before, name);
-        }
-        return done;
-    }
-
-    Handle scene_top(const JournalRow& row) const {
-        const auto origin = state_.origins.find(found(row.instance));
-        return origin ? origin->top : Handle{};
-    }
-
-    void edit_scene(const JournalRow& row, SceneEdit& edit) {
-        const SceneSteps steps = read_steps(row.inside);
-        switch (row.kind) {
-            case Kind::value:
-                return edit.set(steps, row.property, told(row), scene_top(row));
-            case Kind::created: {
-                const Document made(row.now, "its scene");
-                const auto [parent, name] = split_path(row.instance);
-                check_scene(state_.tree, made, found(parent), name);
-                return edit.add_child(steps, from_top(row));
-            }
-            case Kind::deleted:
-                return edit.remove(steps);
-            case Kind::moved:
-                if (split_path(row.instance).first != split_path(row.now).first)
-                    throw Error(ErrorKind::rejected,
-                                "another parent cannot be kept: move it in the file");
-                return edit.rename(steps, split_path(row.now).second);
-        }
-    }
+    // --- By path
 
     /// What the file cannot hold must not keep the rest out of it: it is looked for by halves.
-    void keep_by_path(const std::vector<JournalRow*>& rows) {
+    void keep_by_path(const Rows& rows) {
         const std::size_t told_before = report_.problems.size();
-        std::vector<JournalRow*> done;
+        Rows done;
         for (JournalRow* row : rows)
-            if (tried(*row, [&] { into_kept(*row); })) done.push_back(row);
+            if (rows_.tried(*row, [&] { into_kept(*row); })) done.push_back(row);
         try {
-            write(state_.kept.file(), done, [&] { state_.kept.write(); });
+            if (write(state_.kept.file(), done, [&] { state_.kept.write(); })) now_described(done);
         } catch (const SceneError& error) {
             state_.kept.read_again();
-            if (done.size() == 1) return tell(*done.front(), error.reason());
+            if (done.size() == 1) return rows_.tell(*done.front(), error.reason());
             report_.problems.resize(told_before);
             const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
             keep_by_path({rows.begin(), middle});
@@ -257,63 +229,61 @@ class Keeping {
         }
     }
 
-    /// Null where there is none now.
-    Handle found(const std::string& path) const {
-        try {
-            return instance_at(state_.tree, path);
-        } catch (const Error&) {
-            return {};
-        }
-    }
-
     void into_kept(JournalRow& row) {
+        const std::string home = paths_.home(row);
         switch (row.kind) {
             case Kind::value:
-                state_.kept.set(row.instance, row.property, told(row));
-                break;
-            case Kind::created: {
-                const Document made(row.now, "its scene");
-                const auto [parent, name] = split_path(row.instance);
-                check_scene(state_.tree, made, found(parent), name);
-                state_.kept.add(row.instance, row.now);
-                break;
-            }
+                return state_.kept.set(
+                    home, row.property, declared(home, row.property), rows_.told(row, paths_),
+                    [&](const std::string& path) { return paths_.home_of_live(path); });
+            case Kind::created:
+                check_made(state_, paths_, row);
+                return state_.kept.add(home, paths_.home_scene(row));
             case Kind::deleted:
-                state_.kept.remove(row.instance);
-                break;
+                return taken_out(state_, row, state_.kept.remove(home));
+            case Kind::restored:
+                return state_.kept.put_back(home, row.was);
             case Kind::moved:
-                if (state_.kept.move(row.instance, row.now)) break;
-                if (const std::string file = scene_it_was_kept_in(row); !file.empty())
-                    throw Error(ErrorKind::rejected,
-                                "it was kept in " + file +
-                                    " in this run: change its name there, or in the next run");
-                throw Error(
-                    ErrorKind::rejected,
-                    "a name or parent that a script gives cannot be kept: change the script");
+                return;
         }
     }
 
-    /// The file that holds an instance made in this run; "" when it is none.
-    std::string scene_it_was_kept_in(const JournalRow& row) const {
-        for (Handle at = found(row.now); at; at = state_.tree.parent(at))
-            if (const auto made = state_.created.find(Tweaks::State::key(at));
-                made != state_.created.end())
-                return made->second->row.kept_in;
-        return {};
+    const Property* declared(const std::string& home, const std::string& property) const {
+        const Handle instance = paths_.instance(home);
+        return instance ? state_.tree.class_of(instance).property(property) : nullptr;
     }
 
-    Image told(const JournalRow& row) const {
-        Image image = read_image(row.now);
-        if (image.kind == Image::Kind::value && !image.not_saved.empty())
-            throw Error(ErrorKind::rejected, image.not_saved);
-        if (image.kind == Image::Kind::formula && !image.not_saved.empty())
-            report_.problems.push_back(path_of(row) + ": its formula " + image.not_saved +
-                                       ", so its value is kept instead");
-        return image;
+    /// Of instances that the file of kept tweaks makes.
+    void keep_moves_by_path(Rows rows) {
+        std::erase_if(rows, [&](JournalRow* row) {
+            return !rows_.tried(*row, [&] {
+                if (!state_.kept.makes(row->instance))
+                    throw Error(ErrorKind::rejected, given_by_script);
+            });
+        });
+        if (rows.empty()) return;
+        std::vector<MoveStep> moves;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            moves.push_back(
+                {i, rows[i]->instance,
+                 path_below(paths_.home_of_new_parent(*rows[i]), split_path(rows[i]->now).second)});
+        std::size_t which = 0;
+        try {
+            for (const MoveStep& step : in_order(moves)) {
+                which = step.which;
+                (void)state_.kept.move(step.from, step.to);
+            }
+        } catch (const Error& error) {
+            state_.kept.read_again();
+            rows_.tell(*rows[which], error.what());
+            rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(which));
+            return keep_moves_by_path(std::move(rows));
+        }
+        if (write(state_.kept.file(), rows, [&] { state_.kept.write(); })) homes_changed(moves);
     }
 
     template <class Write>
-    bool write(const fs::path& file, const std::vector<JournalRow*>& rows, Write write_it) {
+    bool write(const fs::path& file, const Rows& rows, Write write_it) {
         if (rows.empty()) return false;
         try {
             write_it();
@@ -329,15 +299,17 @@ class Keeping {
         for (JournalRow* row : rows) {
             row->kept_in = file.filename().string();
             state_.set_state(*row, RowState::kept);
+            if (row->run != 0 && row->kind == Kind::value) state_.file_says(*row);
         }
         return true;
     }
 
     Tweaks::State& state_;
     TweakReport& report_;
-    std::map<fs::path, std::vector<JournalRow*>> scenes_;
-    std::vector<JournalRow*> kept_rows_;
-    std::vector<const JournalRow*> in_scenes_;  // that were kept in one
+    RowReport rows_;
+    RowPaths paths_;
+    std::map<fs::path, Rows> scenes_;
+    Rows kept_rows_;
 };
 
 }  // namespace

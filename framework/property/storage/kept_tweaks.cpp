@@ -1,6 +1,7 @@
 #include "kept_tweaks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -179,24 +180,16 @@ void KeptTweaks::make(JsonEdit& edit, const Changes& changes) {
     });
 }
 
-void KeptTweaks::set(const std::string& instance, const std::string& property, const Image& image) {
-    const std::string suffix = path_suffix(property);
-    const std::string path = instance != "game"        ? instance + suffix
-                             : suffix.starts_with('.') ? suffix.substr(1)
-                                                       : "game" + suffix;
+void KeptTweaks::set(const std::string& instance, const std::string& property,
+                     const Property* declared, const Image& image, const NewPath& written) {
+    const std::string path = path_below(instance, property);
     if (image.kind == Image::Kind::absent) {
         drop("values", path);
         return put("values", path, "null");
     }
     if (image.kind == Image::Kind::by_default) return put("values", path, "null");
-    const Property* declared = nullptr;
-    try {
-        const Place place = resolve(tree_, instance);
-        if (place.property == nullptr) declared = tree_.class_of(place.instance).property(property);
-    } catch (const Error&) {  // not there now: the value says its own type
-    }
     check_value(path, declared, image);
-    put("values", path, image_in_file(tree_, {}, declared, image));
+    put("values", path, image_in_file(tree_, declared, image, written));
 }
 
 /// What a run has left may be of other classes than those there are now, or of nobody's making.
@@ -213,20 +206,23 @@ void KeptTweaks::check_value(const std::string& path, const Property* declared,
 }
 
 void KeptTweaks::add(const std::string& path, const std::string& scene) {
-    drop("deleted", path);
+    // A deletion of the same path stays: what the script makes there still goes.
     std::string text = scene;
     while (text.ends_with('\n')) text.pop_back();
     put("created", path, text);
 }
 
-void KeptTweaks::remove(const std::string& path) {
+std::string KeptTweaks::remove(const std::string& path) {
+    const std::string before = taken_out(path);
     const std::vector<std::string>& created = contents_.created;
     const auto was_created = std::find(created.begin(), created.end(), path) != created.end();
-    drop("created", path);
+    for (const std::string& key : created)
+        if (is_at_or_below(key, path)) drop("created", key);
     forget_values_below(path);
     std::string quoted;
     append_quoted(quoted, path);
     if (!was_created) put("deleted", path, quoted);
+    return before;
 }
 
 /// They are those of nobody from now on.
@@ -243,7 +239,14 @@ void KeptTweaks::forget_value(const std::string& instance, const std::string& pr
 /// What was changed so far, in memory. Throws SceneError for what could not be read again.
 void KeptTweaks::fold() {
     if (changes_.empty()) return;
-    const std::vector<Changes> changes = std::exchange(changes_, {});
+    std::vector<Changes> changes = std::exchange(changes_, {});
+    // Whatever was changed first: a file has its sections in one order.
+    static constexpr std::array<std::string_view, 3> sections{"values", "created", "deleted"};
+    const auto place = [](const Changes& each) {
+        return std::find(sections.begin(), sections.end(), each.section);
+    };
+    std::sort(changes.begin(), changes.end(),
+              [&](const Changes& a, const Changes& b) { return place(a) < place(b); });
     const std::string before = document_ ? document_->source() : std::string(empty_file);
     JsonEdit edit(before, file_.string());
     for (const Changes& each : changes) make(edit, each);

@@ -50,14 +50,21 @@ class KeptTweaks {
     void settle();
 
     // For the next run. Throw Error; `write` throws FileError.
-    void set(const std::string& instance, const std::string& property, const Image& image);
+    /// `declared`: by the class of the instance, null for an ad-hoc property, or where there is no
+    /// such instance now. `written`: as for `image_in_file`.
+    void set(const std::string& instance, const std::string& property, const Property* declared,
+             const Image& image, const NewPath& written);
     void add(const std::string& path, const std::string& scene);
-    void remove(const std::string& path);
+    /// What was told of it in the file, for `put_back`.
+    std::string remove(const std::string& path);
+    /// `taken_out`: what `remove` has given; "" where it is not known.
+    void put_back(const std::string& path, const std::string& taken_out);
+    bool makes(const std::string& path) const;
     /// False when the file makes no such instance. Throws Error for one that it makes as a part of
     /// another one and that is to leave it.
     bool move(const std::string& path, const std::string& to);
-    /// Values of an instance that has another path now, and of what is below it.
-    void move_values(const std::string& path, const std::string& to);
+    /// Instances have other paths now: those that tweaks are about, and those that they name.
+    void rename(const NewPath& now_at);
     /// A value, or an instance with all its values, is told elsewhere from now on.
     void forget_value(const std::string& instance, const std::string& property);
     void forget_values_below(const std::string& path);
@@ -97,7 +104,9 @@ class KeptTweaks {
                 for (const Kept& kept : its->second) visit(its->first, kept);
     }
     void fold();
-    void rename_in_references(const std::string& path, const std::string& to);
+    void rename_values(const NewPath& now_at);
+    std::string taken_out(const std::string& path) const;
+    void rename_in_references(const NewPath& now_at);
     void create(const std::string& path);
     Handle find(const Node& node, const std::string& path, std::size_t count,
                 const std::string& then);

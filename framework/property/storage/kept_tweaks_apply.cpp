@@ -107,7 +107,7 @@ void KeptTweaks::apply_values(Handle top) {
 }
 
 /// The instance to which the first `count` names lead. Where there is none, that is told, with
-/// `then`: what that means for the tweak.
+/// `then`: what that means for the tweak. "": it is not told.
 Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t count,
                         const std::string& then) {
     const std::vector<Segment> segments = parse_path(path);
@@ -116,6 +116,7 @@ Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t c
         const std::string& name = std::get<std::string>(segments[i].key);
         const Handle child = tree_.child(at, name);
         if (!child) {
+            if (then.empty()) return {};
             std::vector<std::string> names;
             for (const Handle each : tree_.children(at)) names.push_back(tree_.name(each));
             warn(document_->has_key(node) ? node.key_begin : node.begin,
@@ -199,7 +200,10 @@ void KeptTweaks::apply_all() {
     for (const Node* node = deleted != nullptr ? document_->first(*deleted) : nullptr;
          node && next < contents_.deleted.size(); node = document_->next(*node)) {
         const std::string& path = contents_.deleted[next++];
-        const Handle instance = find(*node, path, SIZE_MAX, "there is nothing to delete");
+        // What an edit has put in its place is made below, whether a script makes it or not.
+        const bool replaced = member("created", path) != nullptr;
+        const Handle instance =
+            find(*node, path, SIZE_MAX, replaced ? "" : "there is nothing to delete");
         if (!instance) continue;
         try {
             const Tree::CauseScope cause(tree_, Writer::load);

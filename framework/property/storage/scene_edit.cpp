@@ -7,7 +7,7 @@
 namespace fettle::property {
 
 SceneEdit::SceneEdit(const Tree& tree, std::string text, std::string file_name)
-    : tree_(tree), json_(std::move(text), std::move(file_name)) {
+    : tree_(&tree), json_(std::move(text), std::move(file_name)) {
     if (document().member(document().root(), version_key) == nullptr)
         document().fail(ErrorKind::bad_structure, 0, "not a scene");
 }
@@ -42,17 +42,17 @@ const SceneEdit::Node& SceneEdit::find(const SceneSteps& steps) const {
 }
 
 void SceneEdit::set(const SceneSteps& steps, const std::string& property, const Image& image,
-                    Handle top) {
+                    const NewPath& written) {
     const Node& instance = find(steps);
     const Node* class_name = document().member(instance, "class");
     if (class_name == nullptr || class_name->kind != Document::Kind::text)
         document().fail(ErrorKind::bad_structure, instance.begin, "not an instance with a class");
-    const Property* declared = tree_.class_named(document().text(*class_name)).property(property);
+    const Property* declared = tree_->class_named(document().text(*class_name)).property(property);
     if (image.kind == Image::Kind::absent || image.kind == Image::Kind::by_default) {
         remove_member(steps, "properties", property);
         remove_member(steps, "ad_hoc", property);
     } else {
-        set_member(steps, declared, property, image_in_file(tree_, top, declared, image));
+        set_member(steps, declared, property, image_in_file(*tree_, declared, image, written));
     }
 }
 
@@ -89,7 +89,7 @@ void SceneEdit::set_member(const SceneSteps& steps, const Property* declared,
         declared != nullptr && declared->owner != nullptr
             ? member_before(
                   *section,
-                  *tree_.find_class(document().text(*document().member(instance, "class"))),
+                  *tree_->find_class(document().text(*document().member(instance, "class"))),
                   *declared)
             : nullptr;
     json_.add_member(*section, property, value, after);
@@ -116,28 +116,65 @@ void SceneEdit::add_child(const SceneSteps& steps, const std::string& scene) {
     const Node& instance = find(steps);
     if (const Node* children = document().member(instance, "children"))
         return json_.add_element(*children, text);
-    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 3))
-        text.replace(at, 1, "\n  ");
-    json_.add_member(instance, "children", "[\n  " + text + "\n]");
+    add_first_child(instance, text);
 }
 
-void SceneEdit::remove(const SceneSteps& steps) {
+void SceneEdit::add_first_child(const Node& parent, std::string text) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 3))
+        text.replace(at, 1, "\n  ");
+    json_.add_member(parent, "children", "[\n  " + text + "\n]");
+}
+
+std::string SceneEdit::remove(const SceneSteps& steps) {
     const Node& instance = find(steps);
     SceneSteps above = steps;
     above.pop_back();
     const Node& parent = find(above);
     const Node& children = *document().member(parent, "children");
-    // They are known by their places, and those would change.
+    require_names_beside(instance, children);
+    std::string taken_out = "{";
+    for (const Node* node = document().first(children); node; node = document().next(*node)) {
+        if (document().next(*node) != &instance) continue;
+        taken_out += "\"behind\": ";
+        append_quoted(taken_out, document().text(*document().member(*node, "name")));
+        taken_out += ", ";
+    }
+    taken_out += "\"child\": " +
+                 without_indent(std::string(document().raw(instance)), document(), instance) + "}";
+    if (document().count(children) == 1)
+        json_.remove(parent, children);
+    else
+        json_.remove(children, instance);
+    return taken_out;
+}
+
+/// Behind the child behind which it was.
+void SceneEdit::put_back(const SceneSteps& steps, const std::string& taken_out) {
+    SceneSteps above = steps;
+    above.pop_back();
+    const Node& parent = find(above);
+    const Document before(taken_out, "journal");
+    const Node* child_then = before.member(before.root(), "child");
+    const Node* behind = before.member(before.root(), "behind");
+    if (child_then == nullptr) before.fail(ErrorKind::bad_structure, 0, "not a deletion");
+    const std::string text(before.raw(*child_then));
+    const Node* children = document().member(parent, "children");
+    if (children == nullptr) return add_first_child(parent, text);
+    const Node* after = behind == nullptr ? children : nullptr;
+    if (behind != nullptr && behind->kind == Document::Kind::text)
+        after = child(parent, {before.text(*behind), no_place});
+    json_.add_element(*children, text, after);
+}
+
+/// Those that have none are known by their places, and their names come from these: both would
+/// change.
+void SceneEdit::require_names_beside(const Node& instance, const Node& children) const {
     for (const Node* node = document().first(children); node; node = document().next(*node))
         if (node != &instance && document().member(*node, "name") == nullptr)
             throw Error(ErrorKind::bad_structure,
                         document().file_name() + ":" +
                             std::to_string(document().line(node->begin)) +
                             ": an instance beside it has no name in the file; give it one first");
-    if (document().count(children) == 1)
-        json_.remove(parent, children);
-    else
-        json_.remove(children, instance);
 }
 
 void SceneEdit::rename(const SceneSteps& steps, const std::string& name) {
@@ -145,10 +182,12 @@ void SceneEdit::rename(const SceneSteps& steps, const std::string& name) {
     if (!append_quoted(quoted, name))
         throw Error(ErrorKind::bad_name, "a file cannot hold a name that is not UTF-8");
     const Node& instance = find(steps);
-    if (const Node* old = document().member(instance, "name"))
-        json_.replace(*old, quoted);
-    else
-        json_.add_member(instance, "name", quoted, document().member(instance, "class"));
+    if (const Node* old = document().member(instance, "name")) return json_.replace(*old, quoted);
+    if (!steps.empty()) {
+        const SceneSteps above(steps.begin(), steps.end() - 1);
+        require_names_beside(instance, *document().member(find(above), "children"));
+    }
+    json_.add_member(instance, "name", quoted, document().member(instance, "class"));
 }
 
 }  // namespace fettle::property

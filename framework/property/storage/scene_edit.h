@@ -6,6 +6,7 @@
 #include <fettle/property/tree.h>
 
 #include "image.h"
+#include "instance_paths.h"
 #include "json_edit.h"
 #include "scene_origins.h"
 
@@ -20,25 +21,30 @@ class SceneEdit {
 
     // Each throws Error when the file has no such instance (any more).
 
-    /// `top`: the scene's topmost instance in the tree, for references inside the scene; null when
-    /// there is none.
-    void set(const SceneSteps& steps, const std::string& property, const Image& image, Handle top);
+    /// `written`: the path to write in the place of one from the root of the tree; none: all as
+    /// they are.
+    void set(const SceneSteps& steps, const std::string& property, const Image& image,
+             const NewPath& written = {});
     /// `scene`: the text of the new child as a scene of its own.
     void add_child(const SceneSteps& steps, const std::string& scene);
-    void remove(const SceneSteps& steps);
+    /// What it was in the file, for `put_back`.
+    std::string remove(const SceneSteps& steps);
+    void put_back(const SceneSteps& steps, const std::string& taken_out);
     void rename(const SceneSteps& steps, const std::string& name);
 
   private:
     using Node = Document::Node;
     const Node& find(const SceneSteps& steps) const;
     const Node* child(const Node& instance, const SceneStep& step) const;
+    void add_first_child(const Node& parent, std::string text);
+    void require_names_beside(const Node& instance, const Node& children) const;
     void set_member(const SceneSteps& steps, const Property* declared, const std::string& property,
                     const std::string& value);
     const Node* member_before(const Node& section, const Class& of, const Property& property) const;
     void remove_member(const SceneSteps& steps, const std::string& section,
                        const std::string& property);
 
-    const Tree& tree_;
+    const Tree* tree_;
     JsonEdit json_;
 };
 

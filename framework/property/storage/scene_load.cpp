@@ -44,7 +44,8 @@ class SceneLoader {
   public:
     SceneLoader(Tree& tree, const Document& document, Handle parent, std::string_view name,
                 std::vector<std::string>* warnings, std::vector<SceneInstance>* described,
-                std::vector<OpenReference>* open = nullptr)
+                std::vector<OpenReference>* open = nullptr,
+                std::optional<Writer> writer = std::nullopt)
         : tree_(tree),
           document_(document),
           parent_(parent),
@@ -54,6 +55,7 @@ class SceneLoader {
           warnings_(warnings),
           described_(described),
           open_(open),
+          writer_(writer),
           locate_([this] { return place(); }),
           resolve_([this](const std::string& path, const Node& node) {
               return find_reference(
@@ -61,7 +63,8 @@ class SceneLoader {
           }) {}
 
     Handle run() {
-        Tree::CauseScope cause(tree_, Writer::load, &locate_);
+        const Tree::CauseScope cause(tree_, writer_.value_or(Writer::load),
+                                     writer_ ? nullptr : &locate_);
         Detached detached(tree_);
         for (std::size_t i = 0; i < made_.size(); ++i) allocate(i, detached);
         // Formulas last: a plain value would replace them. A parent gets its values after its
@@ -316,7 +319,8 @@ class SceneLoader {
     std::vector<std::string>* warnings_;
     std::vector<SceneInstance>* described_;
     std::vector<OpenReference>* open_;
-    const Node* now_ = nullptr;  // what is being assigned
+    std::optional<Writer> writer_;  // none: a file is loaded
+    const Node* now_ = nullptr;     // what is being assigned
     std::function<std::string()> locate_;
     ReferenceResolver resolve_;
 };
@@ -334,6 +338,11 @@ Handle load_scene_text(Tree& tree, std::string_view text, std::string_view file_
 Handle load_scene_document(Tree& tree, const Document& document, Handle parent,
                            std::string_view name, std::vector<OpenReference>& open) {
     return SceneLoader(tree, document, parent, name, nullptr, nullptr, &open).run();
+}
+
+Handle make_scene(Tree& tree, const Document& document, Handle parent, std::string_view name) {
+    return SceneLoader(tree, document, parent, name, nullptr, nullptr, nullptr, tree.cause().writer)
+        .run();
 }
 
 Handle load_scene(Tree& tree, const std::filesystem::path& file, Handle parent,

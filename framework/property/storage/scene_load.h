@@ -22,4 +22,7 @@ struct OpenReference {
 Handle load_scene_document(Tree& tree, const Document& document, Handle parent,
                            std::string_view name, std::vector<OpenReference>& open);
 
+/// As `load_scene_text`, but as an edit of whoever writes now, so that it can be undone.
+Handle make_scene(Tree& tree, const Document& document, Handle parent, std::string_view name);
+
 }  // namespace fettle::property

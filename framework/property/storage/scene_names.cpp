@@ -20,7 +20,10 @@ class Replacements {
         : see_([this, &path](const std::string& old, const Node& node) {
               if (const auto now = path(old)) {
                   std::string quoted;
-                  if (append_quoted(quoted, *now)) list_.emplace_back(&node, std::move(quoted));
+                  if (now->empty())
+                      list_.emplace_back(&node, "null");
+                  else if (append_quoted(quoted, *now))
+                      list_.emplace_back(&node, std::move(quoted));
               }
               return Handle{};
           }) {}

@@ -18,7 +18,8 @@ namespace {
 using Kind = JournalRow::Kind;
 
 constexpr std::array kinds{std::pair{Kind::value, "value"}, std::pair{Kind::created, "created"},
-                           std::pair{Kind::deleted, "deleted"}, std::pair{Kind::moved, "moved"}};
+                           std::pair{Kind::deleted, "deleted"}, std::pair{Kind::moved, "moved"},
+                           std::pair{Kind::restored, "restored"}};
 /// Texts of a row, in their order.
 constexpr std::array texts{&JournalRow::instance, &JournalRow::property, &JournalRow::was,
                            &JournalRow::now,      &JournalRow::was_text, &JournalRow::now_text,
@@ -99,6 +100,9 @@ std::string problem_of(const JournalRow& row) {
                 (void)read_image(row.was);
                 (void)read_image(row.now);
                 return {};
+            case Kind::restored:
+                if (!row.was.empty()) (void)Document(row.was, row.instance);
+                [[fallthrough]];
             case Kind::created:
                 (void)Document(row.now, row.instance);
                 return {};

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "places.h"
+#include "scene_edit.h"
 #include "scene_names.h"
 #include "temporary_file.h"
 #include "tweaks_state.h"
@@ -41,9 +42,7 @@ std::int64_t seconds_now() {
 
 std::string path_of(const JournalRow& row) {
     if (row.kind != JournalRow::Kind::value) return row.instance;
-    const std::string suffix = path_suffix(row.property);
-    if (row.instance == "game") return suffix.starts_with('.') ? suffix.substr(1) : "game" + suffix;
-    return row.instance + suffix;
+    return path_below(row.instance, row.property);
 }
 
 // --- Patterns
@@ -135,7 +134,7 @@ Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
 
 Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instance,
                                            const std::string& property, Handle handle) {
-    Entry*& found = by_key[std::to_string(static_cast<int>(kind)) + instance + '\n' + property];
+    Entry*& found = by_key[key_of(kind, instance, property)];
     if (found == nullptr) {
         found = entries.emplace_back(std::make_unique<Entry>()).get();
         found->row.kind = kind;
@@ -176,6 +175,7 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
         its.was = image_of(tree, property, before);
         tell_origin(its, instance);
     }
+    if (its.row.state == RowState::kept) its.was = its.now;  // the file says that since
     its.property = property.symbol;
     its.now = image_now(tree, instance, property.symbol, false);
     its.gone = false;
@@ -193,35 +193,77 @@ void Tweaks::State::dying(Handle instance) {
         if (is_in_fresh.empty()) fresh.clear();  // else those that went are passed over later
         if (!created.contains(key(instance))) return;
     }
-    if (attached(instance)) bury(instance, tree.path(instance));
+    if (attached(instance)) bury(instance, tree.parent(instance), tree.path(instance));
 }
 
 /// Whatever was done to it is void, unless the deletion is undone.
-void Tweaks::State::bury(Handle instance, const std::string& path) {
-    bool made_here = false;
-    for (const auto& each : entries) {
-        if (each->row.state != RowState::open || each->gone) continue;
-        if (!is_at_or_below(each->row.instance, path) || each->row.kind == Kind::deleted) continue;
-        made_here = made_here || (each->row.kind == Kind::created && each->handle == instance);
-        each->gone = true;
-        touch(*each);
+void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path) {
+    if (const auto made = created.find(key(instance));
+        made != created.end() && made->second->row.state == RowState::open) {
+        make_void(path, *made->second);
+        made->second->gone = true;
+        return touch(*made->second);
     }
-    if (made_here) return;
-    Entry& deletion = entry(Kind::deleted, path, {}, instance);
+    if (taken_out_of_creation(instance, parent)) return;
+    const std::string home = moves().home(path);
+    if (const auto again = restorations.find(key(instance));
+        again != restorations.end() && again->second->row.state == RowState::open &&
+        !again->second->gone) {  // the file still says that it is deleted
+        make_void(path, *deleted.at(key(instance)));
+        again->second->gone = true;
+        return touch(*again->second);
+    }
+    Entry& deletion = entry(Kind::deleted, home, {}, instance);
+    make_void(path, deletion);
+    deletion.row.now = path;
     deletion.row.was_text = "a " + tree.class_of(instance).name();
     deletion.row.now_text = "deleted";
     deletion.gone = false;
+    deletion.deletion = nullptr;
+    deleted[key(instance)] = &deletion;
     tell_origin(deletion, instance);
     touch(deletion);
 }
 
-void Tweaks::State::revive(Entry& deletion) {
-    deletion.gone = true;
-    touch(deletion);
+/// What came with an instance that an edit has made leaves the scene of that tweak.
+bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
+    Entry* above = created_above(parent);
+    if (above == nullptr) return false;
+    refresh_created(*above);
+    try {
+        SceneSteps steps{{tree.name(instance), no_place}};
+        for (Handle at = parent; at != above->handle; at = tree.parent(at))
+            steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
+        SceneEdit edit(tree, above->row.now, "journal");
+        (void)edit.remove(steps);
+        above->row.now = edit.text();
+    } catch (const Error&) {  // a script made it
+        return false;
+    }
+    touch(*above);
+    return true;
+}
+
+void Tweaks::State::make_void(const std::string& path, Entry& deletion) {
+    const InstanceMoves all = moves();
+    const auto path_now = [&](const JournalRow& row) -> std::string {
+        if (row.kind == Kind::moved || row.kind == Kind::deleted) return row.now;
+        return row.kind == Kind::restored ? all.now(row.instance) : row.instance;
+    };
+    for (const auto& each : entries) {
+        if (each.get() == &deletion || each->row.state != RowState::open || each->gone) continue;
+        if (!is_at_or_below(path_now(each->row), path)) continue;
+        each->gone = true;
+        each->deletion = &deletion;
+        touch(*each);
+    }
+}
+
+void Tweaks::State::revive(const Entry& deletion) {
     for (const auto& each : entries)
-        if (each->gone && each->row.kind != Kind::deleted &&
-            is_at_or_below(each->row.instance, deletion.row.instance)) {
+        if (each->gone && each->deletion == &deletion) {
             each->gone = false;
+            each->deletion = nullptr;
             touch(*each);
         }
 }
@@ -297,8 +339,8 @@ TweakReport Tweaks::drop(std::string_view pattern) {
     return state_->drop(pattern);
 }
 void Tweaks::scene_loaded(const std::filesystem::path& file,
-                          const std::vector<SceneInstance>& instances) {
-    state_->origins.loaded(state_->tree, file, instances);
+                          const std::vector<SceneInstance>& instances, bool named_by_script) {
+    state_->origins.loaded(state_->tree, file, instances, named_by_script);
 }
 void Tweaks::placed(Handle instance) {
     state_->kept.apply_values(instance);

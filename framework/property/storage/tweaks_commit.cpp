@@ -34,6 +34,7 @@ void Tweaks::State::barrier() {
         return;
     }
     settle_fresh();
+    settle_reapplied();
     for (Entry* entry : dirty) refresh(*entry);
     commit();
 }
@@ -58,12 +59,11 @@ void Tweaks::State::settle_fresh() {
 
 void Tweaks::State::settle_one(Handle instance) {
     const std::string path = tree.path(instance);
-    const auto deletion =
-        by_key.find(std::to_string(static_cast<int>(Kind::deleted)) + path + '\n');
-    if (deletion != by_key.end() && deletion->second->handle == instance && !deletion->second->gone)
-        return revive(*deletion->second);
-    if (const auto known = created.find(key(instance)); known != created.end()) {
+    if (settle_undeleted(instance, path)) return;
+    if (const auto known = created.find(key(instance));
+        known != created.end() && known->second->row.state == RowState::open) {
         known->second->gone = false;  // its deletion, or its creation, was undone and done again
+        revive(*known->second);
         return touch(*known->second);
     }
     std::vector<std::string> warnings;
@@ -85,6 +85,41 @@ void Tweaks::State::settle_one(Handle instance) {
     touch(its);
 }
 
+/// Whether it is an instance whose deletion was undone, so that nothing new is to be said of it.
+bool Tweaks::State::settle_undeleted(Handle instance, const std::string& path) {
+    const auto found = deleted.find(key(instance));
+    if (found == deleted.end() || found->second->gone) return false;
+    Entry& deletion = *found->second;
+    const bool in_file = deletion.row.state == RowState::kept;
+    revive(deletion);
+    if (in_file && !created.contains(key(instance))) {
+        restored(instance, deletion);
+        return true;
+    }
+    deletion.gone = true;
+    deletion.row.now = path;
+    touch(deletion);
+    return !in_file;
+}
+
+/// The deletion was kept before it was undone: the file has to say again what it said before.
+void Tweaks::State::restored(Handle instance, Entry& deletion) {
+    Entry& its = entry(Kind::restored, deletion.row.instance, {}, instance);
+    try {
+        its.row.now = scene_text_with_full_paths(tree, instance, nullptr);
+    } catch (const Error& error) {
+        return warn(tree.path(instance) + " is back, but cannot be journaled: " + error.what());
+    }
+    its.row.was = deletion.taken_out;
+    its.row.was_text = "deleted";
+    its.row.now_text = "deleted no longer";
+    its.row.file = deletion.row.file;
+    its.row.inside = deletion.row.inside;
+    its.gone = false;
+    restorations[key(instance)] = &its;
+    touch(its);
+}
+
 /// Values edited below it since are written into its scene: taking the scene anew would also take
 /// what the simulation has made of it.
 void Tweaks::State::refresh_created(Entry& entry) {
@@ -95,9 +130,9 @@ void Tweaks::State::refresh_created(Entry& entry) {
         try {
             SceneSteps steps;
             for (Handle at = instance; at && at != entry.handle; at = tree.parent(at))
-                steps.insert(steps.begin(), SceneStep{tree.name(at), SIZE_MAX});
+                steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
             SceneEdit edit(tree, entry.row.now, "journal");
-            edit.set(steps, property.text(), image_now(tree, instance, property, true), {});
+            edit.set(steps, property.text(), image_now(tree, instance, property, true));
             entry.row.now = edit.text();
         } catch (const Error&) {  // its shape has changed
             try {

@@ -15,25 +15,72 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool is = attached(instance);
     if (!was && is) return born(instance);
     if (!was) return;
-    const std::string suffix = path_suffix(old_name);
-    const std::string old_path = old_parent != tree.root() ? tree.path(old_parent) + suffix
-                                 : suffix.starts_with('.') ? suffix.substr(1)
-                                                           : "game" + suffix;
-    if (!is) return bury(instance, old_path);
-    const std::string path = tree.path(instance);
+    const std::string old_path = path_below(tree.path(old_parent), old_name);
+    if (!is) return bury(instance, old_parent, old_path);
     if (moved_with_creation(instance, old_parent, old_name, old_path)) return;
-    Entry* last = entries.empty() ? nullptr : entries.back().get();
-    const bool again = last != nullptr && last->row.kind == Kind::moved &&
-                       last->handle == instance && last->row.now == old_path;
-    Entry& move =
-        again ? *last : entry(Kind::moved, old_path, std::to_string(last_number + 1), instance);
-    if (!again) tell_origin(move, instance);
-    move.row.property.clear();
-    move.row.now = path;
+    Entry*& known = moved_entries[key(instance)];
+    const bool first = known == nullptr;
+    if (first) known = &entry(Kind::moved, old_path, std::to_string(last_number + 1), instance);
+    Entry& move = *known;
+    if (first) move.gone = true;                      // until it says where it was
+    if (first || move.row.state == RowState::kept) {  // its home is what the files say now
+        move.row.property.clear();
+        move.row.instance = moves().home(old_path);
+        move.row.now = old_path;
+        tell_origin(move, instance);
+    }
+    repath(instance, old_path);
+    move.row.now = tree.path(instance);
     move.row.was_text = move.row.instance;
-    move.row.now_text = "moved to " + path;
-    move.gone = path == move.row.instance;
+    move.row.now_text = "moved to " + move.row.now;
     touch(move);
+    const auto [parent, name] = split_path(move.row.now);
+    const auto [home_parent, home_name] = split_path(move.row.instance);
+    move.gone = name == home_name && moves().home(parent) == home_parent;
+}
+
+InstanceMoves Tweaks::State::moves() const {
+    InstanceMoves all;
+    for (const auto& each : entries)
+        if (each->row.kind == Kind::moved && !each->gone && each->row.state != RowState::kept)
+            all.add(each->row.instance, each->row.now);
+    return all;
+}
+
+void Tweaks::State::homes_changed(const NewPath& now_at) {
+    for (const auto& each : entries) {
+        JournalRow& row = each->row;
+        if (row.kind == Kind::value || row.kind == Kind::created) continue;
+        const std::optional<std::string> now = now_at(row.instance);
+        if (!now || *now == row.instance) continue;
+        if (row.kind != Kind::moved) rekey(*each, *now);
+        row.instance = *now;
+        if (row.kind == Kind::moved) row.was_text = row.instance;
+        if (row.state == RowState::open && !each->gone) touch(*each);
+    }
+}
+
+void Tweaks::State::steps_renamed(const std::filesystem::path& file,
+                                  const SceneOrigins::Names& names) {
+    const auto rename = [&](JournalRow& row) {
+        if (row.file == file.string() && !row.inside.empty())
+            row.inside = steps_text(renamed_steps(read_steps(row.inside), names));
+    };
+    for (const auto& each : entries) rename(each->row);
+    for (JournalRow& row : earlier) rename(row);
+}
+
+void Tweaks::State::file_says(const JournalRow& row) {
+    const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
+    if (found != by_key.end()) found->second->was = read_image(row.now);
+}
+
+/// The entry is found by the other path from now on.
+void Tweaks::State::rekey(Entry& its, const std::string& path) {
+    if (const auto found = by_key.find(key_of(its.row.kind, its.row.instance, its.row.property));
+        found != by_key.end() && found->second == &its)
+        by_key.erase(found);
+    by_key[key_of(its.row.kind, path, its.row.property)] = &its;
 }
 
 /// What an edit has made is one tweak: it is made under the name and the parent that it has now.
@@ -64,9 +111,9 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
     try {
         if (tree.parent(instance) != old_parent)
             throw Error(ErrorKind::bad_structure, "it has another shape now");
-        SceneSteps steps{{old_name, SIZE_MAX}};
+        SceneSteps steps{{old_name, no_place}};
         for (Handle at = old_parent; at != above->handle; at = tree.parent(at))
-            steps.insert(steps.begin(), SceneStep{tree.name(at), SIZE_MAX});
+            steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
         SceneEdit edit(tree, above->row.now, "journal");
         edit.rename(steps, tree.name(instance));
         above->row.now = edit.text();
@@ -88,24 +135,24 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
     const std::string quoted = mention_of(old_path);
     for (const auto& each : entries) {
         Entry& its = *each;
-        if (its.gone || its.row.state != RowState::open) continue;
-        if (its.row.kind == Kind::moved) {
-            if (const auto now = now_at(its.row.now)) its.row.now = *now, touch(its);
+        if (its.row.state == RowState::kept && its.row.kind != Kind::value) continue;
+        if (its.row.kind == Kind::restored) continue;  // it says the home path
+        const bool open = its.row.state == RowState::open && !its.gone;
+        if (its.row.kind == Kind::moved || its.row.kind == Kind::deleted) {
+            if (const auto now = now_at(its.row.now)) {
+                its.row.now = *now;
+                if (open) touch(its);
+            }
             continue;
         }
-        const bool about = its.row.kind == Kind::deleted ||
-                           (tree.alive(its.handle) &&
-                            (its.handle == instance || tree.is_below(its.handle, instance)));
+        const bool about = tree.alive(its.handle) &&
+                           (its.handle == instance || tree.is_below(its.handle, instance));
         if (const auto now = now_at(its.row.instance); now && about) {
-            const std::string start = std::to_string(static_cast<int>(its.row.kind));
-            const std::string end = '\n' + its.row.property;
-            if (const auto found = by_key.find(start + its.row.instance + end);
-                found != by_key.end() && found->second == &its)
-                by_key.erase(found);
-            by_key[start + *now + end] = &its;
+            rekey(its, *now);
             its.row.instance = *now;
-            touch(its);
+            if (open) touch(its);
         }
+        if (!open) continue;
         try {
             if (its.row.kind == Kind::value && its.now.value.find(quoted) != std::string::npos) {
                 its.now.value = value_with_paths(its.now.value, now_at);

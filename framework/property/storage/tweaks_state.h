@@ -15,7 +15,7 @@
 #include <fettle/property/storage/tweaks.h>
 
 #include "image.h"
-#include "instance_paths.h"
+#include "instance_moves.h"
 #include "journal.h"
 #include "kept_tweaks.h"
 #include "scene_origins.h"
@@ -33,14 +33,20 @@ struct Tweaks::State : EditObserver {
         Image was, now;  // of a value
         Handle handle;
         Symbol property;
-        bool gone = false;       // a person deleted what it is about, or took it back
-        bool committed = false;  // the journal has it
+        bool gone = false;          // a person deleted what it is about, or took it back
+        Entry* deletion = nullptr;  // which deletion made it void
+        bool committed = false;     // the journal has it
         bool dirty = false;
         std::vector<std::pair<Handle, Symbol>> inside;  // of a creation: edited below it since
+        std::string taken_out;  // of a deletion that was kept: what it took out of the file
     };
 
     static std::uint64_t key(Handle handle) {
         return std::uint64_t{handle.generation} << 32 | handle.index;
+    }
+
+    static std::string key_of(Kind kind, const std::string& instance, const std::string& property) {
+        return std::to_string(static_cast<int>(kind)) + instance + '\n' + property;
     }
 
     State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
@@ -60,17 +66,31 @@ struct Tweaks::State : EditObserver {
     Entry& entry(Kind kind, const std::string& instance, const std::string& property,
                  Handle handle);
     void touch(Entry& entry);
-    void bury(Handle instance, const std::string& path);
-    void revive(Entry& deletion);
+    void bury(Handle instance, Handle parent, const std::string& path);
+    bool taken_out_of_creation(Handle instance, Handle parent);
+    void make_void(const std::string& path, Entry& deletion);
+    void revive(const Entry& deletion);
+
+    // tweaks_moved.cpp
     bool moved_with_creation(Handle instance, Handle old_parent, const std::string& old_name,
                              const std::string& old_path);
+    void rekey(Entry& its, const std::string& path);
     void repath(Handle instance, const std::string& old_path);
+    /// Moves of this run that are in no file.
+    InstanceMoves moves() const;
+    /// Files call instances otherwise now.
+    void homes_changed(const NewPath& now_at);
+    void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
+    /// A row of an earlier run was kept: this run's tweak of the same value begins there.
+    void file_says(const JournalRow& row);
     void tell_origin(Entry& entry, Handle instance) const;
 
     // tweaks_commit.cpp: what becomes rows
     void barrier();
     void settle_fresh();
     void settle_one(Handle instance);
+    bool settle_undeleted(Handle instance, const std::string& path);
+    void restored(Handle instance, Entry& deletion);
     void refresh(Entry& entry);
     void refresh_created(Entry& entry);
     bool visible(const Entry& entry) const;
@@ -83,6 +103,11 @@ struct Tweaks::State : EditObserver {
     TweakReport reapply(std::string_view pattern);
     TweakReport drop(std::string_view pattern);
     void set_state(JournalRow& row, RowState state);
+    Entry& entry_of(const JournalRow& row) {
+        return *entries[static_cast<std::size_t>(row.number) - 1];
+    }
+    Entry* entry_about(const JournalRow& row, Handle instance) const;
+    void settle_reapplied();
 
     Tree& tree;
     std::weak_ptr<const Tree*> tree_life;
@@ -99,11 +124,14 @@ struct Tweaks::State : EditObserver {
     std::vector<Entry*> dirty;
     std::vector<Handle> fresh;  // created since the last barrier, in order; some have gone again
     std::unordered_set<std::uint64_t> is_in_fresh;
-    std::unordered_map<std::uint64_t, Entry*> created;  // by instance
-    std::vector<JournalRow> earlier;                    // of earlier runs
-    std::vector<JournalRow*> changed;                   // of those, to be put again
-    std::vector<JournalRow> left_aside;                 // of earlier runs: they say no tweak
-    std::vector<JournalRow> removed;                    // of those, dropped
+    // By instance.
+    std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
+    std::vector<JournalRow> earlier;   // of earlier runs
+    std::vector<JournalRow*> changed;  // of those, to be put again
+    /// Rows of earlier runs that were made again, with the tweaks of this run that they became.
+    std::vector<std::pair<JournalRow*, Entry*>> reapplied;
+    std::vector<JournalRow> left_aside;  // of earlier runs: they say no tweak
+    std::vector<JournalRow> removed;     // of those, dropped
     std::int64_t last_number = 0;
     std::string last_failure;  // told once
     int rest = 0;              // barriers until a failed commit is tried again

@@ -93,9 +93,10 @@ class Tweaks {
     /// Forgets them; values stay as they are.
     TweakReport drop(std::string_view pattern);
 
-    /// A scene was loaded from that file: `instances` as `load_scene` told them.
+    /// A scene was loaded from that file: `instances` as `load_scene` told them; whether a script,
+    /// and not the file, has given the topmost one its name.
     void scene_loaded(const std::filesystem::path& file,
-                      const std::vector<SceneInstance>& instances);
+                      const std::vector<SceneInstance>& instances, bool named_by_script = false);
     /// An instance found its place in the tree: what was kept of it, and of what is below it, is
     /// set.
     void placed(Handle instance);

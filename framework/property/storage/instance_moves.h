@@ -1,0 +1,41 @@
+#pragma once
+// Instances that have other names or parents now than the game's files and scripts give them. The
+// path that those give is the *home path* of an instance.
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "instance_paths.h"
+
+namespace fettle::property {
+
+/// Moves of instances, each with its whole home path and its whole path now: where both a parent
+/// and its child have moved, the child's paths begin with those of the parent.
+class InstanceMoves {
+  public:
+    void add(const std::string& home, const std::string& now);
+    bool empty() const { return homes_.empty(); }
+    /// Where the game makes what is at `now`; the same path where nothing was moved.
+    std::string home(const std::string& now) const;
+    /// Where what the game makes at `home` is now.
+    std::string now(const std::string& home) const;
+
+  private:
+    std::map<std::string, std::string> homes_;  // by the path now
+    std::map<std::string, std::string> nows_;   // by the home path
+};
+
+/// One move among several: of the instance number `which`.
+struct MoveStep {
+    std::size_t which;
+    std::string from, to;  // paths
+};
+
+/// The same moves, each by itself: what is below an instance before the instance, and no instance
+/// onto the path of another one that has still to move. Where instances change places, one of them
+/// gets a free path in between. `from` of each is its path before all of them.
+std::vector<MoveStep> in_order(std::vector<MoveStep> moves);
+
+}  // namespace fettle::property

@@ -1,0 +1,102 @@
+#include "row_paths.h"
+
+#include <algorithm>
+
+#include "scene_names.h"
+
+namespace fettle::property {
+
+using Kind = JournalRow::Kind;
+using RowState = JournalRow::State;
+
+RowPaths::RowPaths(const Tweaks::State& state) : state_(&state), now_(state.moves()) {
+    for (const JournalRow& row : state.earlier)
+        if (row.kind == Kind::moved && row.state != RowState::kept)
+            earlier_[row.run].add(row.instance, row.now);
+}
+
+const InstanceMoves& RowPaths::moves_of(const JournalRow& row) const {
+    static const InstanceMoves none;
+    if (row.run == 0) return now_;
+    const auto found = earlier_.find(row.run);
+    return found == earlier_.end() ? none : found->second;
+}
+
+std::string RowPaths::home(const JournalRow& row, const std::string& path) const {
+    return moves_of(row).home(path);
+}
+
+std::string RowPaths::home(const JournalRow& row) const {
+    const bool said = row.kind != Kind::value && row.kind != Kind::created;
+    return said ? row.instance : home(row, row.instance);
+}
+
+std::string RowPaths::home_of_new_parent(const JournalRow& row) const {
+    return home(row, split_path(row.now).first);
+}
+
+std::string RowPaths::home_of_top(const JournalRow& row) const {
+    const std::string own = home(row);
+    const std::vector<Segment> names =
+        parse_path(row.kind == Kind::created ? split_path(own).first : own);
+    return joined_path(names, names.size() - std::min(names.size(), read_steps(row.inside).size()));
+}
+
+std::string RowPaths::said(const JournalRow& row, const std::string& home) const {
+    return row.kind == Kind::value || row.kind == Kind::created ? moves_of(row).now(home) : home;
+}
+
+std::string RowPaths::home_of_live(const std::string& path) const {
+    return now_.home(path);
+}
+
+Handle RowPaths::instance(const std::string& home) const {
+    try {
+        return instance_at(state_->tree, now_.now(home));
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+bool RowPaths::is_deleted(const std::string& path) const {
+    return std::any_of(state_->entries.begin(), state_->entries.end(), [&](const auto& each) {
+        if (each->row.kind == Kind::deleted)
+            return !each->gone && is_at_or_below(path, each->row.now);
+        return each->row.kind == Kind::created && each->gone &&
+               is_at_or_below(path, each->row.instance);
+    });
+}
+
+std::string RowPaths::live_or_none(const JournalRow& row, const std::string& path) const {
+    const std::string at_home = home(row, path);
+    if (row.run == 0 && !instance(at_home) && is_deleted(path)) return {};
+    return now_.now(at_home);
+}
+
+Image RowPaths::live_image(const JournalRow& row) const {
+    Image image = read_image(row.now);
+    if (image.kind == Image::Kind::value && !image.not_saved.empty())
+        throw Error(ErrorKind::rejected, image.not_saved);
+    image.value = value_with_paths(image.value, [&](const std::string& path) {
+        return std::optional(live_or_none(row, path));
+    });
+    return image;
+}
+
+std::string RowPaths::live_scene(const JournalRow& row) const {
+    return scene_with_paths(state_->tree, row.now, [&](const std::string& path) {
+        return std::optional(live_or_none(row, path));
+    });
+}
+
+std::string RowPaths::home_scene(const JournalRow& row, const NewPath& written) const {
+    return scene_with_paths(
+        state_->tree, row.now, [&](const std::string& path) -> std::optional<std::string> {
+            if (live_or_none(row, path).empty()) return std::string();
+            const std::string at_home = home(row, path);
+            const std::optional<std::string> other = written ? written(at_home) : std::nullopt;
+            return other ? other : at_home;
+        });
+}
+
+}  // namespace fettle::property

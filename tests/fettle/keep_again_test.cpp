@@ -1,0 +1,217 @@
+// What was kept and then taken back, moved, or replaced: the next run begins as the game was when
+// it was kept the last time.
+
+#include <catch.h>
+
+#include "keep_run.h"
+
+namespace keep_again_test {
+
+using namespace program_test;
+
+namespace {
+
+/// A script that prints expressions; "-" where a name in one does not exist.
+std::string print(const std::vector<std::string>& expressions) {
+    std::string script =
+        "local all = {} local function add(ok, value) all[#all + 1] = ok and tostring(value) or "
+        "\"-\" end ";
+    for (const std::string& each : expressions)
+        script += "add(pcall(function() return " + each + " end)) ";
+    return script + "print(table.concat(all, \" \"))";
+}
+
+constexpr const char* loads = "scene.load(\"lvl.json\", world)";
+constexpr const char* level =
+    "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", \"children\": [\n"
+    "{\"class\": \"Object\", \"name\": \"d\", \"ad_hoc\": {\"y\": 1}},\n"
+    "{\"class\": \"Object\", \"name\": \"e\", \"ad_hoc\": {\"y\": 2}}]}\n";
+
+/// A game that loads the level.
+struct Level : Folder {
+    Level() {
+        write("main.lua", loads);
+        write("lvl.json", level);
+    }
+};
+
+/// A game whose script makes the instances.
+struct Script : Folder {
+    Script() { write("main.lua", "world.n = Object { y = 1, k = Object { y = 2 } }"); }
+};
+
+}  // namespace
+
+TEST_CASE("a deletion that was kept can be undone and kept again") {
+    const std::string all = print({"world.n.y", "world.n.k.y"});
+    SECTION("of what a script makes, with the values kept of it") {
+        const Script folder;
+        run(folder, {"2:world.n.k.y=5", "3:keep(\"**\")"});
+        const Outcome kept = run(folder, {"2:world.n:delete()", "3:keep(\"**\")", "4:undo()",
+                                          "5:tweaks()", "6:keep(\"**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "world.n: deleted no longer"));
+        CHECK(next(folder, all) == "1 5\n");
+        CHECK_FALSE(contains(folder.text("main.tweaks.json"), "deleted"));
+    }
+    SECTION("of what a scene file says, which is as it was then") {
+        const Level folder;
+        run(folder, {"2:world.lvl.d:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+        CHECK(folder.text("lvl.json") == level);
+        CHECK(next(folder, print({"world.lvl.d.y", "world.lvl.e.y"})) == "1 2\n");
+    }
+    SECTION("of what an edit made, in a script's world and in a scene") {
+        for (const bool scene : {false, true}) {
+            const Level folder;
+            const std::string name = scene ? "world.lvl.m" : "world.m";
+            run(folder,
+                {"2:" + name + "=Object{y=3}", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+            CHECK(next(folder, print({name})) == "-\n");
+            run(folder, {"2:" + name + "=Object{y=3}", "3:keep(\"**\")"});
+            run(folder,
+                {"2:" + name + ":delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+            CHECK(next(folder, print({name + ".y"})) == "3\n");
+        }
+    }
+    SECTION("and in a later run") {
+        const Script folder;
+        run(folder, {"2:world.n:delete()", "3:keep(\"**\")", "4:undo()"});
+        const Outcome kept = run(folder, {"2:keep(\"**\")"});
+        CHECK(contains(kept.out + kept.err, "kept 1 tweak"));
+        CHECK(next(folder, all) == "1 2\n");
+    }
+}
+
+TEST_CASE("a value, name or formula that is put back after it was kept is kept again") {
+    for (const char* back : {"undo()", "world.lvl.d.y=1"}) {
+        const Level folder;
+        run(folder,
+            {"2:world.lvl.d.y=5", "3:keep(\"**\")", std::string("4:") + back, "5:keep(\"**\")"});
+        CHECK(next(folder, print({"world.lvl.d.y"})) == "1\n");
+    }
+    for (const char* back : {"undo()", "world.lvl.x.name=\"d\""}) {
+        const Level folder;
+        run(folder, {"2:world.lvl.d.name=\"x\"", "3:keep(\"**\")", std::string("4:") + back,
+                     "5:keep(\"**\")"});
+        CHECK(folder.text("lvl.json") == level);
+    }
+    const Script folder;
+    run(folder, {"2:world.n.y is world.n.k.y * 2", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+    CHECK(next(folder, print({"world.n.y"})) == "1\n");
+}
+
+TEST_CASE("an instance in the place of one that a script makes is kept in its place") {
+    const Script folder;
+    run(folder, {"2:world.n=Object{z=7}", "3:keep(\"**\")"});
+    CHECK(next(folder, print({"world.n.z", "world.n.y", "world.n.k"})) == "7 - -\n");
+    // Also where the deletion was kept before.
+    const Script other;
+    run(other,
+        {"2:world.n.k:delete()", "3:keep(\"**\")", "4:world.n.k=Object{z=8}", "5:keep(\"**\")"});
+    CHECK(next(other, print({"world.n.y", "world.n.k.y", "world.n.k.z"})) == "1 - 8\n");
+}
+
+TEST_CASE("names are kept as they are in the end") {
+    const std::string ys = print({"world.lvl.d.y", "world.lvl.e.y"});
+    SECTION("two that change places") {
+        const Level folder;
+        run(folder, {"2:world.lvl.d.name=\"tmp\"", "3:world.lvl.e.name=\"d\"",
+                     "4:world.lvl.tmp.name=\"e\"", "5:keep(\"**\")"});
+        CHECK(next(folder, ys) == "2 1\n");
+    }
+    SECTION("renamed and undone") {
+        const Level folder;
+        const Outcome kept = run(folder, {"2:world.lvl.d.name=\"a\"", "3:world.lvl.a.name=\"b\"",
+                                          "4:world.lvl.b.name=\"c\"", "5:undo()", "5:undo()",
+                                          "5:undo()", "6:tweaks()", "7:keep(\"**\")"});
+        CHECK(contains(kept.out, "nothing was tweaked"));
+        CHECK(folder.text("lvl.json") == level);
+    }
+    SECTION("with values that were set under the new name, and below it") {
+        const Level folder;
+        run(folder, {"2:world.lvl.d.name=\"x\"", "3:world.lvl.x.y=5",
+                     "4:world.lvl.x.part=Object{z=1}", "5:world.lvl.x.part.z=2", "6:keep(\"**\")"});
+        CHECK(next(folder, print({"world.lvl.x.y", "world.lvl.x.part.z", "world.lvl.d"})) ==
+              "5 2 -\n");
+    }
+    SECTION("in a later run") {
+        const Level folder;
+        run(folder, {"2:world.lvl.d.name=\"tmp\"", "3:world.lvl.e.name=\"d\"",
+                     "4:world.lvl.tmp.name=\"e\"", "5:world.lvl.e.y=9"});
+        const Outcome again = run(folder, {"2:reapply_tweaks(\"**\")"}, ys);
+        CHECK(contains(again.out, "made again 3 tweaks"));
+        run(folder, {"2:keep(\"**\")"});
+        CHECK(next(folder, ys) == "2 9\n");
+    }
+    SECTION("where the scene refers to them") {
+        const Folder folder;
+        folder.write("main.lua", loads);
+        folder.write("lvl.json",
+                     "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", "
+                     "\"children\": [\n"
+                     "{\"class\": \"Body\", \"name\": \"ball\"},\n"
+                     "{\"class\": \"RevoluteJoint\", \"name\": \"j\", \"properties\": "
+                     "{\"body_a\": \".ball\"}}]}\n");
+        run(folder, {"2:world.lvl.ball.name=\"orb\"", "3:keep(\"**\")"});
+        CHECK(next(folder, print({"world.lvl.j.body_a == world.lvl.orb"})) == "true\n");
+        CHECK(contains(folder.text("lvl.json"), "\".orb\""));
+    }
+    SECTION("of what has a script's name, the values under that name") {
+        const Script folder;
+        const Outcome kept =
+            run(folder, {"2:world.n.name=\"m\"", "3:world.m.k.y=6", "4:keep(\"**\")"});
+        CHECK(contains(kept.out, "a name or parent that a script gives cannot be kept"));
+        CHECK(run(folder, {}, print({"world.n.k.y"})).out == "6\n");
+    }
+}
+
+TEST_CASE("a name that would change other names, or that a script gives, is refused") {
+    const Folder folder;
+    folder.write("main.lua", "world.boss = scene.load(\"lvl.json\", world, \"own\")");
+    const std::string text =
+        "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", \"children\": [\n"
+        "{\"class\": \"Object\"},\n{\"class\": \"Object\"}]}\n";
+    folder.write("lvl.json", text);
+    const Outcome kept = run(folder, {"2:world.boss.object.name=\"hero\"",
+                                      "2:world.boss.name=\"chief\"", "3:keep(\"**\")"});
+    INFO(kept.out);
+    CHECK(contains(kept.out, "an instance beside it has no name in the file"));
+    CHECK(contains(kept.out, "a name or parent that a script gives cannot be kept"));
+    CHECK(folder.text("lvl.json") == text);
+}
+
+TEST_CASE("instances of earlier runs that are made again go and come with undo and redo") {
+    const Script folder;
+    run(folder, {"2:world.m=Object{y=3}", "3:world.n.y=4", "3:world.n.k:delete()"});
+    const Outcome undone =
+        run(folder, {"2:reapply_tweaks(\"**\")", "3:undo()"},
+            "after(0.1, function() " + print({"world.m", "world.n.y", "world.n.k.y"}) + " end)");
+    CHECK(contains(undone.out, "- 1 2"));
+    const Outcome redone =
+        run(folder, {"2:reapply_tweaks(\"**\")", "3:undo()", "4:redo()", "5:keep(\"**\")"});
+    CHECK(contains(redone.out, "made again 3 tweaks"));
+    CHECK(contains(redone.out, "kept 3 tweaks"));
+    CHECK(next(folder, print({"world.m.y", "world.n.y", "world.n.k"})) == "3 4 -\n");
+}
+
+TEST_CASE("a reference to what was deleted later is kept as none") {
+    const Script folder;
+    run(folder, {"2:world.a=Object{friend=world.n}", "3:world.n:delete()", "4:keep(\"**\")"});
+    CHECK(next(folder, print({"world.a.friend", "world.n"})) == "nil -\n");
+}
+
+TEST_CASE("what is made below an instance that was kept in a scene is kept in that scene") {
+    const Folder folder;
+    folder.write("main.lua", "after(0.02, function() scene.load(\"lvl.json\", world) end)");
+    folder.write("lvl.json", level);
+    run(folder, {"4:world.lvl.m=Object{y=3}", "5:keep(\"**\")", "6:world.lvl.m.q=Object{z=4}",
+                 "6:world.lvl.m.y=5", "7:keep(\"**\")"});
+    INFO(folder.text("lvl.json"));
+    const Outcome outcome =
+        run(folder, {},
+            "after(0.1, function() " + print({"world.lvl.m.y", "world.lvl.m.q.z"}) + " end)");
+    CHECK(outcome.out == "5 4\n");
+    CHECK(outcome.err.empty());
+}
+
+}  // namespace keep_again_test
