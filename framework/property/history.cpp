@@ -50,6 +50,7 @@ void History::end() {
 
 void History::close() {
     if (open_.steps.empty() && !open_.too_large) return;
+    unresolved_.clear();
     clear(lists_.undone);
     put(lists_.done, std::exchange(open_, {}));
     trim();
@@ -207,6 +208,8 @@ void History::note_references() {
 
 /// The cell of who is about to be deleted: it refers to whom it did before they were.
 History::CellState History::before_deletion(Handle instance, const Property& property) const {
+    for (const Unresolved& each : unresolved_)
+        if (each.instance == instance && each.property == property.symbol) return each.state;
     CellState state = capture(instance, property);
     if (property.type != Type::reference || state.formula || references_.empty()) return state;
     const auto known = references_.find({instance.index, property.symbol});
@@ -262,6 +265,7 @@ Memory History::image() const {
 
 // The slots of the dead that may come back are kept in the nodes' own image.
 void History::restore(const Memory& image) {
+    unresolved_.clear();
     lists_ = image == nullptr ? Lists{} : *static_cast<const Lists*>(image.get());
     bytes_.reset();
     // An edit that is under way goes on from here.

@@ -138,6 +138,15 @@ class History {
     bool has_references_ = false;
     // Cells of those who were brought back, and refer to some who are not yet.
     std::vector<std::pair<Handle, std::vector<std::pair<Symbol, CellState>>>> waiting_;
+    /// A cell of an instance that was brought back, and that referred to what is still deleted:
+    /// undoing goes on until that is there again, or until something else is edited.
+    struct Unresolved {
+        Handle instance;
+        Symbol property;
+        CellState state;
+    };
+    std::vector<Unresolved> unresolved_;
+    void resolve(UndoResult& result);
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
     std::size_t script_edits_ = 0;  // how many of them that is true of

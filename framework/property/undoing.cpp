@@ -75,11 +75,23 @@ UndoResult History::run(Transaction& transaction, bool back) {
     for (const auto& [instance, cells] : std::exchange(waiting_, {}))
         if (tree_.alive(instance))
             for (const auto& [symbol, state] : cells) set_cell(instance, symbol, state, result);
+    resolve(result);
     return result;
+}
+
+void History::resolve(UndoResult& result) {
+    for (Unresolved& each : std::exchange(unresolved_, {}))
+        if (!tree_.alive(each.instance))
+            continue;
+        else if (names_deleted(tree_, each.state.value))
+            unresolved_.push_back(std::move(each));
+        else
+            set_cell(each.instance, each.property, each.state, result);
 }
 
 void History::set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
     references_.erase({instance.index, name});
+    if (names_deleted(tree_, state.value)) unresolved_.push_back({instance, name, state});
     try {
         const Property* property = tree_.find(instance, name);
         if (!state.present) {

@@ -32,6 +32,17 @@ std::string InstanceMoves::now(const std::string& home) const {
     return replaced(nows_, home);
 }
 
+std::string InstanceMoves::moved_from(const std::string& home) const {
+    const auto found = nows_.find(home);
+    return found == nows_.end() ? std::string() : found->second;
+}
+
+std::string InstanceMoves::moved_out_of(const std::string& home) const {
+    for (const auto& [from, to] : nows_)
+        if (from != home && is_at_or_below(from, home)) return to;
+    return {};
+}
+
 std::vector<MoveStep> in_order(std::vector<MoveStep> moves) {
     std::vector<MoveStep> ordered;
     const auto depth = [](const MoveStep& move) { return parse_path(move.from).size(); };

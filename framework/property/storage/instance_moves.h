@@ -19,6 +19,10 @@ class InstanceMoves {
     bool empty() const { return homes_.empty(); }
     /// Where the game makes what is at `now`; the same path where nothing was moved.
     std::string home(const std::string& now) const;
+    /// The path now of something whose home is below `home`; "": of nothing.
+    std::string moved_out_of(const std::string& home) const;
+    /// Where the instance of that home path is now; "": it was not moved.
+    std::string moved_from(const std::string& home) const;
     /// Where what the game makes at `home` is now.
     std::string now(const std::string& home) const;
 

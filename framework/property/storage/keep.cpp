@@ -54,8 +54,12 @@ class Keeping {
         }
         leave_scenes();
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
-        keep_by_path(without_moves(kept_rows_));
+        Rows first, last;  // new names may be those of what has gone, and new instances follow them
+        for (JournalRow* row : without_moves(kept_rows_))
+            (row->kind == Kind::created || row->kind == Kind::value ? last : first).push_back(row);
+        keep_by_path(first);
         keep_moves_by_path(moves_in(kept_rows_));
+        keep_by_path(last);
     }
 
   private:
@@ -174,7 +178,9 @@ class Keeping {
             if (row->kind == Kind::value)
                 state_.kept.forget_value(paths_.home(*row), row->property);
             else if (row->kind == Kind::deleted)
-                state_.kept.forget_values_below(row->instance);
+                taken_out(state_, *row, state_.kept.forget_below(row->instance));
+            else if (row->kind == Kind::restored)
+                state_.kept.put_back(row->instance, row->was);
         state_.kept.write();
     }
 
@@ -189,11 +195,13 @@ class Keeping {
         }
         state_.origins.renamed(file, names);
         state_.steps_renamed(file, names);
-        homes_changed(moves);
+        const InstanceMoves all = homes_changed(moves);
+        state_.kept.rename([&](const std::string& home) { return all.now(home); });
+        state_.kept.write();
     }
 
-    /// What rows and the file of kept tweaks call the instances that the files call otherwise now.
-    void homes_changed(const std::vector<MoveStep>& moves) {
+    /// What rows call the instances that the files call otherwise now.
+    InstanceMoves homes_changed(const std::vector<MoveStep>& moves) {
         InstanceMoves all;
         for (const auto& [from, to] : parents_first(moves)) {
             const auto [parent, name] = split_path(to);
@@ -203,10 +211,8 @@ class Keeping {
         for (JournalRow& row : state_.earlier)
             if (row.state == RowState::open)
                 row.instance = paths_.said(row, all.now(before.home(row)));
-        const NewPath now_at = [&](const std::string& home) { return all.now(home); };
-        state_.homes_changed(now_at);
-        state_.kept.rename(now_at);
-        state_.kept.write();
+        state_.homes_changed([&](const std::string& home) { return all.now(home); });
+        return all;
     }
 
     // --- By path
@@ -238,14 +244,23 @@ class Keeping {
                     [&](const std::string& path) { return paths_.home_of_live(path); });
             case Kind::created:
                 check_made(state_, paths_, row);
+                require_free(home);
                 return state_.kept.add(home, paths_.home_scene(row));
             case Kind::deleted:
+                require_nothing_moved_out(paths_, row);
                 return taken_out(state_, row, state_.kept.remove(home));
             case Kind::restored:
                 return state_.kept.put_back(home, row.was);
             case Kind::moved:
                 return;
         }
+    }
+
+    /// A script makes something at that path that has another one now: it would be in the way.
+    void require_free(const std::string& home) const {
+        if (const std::string other = paths_.moved_from(home); !other.empty())
+            throw Error(ErrorKind::rejected,
+                        "a script gives this name to what is " + other + " now: change the script");
     }
 
     const Property* declared(const std::string& home, const std::string& property) const {
@@ -261,12 +276,20 @@ class Keeping {
                     throw Error(ErrorKind::rejected, given_by_script);
             });
         });
+        const auto target = [&](const JournalRow& row) {
+            return path_below(paths_.home_of_new_parent(row), split_path(row.now).second);
+        };
+        std::erase_if(rows, [&](const JournalRow* row) {
+            const std::string to = target(*row);
+            const bool moves_away = std::any_of(rows.begin(), rows.end(), [&](const auto* other) {
+                return other != row && other->instance == to;
+            });
+            return !moves_away && !rows_.tried(*row, [&] { require_free(to); });
+        });
         if (rows.empty()) return;
         std::vector<MoveStep> moves;
         for (std::size_t i = 0; i < rows.size(); ++i)
-            moves.push_back(
-                {i, rows[i]->instance,
-                 path_below(paths_.home_of_new_parent(*rows[i]), split_path(rows[i]->now).second)});
+            moves.push_back({i, rows[i]->instance, target(*rows[i])});
         std::size_t which = 0;
         try {
             for (const MoveStep& step : in_order(moves)) {

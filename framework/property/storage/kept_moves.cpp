@@ -64,13 +64,15 @@ void KeptTweaks::rename(const NewPath& now_at) {
             put("created", *now,
                 without_indent(std::string(document_->raw(node)), *document_, node));
         }
-    for (const std::string& path : contents_.deleted)
-        if (const auto now = now_at(path)) {
+    for (const std::string& path : contents_.deleted) {
+        const auto [parent, name] = split_path(path);
+        if (const auto above = now_at(parent)) {
             std::string quoted;
-            append_quoted(quoted, *now);
+            append_quoted(quoted, path_below(*above, name));
             drop("deleted", path);
-            put("deleted", *now, quoted);
+            put("deleted", path_below(*above, name), quoted);
         }
+    }
     fold();
     rename_in_references(now_at);
 }
@@ -89,69 +91,73 @@ void KeptTweaks::rename_values(const NewPath& now_at) {
     for (const auto& [key, value] : renamed) put("values", key, value);
 }
 
-/// The values too that it has now: a tweak that is undone later is to be in the file as before.
-std::string KeptTweaks::taken_out(const std::string& path) const {
-    if (document_ == nullptr || !problem_.empty()) return {};
-    std::string out = "{";
-    const auto append = [&](const std::string& section, const std::vector<std::string>& keys) {
-        if (keys.empty()) return;
-        out += out.size() > 1 ? ", \"" : "\"";
-        out += section + "\": {";
-        for (const std::string& key : keys) {
-            const Node& node = *member(section, key);
-            if (&key != &keys.front()) out += ", ";
-            append_quoted(out, key);
-            out += ": " + without_indent(std::string(document_->raw(node)), *document_, node);
-        }
-        out += "}";
-    };
-    std::vector<std::string> values, created;
-    each_value_below(path,
-                     [&](const std::string&, const Kept& kept) { values.push_back(kept.key); });
-    for (const std::string& key : contents_.created)
-        if (is_at_or_below(key, path)) created.push_back(key);
-    append("values", values);
-    append("created", created);
-    return out + "}";
+/// What the file says of an instance and of what is below it, and what names these.
+std::string KeptTweaks::about(const std::string& path) const {
+    std::string values, created;
+    for (const auto& [section, key] : all_keys()) {
+        const std::string instance = section == "values" ? split_path(key).first : key;
+        bool names_it = false;
+        (void)with_paths(section, key, [&](const std::string& named) {
+            names_it = names_it || is_at_or_below(named, path);
+            return std::optional<std::string>();
+        });
+        if (!names_it && !is_at_or_below(instance, path)) continue;
+        const Node& node = *member(section, key);
+        std::string& list = section == "values" ? values : created;
+        list += list.empty() ? "" : ", ";
+        append_quoted(list, key);
+        list += ": " + without_indent(std::string(document_->raw(node)), *document_, node);
+    }
+    return "{\"values\": {" + values + "}, \"created\": {" + created + "}}";
 }
 
 void KeptTweaks::put_back(const std::string& path, const std::string& taken_out) {
     drop("deleted", path);
     if (taken_out.empty()) return;
     const Document document(taken_out, "journal");
-    for (const Node* section = document.first(document.root()); section;
-         section = document.next(*section))
-        for (const Node* node = document.first(*section); node; node = document.next(*node))
-            put(document.key(*section), document.key(*node), std::string(document.raw(*node)));
+    for (const char* section : {"values", "created"})
+        if (const Node* all = document.member(document.root(), section))
+            for (const Node* node = document.first(*all); node; node = document.next(*node))
+                put(section, document.key(*node), std::string(document.raw(*node)));
 }
 
-void KeptTweaks::rename_in_references(const NewPath& now_at) {
-    const auto put_renamed = [&](const std::string& section, const std::string& key, auto rename) {
-        const Node& node = *member(section, key);
-        const std::string text =
-            without_indent(std::string(document_->raw(node)), *document_, node);
-        try {
-            if (const std::string now = rename(text); now != text) put(section, key, now);
-        } catch (const Error&) {  // what is wrong with it is told when the game starts
-        }
-    };
-    for (const std::string& key : contents_.created)
-        put_renamed("created", key, [&](const std::string& scene) {
-            return scene_with_paths(tree_, scene, now_at);
-        });
+std::vector<std::pair<std::string, std::string>> KeptTweaks::all_keys() const {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const std::string& key : contents_.created) all.emplace_back("created", key);
     for (const auto& [instance, values] : contents_.values)
-        for (const Kept& kept : values) {
+        for (const Kept& kept : values) all.emplace_back("values", kept.key);
+    return all;
+}
+
+std::optional<std::string> KeptTweaks::with_paths(const std::string& section,
+                                                  const std::string& key,
+                                                  const NewPath& now_at) const {
+    const Node& node = *member(section, key);
+    const std::string text = without_indent(std::string(document_->raw(node)), *document_, node);
+    std::string now;
+    try {
+        if (section == "created") {
+            now = scene_with_paths(tree_, text, now_at);
+        } else {
+            const auto [instance, property] = split_path(key);
             Type type = Type::nil, element = Type::nil;
             try {
                 const Handle handle = resolve(tree_, instance).instance;
-                if (const Property* declared = tree_.class_of(handle).property(kept.property))
+                if (const Property* declared = tree_.class_of(handle).property(property))
                     type = declared_type(*declared), element = declared->element;
             } catch (const Error&) {  // not there now: the value says its own type
             }
-            put_renamed("values", kept.key, [&](const std::string& value) {
-                return value_with_paths(value, now_at, type, element);
-            });
+            now = value_with_paths(text, now_at, type, element);
         }
+    } catch (const Error&) {  // what is wrong with it is told when the game starts
+        return std::nullopt;
+    }
+    return now == text ? std::nullopt : std::optional(now);
+}
+
+void KeptTweaks::rename_in_references(const NewPath& now_at) {
+    for (const auto& [section, key] : all_keys())
+        if (const auto now = with_paths(section, key, now_at)) put(section, key, *now);
 }
 
 }  // namespace fettle::property

@@ -213,21 +213,27 @@ void KeptTweaks::add(const std::string& path, const std::string& scene) {
 }
 
 std::string KeptTweaks::remove(const std::string& path) {
-    const std::string before = taken_out(path);
     const std::vector<std::string>& created = contents_.created;
     const auto was_created = std::find(created.begin(), created.end(), path) != created.end();
-    for (const std::string& key : created)
-        if (is_at_or_below(key, path)) drop("created", key);
-    forget_values_below(path);
+    std::string before = forget_below(path);
     std::string quoted;
     append_quoted(quoted, path);
     if (!was_created) put("deleted", path, quoted);
     return before;
 }
 
-/// They are those of nobody from now on.
-void KeptTweaks::forget_values_below(const std::string& path) {
+std::string KeptTweaks::forget_below(const std::string& path) {
+    fold();
+    std::string before = about(path);
+    for (const std::string& key : contents_.created)
+        if (is_at_or_below(key, path)) drop("created", key);
     each_value_below(path, [&](const std::string&, const Kept& kept) { drop("values", kept.key); });
+    fold();
+    rename_in_references([&](const std::string& named) -> std::optional<std::string> {
+        if (is_at_or_below(named, path)) return std::string();
+        return std::nullopt;
+    });
+    return before;
 }
 
 void KeptTweaks::forget_value(const std::string& instance, const std::string& property) {

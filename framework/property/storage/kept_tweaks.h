@@ -16,6 +16,7 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/path.h>
@@ -67,7 +68,8 @@ class KeptTweaks {
     void rename(const NewPath& now_at);
     /// A value, or an instance with all its values, is told elsewhere from now on.
     void forget_value(const std::string& instance, const std::string& property);
-    void forget_values_below(const std::string& path);
+    /// And those of everything below; what names it names nothing. Gives what `remove` gives.
+    std::string forget_below(const std::string& path);
     void write();
 
   private:
@@ -105,8 +107,12 @@ class KeptTweaks {
     }
     void fold();
     void rename_values(const NewPath& now_at);
-    std::string taken_out(const std::string& path) const;
+    std::string about(const std::string& path) const;
     void rename_in_references(const NewPath& now_at);
+    /// The text of a value or of a new instance with other paths; nothing where it names none.
+    std::optional<std::string> with_paths(const std::string& section, const std::string& key,
+                                          const NewPath& now_at) const;
+    std::vector<std::pair<std::string, std::string>> all_keys() const;
     void create(const std::string& path);
     Handle find(const Node& node, const std::string& path, std::size_t count,
                 const std::string& then);

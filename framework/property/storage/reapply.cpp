@@ -1,5 +1,8 @@
 // Making tweaks of earlier runs again.
 
+#include <algorithm>
+#include <map>
+
 #include "row_paths.h"
 #include "scene_keeping.h"
 #include "scene_load.h"
@@ -24,110 +27,147 @@ class EditScope {
     Tree& tree_;
 };
 
-/// Makes rows of earlier runs again. They say the paths that instances had when all of it was done,
-/// so names come first.
+/// Makes rows of earlier runs again. Each says where things were when all of it was done, so a row
+/// waits until the instance is there that is to be its parent, and until the name is free there.
 class Reapplying {
   public:
     Reapplying(Tweaks::State& state, TweakReport& report)
         : state_(state), tree_(state.tree), report_(report), paths_(state) {}
 
     void reapply(const Rows& rows) {
-        move(moves_in(rows));
-        for (const Kind kind : {Kind::deleted, Kind::restored, Kind::created, Kind::value})
-            for (JournalRow* row : rows)
-                if (row->kind == kind && tried(*row, [&] { make(*row); })) done(*row);
+        for (JournalRow* row : rows)
+            if (row->kind != Kind::value) waiting_.push_back(row);
+        find_instances();
+        while (!waiting_.empty() && (make_some() || make_room())) {
+        }
+        for (JournalRow* row : std::exchange(waiting_, {})) make(*row);  // tells what is wrong
+        for (JournalRow* row : rows)
+            if (row->kind == Kind::value) make(*row);
     }
     /// With the instances they are about.
     const std::vector<std::pair<JournalRow*, Handle>>& made() const { return made_; }
 
   private:
-    template <class Make>
-    bool tried(const JournalRow& row, Make make_it) {
-        try {
-            make_it();
-            return true;
-        } catch (const Error& error) {
-            report_.problems.push_back(path_of(row) + ": " + error.what());
-            return false;
-        }
-    }
-
-    void done(JournalRow& row) {
-        ++report_.count;
-        state_.set_state(row, RowState::dropped);
-    }
-
-    void make(JournalRow& row) {
-        if (row.kind == Kind::value)
-            set(row);
-        else if (row.kind == Kind::deleted)
-            destroy(row);
-        else
-            create(row);
-    }
-
     Handle at(const std::string& home) const {
         return instance_at(tree_, state_.moves().now(home));
     }
+    Handle at_or_none(const std::string& home) const {
+        try {
+            return at(home);
+        } catch (const Error&) {
+            return {};
+        }
+    }
 
-    void set(JournalRow& row) {
+    /// What is to be moved or deleted has its home path until then.
+    void find_instances() {
+        for (JournalRow* row : waiting_)
+            if (row->kind == Kind::moved || row->kind == Kind::deleted)
+                instances_[row] = at_or_none(row->instance);
+    }
+
+    /// Home path of the parent, and the name in the end.
+    std::pair<std::string, std::string> place_of(const JournalRow& row) const {
+        if (row.kind == Kind::moved)
+            return {paths_.home_of_new_parent(row), split_path(row.now).second};
+        return split_path(paths_.home(row));
+    }
+
+    bool is_ready(const JournalRow& row) const {
+        if (row.kind == Kind::deleted)
+            return std::none_of(waiting_.begin(), waiting_.end(), [&](const JournalRow* other) {
+                return other->kind == Kind::moved && is_at_or_below(other->instance, row.instance);
+            });
+        const auto [parent, name] = place_of(row);
+        const Handle above = at_or_none(parent);
+        return above && !tree_.child(above, name);
+    }
+
+    bool make_some() {
+        const Rows before = waiting_;
+        for (JournalRow* row : before)
+            if (is_ready(*row)) {
+                std::erase(waiting_, row);
+                make(*row);
+            }
+        return waiting_.size() < before.size();
+    }
+
+    /// Where instances change places, one of them gets a free name in between.
+    bool make_room() {
+        for (const JournalRow* row : waiting_) {
+            const auto [parent, name] = place_of(*row);
+            const Handle above = row->kind == Kind::deleted ? Handle{} : at_or_none(parent);
+            const Handle there = above ? tree_.child(above, name) : Handle{};
+            for (const JournalRow* other : waiting_)
+                if (other != row && there && instances_[other] == there) {
+                    tree_.rename(there, "_in_between_" + std::to_string(++in_between_));
+                    paths_ = RowPaths(state_);
+                    return true;
+                }
+        }
+        return false;
+    }
+
+    void make(JournalRow& row) {
+        try {
+            const Handle instance = row.kind == Kind::value     ? set(row)
+                                    : row.kind == Kind::deleted ? destroy(row)
+                                    : row.kind == Kind::moved   ? move(row)
+                                                                : create(row);
+            made_.emplace_back(&row, instance);
+            ++report_.count;
+            state_.set_state(row, RowState::dropped);
+        } catch (const Error& error) {
+            report_.problems.push_back(path_of(row) + ": " + error.what());
+        }
+    }
+
+    Handle set(const JournalRow& row) {
         const Image image = paths_.live_image(row);
         const Handle instance = at(paths_.home(row));
         apply_image(tree_, instance, row.property, image);
         if (!image.not_saved.empty())
             report_.problems.push_back(path_of(row) + ": its formula " + image.not_saved +
                                        ", so its value is set instead");
-        made_.push_back({&row, instance});
+        return instance;
     }
 
-    void create(JournalRow& row) {
-        const auto [parent, name] = split_path(paths_.home(row));
+    Handle create(const JournalRow& row) {
+        const auto [parent, name] = place_of(row);
         const Handle above = at(parent);
         if (tree_.child(above, name))
             throw Error(ErrorKind::bad_name, "there is something of this name already");
         const Document scene(paths_.live_scene(row), "journal");
-        made_.push_back({&row, make_scene(tree_, scene, above, name)});
+        return make_scene(tree_, scene, above, name);
     }
 
-    void destroy(JournalRow& row) {
-        const Handle instance = at(row.instance);
+    Handle destroy(const JournalRow& row) {
+        const Handle instance = instances_[&row] ? instances_[&row] : at(row.instance);
         tree_.destroy(instance);
-        made_.push_back({&row, instance});
+        return instance;
     }
 
-    /// New names all together, since instances may have changed places; then new parents.
-    void move(const Rows& rows) {
-        std::vector<MoveStep> renames;
-        std::vector<Handle> handles(rows.size());
-        std::vector<bool> failed(rows.size());
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            failed[i] = !tried(*rows[i], [&] { handles[i] = at(rows[i]->instance); });
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            if (const std::string parent = split_path(rows[i]->instance).first;
-                !failed[i] && paths_.home_of_new_parent(*rows[i]) == parent)
-                renames.push_back(
-                    {i, rows[i]->instance, path_below(parent, split_path(rows[i]->now).second)});
-        for (const MoveStep& step : in_order(renames))
-            failed[step.which] = !tried(*rows[step.which], [&] {
-                tree_.rename(handles[step.which], split_path(step.to).second);
-            });
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (!failed[i] &&
-                paths_.home_of_new_parent(*rows[i]) != split_path(rows[i]->instance).first)
-                failed[i] = !tried(*rows[i], [&] {
-                    const auto [parent, name] = split_path(rows[i]->now);
-                    tree_.move(handles[i], instance_at(tree_, parent), name);
-                });
-            if (!failed[i]) done(*rows[i]);
-            if (!failed[i]) made_.push_back({rows[i], handles[i]});
-        }
+    Handle move(const JournalRow& row) {
+        const auto [parent, name] = place_of(row);
+        const Handle instance = instances_[&row] ? instances_[&row] : at(row.instance);
+        const Handle above = at(parent);
+        if (tree_.parent(instance) == above)
+            tree_.rename(instance, name);
+        else
+            tree_.move(instance, above, name);
+        paths_ = RowPaths(state_);
+        return instance;
     }
 
     Tweaks::State& state_;
     Tree& tree_;
     TweakReport& report_;
     RowPaths paths_;
+    Rows waiting_;
+    std::map<const JournalRow*, Handle> instances_;
     std::vector<std::pair<JournalRow*, Handle>> made_;
+    int in_between_ = 0;
 };
 
 }  // namespace
@@ -155,6 +195,8 @@ Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle i
         const auto found = entries_by_instance.find(key(instance));
         return found == entries_by_instance.end() ? nullptr : found->second;
     };
+    // What happens to an instance that came with another one is a part of that one's tweak.
+    if (Entry* above = tree.alive(instance) ? created_above(instance) : nullptr) return above;
     switch (row.kind) {
         case Kind::value: {
             const auto found = by_key.find(key_of(Kind::value, tree.path(instance), row.property));
@@ -177,7 +219,8 @@ void Tweaks::State::settle_reapplied() {
         return each.second->row.state == RowState::kept || each.first->state == RowState::kept;
     });
     for (const auto& [row, entry] : reapplied) {
-        const bool undone = entry->row.state == RowState::open && !visible(*entry);
+        const bool undone = entry->row.state == RowState::open && !visible(*entry) &&
+                            entry->deletion == nullptr;  // else it is a part of another one
         const RowState state = undone ? RowState::open : RowState::dropped;
         if (row->state != state) set_state(*row, state);
     }

@@ -58,41 +58,25 @@ Handle RowPaths::instance(const std::string& home) const {
     }
 }
 
-bool RowPaths::is_deleted(const std::string& path) const {
-    return std::any_of(state_->entries.begin(), state_->entries.end(), [&](const auto& each) {
-        if (each->row.kind == Kind::deleted)
-            return !each->gone && is_at_or_below(path, each->row.now);
-        return each->row.kind == Kind::created && each->gone &&
-               is_at_or_below(path, each->row.instance);
-    });
-}
-
-std::string RowPaths::live_or_none(const JournalRow& row, const std::string& path) const {
-    const std::string at_home = home(row, path);
-    if (row.run == 0 && !instance(at_home) && is_deleted(path)) return {};
-    return now_.now(at_home);
-}
-
 Image RowPaths::live_image(const JournalRow& row) const {
     Image image = read_image(row.now);
     if (image.kind == Image::Kind::value && !image.not_saved.empty())
         throw Error(ErrorKind::rejected, image.not_saved);
     image.value = value_with_paths(image.value, [&](const std::string& path) {
-        return std::optional(live_or_none(row, path));
+        return std::optional(now_.now(home(row, path)));
     });
     return image;
 }
 
 std::string RowPaths::live_scene(const JournalRow& row) const {
     return scene_with_paths(state_->tree, row.now, [&](const std::string& path) {
-        return std::optional(live_or_none(row, path));
+        return std::optional(now_.now(home(row, path)));
     });
 }
 
 std::string RowPaths::home_scene(const JournalRow& row, const NewPath& written) const {
     return scene_with_paths(
         state_->tree, row.now, [&](const std::string& path) -> std::optional<std::string> {
-            if (live_or_none(row, path).empty()) return std::string();
             const std::string at_home = home(row, path);
             const std::optional<std::string> other = written ? written(at_home) : std::nullopt;
             return other ? other : at_home;

@@ -28,11 +28,15 @@ class RowPaths {
     std::string said(const JournalRow& row, const std::string& home) const;
     /// Of what is at a path of the tree now.
     std::string home_of_live(const std::string& path) const;
+    /// Where the instance of that home path is now, if that is another path; else "".
+    std::string moved_from(const std::string& home) const { return now_.moved_from(home); }
+    /// Where something is now whose home is below `home`; "": nothing has moved out of it.
+    std::string moved_out_of(const std::string& home) const { return now_.moved_out_of(home); }
     /// The instance of that home path; null where there is none now.
     Handle instance(const std::string& home) const;
 
-    /// A value with its references as they are in the tree now; null instead of one to what a
-    /// person has deleted. Throws Error for a value that cannot be kept.
+    /// A value with its references as they are in the tree now. Throws Error for one that cannot be
+    /// kept.
     Image live_image(const JournalRow& row) const;
     /// The scene of a new instance, with its references in the same way.
     std::string live_scene(const JournalRow& row) const;
@@ -41,9 +45,6 @@ class RowPaths {
     std::string home_scene(const JournalRow& row, const NewPath& written = {}) const;
 
   private:
-    bool is_deleted(const std::string& path) const;
-    /// Where what a row calls `path` is now; "": a person has deleted it.
-    std::string live_or_none(const JournalRow& row, const std::string& path) const;
     const InstanceMoves& moves_of(const JournalRow& row) const;
 
     const Tweaks::State* state_;

@@ -2,6 +2,9 @@
 
 #include <fettle/property/path.h>
 
+#include "scene_names.h"
+#include "scene_plan.h"
+#include "scene_value.h"
 #include "unknown_keys.h"
 
 namespace fettle::property {
@@ -139,13 +142,61 @@ std::string SceneEdit::remove(const SceneSteps& steps) {
         append_quoted(taken_out, document().text(*document().member(*node, "name")));
         taken_out += ", ";
     }
-    taken_out += "\"child\": " +
-                 without_indent(std::string(document().raw(instance)), document(), instance) + "}";
+    taken_out +=
+        "\"child\": " + without_indent(std::string(document().raw(instance)), document(), instance);
+    std::string path;
+    for (const SceneStep& step : steps) path += path_suffix(step.name);
     if (document().count(children) == 1)
         json_.remove(parent, children);
     else
         json_.remove(children, instance);
-    return taken_out;
+    return taken_out + ", \"references\": [" + forget_references(path) + "]}";
+}
+
+/// What names the instance at that path from the top names nothing. Gives what it was: for each
+/// the steps to its instance, its section, its key and its text.
+std::string SceneEdit::forget_references(const std::string& path) {
+    const NewPath none = [&](const std::string& named) -> std::optional<std::string> {
+        if (is_at_or_below(named, path)) return std::string();
+        return std::nullopt;
+    };
+    std::string before;
+    std::vector<std::pair<const Node*, std::string>> replaced;
+    const ScenePlan plan(*tree_, document(), {}, {});
+    const auto steps_to = [&](std::size_t index) {
+        SceneSteps steps;
+        for (std::size_t i = index; i != 0; i = plan.instances[i].parent) {
+            const Node* name = plan.instances[i].name;
+            steps.insert(steps.begin(), {name != nullptr ? document().text(*name) : std::string(),
+                                         plan.instances[i].place});
+        }
+        return steps;
+    };
+    for (std::size_t i = 0; i < plan.instances.size(); ++i)
+        for (const Node* section : {plan.instances[i].properties, plan.instances[i].ad_hoc})
+            for (const Node* node = section != nullptr ? document().first(*section) : nullptr; node;
+                 node = document().next(*node)) {
+                const Property* property =
+                    plan.instances[i].instance_class->property(document().key(*node));
+                if (property == nullptr && section == plan.instances[i].properties) continue;
+                const std::string raw(document().raw(*node));
+                std::string now =
+                    property == nullptr
+                        ? value_with_paths(raw, none)
+                        : value_with_paths(raw, none, declared_type(*property), property->element);
+                if (now == raw) continue;
+                const std::string steps = steps_text(steps_to(i));
+                before += before.empty() ? "[" : ", [";
+                before += steps.empty() ? "[]" : steps;
+                before += ", ";
+                append_quoted(before, document().key(*section));
+                before += ", ";
+                append_quoted(before, document().key(*node));
+                before += ", " + raw + "]";
+                replaced.emplace_back(node, std::move(now));
+            }
+    json_.replace(replaced);
+    return before;
 }
 
 /// Behind the child behind which it was.
@@ -159,11 +210,29 @@ void SceneEdit::put_back(const SceneSteps& steps, const std::string& taken_out) 
     if (child_then == nullptr) before.fail(ErrorKind::bad_structure, 0, "not a deletion");
     const std::string text(before.raw(*child_then));
     const Node* children = document().member(parent, "children");
-    if (children == nullptr) return add_first_child(parent, text);
     const Node* after = behind == nullptr ? children : nullptr;
     if (behind != nullptr && behind->kind == Document::Kind::text)
         after = child(parent, {before.text(*behind), no_place});
-    json_.add_element(*children, text, after);
+    if (children == nullptr)
+        add_first_child(parent, text);
+    else
+        json_.add_element(*children, text, after);
+    if (const Node* references = before.member(before.root(), "references"))
+        for (const Node* each = before.first(*references); each; each = before.next(*each))
+            put_reference_back(before, *each);
+}
+
+void SceneEdit::put_reference_back(const Document& before, const Node& reference) {
+    std::vector<const Node*> parts;  // as `forget_references` writes them
+    for (const Node* part = before.first(reference); part; part = before.next(*part))
+        parts.push_back(part);
+    if (parts.size() != 4) before.fail(ErrorKind::bad_structure, reference.begin, "not a deletion");
+    const Node& instance = find(read_steps(std::string(before.raw(*parts[0]))));
+    const Node* section = document().member(instance, before.text(*parts[1]));
+    const Node* now =
+        section != nullptr ? document().member(*section, before.text(*parts[2])) : nullptr;
+    if (now != nullptr && document().raw(*now).find("null") != std::string_view::npos)
+        json_.replace(*now, before.raw(*parts[3]));
 }
 
 /// Those that have none are known by their places, and their names come from these: both would

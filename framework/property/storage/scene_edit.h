@@ -36,6 +36,8 @@ class SceneEdit {
     using Node = Document::Node;
     const Node& find(const SceneSteps& steps) const;
     const Node* child(const Node& instance, const SceneStep& step) const;
+    std::string forget_references(const std::string& path);
+    void put_reference_back(const Document& before, const Node& reference);
     void add_first_child(const Node& parent, std::string text);
     void require_names_beside(const Node& instance, const Node& children) const;
     void set_member(const SceneSteps& steps, const Property* declared, const std::string& property,

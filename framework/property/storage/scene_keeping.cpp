@@ -33,11 +33,23 @@ std::vector<std::pair<std::string, std::string>> parents_first(const std::vector
 
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row) {
     const auto [parent, name] = split_path(paths.home(row));
-    check_scene(state.tree, Document(paths.live_scene(row), "its scene"), paths.instance(parent), name);
+    check_scene(state.tree, Document(paths.live_scene(row), "its scene"), paths.instance(parent),
+                name);
 }
 
-void taken_out(Tweaks::State& state, const JournalRow& row, std::string text) {
-    if (row.run == 0) state.entry_of(row).taken_out = std::move(text);
+void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row) {
+    if (const std::string path = paths.moved_out_of(row.instance); !path.empty())
+        throw Error(ErrorKind::rejected,
+                    "what is " + path + " now is a part of it in the file, and would go with it");
+}
+
+void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text) {
+    if (row.run != 0) return;
+    std::string& all = state.entry_of(row).taken_out;
+    if (all.empty() || row.state != JournalRow::State::kept)
+        all = text;
+    else
+        all = all.substr(0, all.size() - 1) + ", " + text.substr(1);
 }
 
 namespace {
@@ -131,6 +143,7 @@ void SceneKeeping::edit_scene(const JournalRow& row) {
             check_made(state_, paths_, row);
             return edit_.add_child(steps, paths_.home_scene(row, in_file));
         case Kind::deleted:
+            require_nothing_moved_out(paths_, row);
             return taken_out(state_, row, edit_.remove(steps));
         case Kind::restored:
             return edit_.put_back(steps, row.was);

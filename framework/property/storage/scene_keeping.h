@@ -24,8 +24,11 @@ std::vector<std::pair<std::string, std::string>> parents_first(const std::vector
 
 /// Throws Error for the scene of a new instance that could not be loaded in its place.
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row);
-/// For the case that the deletion is undone.
-void taken_out(Tweaks::State& state, const JournalRow& row, std::string text);
+/// Throws Error where something that has moved elsewhere would go with it, since its move is in no
+/// file.
+void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row);
+/// Remembers what a deletion took out of a file, a JSON object, besides what it took out of others.
+void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text);
 
 class SceneKeeping {
   public:

@@ -124,11 +124,15 @@ bool Tweaks::State::is_fresh(Handle instance) const {
 
 Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
     if (created.empty()) return nullptr;
-    for (Handle at = instance; at; at = tree.parent(at))
+    for (Handle at = instance; at; at = tree.parent(at)) {
         if (const auto found = created.find(key(at)); found != created.end())
             return !found->second->gone && found->second->row.state == RowState::open
                        ? found->second
                        : nullptr;
+        if (const auto moved = moved_entries.find(key(at));
+            moved != moved_entries.end() && !moved->second->gone)
+            return nullptr;  // it was there before
+    }
     return nullptr;
 }
 
@@ -173,6 +177,7 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
     Entry& its = entry(Kind::value, tree.path(instance), property.name, instance);
     if (entries.size() > known) {
         its.was = image_of(tree, property, before);
+        name_deleted(its.was, before.value);
         tell_origin(its, instance);
     }
     if (its.row.state == RowState::kept) its.was = its.now;  // the file says that since
@@ -180,6 +185,16 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
     its.now = image_now(tree, instance, property.symbol, false);
     its.gone = false;
     touch(its);
+}
+
+/// A reference to what a person has deleted before: when that is back, the value is this one.
+void Tweaks::State::name_deleted(Image& image, const Value& value) const {
+    if (!value.is(Type::reference) || !value.reference() || tree.alive(value.reference())) return;
+    const auto found = deleted.find(key(value.reference()));
+    if (found == deleted.end()) return;
+    std::string text = "{\"reference\": ";
+    append_quoted(text, found->second->row.now);
+    image.value = text + "}";
 }
 
 void Tweaks::State::born(Handle instance) {
@@ -198,9 +213,10 @@ void Tweaks::State::dying(Handle instance) {
 
 /// Whatever was done to it is void, unless the deletion is undone.
 void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path) {
+    touch_mentions(path);
     if (const auto made = created.find(key(instance));
         made != created.end() && made->second->row.state == RowState::open) {
-        make_void(path, *made->second);
+        make_void(path, {}, *made->second);
         made->second->gone = true;
         return touch(*made->second);
     }
@@ -209,20 +225,26 @@ void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path
     if (const auto again = restorations.find(key(instance));
         again != restorations.end() && again->second->row.state == RowState::open &&
         !again->second->gone) {  // the file still says that it is deleted
-        make_void(path, *deleted.at(key(instance)));
+        make_void(path, home, *deleted.at(key(instance)));
         again->second->gone = true;
         return touch(*again->second);
     }
+    Entry& deletion = add_deletion(instance, path, home);
+    make_void(path, home, deletion);
+}
+
+Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::string& path,
+                                                  const std::string& home) {
     Entry& deletion = entry(Kind::deleted, home, {}, instance);
-    make_void(path, deletion);
     deletion.row.now = path;
     deletion.row.was_text = "a " + tree.class_of(instance).name();
     deletion.row.now_text = "deleted";
     deletion.gone = false;
-    deletion.deletion = nullptr;
+    deletion.deletion = deletion.with = nullptr;
     deleted[key(instance)] = &deletion;
     tell_origin(deletion, instance);
     touch(deletion);
+    return deletion;
 }
 
 /// What came with an instance that an edit has made leaves the scene of that tweak.
@@ -231,12 +253,11 @@ bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
     if (above == nullptr) return false;
     refresh_created(*above);
     try {
-        SceneSteps steps{{tree.name(instance), no_place}};
-        for (Handle at = parent; at != above->handle; at = tree.parent(at))
-            steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
-        SceneEdit edit(tree, above->row.now, "journal");
+        SceneSteps steps = steps_below(parent, above->handle);
+        steps.push_back({tree.name(instance), no_place});
+        SceneEdit edit(tree, above->scene, "journal");
         (void)edit.remove(steps);
-        above->row.now = edit.text();
+        above->scene = edit.text();
     } catch (const Error&) {  // a script made it
         return false;
     }
@@ -244,28 +265,48 @@ bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
     return true;
 }
 
-void Tweaks::State::make_void(const std::string& path, Entry& deletion) {
+/// Tweaks of what is at `path` or below it. `home`: of the instance there; "": the files know none.
+void Tweaks::State::make_void(const std::string& path, const std::string& home, Entry& deletion) {
     const InstanceMoves all = moves();
     const auto path_now = [&](const JournalRow& row) -> std::string {
         if (row.kind == Kind::moved || row.kind == Kind::deleted) return row.now;
         return row.kind == Kind::restored ? all.now(row.instance) : row.instance;
     };
-    for (const auto& each : entries) {
-        if (each.get() == &deletion || each->row.state != RowState::open || each->gone) continue;
-        if (!is_at_or_below(path_now(each->row), path)) continue;
-        each->gone = true;
-        each->deletion = &deletion;
-        touch(*each);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        Entry& its = *entries[i];
+        if (&its == &deletion || its.row.state != RowState::open || its.gone) continue;
+        if (!is_at_or_below(path_now(its.row), path)) continue;
+        // The files have it elsewhere: there it goes by itself.
+        const bool elsewhere = home.empty() || !is_at_or_below(its.row.instance, home);
+        if (its.row.kind == Kind::deleted && elsewhere) continue;
+        its.gone = true;
+        its.deletion = &deletion;
+        touch(its);
+        if (its.row.kind == Kind::moved && elsewhere && tree.alive(its.handle))
+            add_deletion(its.handle, its.row.now, its.row.instance).with = &deletion;
     }
+    // What is deleted at home already with something above it needs no deletion of its own.
+    for (const auto& each : entries)
+        if (each->with == &deletion && !each->gone)
+            each->gone = std::any_of(entries.begin(), entries.end(), [&](const auto& other) {
+                return other != each && other->with == &deletion && !other->gone &&
+                       is_at_or_below(each->row.instance, other->row.instance);
+            });
 }
 
 void Tweaks::State::revive(const Entry& deletion) {
-    for (const auto& each : entries)
-        if (each->gone && each->deletion == &deletion) {
-            each->gone = false;
-            each->deletion = nullptr;
-            touch(*each);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        Entry& its = *entries[i];
+        if (its.gone && its.deletion == &deletion) {
+            its.gone = false;
+            its.deletion = nullptr;
+            touch(its);
         }
+        if (!its.gone && its.with == &deletion) {
+            its.with = nullptr;
+            (void)undelete(its);
+        }
+    }
 }
 
 // --- What is told of them

@@ -7,6 +7,7 @@
 #include <fettle/property/exception_text.h>
 
 #include "scene_edit.h"
+#include "scene_names.h"
 #include "scene_text.h"
 #include "tweaks_state.h"
 
@@ -59,7 +60,8 @@ void Tweaks::State::settle_fresh() {
 
 void Tweaks::State::settle_one(Handle instance) {
     const std::string path = tree.path(instance);
-    if (settle_undeleted(instance, path)) return;
+    touch_mentions(path);
+    if (settle_undeleted(instance)) return;
     if (const auto known = created.find(key(instance));
         known != created.end() && known->second->row.state == RowState::open) {
         known->second->gone = false;  // its deletion, or its creation, was undone and done again
@@ -69,13 +71,13 @@ void Tweaks::State::settle_one(Handle instance) {
     std::vector<std::string> warnings;
     std::string text;
     try {
-        text = scene_text_with_full_paths(tree, instance, &warnings);
+        text = scene_of_new(instance, &warnings);
     } catch (const Error& error) {
         return warn(path + " is new, but cannot be journaled: " + error.what());
     }
     for (const std::string& warning : warnings) warn(warning);
     Entry& its = entry(Kind::created, path, {}, instance);
-    its.row.now = text;
+    its.scene = text;
     its.row.was_text = "nothing";
     its.row.now_text = "new " + tree.class_of(instance).name();
     its.gone = false;
@@ -85,19 +87,45 @@ void Tweaks::State::settle_one(Handle instance) {
     touch(its);
 }
 
+/// Without what other tweaks have put below it.
+std::string Tweaks::State::scene_of_new(Handle top, std::vector<std::string>* warnings) const {
+    SceneEdit edit(tree, scene_text_with_full_paths(tree, top, warnings), "journal");
+    for (const auto& each : entries) {
+        const bool its_own = each->row.kind == Kind::moved || each->row.kind == Kind::created;
+        if (!its_own || each->gone || each->handle == top || !tree.alive(each->handle) ||
+            !tree.is_below(each->handle, top))
+            continue;
+        try {
+            (void)edit.remove(steps_below(each->handle, top));
+        } catch (const Error&) {  // it went with another one
+        }
+    }
+    return edit.text();
+}
+
+SceneSteps Tweaks::State::steps_below(Handle instance, Handle top) const {
+    SceneSteps steps;
+    for (Handle at = instance; at && at != top; at = tree.parent(at))
+        steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
+    return steps;
+}
+
 /// Whether it is an instance whose deletion was undone, so that nothing new is to be said of it.
-bool Tweaks::State::settle_undeleted(Handle instance, const std::string& path) {
+bool Tweaks::State::settle_undeleted(Handle instance) {
     const auto found = deleted.find(key(instance));
     if (found == deleted.end() || found->second->gone) return false;
-    Entry& deletion = *found->second;
+    return undelete(*found->second);
+}
+
+/// False where it has to be told as a new instance.
+bool Tweaks::State::undelete(Entry& deletion) {
     const bool in_file = deletion.row.state == RowState::kept;
     revive(deletion);
-    if (in_file && !created.contains(key(instance))) {
-        restored(instance, deletion);
+    if (in_file && !created.contains(key(deletion.handle))) {
+        restored(deletion.handle, deletion);
         return true;
     }
     deletion.gone = true;
-    deletion.row.now = path;
     touch(deletion);
     return !in_file;
 }
@@ -106,7 +134,7 @@ bool Tweaks::State::settle_undeleted(Handle instance, const std::string& path) {
 void Tweaks::State::restored(Handle instance, Entry& deletion) {
     Entry& its = entry(Kind::restored, deletion.row.instance, {}, instance);
     try {
-        its.row.now = scene_text_with_full_paths(tree, instance, nullptr);
+        its.scene = scene_text_with_full_paths(tree, instance, nullptr);
     } catch (const Error& error) {
         return warn(tree.path(instance) + " is back, but cannot be journaled: " + error.what());
     }
@@ -128,15 +156,13 @@ void Tweaks::State::refresh_created(Entry& entry) {
     for (const auto& [instance, property] : inside) {
         if (!tree.alive(instance) || !tree.alive(entry.handle)) continue;
         try {
-            SceneSteps steps;
-            for (Handle at = instance; at && at != entry.handle; at = tree.parent(at))
-                steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
-            SceneEdit edit(tree, entry.row.now, "journal");
-            edit.set(steps, property.text(), image_now(tree, instance, property, true));
-            entry.row.now = edit.text();
+            SceneEdit edit(tree, entry.scene, "journal");
+            edit.set(steps_below(instance, entry.handle), property.text(),
+                     image_now(tree, instance, property, true));
+            entry.scene = edit.text();
         } catch (const Error&) {  // its shape has changed
             try {
-                entry.row.now = scene_text_with_full_paths(tree, entry.handle, nullptr);
+                entry.scene = scene_of_new(entry.handle, nullptr);
             } catch (const Error& error) {
                 warn(tree.path(entry.handle) + " cannot be journaled: " + error.what());
             }
@@ -146,14 +172,67 @@ void Tweaks::State::refresh_created(Entry& entry) {
 
 // --- Rows ----------------------------------------------------------------------------------------
 
+/// What a person has deleted since is named by nothing; undo may bring it back, so the entry itself
+/// keeps its path.
+template <class WithPaths>
+std::string Tweaks::State::without_deleted(const std::string& text, WithPaths with_paths) const {
+    if (deleted.empty() && created.empty()) return text;
+    try {
+        return with_paths([this](const std::string& path) -> std::optional<std::string> {
+            if (is_deleted(path)) return std::string();
+            return std::nullopt;
+        });
+    } catch (const Error&) {  // what is wrong with it is told when it is kept
+        return text;
+    }
+}
+
+bool Tweaks::State::is_deleted(const std::string& path) const {
+    const auto is_its = [&path](const Entry& entry) {
+        if (entry.row.kind == Kind::deleted)
+            return !entry.gone && is_at_or_below(path, entry.row.now);
+        return entry.row.kind == Kind::created && entry.gone &&
+               is_at_or_below(path, entry.row.instance);
+    };
+    const bool was_there = std::any_of(entries.begin(), entries.end(),
+                                       [&](const auto& each) { return is_its(*each); });
+    if (!was_there) return false;
+    try {
+        (void)instance_at(tree, path);
+        return false;  // another one has its name now
+    } catch (const Error&) {
+        return true;
+    }
+}
+
+/// Tweaks that name what is at the path or below it: that is gone, or back.
+void Tweaks::State::touch_mentions(const std::string& path) {
+    const std::string quoted = mention_of(path);
+    for (const auto& each : entries) {
+        const std::string& text = each->row.kind == Kind::value ? each->now.value : each->scene;
+        if (each->row.state == RowState::open && !each->gone &&
+            text.find(quoted) != std::string::npos)
+            touch(*each);
+    }
+}
+
 void Tweaks::State::refresh(Entry& entry) {
-    if (entry.row.kind == Kind::created) return refresh_created(entry);
+    if (entry.row.kind == Kind::created || entry.row.kind == Kind::restored) {
+        refresh_created(entry);
+        entry.row.now = without_deleted(entry.scene, [&](const NewPath& path) {
+            return scene_with_paths(tree, entry.scene, path);
+        });
+        return;
+    }
     if (entry.row.kind != Kind::value) return;
     // Settled by now; any other value is what the person made it, whatever came of it since.
     if (entry.now.kind == Image::Kind::formula && tree.alive(entry.handle))
         entry.now = image_now(tree, entry.handle, entry.property, true);
     entry.row.was = image_json(entry.was);
-    entry.row.now = image_json(entry.now);
+    Image now = entry.now;
+    now.value = without_deleted(
+        now.value, [&](const NewPath& path) { return value_with_paths(now.value, path); });
+    entry.row.now = image_json(now);
     std::tie(entry.row.was_text, entry.row.now_text) = change_text(entry.was, entry.now);
 }
 

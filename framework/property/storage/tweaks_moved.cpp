@@ -10,7 +10,9 @@
 namespace fettle::property {
 
 void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string& old_name) {
-    if (is_fresh(instance)) return;
+    if (is_in_fresh.contains(key(instance)) || (old_parent && is_fresh(old_parent))) return;
+    const bool into_new = is_fresh(instance);
+    if (into_new) settle_fresh();
     const bool was = old_parent && tree.alive(old_parent) && attached(old_parent);
     const bool is = attached(instance);
     if (!was && is) return born(instance);
@@ -37,6 +39,8 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const auto [parent, name] = split_path(move.row.now);
     const auto [home_parent, home_name] = split_path(move.row.instance);
     move.gone = name == home_name && moves().home(parent) == home_parent;
+    if (Entry* above = into_new ? created_above(instance) : nullptr)
+        above->scene = scene_of_new(above->handle, nullptr);
 }
 
 InstanceMoves Tweaks::State::moves() const {
@@ -92,9 +96,9 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
         Entry& made = *known->second;
         if (made.gone || made.row.state != RowState::open) return false;
         try {
-            SceneEdit edit(tree, made.row.now, "journal");
+            SceneEdit edit(tree, made.scene, "journal");
             edit.rename({}, tree.name(instance));
-            made.row.now = edit.text();
+            made.scene = edit.text();
         } catch (const Error&) {  // a name that no file can hold: told when it is kept
             return false;
         }
@@ -111,15 +115,14 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
     try {
         if (tree.parent(instance) != old_parent)
             throw Error(ErrorKind::bad_structure, "it has another shape now");
-        SceneSteps steps{{old_name, no_place}};
-        for (Handle at = old_parent; at != above->handle; at = tree.parent(at))
-            steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
-        SceneEdit edit(tree, above->row.now, "journal");
+        SceneSteps steps = steps_below(old_parent, above->handle);
+        steps.push_back({old_name, no_place});
+        SceneEdit edit(tree, above->scene, "journal");
         edit.rename(steps, tree.name(instance));
-        above->row.now = edit.text();
+        above->scene = edit.text();
     } catch (const Error&) {
         try {
-            above->row.now = scene_text_with_full_paths(tree, above->handle, nullptr);
+            above->scene = scene_of_new(above->handle, nullptr);
         } catch (const Error& error) {
             warn(tree.path(above->handle) + " cannot be journaled: " + error.what());
         }
@@ -152,18 +155,25 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
             its.row.instance = *now;
             if (open) touch(its);
         }
-        if (!open) continue;
+        bool renamed = false;
+        const auto rename_in = [&](std::string& text, auto with_paths) {
+            if (text.find(quoted) == std::string::npos) return;
+            text = with_paths(text);
+            renamed = true;
+        };
         try {
-            if (its.row.kind == Kind::value && its.now.value.find(quoted) != std::string::npos) {
-                its.now.value = value_with_paths(its.now.value, now_at);
-                touch(its);
-            } else if (its.row.kind == Kind::created &&
-                       its.row.now.find(quoted) != std::string::npos) {
-                its.row.now = scene_with_paths(tree, its.row.now, now_at);
-                touch(its);
-            }
+            if (its.row.kind == Kind::value)
+                for (Image* image : {&its.was, &its.now})
+                    rename_in(image->value, [&](const std::string& value) {
+                        return value_with_paths(value, now_at);
+                    });
+            else if (open)
+                rename_in(its.scene, [&](const std::string& scene) {
+                    return scene_with_paths(tree, scene, now_at);
+                });
         } catch (const Error&) {  // what is wrong with it is told when it is kept
         }
+        if (renamed && open) touch(its);
     }
 }
 

@@ -30,10 +30,12 @@ struct Tweaks::State : EditObserver {
     /// tweak, and undoing it is none.
     struct Entry {
         JournalRow row;
-        Image was, now;  // of a value
+        Image was, now;     // of a value
+        std::string scene;  // of a new instance, or of one that is back
         Handle handle;
         Symbol property;
         bool gone = false;          // a person deleted what it is about, or took it back
+        Entry* with = nullptr;      // a deletion: of which other one it is a part
         Entry* deletion = nullptr;  // which deletion made it void
         bool committed = false;     // the journal has it
         bool dirty = false;
@@ -66,9 +68,11 @@ struct Tweaks::State : EditObserver {
     Entry& entry(Kind kind, const std::string& instance, const std::string& property,
                  Handle handle);
     void touch(Entry& entry);
+    void name_deleted(Image& image, const Value& value) const;
     void bury(Handle instance, Handle parent, const std::string& path);
     bool taken_out_of_creation(Handle instance, Handle parent);
-    void make_void(const std::string& path, Entry& deletion);
+    Entry& add_deletion(Handle instance, const std::string& path, const std::string& home);
+    void make_void(const std::string& path, const std::string& home, Entry& deletion);
     void revive(const Entry& deletion);
 
     // tweaks_moved.cpp
@@ -89,11 +93,18 @@ struct Tweaks::State : EditObserver {
     void barrier();
     void settle_fresh();
     void settle_one(Handle instance);
-    bool settle_undeleted(Handle instance, const std::string& path);
+    bool settle_undeleted(Handle instance);
+    bool undelete(Entry& deletion);
+    std::string scene_of_new(Handle top, std::vector<std::string>* warnings) const;
+    SceneSteps steps_below(Handle instance, Handle top) const;
     void restored(Handle instance, Entry& deletion);
     void refresh(Entry& entry);
     void refresh_created(Entry& entry);
     bool visible(const Entry& entry) const;
+    template <class WithPaths>
+    std::string without_deleted(const std::string& text, WithPaths with_paths) const;
+    bool is_deleted(const std::string& path) const;
+    void touch_mentions(const std::string& path);
     void commit();
     void tell_lost() const;
 

@@ -1,0 +1,260 @@
+// Random sessions: a person edits, undoes, redoes and keeps a game that is made half by a scene
+// file and half by a script, run after run. Where everything was kept, the next run begins as the
+// last one ended; where nothing was, making the tweaks again leads there.
+
+#include <cstdlib>
+#include <map>
+#include <random>
+
+#include <fettle/property/path.h>
+
+#include "catch.h"
+#include "game_folder.h"
+#include "tweak_run.h"
+
+namespace keep_sessions_test {
+
+using namespace scene_test;
+
+namespace {
+
+const char* const level =
+    "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", \"children\": [\n"
+    "  {\"class\": \"Note\", \"name\": \"d\", \"properties\": {\"text\": \"1\"}, \"children\": [\n"
+    "    {\"class\": \"Note\", \"name\": \"f\", \"properties\": {\"target\": \".e\"}}]},\n"
+    "  {\"class\": \"Note\", \"name\": \"e\", \"properties\": {\"text\": \"2\"}},\n"
+    "  {\"class\": \"Note\", \"name\": \"g\"}\n"
+    "]}\n";
+
+struct Session : Run {
+    Session(const GameFolder& folder, unsigned seed) : Run(folder), random(seed) {
+        load(folder, "level.json");
+        const Handle n = add("Note", "n");
+        add("Note", n, "k");
+        add("Note", "s");
+        tweaks->game_loaded();
+        barrier();
+    }
+
+    std::size_t below(std::size_t count) { return random() % count; }
+
+    std::vector<Handle> notes() const {
+        std::vector<Handle> all;
+        tree.each_below(world, [&](Handle handle) {
+            if (tree.class_of(handle).name() == "Note") all.push_back(handle);
+        });
+        return all;
+    }
+
+    /// By path, in the order of the paths: children may be in another order.
+    std::map<std::string, std::string> state() const {
+        std::map<std::string, std::string> all;
+        for (const Handle note : notes()) {
+            const Value target = tree.get(note, "target");
+            const bool leads = target.is(Type::reference) && tree.alive(target.reference());
+            all[tree.path(note)] =
+                tree.text(tree.get(note, "text")) + (leads ? " " + tree.text(target) : "");
+        }
+        return all;
+    }
+
+    std::string some_name() {
+        static const std::vector<std::string> names{"d", "e", "f", "g", "h", "i", "n", "k", "s"};
+        return names[below(names.size())];
+    }
+
+    void edit() {
+        const std::vector<Handle> all = notes();
+        if (all.empty()) return;
+        const Handle note = all[below(all.size())];
+        try {
+            switch (below(10)) {
+                case 0:
+                case 1:
+                case 2:
+                    tree.set(note, "text", std::to_string(below(5)));
+                    said = tree.path(note) + ".text = ...";
+                    break;
+                case 3:
+                    tree.set(note, "target", all[below(all.size())]);
+                    said = tree.path(note) + ".target = ...";
+                    break;
+                case 4:
+                case 5: {
+                    const Handle above = below(2) == 0 ? tree.parent(note) : note;
+                    const std::string name = some_name();
+                    if (tree.child(above, name)) return;
+                    const Handle made = add("Note", Handle{}, name);
+                    tree.set(made, "text", std::to_string(below(5)));
+                    if (below(3) == 0) tree.set(made, "target", note);
+                    tree.move(made, above, name);
+                    said = "made " + tree.path(made);
+                    break;
+                }
+                case 6:
+                    said = "deleted " + tree.path(note);
+                    tree.destroy(note);
+                    break;
+                case 7:
+                case 8: {
+                    const std::string name = some_name();
+                    if (tree.child(tree.parent(note), name)) return;
+                    said = tree.path(note) + " is now " + name;
+                    tree.rename(note, name);
+                    break;
+                }
+                case 9: {
+                    const Handle above = all[below(all.size())];
+                    if (tree.child(above, tree.name(note))) return;
+                    const std::string before = tree.path(note);
+                    tree.move(note, above, tree.name(note));
+                    said = before + " moved to " + tree.path(above);
+                    break;
+                }
+            }
+        } catch (const Error&) {  // below itself
+        }
+    }
+
+    /// One step of a person's: what was kept with problems.
+    void step() {
+        said.clear();
+        switch (below(8)) {
+            case 0:
+            case 1: {
+                const Tree::CauseScope scope(tree, Writer::console);
+                (void)tree.undo();
+                said = "undo";
+                break;
+            }
+            case 2: {
+                const Tree::CauseScope scope(tree, Writer::console);
+                (void)tree.redo();
+                said = "redo";
+                break;
+            }
+            case 3:
+                if (!may_keep) return;
+                barrier();
+                tweaks->keep("**");
+                said = "keep";
+                break;
+            default:
+                tree.begin_edit("edit");
+                person([&] { edit(); });
+                tree.end_edit();
+        }
+        barrier();
+        if (!said.empty()) done += said + "\n";
+    }
+
+    bool all_kept() const {
+        for (const Tweak& tweak : tweaks->list())
+            if (!tweak.kept) return false;
+        return true;
+    }
+
+    bool may_keep = true;
+    std::mt19937 random;
+    std::string said, done;
+};
+
+/// FETTLE_SESSIONS makes it more.
+unsigned sessions_of(unsigned usual) {
+    const char* const wanted = std::getenv("FETTLE_SESSIONS");
+    return wanted == nullptr ? usual : static_cast<unsigned>(std::stoul(wanted));
+}
+
+std::string text(const std::map<std::string, std::string>& state) {
+    std::string out;
+    for (const auto& [path, value] : state) out += path + ": " + value + "\n";
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("after random sessions of edits and keeps the next run begins where the last one ended") {
+    std::size_t compared = 0;
+    const unsigned sessions = sessions_of(200);
+    for (unsigned seed = 0; seed < sessions; ++seed) {
+        const GameFolder folder;
+        folder.write("level.json", level);
+        std::string done;
+        for (unsigned run = 0; run < 3; ++run) {
+            Session session(folder, seed * 3 + run);
+            const auto began = text(session.state());
+            for (std::size_t steps = 1 + session.below(12); steps > 0; --steps) session.step();
+            const TweakReport report = session.tweaks->keep("**");
+            session.barrier();
+            const std::string ended = text(session.state());
+            std::string problems;
+            for (const std::string& problem : report.problems) problems += problem + "\n";
+            done += "begins with\n" + began + session.done + "keep " + problems;
+            const bool all_kept = problems.empty() && session.all_kept();
+            session.tweaks.reset();
+            const Session next(folder, 0);
+            INFO("seed " << seed << "\n"
+                         << done << folder.text("level.json") << "\n"
+                         << (std::filesystem::exists(folder / "main.tweaks.json")
+                                 ? folder.text("main.tweaks.json")
+                                 : ""));
+            INFO((next.told.empty() ? std::string() : next.told.front()));
+            if (!all_kept) break;
+            ++compared;
+            REQUIRE(text(next.state()) == ended);
+            REQUIRE(next.told.empty());
+        }
+    }
+    CHECK(compared > sessions / 4);
+}
+
+TEST_CASE("tweaks of a random session that are made again lead where it ended") {
+    std::size_t compared = 0;
+    const unsigned sessions = sessions_of(200);
+    for (unsigned seed = 0; seed < sessions; ++seed) {
+        const GameFolder folder;
+        folder.write("level.json", level);
+        std::string done, ended;
+        {
+            Session session(folder, seed);
+            session.may_keep = false;
+            for (std::size_t steps = 1 + session.below(12); steps > 0; --steps) session.step();
+            done = session.done;
+            ended = text(session.state());
+        }
+        Session next(folder, 0);
+        const std::string began = text(next.state());
+        TweakReport report;
+        const auto reapply = [&] {
+            const Tree::CauseScope scope(next.tree, Writer::console);
+            report = next.tweaks->reapply("**");
+        };
+        reapply();
+        next.barrier();
+        std::string problems;
+        for (const std::string& problem : report.problems) problems += problem + "\n";
+        std::string lines;
+        for (const std::string& line : next.lines()) lines += line + "\n";
+        INFO("seed " << seed << "\n" << done << problems << lines);
+        CHECK(problems.empty());
+        REQUIRE(text(next.state()) == ended);
+        ++compared;
+        if (report.count == 0) continue;
+        // All of it is one step of undo, and nothing is forgotten.
+        {
+            const Tree::CauseScope scope(next.tree, Writer::console);
+            if (began != ended) (void)next.tree.undo();
+        }
+        next.barrier();
+        REQUIRE(text(next.state()) == began);
+        bool undone = true;  // a value that named what was deleted before is one that differs
+        for (const Tweak& tweak : next.tweaks->list()) undone = undone && tweak.earlier;
+        if (!undone) continue;
+        reapply();
+        next.barrier();
+        REQUIRE(text(next.state()) == ended);
+    }
+    CHECK(compared == sessions);
+}
+
+}  // namespace keep_sessions_test
