@@ -368,6 +368,14 @@ TEST_CASE("thousands of tweaks are kept together in a time that grows with their
     });
     run.tweaks->keep("**");
     CHECK((folder.text("main.tweaks.json").find("world.t2999") != std::string::npos));
+    // New names, and back.
+    for (const char* name : {"r", "t"}) {
+        run.person([&] {
+            for (int i = 0; i < many; ++i)
+                run.tree.rename(made[std::size_t(i)], name + std::to_string(i));
+        });
+        CHECK(run.tweaks->keep("**").count == std::size_t(many));
+    }
     run.person([&] {
         for (int i = 1; i < many; ++i) run.tree.destroy(made[std::size_t(i)]);
     });

@@ -1,6 +1,7 @@
 #include "instance_moves.h"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 namespace fettle::property {
@@ -8,13 +9,15 @@ namespace fettle::property {
 namespace {
 
 /// `path` with the beginning that `paths` has for the longest of its beginnings.
-std::string replaced(const std::map<std::string, std::string>& paths, const std::string& path) {
-    const std::pair<const std::string, std::string>* longest = nullptr;
-    for (const auto& each : paths)
-        if (is_at_or_below(path, each.first) &&
-            (longest == nullptr || each.first.size() > longest->first.size()))
-            longest = &each;
-    return longest == nullptr ? path : longest->second + path.substr(longest->first.size());
+std::string replaced(const std::unordered_map<std::string, std::string>& paths,
+                     const std::string& path) {
+    if (paths.empty()) return path;
+    for (std::size_t end = path.size(); end > 0; --end) {
+        if (end < path.size() && path[end] != '.' && path[end] != '[') continue;
+        if (const auto found = paths.find(path.substr(0, end)); found != paths.end())
+            return found->second + path.substr(end);
+    }
+    return path;
 }
 
 }  // namespace
@@ -43,34 +46,57 @@ std::string InstanceMoves::moved_out_of(const std::string& home) const {
     return {};
 }
 
-std::vector<MoveStep> in_order(std::vector<MoveStep> moves) {
-    std::vector<MoveStep> ordered;
-    const auto depth = [](const MoveStep& move) { return parse_path(move.from).size(); };
-    std::stable_sort(moves.begin(), moves.end(),
-                     [&](const MoveStep& a, const MoveStep& b) { return depth(a) > depth(b); });
-    std::size_t temporary = 0;
-    while (!moves.empty()) {
-        // Those of one depth: what is above them waits.
-        const auto deepest = moves.begin();
-        const auto end = std::find_if(deepest, moves.end(), [&](const MoveStep& move) {
-            return depth(move) < depth(*deepest);
-        });
-        const auto next = std::find_if(deepest, end, [&](const MoveStep& move) {
-            return std::none_of(deepest, end, [&](const MoveStep& other) {
-                return &other != &move && other.from == move.to;
-            });
-        });
-        if (next == end) {
-            MoveStep& move = moves.front();
-            const std::string name = "_in_between_" + std::to_string(++temporary);
-            ordered.push_back(
-                {move.which, move.from, path_below(split_path(move.from).first, name)});
-            move.from = ordered.back().to;
-            continue;
-        }
-        ordered.push_back(*next);
-        moves.erase(next);
+std::vector<MoveStep> parents_first(std::vector<MoveStep> moves) {
+    std::sort(moves.begin(), moves.end(), [](const MoveStep& a, const MoveStep& b) {
+        return a.from < b.from;  // the path of a parent is the beginning of the child's
+    });
+    return moves;
+}
+
+InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
+    InstanceMoves all;
+    for (const MoveStep& move : parents_first(moves)) {
+        const auto [parent, name] = split_path(move.to);
+        all.add(move.from, path_below(all.now(parent), name));
     }
+    return all;
+}
+
+namespace {
+
+/// Moves of one depth.
+void put_in_order(std::vector<MoveStep> moves, std::vector<MoveStep>& ordered) {
+    std::unordered_set<std::string> taken;
+    for (const MoveStep& move : moves) taken.insert(move.from);
+    std::size_t in_between = 0;
+    while (!moves.empty()) {
+        std::vector<MoveStep> blocked;
+        for (MoveStep& move : moves)
+            if (move.to != move.from && taken.contains(move.to)) {
+                blocked.push_back(std::move(move));
+            } else {
+                taken.erase(move.from);
+                ordered.push_back(std::move(move));
+            }
+        if (blocked.size() == moves.size()) {
+            MoveStep& first = blocked.front();
+            const std::string name = "_in_between_" + std::to_string(++in_between);
+            ordered.push_back(
+                {first.which, first.from, path_below(split_path(first.from).first, name)});
+            taken.erase(first.from);
+            first.from = ordered.back().to;
+        }
+        moves = std::move(blocked);
+    }
+}
+
+}  // namespace
+
+std::vector<MoveStep> in_order(const std::vector<MoveStep>& moves) {
+    std::map<std::size_t, std::vector<MoveStep>, std::greater<>> by_depth;
+    for (const MoveStep& move : moves) by_depth[parse_path(move.from).size()].push_back(move);
+    std::vector<MoveStep> ordered;
+    for (auto& [depth, its] : by_depth) put_in_order(std::move(its), ordered);
     return ordered;
 }
 

@@ -3,8 +3,10 @@
 // path that those give is the *home path* of an instance.
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "instance_paths.h"
@@ -27,8 +29,8 @@ class InstanceMoves {
     std::string now(const std::string& home) const;
 
   private:
-    std::map<std::string, std::string> homes_;  // by the path now
-    std::map<std::string, std::string> nows_;   // by the home path
+    std::unordered_map<std::string, std::string> homes_;  // by the path now
+    std::unordered_map<std::string, std::string> nows_;   // by the home path
 };
 
 /// One move among several: of the instance number `which`.
@@ -40,6 +42,9 @@ struct MoveStep {
 /// The same moves, each by itself: what is below an instance before the instance, and no instance
 /// onto the path of another one that has still to move. Where instances change places, one of them
 /// gets a free path in between. `from` of each is its path before all of them.
-std::vector<MoveStep> in_order(std::vector<MoveStep> moves);
+std::vector<MoveStep> in_order(const std::vector<MoveStep>& moves);
+std::vector<MoveStep> parents_first(std::vector<MoveStep> moves);
+/// Where everything is when all of them are made. `to` of each is its path before the others.
+InstanceMoves whole_moves(const std::vector<MoveStep>& moves);
 
 }  // namespace fettle::property

@@ -41,6 +41,20 @@ bool is_at_or_below(const std::string& path, const std::string& top) {
            (path.size() == top.size() || path[top.size()] == '.' || path[top.size()] == '[');
 }
 
+PathSet::PathSet(const std::vector<std::string>& paths) {
+    for (std::size_t i = 0; i < paths.size(); ++i) places_.emplace(paths[i], i);
+}
+
+std::vector<std::size_t> PathSet::above(const std::string& path) const {
+    std::vector<std::size_t> found;
+    for (std::size_t end = 1; end <= path.size(); ++end) {
+        if (end < path.size() && path[end] != '.' && path[end] != '[') continue;
+        if (const auto it = places_.find(path.substr(0, end)); it != places_.end())
+            found.push_back(it->second);
+    }
+    return found;
+}
+
 NewPath moved_path(std::string from, std::string to) {
     return [from = std::move(from),
             to = std::move(to)](const std::string& path) -> std::optional<std::string> {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,19 @@ std::string path_below(const std::string& parent, const std::string& name);
 Handle instance_at(const Tree& tree, const std::string& path);
 /// Whether `path` is `top` or leads below it.
 bool is_at_or_below(const std::string& path, const std::string& top);
+
+/// Paths, by which those at or below one of them are found in a time that does not grow with their
+/// number.
+class PathSet {
+  public:
+    explicit PathSet(const std::vector<std::string>& paths);
+    std::size_t size() const { return places_.size(); }
+    /// Places in the list of those that are `path` or lead to something above it.
+    std::vector<std::size_t> above(const std::string& path) const;
+
+  private:
+    std::unordered_map<std::string, std::size_t> places_;
+};
 
 /// The path to write in the place of one, or nothing to leave it as it is. "": no reference.
 using NewPath = std::function<std::optional<std::string>(const std::string& path)>;

@@ -5,7 +5,7 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <optional>
+#include <unordered_set>
 #include <utility>
 
 #include "row_paths.h"
@@ -177,10 +177,9 @@ class Keeping {
         for (const JournalRow* row : rows)
             if (row->kind == Kind::value)
                 state_.kept.forget_value(paths_.home(*row), row->property);
-            else if (row->kind == Kind::deleted)
-                taken_out(state_, *row, state_.kept.forget_below(row->instance));
             else if (row->kind == Kind::restored)
                 state_.kept.put_back(row->instance, row->was);
+        take_out(rows, &KeptTweaks::forget_below);
         state_.kept.write();
     }
 
@@ -202,11 +201,7 @@ class Keeping {
 
     /// What rows call the instances that the files call otherwise now.
     InstanceMoves homes_changed(const std::vector<MoveStep>& moves) {
-        InstanceMoves all;
-        for (const auto& [from, to] : parents_first(moves)) {
-            const auto [parent, name] = split_path(to);
-            all.add(from, path_below(all.now(parent), name));
-        }
+        const InstanceMoves all = whole_moves(moves);
         const RowPaths before = std::exchange(paths_, RowPaths(state_));
         for (JournalRow& row : state_.earlier)
             if (row.state == RowState::open)
@@ -224,6 +219,7 @@ class Keeping {
         for (JournalRow* row : rows)
             if (rows_.tried(*row, [&] { into_kept(*row); })) done.push_back(row);
         try {
+            take_out(done, &KeptTweaks::remove);
             if (write(state_.kept.file(), done, [&] { state_.kept.write(); })) now_described(done);
         } catch (const SceneError& error) {
             state_.kept.read_again();
@@ -233,6 +229,20 @@ class Keeping {
             keep_by_path({rows.begin(), middle});
             keep_by_path({middle, rows.end()});
         }
+    }
+
+    /// What is deleted, out of the file of kept tweaks.
+    void take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*take)(
+                                        const std::vector<std::string>& paths)) {
+        Rows deletions;
+        std::vector<std::string> paths;
+        for (JournalRow* row : rows)
+            if (row->kind == Kind::deleted) {
+                deletions.push_back(row);
+                paths.push_back(row->instance);
+            }
+        const std::vector<std::string> before = (state_.kept.*take)(paths);
+        for (std::size_t i = 0; i < paths.size(); ++i) taken_out(state_, *deletions[i], before[i]);
     }
 
     void into_kept(JournalRow& row) {
@@ -248,7 +258,7 @@ class Keeping {
                 return state_.kept.add(home, paths_.home_scene(row));
             case Kind::deleted:
                 require_nothing_moved_out(paths_, row);
-                return taken_out(state_, row, state_.kept.remove(home));
+                return;
             case Kind::restored:
                 return state_.kept.put_back(home, row.was);
             case Kind::moved:
@@ -270,39 +280,36 @@ class Keeping {
 
     /// Of instances that the file of kept tweaks makes.
     void keep_moves_by_path(Rows rows) {
-        std::erase_if(rows, [&](JournalRow* row) {
-            return !rows_.tried(*row, [&] {
-                if (!state_.kept.makes(row->instance))
-                    throw Error(ErrorKind::rejected, given_by_script);
-            });
-        });
         const auto target = [&](const JournalRow& row) {
             return path_below(paths_.home_of_new_parent(row), split_path(row.now).second);
         };
         std::erase_if(rows, [&](const JournalRow* row) {
-            const std::string to = target(*row);
-            const bool moves_away = std::any_of(rows.begin(), rows.end(), [&](const auto* other) {
-                return other != row && other->instance == to;
+            return !rows_.tried(*row, [&] {
+                if (!state_.kept.makes(row->instance))
+                    throw Error(ErrorKind::rejected, given_by_script);
+                state_.kept.require_movable(row->instance, target(*row));
             });
-            return !moves_away && !rows_.tried(*row, [&] { require_free(to); });
+        });
+        std::unordered_set<std::string> moving_away;
+        for (const JournalRow* row : rows) moving_away.insert(row->instance);
+        std::erase_if(rows, [&](const JournalRow* row) {
+            const std::string to = target(*row);
+            return !moving_away.contains(to) && !rows_.tried(*row, [&] { require_free(to); });
         });
         if (rows.empty()) return;
         std::vector<MoveStep> moves;
         for (std::size_t i = 0; i < rows.size(); ++i)
             moves.push_back({i, rows[i]->instance, target(*rows[i])});
-        std::size_t which = 0;
         try {
-            for (const MoveStep& step : in_order(moves)) {
-                which = step.which;
-                (void)state_.kept.move(step.from, step.to);
-            }
-        } catch (const Error& error) {
+            if (write(state_.kept.file(), rows, [&] {
+                    state_.kept.move(moves);
+                    state_.kept.write();
+                }))
+                homes_changed(moves);
+        } catch (const SceneError& error) {
             state_.kept.read_again();
-            rows_.tell(*rows[which], error.what());
-            rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(which));
-            return keep_moves_by_path(std::move(rows));
+            report_.problems.emplace_back(error.what());
         }
-        if (write(state_.kept.file(), rows, [&] { state_.kept.write(); })) homes_changed(moves);
     }
 
     template <class Write>

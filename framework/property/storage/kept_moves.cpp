@@ -11,47 +11,55 @@
 
 namespace fettle::property {
 
-bool KeptTweaks::move(const std::string& path, const std::string& to) {
-    if (problem_.empty()) fold();  // what it is called in the file by now
-    const std::vector<Segment> from = parse_path(path), into = parse_path(to);
-    for (std::size_t count = from.size(); count > 0; --count) {
-        const std::string made = joined_path(from, count);
-        const Node* node =
-            document_ != nullptr && problem_.empty() ? member("created", made) : nullptr;
-        if (node == nullptr) continue;
-        const bool whole = count == from.size();
-        if (!whole && joined_path(from, from.size() - 1) != joined_path(into, into.size() - 1))
-            throw Error(ErrorKind::rejected, "it is a part of " + made +
-                                                 ", and another parent of a part cannot be kept");
-        SceneEdit edit(tree_, std::string(document_->raw(*node)), "its scene");
-        SceneSteps steps;
-        for (std::size_t i = count; i < from.size(); ++i)
-            steps.push_back({std::get<std::string>(from[i].key), SIZE_MAX});
-        edit.rename(steps, std::get<std::string>(into.back().key));
-        if (whole) drop("created", made);
-        put("created", whole ? to : made, without_indent(edit.text(), *document_, *node));
-        for (const std::string& other : contents_.created)  // what was made below it later
-            if (other != path && is_at_or_below(other, path)) {
-                const Node& its = *member("created", other);
-                drop("created", other);
-                put("created", to + other.substr(path.size()),
-                    without_indent(std::string(document_->raw(its)), *document_, its));
-            }
-        const NewPath now_at = moved_path(path, to);
-        rename_values(now_at);
-        fold();
-        rename_in_references(now_at);
-        return true;
+void KeptTweaks::require_movable(const std::string& from, const std::string& to) const {
+    const std::string made = made_above(from);
+    if (made != from && split_path(from).first != split_path(to).first)
+        throw Error(ErrorKind::rejected,
+                    "it is a part of " + made + ", and another parent of a part cannot be kept");
+}
+
+void KeptTweaks::move(const std::vector<MoveStep>& moves) {
+    fold();
+    const InstanceMoves all = whole_moves(moves);
+    std::map<std::string, std::vector<MoveStep>> parts;  // by what they are a part of
+    for (const MoveStep& move : moves)
+        if (const std::string made = made_above(move.from); made != move.from)
+            parts[made].push_back(move);
+    std::vector<std::pair<std::string, std::string>> moved;
+    for (const std::string& key : contents_.created) {
+        const std::string now = all.now(key);
+        if (now == key && !parts.contains(key)) continue;
+        const Node& node = *member("created", key);
+        SceneEdit edit(tree_, std::string(document_->raw(node)), "its scene");
+        for (const MoveStep& step : in_order(parts[key])) {
+            SceneSteps steps;
+            const std::vector<Segment> names = parse_path(step.from);
+            for (std::size_t i = parse_path(key).size(); i < names.size(); ++i)
+                steps.push_back({std::get<std::string>(names[i].key), no_place});
+            edit.rename(steps, split_path(step.to).second);
+        }
+        if (split_path(now).second != split_path(key).second)
+            edit.rename({}, split_path(now).second);
+        drop("created", key);
+        moved.emplace_back(now, without_indent(edit.text(), *document_, node));
     }
-    return false;
+    for (const auto& [key, scene] : moved) put("created", key, scene);
+    const NewPath now_at = [&](const std::string& path) { return all.now(path); };
+    rename_values(now_at);
+    fold();
+    rename_in_references(now_at);
+}
+
+/// The path of the instance that the file makes there, or above that; "": it makes none.
+std::string KeptTweaks::made_above(const std::string& path) const {
+    const std::vector<Segment> names = parse_path(path);
+    for (std::size_t count = names.size(); count > 0; --count)
+        if (std::string made = joined_path(names, count); created_.contains(made)) return made;
+    return {};
 }
 
 bool KeptTweaks::makes(const std::string& path) const {
-    const std::vector<Segment> names = parse_path(path);
-    for (std::size_t count = names.size(); count > 0 && document_ != nullptr; --count)
-        if (problem_.empty() && member("created", joined_path(names, count)) != nullptr)
-            return true;
-    return false;
+    return !made_above(path).empty();
 }
 
 void KeptTweaks::rename(const NewPath& now_at) {
@@ -89,36 +97,6 @@ void KeptTweaks::rename_values(const NewPath& now_at) {
                     without_indent(std::string(document_->raw(node)), *document_, node));
             }
     for (const auto& [key, value] : renamed) put("values", key, value);
-}
-
-/// What the file says of an instance and of what is below it, and what names these.
-std::string KeptTweaks::about(const std::string& path) const {
-    std::string values, created;
-    for (const auto& [section, key] : all_keys()) {
-        const std::string instance = section == "values" ? split_path(key).first : key;
-        bool names_it = false;
-        (void)with_paths(section, key, [&](const std::string& named) {
-            names_it = names_it || is_at_or_below(named, path);
-            return std::optional<std::string>();
-        });
-        if (!names_it && !is_at_or_below(instance, path)) continue;
-        const Node& node = *member(section, key);
-        std::string& list = section == "values" ? values : created;
-        list += list.empty() ? "" : ", ";
-        append_quoted(list, key);
-        list += ": " + without_indent(std::string(document_->raw(node)), *document_, node);
-    }
-    return "{\"values\": {" + values + "}, \"created\": {" + created + "}}";
-}
-
-void KeptTweaks::put_back(const std::string& path, const std::string& taken_out) {
-    drop("deleted", path);
-    if (taken_out.empty()) return;
-    const Document document(taken_out, "journal");
-    for (const char* section : {"values", "created"})
-        if (const Node* all = document.member(document.root(), section))
-            for (const Node* node = document.first(*all); node; node = document.next(*node))
-                put(section, document.key(*node), std::string(document.raw(*node)));
 }
 
 std::vector<std::pair<std::string, std::string>> KeptTweaks::all_keys() const {

@@ -39,14 +39,14 @@ void KeptTweaks::read_again() {
     changes_.clear();
     unwritten_ = false;
     document_.reset();
-    contents_ = {};
+    set_contents({});
     problem_.clear();
     if (!files_.exists(file_)) return;
     try {
         read();
     } catch (const Error& error) {
         problem_ = error.what();
-        contents_ = {};
+        set_contents({});
     }
 }
 
@@ -69,7 +69,12 @@ void KeptTweaks::read() {
             std::find(known.begin(), known.end(), key) == known.end())
             warn(node->key_begin, "a file of kept tweaks has no key " + value_text(Value(key)) +
                                       suggestion(key, known) + "; what it holds has no effect");
-    contents_ = contents_of(*document_);
+    set_contents(contents_of(*document_));
+}
+
+void KeptTweaks::set_contents(Contents contents) {
+    contents_ = std::move(contents);
+    created_ = {contents_.created.begin(), contents_.created.end()};
 }
 
 KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
@@ -212,30 +217,6 @@ void KeptTweaks::add(const std::string& path, const std::string& scene) {
     put("created", path, text);
 }
 
-std::string KeptTweaks::remove(const std::string& path) {
-    const std::vector<std::string>& created = contents_.created;
-    const auto was_created = std::find(created.begin(), created.end(), path) != created.end();
-    std::string before = forget_below(path);
-    std::string quoted;
-    append_quoted(quoted, path);
-    if (!was_created) put("deleted", path, quoted);
-    return before;
-}
-
-std::string KeptTweaks::forget_below(const std::string& path) {
-    fold();
-    std::string before = about(path);
-    for (const std::string& key : contents_.created)
-        if (is_at_or_below(key, path)) drop("created", key);
-    each_value_below(path, [&](const std::string&, const Kept& kept) { drop("values", kept.key); });
-    fold();
-    rename_in_references([&](const std::string& named) -> std::optional<std::string> {
-        if (is_at_or_below(named, path)) return std::string();
-        return std::nullopt;
-    });
-    return before;
-}
-
 void KeptTweaks::forget_value(const std::string& instance, const std::string& property) {
     if (const auto its = contents_.values.find(instance); its != contents_.values.end())
         for (const Kept& kept : its->second)
@@ -258,7 +239,7 @@ void KeptTweaks::fold() {
     for (const Changes& each : changes) make(edit, each);
     if (edit.text() == before) return;
     auto document = std::make_shared<const Document>(edit.text(), file_.string());
-    contents_ = contents_of(*document);
+    set_contents(contents_of(*document));
     document_ = std::move(document);
     unwritten_ = true;
 }

@@ -25,7 +25,7 @@
 #include <fettle/property/tree.h>
 
 #include "image.h"
-#include "instance_paths.h"
+#include "instance_moves.h"
 #include "json_edit.h"
 
 namespace fettle::property {
@@ -56,20 +56,21 @@ class KeptTweaks {
     void set(const std::string& instance, const std::string& property, const Property* declared,
              const Image& image, const NewPath& written);
     void add(const std::string& path, const std::string& scene);
-    /// What was told of it in the file, for `put_back`.
-    std::string remove(const std::string& path);
+    /// For each of the paths, what the file told of it, for `put_back`.
+    std::vector<std::string> remove(const std::vector<std::string>& paths);
     /// `taken_out`: what `remove` has given; "" where it is not known.
     void put_back(const std::string& path, const std::string& taken_out);
     bool makes(const std::string& path) const;
-    /// False when the file makes no such instance. Throws Error for one that it makes as a part of
-    /// another one and that is to leave it.
-    bool move(const std::string& path, const std::string& to);
+    /// Instances that the file makes get other paths: all of them at once. Throws Error for one
+    /// that it makes as a part of another one and that is to leave it.
+    void require_movable(const std::string& from, const std::string& to) const;
+    void move(const std::vector<MoveStep>& moves);
     /// Instances have other paths now: those that tweaks are about, and those that they name.
     void rename(const NewPath& now_at);
     /// A value, or an instance with all its values, is told elsewhere from now on.
     void forget_value(const std::string& instance, const std::string& property);
-    /// And those of everything below; what names it names nothing. Gives what `remove` gives.
-    std::string forget_below(const std::string& path);
+    /// And what is below them; what named them names nothing. Gives what `remove` gives.
+    std::vector<std::string> forget_below(const std::vector<std::string>& paths);
     void write();
 
   private:
@@ -83,6 +84,7 @@ class KeptTweaks {
         std::vector<std::string> created{}, deleted{};      // paths
     };
     void read();
+    void set_contents(Contents contents);
     static Contents contents_of(const Document& document);
     void check_value(const std::string& path, const Property* declared, const Image& image) const;
     /// A value that a property is to get.
@@ -106,8 +108,9 @@ class KeptTweaks {
                 for (const Kept& kept : its->second) visit(its->first, kept);
     }
     void fold();
+    std::string made_above(const std::string& path) const;
     void rename_values(const NewPath& now_at);
-    std::string about(const std::string& path) const;
+    std::vector<std::string> about(const PathSet& paths) const;
     void rename_in_references(const NewPath& now_at);
     /// The text of a value or of a new instance with other paths; nothing where it names none.
     std::optional<std::string> with_paths(const std::string& section, const std::string& key,
@@ -141,6 +144,7 @@ class KeptTweaks {
     GameFiles& files_;
     std::filesystem::path file_;
     Warn warn_;
+    std::unordered_set<std::string> created_;   // of the contents
     std::string problem_;                       // why the file is not used
     std::shared_ptr<const Document> document_;  // as it was read
     std::vector<Changes> changes_;              // since, of each section

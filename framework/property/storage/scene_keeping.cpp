@@ -23,14 +23,6 @@ Rows moves_in(const Rows& rows) {
     return moves;
 }
 
-std::vector<std::pair<std::string, std::string>> parents_first(const std::vector<MoveStep>& moves) {
-    std::vector<std::pair<std::string, std::string>> sorted;
-    for (const MoveStep& move : moves) sorted.emplace_back(move.from, move.to);
-    std::sort(sorted.begin(),
-              sorted.end());  // the path of a parent is the beginning of the child's
-    return sorted;
-}
-
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row) {
     const auto [parent, name] = split_path(paths.home(row));
     check_scene(state.tree, Document(paths.live_scene(row), "its scene"), paths.instance(parent),
@@ -171,7 +163,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
     }
     const std::string top = paths_.home_of_top(*rows.front());
     InstanceMoves in_file;  // from the top of the scene
-    for (const auto& [from, to] : parents_first(moves))
+    for (const auto& [which, from, to] : parents_first(moves))
         if (is_at_or_below(from, top) && from != top)
             in_file.add(from.substr(top.size()),
                         in_file.now(split_path(from).first.substr(top.size())) +

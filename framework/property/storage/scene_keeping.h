@@ -19,9 +19,6 @@ Rows moves_in(const Rows& rows);
 inline constexpr const char* given_by_script =
     "a name or parent that a script gives cannot be kept: change the script";
 
-/// From and to, the parents of instances before the instances.
-std::vector<std::pair<std::string, std::string>> parents_first(const std::vector<MoveStep>& moves);
-
 /// Throws Error for the scene of a new instance that could not be loaded in its place.
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row);
 /// Throws Error where something that has moved elsewhere would go with it, since its move is in no

@@ -221,7 +221,10 @@ void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path
         return touch(*made->second);
     }
     if (taken_out_of_creation(instance, parent)) return;
-    const std::string home = moves().home(path);
+    const auto moved_before = moved_entries.find(key(instance));
+    const std::string home = moved_before != moved_entries.end() && !moved_before->second->gone
+                                 ? home_of(instance)
+                                 : path_below(home_of(parent), split_path(path).second);
     if (const auto again = restorations.find(key(instance));
         again != restorations.end() && again->second->row.state == RowState::open &&
         !again->second->gone) {  // the file still says that it is deleted
@@ -267,7 +270,7 @@ bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
 
 /// Tweaks of what is at `path` or below it. `home`: of the instance there; "": the files know none.
 void Tweaks::State::make_void(const std::string& path, const std::string& home, Entry& deletion) {
-    const InstanceMoves all = moves();
+    const InstanceMoves all = restorations.empty() ? InstanceMoves() : moves();
     const auto path_now = [&](const JournalRow& row) -> std::string {
         if (row.kind == Kind::moved || row.kind == Kind::deleted) return row.now;
         return row.kind == Kind::restored ? all.now(row.instance) : row.instance;

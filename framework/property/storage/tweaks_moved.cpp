@@ -27,7 +27,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     if (first) move.gone = true;                      // until it says where it was
     if (first || move.row.state == RowState::kept) {  // its home is what the files say now
         move.row.property.clear();
-        move.row.instance = moves().home(old_path);
+        move.row.instance = path_below(home_of(old_parent), old_name);
         move.row.now = old_path;
         tell_origin(move, instance);
     }
@@ -36,11 +36,28 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     move.row.was_text = move.row.instance;
     move.row.now_text = "moved to " + move.row.now;
     touch(move);
-    const auto [parent, name] = split_path(move.row.now);
-    const auto [home_parent, home_name] = split_path(move.row.instance);
-    move.gone = name == home_name && moves().home(parent) == home_parent;
+    move.gone = false;
+    move.gone =
+        path_below(home_of(tree.parent(instance)), tree.name(instance)) == move.row.instance;
     if (Entry* above = into_new ? created_above(instance) : nullptr)
         above->scene = scene_of_new(above->handle, nullptr);
+}
+
+/// The home path of an instance.
+std::string Tweaks::State::home_of(Handle instance) const {
+    std::vector<std::string> names;
+    std::string home = "game";
+    for (Handle at = instance; at && at != tree.root(); at = tree.parent(at)) {
+        const auto found = moved_entries.find(key(at));
+        if (found != moved_entries.end() && !found->second->gone &&
+            found->second->row.state != RowState::kept) {
+            home = found->second->row.instance;
+            break;
+        }
+        names.push_back(tree.name(at));
+    }
+    for (auto name = names.rbegin(); name != names.rend(); ++name) home = path_below(home, *name);
+    return home;
 }
 
 InstanceMoves Tweaks::State::moves() const {

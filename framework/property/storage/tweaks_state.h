@@ -82,6 +82,7 @@ struct Tweaks::State : EditObserver {
     void repath(Handle instance, const std::string& old_path);
     /// Moves of this run that are in no file.
     InstanceMoves moves() const;
+    std::string home_of(Handle instance) const;
     /// Files call instances otherwise now.
     void homes_changed(const NewPath& now_at);
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
