@@ -36,6 +36,16 @@ Handle instance_at(const Tree& tree, const std::string& path) {
     return place.instance;
 }
 
+Handle instance_or_none(const Tree& tree, const std::string& path) {
+    Handle at = tree.root();
+    for (const Segment& segment : parse_path(path)) {
+        if (segment.is_index()) return {};
+        at = tree.child(at, std::get<std::string>(segment.key));
+        if (!at) return {};
+    }
+    return at;
+}
+
 bool is_at_or_below(const std::string& path, const std::string& top) {
     return path.starts_with(top) &&
            (path.size() == top.size() || path[top.size()] == '.' || path[top.size()] == '[');

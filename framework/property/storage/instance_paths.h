@@ -22,6 +22,8 @@ std::pair<std::string, std::string> split_path(const std::string& path);
 std::string path_below(const std::string& parent, const std::string& name);
 /// Throws Error where there is none.
 Handle instance_at(const Tree& tree, const std::string& path);
+/// Null where there is none.
+Handle instance_or_none(const Tree& tree, const std::string& path);
 /// Whether `path` is `top` or leads below it.
 bool is_at_or_below(const std::string& path, const std::string& top);
 

@@ -119,12 +119,9 @@ std::optional<std::string> KeptTweaks::with_paths(const std::string& section,
         } else {
             const auto [instance, property] = split_path(key);
             Type type = Type::nil, element = Type::nil;
-            try {
-                const Handle handle = resolve(tree_, instance).instance;
+            if (const Handle handle = instance_or_none(tree_, instance))  // else it says its type
                 if (const Property* declared = tree_.class_of(handle).property(property))
                     type = declared_type(*declared), element = declared->element;
-            } catch (const Error&) {  // not there now: the value says its own type
-            }
             now = value_with_paths(text, now_at, type, element);
         }
     } catch (const Error&) {  // what is wrong with it is told when the game starts

@@ -52,11 +52,7 @@ class Reapplying {
         return instance_at(tree_, state_.moves().now(home));
     }
     Handle at_or_none(const std::string& home) const {
-        try {
-            return at(home);
-        } catch (const Error&) {
-            return {};
-        }
+        return instance_or_none(tree_, state_.moves().now(home));
     }
 
     /// What is to be moved or deleted has its home path until then.

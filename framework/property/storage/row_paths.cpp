@@ -51,11 +51,7 @@ std::string RowPaths::home_of_live(const std::string& path) const {
 }
 
 Handle RowPaths::instance(const std::string& home) const {
-    try {
-        return instance_at(state_->tree, now_.now(home));
-    } catch (const Error&) {
-        return {};
-    }
+    return instance_or_none(state_->tree, now_.now(home));
 }
 
 Image RowPaths::live_image(const JournalRow& row) const {

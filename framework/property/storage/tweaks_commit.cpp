@@ -196,13 +196,7 @@ bool Tweaks::State::is_deleted(const std::string& path) const {
     };
     const bool was_there = std::any_of(entries.begin(), entries.end(),
                                        [&](const auto& each) { return is_its(*each); });
-    if (!was_there) return false;
-    try {
-        (void)instance_at(tree, path);
-        return false;  // another one has its name now
-    } catch (const Error&) {
-        return true;
-    }
+    return was_there && !instance_or_none(tree, path);  // else another one has its name now
 }
 
 /// Tweaks that name what is at the path or below it: that is gone, or back.
