@@ -1,8 +1,8 @@
-// Pairs of two buckets, for the instruction set of the file that includes this: see wide/vector.h.
+// Pairs of two buckets, for the instruction set of the file that includes this: see simd/vector.h.
 #pragma once
 
 #include <broad_phase/bucket.h>
-#include <wide/vector.h>
+#include <simd/vector.h>
 
 namespace fettle::physics::detail {
 namespace {

@@ -1,9 +1,9 @@
 // `collide` for sixteen pairs of triangles and quadrilaterals, operation by operation the same, for
-// the instruction set of the file that includes this: see wide/vector.h.
+// the instruction set of the file that includes this: see simd/vector.h.
 #pragma once
 
 #include <collision/batch.h>
-#include <wide/vector.h>
+#include <simd/vector.h>
 
 namespace fettle::physics::detail {
 namespace {

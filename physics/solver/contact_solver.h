@@ -1,7 +1,7 @@
 #pragma once
 
-#include <solver/constraint.h>
-#include <solver/rolling_contact.h>
+#include <constraints/contact_constraint.h>
+#include <constraints/rolling_contact.h>
 
 #include <span>
 

@@ -1,5 +1,6 @@
 #include <solver/direct_problem.h>
 #include <solver/direct_rows.h>
+#include <solver/motion.h>
 #include <world/world_data.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/joint_constraint.h>
+#include <joints/joint_constraint.h>
 
 #include <algorithm>
 #include <limits>

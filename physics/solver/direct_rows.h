@@ -1,8 +1,8 @@
 #pragma once
 
+#include <joints/joint_types.h>
 #include <solver/contact_solver.h>
 #include <solver/direct_row.h>
-#include <world/joint_types.h>
 
 namespace fettle::physics::detail {
 

@@ -1,3 +1,4 @@
+#include <solver/motion.h>
 #include <world/world_data.h>
 
 #include <algorithm>

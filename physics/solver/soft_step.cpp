@@ -1,4 +1,5 @@
 #include <solver/contact_solver.h>
+#include <solver/motion.h>
 #include <world/world_data.h>
 
 #include <algorithm>

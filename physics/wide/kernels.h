@@ -2,7 +2,7 @@
 
 #include <broad_phase/bucket.h>
 #include <collision/batch.h>
-#include <solver/wide_contact.h>
+#include <constraints/wide_contact.h>
 
 namespace fettle::physics::detail {
 

@@ -1,7 +1,7 @@
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
 #include <collision/piece.h>
-#include <geometry/submerged.h>
+#include <collision/submerged.h>
 #include <geometry/trigonometry.h>
 #include <world/arguments.h>
 #include <world/world_data.h>

@@ -1,5 +1,5 @@
 #include <geometry/growth.h>
-#include <solver/union_find.h>
+#include <partition/union_find.h>
 #include <world/world_data.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <geometry/trigonometry.h>
+#include <solver/motion.h>
 #include <world/archive.h>
 #include <world/world_data.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <solver/blocks.h>
+#include <partition/blocks.h>
+#include <state/step_scratch.h>
+#include <state/world_state.h>
 #include <wide/kernels.h>
-#include <world/step_scratch.h>
 #include <world/world_self.h>
-#include <world/world_state.h>
 
 #include <array>
 #include <span>

@@ -39,6 +39,10 @@ TEST_CASE("a part includes only the parts and libraries that it may know") {
     CHECK(listed(forbidden_includes(project())) == "");
 }
 
+TEST_CASE("a room of a part includes only the rooms that it may know") {
+    CHECK(listed(forbidden_rooms(project())) == "");
+}
+
 TEST_CASE("a part links only the parts and libraries that it may know") {
     CHECK(listed(forbidden_links(project())) == "");
 }

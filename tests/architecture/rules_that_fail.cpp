@@ -34,6 +34,17 @@ TEST_CASE("a part that includes what it may not know is named with file and line
           0);
 }
 
+TEST_CASE("a room that includes a room above it is named with file and line") {
+    const auto verdict = [](const char* path, const char* header) {
+        return of(forbidden_rooms, path, "#include <" + std::string(header) + ">\n");
+    };
+    CHECK(verdict("physics/geometry/hull.cpp", "fettle/physics/world.h").empty());
+    const Violations found = verdict("physics/geometry/hull.cpp", "../solver/island.h");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].find("physics/geometry/hull.cpp:1: physics/geometry may not include "
+                        "physics/solver/island.h; it may know nothing") == 0);
+}
+
 TEST_CASE("property and physics do not know each other") {
     CHECK(of(forbidden_includes, "framework/property/tree.cpp", "#include <fettle/physics/world.h>")
               .size() == 1);

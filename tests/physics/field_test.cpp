@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "scenes.h"
 
-#include <geometry/submerged.h>
+#include <collision/submerged.h>
 
 namespace field_test {
 

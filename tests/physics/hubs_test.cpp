@@ -1,6 +1,6 @@
 // What many lighter bodies lie on: its copies, and that it moves as one body does.
 
-#include <solver/hubs.h>
+#include <partition/hubs.h>
 
 #include <algorithm>
 #include <random>

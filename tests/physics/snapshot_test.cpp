@@ -2,7 +2,7 @@
 
 #include "saved_worlds.h"
 
-#include <world/records.h>
+#include <state/records.h>
 
 #include <algorithm>
 #include <array>

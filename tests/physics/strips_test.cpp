@@ -1,7 +1,7 @@
 // Heaps cut into strips: the nodes and what is solved after what, and that several threads end with
 // what one thread ends with.
 
-#include <solver/strips.h>
+#include <partition/strips.h>
 
 #include <algorithm>
 #include <atomic>

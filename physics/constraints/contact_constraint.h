@@ -1,0 +1,91 @@
+#pragma once
+
+#include <constraints/solver_body.h>
+
+#include <cstdint>
+
+// What the solver iterates over: contiguous, gathered from the records before the sub-steps and
+// stored back after them.
+
+namespace fettle::physics::detail {
+
+/// The greatest impulse that a contact keeps from step to step, N s.
+inline constexpr float greatest_impulse = 1e30f;
+
+/// One point of a contact. The rows of the Jacobian are kept as their lever arms: r×n and r×t of
+/// both bodies. The separation follows the bodies to first order, s = s₀ + n·Δd + (r_b×n)·Δθ_b -
+/// (r_a×n)·Δθ_a, which is exact for circles that roll and costs the same dot products as the
+/// velocity.
+struct ConstraintPoint {
+    float normal_lever_a, normal_lever_b;
+    float tangent_lever_a, tangent_lever_b;
+    float separation;
+    float normal_mass, tangent_mass;
+    float normal_impulse, tangent_impulse;
+};
+
+struct ContactConstraint {
+    uint32_t a, b;  ///< solver bodies
+    V2 normal;
+    float friction;
+    uint32_t contact;       ///< record to store into
+    uint32_t extra;         ///< index + 1 of what only special contacts need; 0: none
+    uint16_t count;         ///< points
+    bool anisotropic;       ///< a body is locked along one axis: solved one at a time
+    uint16_t fixed;         ///< 1: one side does not move: stiffer
+    float coupling_normal;  ///< change of the normal velocity of point 2 for a unit impulse at
+                            ///< point 1
+    float coupling_tangent;
+    Softness soft;
+    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: none along a locked axis
+    ConstraintPoint points[2];
+};
+
+/// What a contact round a corner needs. Along the normal, who passes at a tangent comes nearer:
+/// s₀ + u_n; in truth the cores keep a distance of √((d + u_n)² + u_t²), which is more. Left out, a
+/// circle that rolls over flush tiles is kicked by the corner of every next one before it gets
+/// there.
+struct Corner {
+    float distance = 0.0f;                 ///< d of the cores when the step began, m; 0: no corner
+    float lever_a = 0.0f, lever_b = 0.0f;  ///< of the cores along the tangent, m
+};
+
+/// What the way round a corner adds to the gap that is told along the normal: by now, or when all
+/// has gone on for a time. `along_normal`: how far the cores came apart by then, m. `motion` has
+/// the velocities va, wa of a and vb, wb of b.
+template <class Motion>
+float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
+                 const Motion& motion, float along_normal, float ahead) {
+    const V2 t = right_perp(n);
+    const float moved =
+        dot(t, b.shift - a.shift) + (corner.lever_b * b.turn - corner.lever_a * a.turn);
+    const float velocity =
+        dot(t, motion.vb - motion.va) + (corner.lever_b * motion.wb - corner.lever_a * motion.wa);
+    const float u = moved + ahead * velocity;
+    const float reach = max(corner.distance + along_normal, 0.0f);
+    return u * u / (std::sqrt(reach * reach + u * u) + reach + 1e-12f);
+}
+
+struct ContactExtra {
+    Corner corner;
+    uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
+    float restitution = 0.0f;
+    float rolling_resistance =
+        0.0f;  ///< m: times the normal impulse is the greatest angular impulse
+    float rolling_mass = 0.0f;
+    float rolling_impulse = 0.0f;
+    float surface_speed = 0.0f;
+    float approach[2] = {};  ///< relative normal velocity before the step
+    float greatest[2] = {};  ///< normal impulse of any sub-step
+    float total[2] = {};     ///< sum of normal impulses over the sub-steps
+
+    /// What events and restitution need to know about the impulses of a sub-step.
+    void record(const ContactConstraint& c) {
+        for (int k = 0; k < c.count; ++k) {
+            greatest[k] = max(greatest[k], c.points[k].normal_impulse);
+            total[k] += c.points[k].normal_impulse;
+        }
+    }
+};
+
+}  // namespace fettle::physics::detail

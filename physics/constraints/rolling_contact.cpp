@@ -1,0 +1,83 @@
+#include <collision/ellipse.h>
+#include <collision/large_polygon.h>
+#include <constraints/rolling_contact.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// A face is a circle this large, m.
+constexpr float face_bend = 1e6f;
+
+float inverse_along(const ContactConstraint& c, V2 d) {
+    return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
+           d.y * d.y * (c.inverse_a.y + c.inverse_b.y);
+}
+
+}  // namespace
+
+float bend_of(const Solid& shape, V2 normal) {
+    if (shape.kind == FormKind::border) return face_bend;
+    if (shape.kind == FormKind::ellipse) {
+        // ρ = a²b²/h³.
+        const EllipseForm e = ellipse_of(shape.form);
+        const float ratio = e.first * e.second / e.reach(normal);
+        return ratio * ratio / e.reach(normal);
+    }
+    constexpr float along = 1.0f - 1e-5f;
+    if (shape.kind == FormKind::large) {
+        const V2 d = unrotate(shape.rotation, normal);
+        const int vertex = farthest_vertex(shape.form, d);
+        const int before = vertex > 0 ? vertex - 1 : shape.form.count - 1;
+        const bool face = dot(shape.form.normals[vertex], d) > along ||
+                          dot(shape.form.normals[before], d) > along;
+        return face ? face_bend : shape.form.radius;
+    }
+    for (int i = 0; shape.form.count > 1 && i < shape.form.count; ++i)
+        if (dot(shape.form.normals[i], normal) > along) return face_bend;
+    return shape.form.radius;
+}
+
+RollingContact::RollingContact(const ContactConstraint& start, float bend_a, float bend_b)
+    : normal_(start.normal), start_(start.points[0]) {
+    // The tangent levers are -h_a and h_b: the reach along the normal, half the gap included.
+    const double reach_a = -double(start_.tangent_lever_a);
+    const double reach_b = double(start_.tangent_lever_b);
+    const double half = 0.5 * double(start_.separation);
+    second_a_ = double(bend_a) + half - reach_a;
+    second_b_ = double(bend_b) + half - reach_b;
+    // Deep inside each other surfaces have no contact that rolls.
+    const double sum = double(start_.separation) + double(bend_a) + double(bend_b);
+    const double least = 0.1 * (double(bend_a) + double(bend_b));
+    sum_ = sum > least ? sum : (least > 0.0 ? least : 1e-6);
+}
+
+void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const {
+    const V2 across = -right_perp(normal_);
+    const V2 shift = b.shift - a.shift;
+    const double turn_a = double(a.turn), turn_b = double(b.turn);
+    double phi = (double(dot(across, shift)) + second_a_ * turn_a + second_b_ * turn_b) / sum_;
+    phi = phi > 0.5 ? 0.5 : (phi < -0.5 ? -0.5 : phi);
+    const double gap =
+        double(start_.separation) + double(dot(normal_, shift)) -
+        double(start_.normal_lever_a) * turn_a + double(start_.normal_lever_b) * turn_b +
+        0.5 * (sum_ * phi * phi - second_a_ * turn_a * turn_a - second_b_ * turn_b * turn_b);
+    const auto angle = float(phi);
+    c.normal = normalized(normal_ + angle * across);
+    const V2 tangent = right_perp(c.normal);
+    ConstraintPoint& p = c.points[0];
+    p.normal_lever_a = float(double(start_.normal_lever_a) + second_a_ * (turn_a - phi));
+    p.normal_lever_b = float(double(start_.normal_lever_b) - second_b_ * (turn_b - phi));
+    p.tangent_lever_a = start_.tangent_lever_a + start_.normal_lever_a * float(phi - turn_a);
+    p.tangent_lever_b = start_.tangent_lever_b + start_.normal_lever_b * float(phi - turn_b);
+    p.normal_mass = inverse_or_zero(inverse_along(c, c.normal) +
+                                    a.inverse_inertia * p.normal_lever_a * p.normal_lever_a +
+                                    b.inverse_inertia * p.normal_lever_b * p.normal_lever_b);
+    p.tangent_mass = inverse_or_zero(inverse_along(c, tangent) +
+                                     a.inverse_inertia * p.tangent_lever_a * p.tangent_lever_a +
+                                     b.inverse_inertia * p.tangent_lever_b * p.tangent_lever_b);
+    // The passes add what the bodies moved to first order.
+    p.separation =
+        float(gap) - dot(c.normal, shift) - p.normal_lever_b * b.turn + p.normal_lever_a * a.turn;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <collision/solid.h>
+#include <constraints/contact_constraint.h>
+
+namespace fettle::physics::detail {
+
+/// Radius of curvature (m) of the surface of a shape where its outward normal is `normal`: that of
+/// the ellipse there, of the circle or the rounding of a corner, next to infinite for a face.
+float bend_of(const Solid& shape, V2 normal);
+
+/// How a contact of curved surfaces changes while the bodies turn, to second order. Direction,
+/// levers and gap of a contact are told for the begin of the step; that is enough for faces and
+/// circles. On an ellipse the contact runs along the rim as it rolls, and a lever that is a step
+/// old lets it gain energy until it tumbles.
+///
+/// With φ the angle of the normal, h(φ - θ) the reach of a body from its center of mass along it
+/// and c from center to center, the gap is s = n(φ)·c - h_a(φ - θ_a) - h_b(φ + π - θ_b), greatest
+/// at the contact: ∂s/∂φ = 0. The radius of curvature is ρ = h + h'', so that ∂²s/∂φ² = -(s + ρ_a +
+/// ρ_b). When the bodies have moved by δc, δθ_a, δθ_b, the normal has turned by
+///
+///     φ = (n⊥·δc + h_a''·δθ_a + h_b''·δθ_b) / (s + ρ_a + ρ_b),
+///
+/// the gap is
+///
+///     s + n·δc - l_a·δθ_a + l_b·δθ_b + ½ [(s + ρ_a + ρ_b)·φ² - h_a''·δθ_a² - h_b''·δθ_b²],
+///
+/// and the levers, l = r × n, are those of the new normal in the turned bodies:
+/// l_a + h_a''·(δθ_a - φ) and l_b - h_b''·(δθ_b - φ).
+class RollingContact {
+  public:
+    RollingContact() = default;
+    RollingContact(const ContactConstraint& start, float bend_a, float bend_b);
+
+    /// Writes direction, levers, masses and gap into the constraint, for where the bodies are now.
+    void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
+    bool acts() const { return sum_ > 0.0; }
+
+  private:
+    V2 normal_;
+    ConstraintPoint start_ = {};
+    double second_a_ = 0.0, second_b_ = 0.0;  // h''
+    double sum_ = 0.0;                        // s + ρ_a + ρ_b
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <geometry/vector.h>
+
+#include <cstdint>
+
+// The bodies of the solver, and the softness of the constraints between them.
+
+namespace fettle::physics::detail {
+
+/// The part of a body that constraints read and write, 32 bytes. Index 0 is the body that does not
+/// move: every fixed or sleeping body is solved as this one.
+struct alignas(32) SolverBody {
+    V2 velocity;
+    float angular_velocity = 0.0f;
+    float inverse_mass = 0.0f;
+    V2 shift;           ///< of the center of mass since the step began, m
+    float turn = 0.0f;  ///< since the step began, rad
+    float inverse_inertia = 0.0f;
+};
+static_assert(sizeof(SolverBody) == 32);
+
+/// What gravity, forces and damping do to a body in one sub-step: v ← (v + change) · keep.
+struct alignas(16) SolverForce {
+    V2 change;
+    float turn_change = 0.0f;
+    float no_change = 0.0f;  ///< of the inverse mass, which shares a vector with the velocities
+    V2 keep = {1.0f, 1.0f};
+    float turn_keep = 1.0f;
+    float keep_all = 1.0f;
+    /// Velocity before the contacts' warm start, of which joints are a part.
+    V2 before;
+    float turn_before = 0.0f;
+    float unused = 0.0f;
+};
+
+/// Zero for the inverse mass of what nothing moves.
+inline float inverse_or_zero(float k) {
+    return k > 0.0f ? 1.0f / k : 0.0f;
+}
+
+/// Coefficients of a soft constraint.
+struct Softness {
+    float bias_rate = 0.0f;
+    float mass_scale = 1.0f;
+    float impulse_scale = 0.0f;
+};
+
+/// `hertz` 0 is rigid without position correction. With ω = 2π·hertz and sub-step h: a1 = 2ζ + hω,
+/// a2 = hω·a1 (E. Catto, "Soft Constraints", GDC 2011).
+inline Softness make_softness(float hertz, float damping_ratio, float h) {
+    if (!(hertz > 0.0f)) return {0.0f, 1.0f, 0.0f};
+    const float omega = 6.2831853f * hertz;
+    const float a1 = 2.0f * damping_ratio + h * omega;
+    const float a2 = h * omega * a1;
+    const float a3 = 1.0f / (1.0f + a2);
+    return {omega / a1, a2 * a3, a3};
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <constraints/solver_body.h>
+#include <partition/strips.h>
+
+#include <span>
+#include <vector>
+
+namespace fettle::physics::detail {
+
+/// Keeps what joints do to bodies apart from what contacts do, for the joints of some nodes at a
+/// time.
+class JointShare {
+  public:
+    void clear() { bodies_.clear(); }
+    /// A body that a joint of that node acts on; again and again, if need be.
+    void add(uint32_t node, uint32_t body) { bodies_.push_back(uint64_t{node} << 32 | body); }
+    void unite();
+
+    /// Runs a pass over the joints of these nodes.
+    template <typename Pass>
+    void around(const StripNodes& nodes, std::span<const SolverBody> bodies,
+                std::span<SolverForce> forces, Pass&& pass) {
+        remember(nodes, bodies);
+        pass();
+        add_change(nodes, bodies, forces);
+    }
+
+    /// All of it is made anew in every step.
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.bodies_), io(self.velocities_);
+    }
+
+  private:
+    struct Velocity {
+        V2 linear;
+        float angular = 0.0f;
+    };
+    void remember(const StripNodes& nodes, std::span<const SolverBody> bodies);
+    void add_change(const StripNodes& nodes, std::span<const SolverBody> bodies,
+                    std::span<SolverForce> forces) const;
+
+    std::vector<uint64_t> bodies_;  // node << 32 | body
+    std::vector<Velocity> velocities_;
+    NodeRanges nodes_;
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,103 @@
+#include <joints/weld_joint.h>
+
+// Three rows: C = p_b - p_a and C_θ = θ_b - θ_a - reference. The inertia couples them,
+//
+//     K = | M + I_a⁻¹·a aᵀ + I_b⁻¹·b bᵀ    I_a⁻¹·a + I_b⁻¹·b |     M = M_a⁻¹ + M_b⁻¹,
+//         | (I_a⁻¹·a + I_b⁻¹·b)ᵀ           I_a⁻¹ + I_b⁻¹     |     a = r_a⊥, b = r_b⊥,
+//
+// and a cantilever is only stiff if they are solved as one. Eliminating the angle leaves
+//
+//     K' = M + I_a⁻¹I_b⁻¹/(I_a⁻¹ + I_b⁻¹) · (a - b)(a - b)ᵀ
+//
+// for the point, written out so that nothing cancels; then λ_θ = -(v_θ + k·λ)/(I_a⁻¹ + I_b⁻¹) with
+// k = I_a⁻¹·a + I_b⁻¹·b. Where the point or the angle is a spring, each is solved by itself.
+
+namespace fettle::physics::detail {
+
+void WeldConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
+                             const SolverBody& a, const SolverBody& b) {
+    reference = data.reference_angle;
+    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
+    rigid_point = data.hertz == infinity;
+    rigid_angle = data.angular_hertz == infinity;
+    springy_point = !rigid_point && data.hertz > 0.0f;
+    springy_angle = !rigid_angle && data.angular_hertz > 0.0f;
+    if (springy_point) point_spring = Spring::make(data.hertz, data.damping_ratio, step.h);
+    if (springy_angle)
+        angle_spring = Spring::make(data.angular_hertz, data.angular_damping_ratio, step.h);
+    // What no longer acts starts at nothing when it acts again.
+    if (!rigid_point && !springy_point) impulses.point = {};
+    if ((!rigid_angle && !springy_angle) || angular_mass == 0.0f) impulses.angle = 0.0f;
+}
+
+void WeldConstraint::warm_start(SolverBody& a, SolverBody& b) const {
+    ends.push(a, b, impulses.point);
+    detail::twist(a, b, impulses.angle);
+}
+
+void WeldConstraint::apply(SolverBody& a, SolverBody& b, V2 point, float angle) {
+    impulses.point = impulses.point + point;
+    impulses.angle += angle;
+    ends.push(a, b, point);
+    detail::twist(a, b, angle);
+}
+
+template <bool biased>
+void WeldConstraint::solve_rigid(SolverBody& a, SolverBody& b, const JointStep& step) {
+    V2 v = ends.velocity(a, b);
+    float w = b.angular_velocity - a.angular_velocity;
+    float scale = 1.0f, rest = 0.0f;
+    if (biased) {
+        v = v + step.rigid.bias_rate * ends.gap(a, b);
+        w += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
+        scale = step.rigid.mass_scale;
+        rest = step.rigid.impulse_scale;
+    }
+    const float ia = a.inverse_inertia, ib = b.inverse_inertia;
+    if (!rigid_angle || angular_mass == 0.0f) {
+        const PointMass mass = PointMass::make(ends, a, b);
+        return apply(a, b, -scale * (mass * v) - rest * impulses.point, 0.0f);
+    }
+    if (!rigid_point) return apply(a, b, {}, -scale * angular_mass * w - rest * impulses.angle);
+    const V2 arm_a = cross(1.0f, ends.lever_a), arm_b = cross(1.0f, ends.lever_b);
+    const V2 k = ia * arm_a + ib * arm_b, between = arm_a - arm_b;
+    const float shared = ia * ib * angular_mass;
+    const float xx = ends.inverse_a.x + ends.inverse_b.x + shared * between.x * between.x;
+    const float yy = ends.inverse_a.y + ends.inverse_b.y + shared * between.y * between.y;
+    const float xy = shared * between.x * between.y;
+    const float inverse = inverse_or_zero(xx * yy - xy * xy);
+    const V2 free = v - (w * angular_mass) * k;  // with the angle at rest
+    const V2 point = {-inverse * (yy * free.x - xy * free.y),
+                      -inverse * (xx * free.y - xy * free.x)};
+    const float angle = -angular_mass * (w + dot(k, point));
+    apply(a, b, scale * point - rest * impulses.point, scale * angle - rest * impulses.angle);
+}
+
+void WeldConstraint::solve_springs(SolverBody& a, SolverBody& b) {
+    if (springy_angle && angular_mass > 0.0f) {
+        const float change =
+            angle_spring.impulse(angular_mass, b.angular_velocity - a.angular_velocity,
+                                 ends.angle_now(a, b) - reference, impulses.angle);
+        apply(a, b, {}, change);
+    }
+    if (springy_point) {
+        const PointMass mass = PointMass::make(ends, a, b);
+        const V2 wanted =
+            point_spring.mass_scale * ends.velocity(a, b) + point_spring.push * ends.gap(a, b);
+        apply(a, b, -(mass * wanted) - point_spring.impulse_scale * impulses.point, 0.0f);
+    }
+}
+
+void WeldConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& step) {
+    ends.follow(a, b);
+    solve_springs(a, b);
+    if (rigid_point || rigid_angle) solve_rigid<true>(a, b, step);
+}
+
+void WeldConstraint::relax(SolverBody& a, SolverBody& b, const JointStep& step) {
+    if (!rigid_point && !rigid_angle) return;
+    ends.follow(a, b);
+    solve_rigid<false>(a, b, step);
+}
+
+}  // namespace fettle::physics::detail

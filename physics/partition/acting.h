@@ -1,0 +1,75 @@
+#pragma once
+
+#include <partition/strips.h>
+
+#include <cstdint>
+
+namespace fettle::physics::detail {
+
+/// A body as its contacts and joints see it in a step.
+class SolverEnd {
+  public:
+    /// Fixed or asleep.
+    SolverEnd() = default;
+    /// `moves`: takes impulses.
+    SolverEnd(uint32_t index, StripNode strip, bool moves)
+        : bits_(index << strip_bits << 1 | uint32_t{strip} << 1 | moves) {
+        static_assert(2 * most_strips <= 1 << strip_bits);
+    }
+
+    static SolverEnd of_hub(uint32_t index) { return {index, 0, true}; }
+
+    uint32_t index() const { return bits_ >> strip_bits >> 1; }
+    StripNode strip() const { return StripNode(bits_ >> 1 & ((1u << strip_bits) - 1)); }
+    bool moves() const { return (bits_ & 1) != 0; }
+    bool is_hub() const { return moves() && strip() == 0; }
+
+  private:
+    static constexpr int strip_bits = 4;
+    uint32_t bits_ = 0;
+};
+
+/// The node that two bodies with something between them belong to, if neither is a hub. What takes
+/// no impulses may be in any strip.
+inline StripNode node_of(SolverEnd a, SolverEnd b) {
+    if (a.moves() && b.moves()) return above_both(a.strip(), b.strip());
+    return a.moves() || b.index() == 0 ? a.strip() : b.strip();
+}
+
+/// A contact that acts in this step, as those see it who color it and put it into a group.
+struct ActingContact {
+    uint32_t slot = 0;
+    SolverEnd end_a, end_b;
+    uint32_t entry = 0;  ///< who counts it, its section and color
+    uint32_t place = 0;  ///< among those of its entry; then its lane
+    StripNode node = 1;
+    uint8_t hub = 0;        ///< a copy of which it acts on; 0: of none
+    bool serially = false;  ///< solved one at a time
+    uint8_t tells = 0;      ///< `is_touching`, `of_hits`
+
+    enum Tells : uint8_t { is_touching = 1, of_hits = 2 };
+    bool touching() const { return (tells & is_touching) != 0; }
+    bool hit_events() const { return (tells & of_hits) != 0; }
+
+    uint32_t a() const { return end_a.index(); }
+    uint32_t b() const { return end_b.index(); }
+    bool moves_a() const { return end_a.moves(); }
+    bool moves_b() const { return end_b.moves(); }
+    bool both_move() const { return moves_a() && moves_b(); }
+    /// The one that takes impulses, or one of the two.
+    uint32_t mover() const { return moves_a() ? a() : b(); }
+};
+static_assert(sizeof(ActingContact) == 24);
+
+/// Those that a thread found, by node, those of a node in the order of the awake contacts.
+struct ActingPiece {
+    uint32_t begin = 0;
+    NodeRanges nodes;           ///< from `begin` on
+    uint32_t serially = 0;      ///< how many of them
+    bool links_blocks = false;  ///< two blocks of an earlier step
+
+    uint32_t count() const { return nodes.size(); }
+    uint32_t end() const { return begin + count(); }
+};
+
+}  // namespace fettle::physics::detail

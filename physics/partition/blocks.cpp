@@ -1,0 +1,99 @@
+#include <partition/blocks.h>
+
+#include <algorithm>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Steps after which blocks are made anew: islands come apart.
+constexpr int old_age = 64;
+
+/// Share of the contacts that makes an island nearly all there is.
+constexpr float nearly_all = 0.75f;
+
+}  // namespace
+
+void SolverBlocks::remember(std::span<const uint32_t> bodies, bool several) {
+    bodies_.assign(bodies.begin(), bodies.end());
+    several_ = several;
+    age_ = 0;
+}
+
+bool SolverBlocks::are_of(std::span<const uint32_t> bodies) const {
+    return block_of_.size() == bodies.size() + 1 && std::ranges::equal(bodies_, bodies);
+}
+
+bool SolverBlocks::may_be_linked(std::span<const uint32_t> bodies) const {
+    return several_ && are_of(bodies);
+}
+
+bool SolverBlocks::may_stay(std::span<const uint32_t> bodies, bool several) {
+    if (several != several_ || !are_of(bodies)) return false;
+    return !several || ++age_ < old_age;
+}
+
+void SolverBlocks::begin(uint32_t bodies) {
+    islands_.reset(bodies);
+    contacts_.assign(bodies, 0);
+    block_of_.assign(bodies, 0);
+    blocks_.assign(1, {});
+}
+
+/// Roots come before what is below them.
+void SolverBlocks::find_islands() {
+    auto& root = islands_.parent;
+    for (uint32_t i = 1; i < root.size(); ++i) root[i] = root[root[i]];
+}
+
+void SolverBlocks::count_contact(uint32_t body) {
+    ++contacts_[islands_.parent[body]];
+}
+
+void SolverBlocks::finish() {
+    uint32_t contacts = 0, bodies = 0;  // in the last block
+    for (uint32_t i = 1; i < islands_.parent.size(); ++i) {
+        const uint32_t island = islands_.parent[i];
+        if (island == i) {
+            if (blocks_.size() == 1 || contacts + contacts_[i] > enough_contacts ||
+                bodies >= enough_bodies) {
+                blocks_.emplace_back();
+                contacts = bodies = 0;
+            }
+            contacts += contacts_[i];
+            blocks_.back().contacts = contacts;
+            block_of_[i] = uint32_t(blocks_.size() - 1);
+        }
+        block_of_[i] = block_of_[island];
+        ++bodies;
+    }
+    order_bodies();
+}
+
+bool SolverBlocks::are_mostly_one() {
+    uint32_t all = 0, most = 0;
+    for (const SolverBlock& block : blocks_) {
+        all += block.contacts;
+        most = std::max(most, block.contacts);
+    }
+    if (float(most) < nearly_all * float(all)) return false;
+    wait_ = old_age;
+    return true;
+}
+
+void SolverBlocks::finish_as_one() {
+    order_bodies();
+}
+
+void SolverBlocks::order_bodies() {
+    for (uint32_t i = 1; i < block_of_.size(); ++i) ++blocks_[block_of_[i]].body_end;
+    uint32_t begin = 0;
+    for (SolverBlock& block : blocks_) {
+        const uint32_t count = block.body_end;
+        block.first_body = block.body_end = begin;
+        begin += count;
+    }
+    order_.resize(begin);
+    for (uint32_t i = 1; i < block_of_.size(); ++i) order_[blocks_[block_of_[i]].body_end++] = i;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <partition/strips.h>
+#include <state/records.h>
+
+#include <vector>
+
+// What a step notes down of bodies and joints on its way, and forgets.
+
+namespace fettle::physics::detail {
+
+/// A body that moved far for its thickness in this step.
+struct FastBody {
+    uint32_t body = none;
+    V2 start;  ///< center of mass before
+    V2 shift;
+    float turn = 0.0f;
+};
+
+/// What the manifolds of some contacts ask for besides: slots, in the order of the list.
+struct CollidedPiece {
+    std::vector<uint32_t> over;  ///< no pairs any more
+    std::vector<uint32_t> more;  ///< a touch ends, or somebody asleep is about to be hit
+
+    void clear() {
+        over.clear();
+        more.clear();
+    }
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.over), io(self.more);
+    }
+};
+
+/// What is to do for some bodies that have moved.
+struct FinishedPiece {
+    std::vector<int32_t> placed;  ///< leaves of the shapes that left their fat boxes
+    std::vector<uint32_t> moved;  ///< those of the shapes that were not yet listed as moved
+    std::vector<FastBody> fast;
+    uint32_t sleep_candidates = 0;
+
+    void clear() {
+        placed.clear();
+        moved.clear();
+        fast.clear();
+        sleep_candidates = 0;
+    }
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.placed), io(self.moved), io(self.fast);
+    }
+};
+
+/// A list that is put into the order of the strips.
+struct Reordering {
+    std::vector<uint32_t> list;
+    std::vector<StripNode> strips;  ///< of what is in it, as it was
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& self) {
+        io(self.list), io(self.strips);
+    }
+};
+
+/// What a joint that can break bore in this step, summed over the sub-steps.
+struct Strain {
+    uint32_t joint = none;
+    uint32_t index = 0;  ///< among the constraints of its type
+    V2 force;
+    float torque = 0.0f;
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <broad_phase/tree.h>
+#include <constraints/contact_constraint.h>
+#include <constraints/rolling_contact.h>
+#include <constraints/wide_contact.h>
+#include <fettle/physics/events.h>
+#include <joints/joint_share.h>
+#include <joints/joint_types.h>
+#include <partition/acting.h>
+#include <partition/blocks.h>
+#include <partition/hubs.h>
+#include <partition/strips.h>
+#include <state/member_list.h>
+#include <state/step_notes.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace fettle::physics::detail {
+
+// What a step makes anew, stage by stage. It is kept between steps for its capacity only, and given
+// back when most of what was awake sleeps (memory.cpp). `scratch` lists the members, as `members`
+// does for the state.
+
+/// Of the search for pairs and of the narrow phase.
+struct PairScratch {
+    std::vector<uint8_t> relocated;                  ///< by shape: its fat box is another
+    std::vector<uint64_t> new_pairs;                 ///< upper << 32 | lower
+    std::vector<uint64_t> spare_pairs;               ///< while they are sorted
+    std::vector<std::vector<uint64_t>> found_pairs;  ///< by piece
+    std::vector<Tree::NodePair> parts_of_walk;
+    std::vector<CollidedPiece> collided;
+    std::vector<ContactRecord> parted;  ///< last touches of an outline's parts that ended
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<PairScratch>(io, named("step", s.relocated, s.new_pairs, s.spare_pairs,
+                                            s.found_pairs, s.parts_of_walk, s.collided, s.parted));
+    }
+};
+
+/// The bodies that are solved. An index of them is the place among the awake + 1; 0 is the body
+/// that does not move.
+struct BodyScratch {
+    std::vector<SolverBody> solver_bodies;
+    /// By body slot. Dense, where the records are not: every contact reads it.
+    std::vector<SolverEnd> solver_ends;
+    std::vector<SolverForce> solver_forces;
+    std::vector<uint8_t> gathered;  ///< what pieces of the awake bodies have
+    std::vector<uint32_t> locked;   ///< bodies with a locked axis
+    std::vector<uint8_t> bounced;   ///< by body: in which pass
+    bool axes_locked = false;       ///< of some awake body, along x or y
+    bool driven = false;            ///< some awake body moves on its own
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<BodyScratch>(
+            io, named("step", s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered, s.locked,
+                      s.bounced, s.axes_locked, s.driven));
+    }
+};
+
+struct JointScratch {
+    JointShare joint_share;
+    JointPlans joint_plans;
+    JointConstraints joint_constraints;
+    std::vector<uint8_t> joint_notes;
+    std::vector<Strain> strains;
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<JointScratch>(io, named("step", s.joint_share, s.joint_plans,
+                                             s.joint_constraints, s.joint_notes, s.strains));
+    }
+};
+
+/// The contacts that act: those in lanes, and the serial ones, which are solved one at a time.
+struct ContactScratch {
+    std::vector<ActingContact> acting;
+    std::vector<ActingPiece> acting_pieces;
+    size_t colored_count = 0;             ///< of the acting ones, those in groups
+    std::vector<uint32_t> lane_contacts;  ///< by lane: which of the acting ones
+    std::vector<uint32_t> spare_lanes;
+    std::vector<GroupNews> news;                     ///< of each group
+    std::vector<uint64_t> told;                      ///< a bit for each acting contact
+    std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
+    std::vector<uint32_t> serial_acting;             ///< which of the acting ones
+    std::vector<uint32_t> serial_contacts;           ///< the same ones
+    std::vector<ContactConstraint> constraints;      ///< of the serial ones
+    std::vector<ContactExtra> extras;
+    std::vector<RollingContact> rolling_contacts;
+    NodeRanges serial_nodes;  ///< of `constraints`
+    std::vector<uint8_t> serial_notes;
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<ContactScratch>(
+            io, named("step", s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
+                      s.spare_lanes, s.news, s.told, s.hits, s.serial_acting, s.serial_contacts,
+                      s.constraints, s.extras, s.rolling_contacts, s.serial_nodes, s.serial_notes));
+    }
+};
+
+/// What is solved together, and in which order.
+struct ScheduleScratch {
+    SolverBlocks blocks;
+    Hubs hubs;
+    Reordering reordering;                  ///< of a list, into the order of the strips
+    Sections whole_sections, cut_sections;  ///< of blocks that are whole, of those that are cut
+    std::vector<uint32_t> color_begin;      ///< lanes, by who counts them, section and color
+    std::vector<uint32_t> first_groups;     ///< of each section of each block, and the end
+    std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting ones
+    std::vector<uint64_t> colors_of_body;              ///< by solver index, a bit a color
+    std::vector<WideBlock> wide_blocks;                ///< for each that is solved at a time
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<ScheduleScratch>(
+            io,
+            named("step", s.blocks, s.hubs, s.reordering, s.whole_sections, s.cut_sections,
+                  s.color_begin, s.first_groups, s.out_of_colors, s.colors_of_body, s.wide_blocks));
+    }
+};
+
+struct FinishScratch {
+    std::vector<FinishedPiece> finished;
+    std::vector<FastBody> fast_bodies;
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<FinishScratch>(io, named("step", s.finished, s.fast_bodies));
+    }
+};
+
+struct StepScratch : PairScratch,
+                     BodyScratch,
+                     JointScratch,
+                     ContactScratch,
+                     ScheduleScratch,
+                     FinishScratch {
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<StepScratch>(
+            io, named("step", part<PairScratch>(s), part<BodyScratch>(s), part<JointScratch>(s),
+                      part<ContactScratch>(s), part<ScheduleScratch>(s), part<FinishScratch>(s)));
+    }
+};
+
+}  // namespace fettle::physics::detail
