@@ -1,7 +1,8 @@
 #include <solver/direct_problem.h>
 #include <solver/direct_rows.h>
+#include <solver/joint_passes.h>
 #include <solver/motion.h>
-#include <world/world_data.h>
+#include <solver/solvers.h>
 
 #include <cmath>
 #include <deque>
@@ -23,8 +24,14 @@ namespace {
 
 class DirectSolver {
   public:
-    DirectSolver(WorldData& world, float h) : world_(world), h_(h) {
-        const auto count = world.solver_bodies.size();
+    DirectSolver(const SolverInput& input, float h, StepStatistics& statistics)
+        : input_(input),
+          constraints_(input.contacts.constraints),
+          extras_(input.contacts.extras),
+          bodies_(input.bodies.solver_bodies),
+          h_(h),
+          statistics_(statistics) {
+        const auto count = bodies_.size();
         scales_.resize(count);
         for (size_t i = 1; i < count; ++i) scales_[i] = scale_of(i);
         write(DirectPass::biased);
@@ -40,24 +47,24 @@ class DirectSolver {
             });
         }
         for (DirectProblem& problem : problems_) {
-            const bool solved =
-                problem.solve(rows_, scales_, world_.solver_bodies, pass != DirectPass::biased);
-            ++(solved ? world_.statistics.direct_solves : world_.statistics.direct_failures);
+            const bool solved = problem.solve(rows_, scales_, bodies_, pass != DirectPass::biased);
+            ++(solved ? statistics_.direct_solves : statistics_.direct_failures);
         }
         if (pass == DirectPass::biased) return;
         for_each_extra([](const ContactConstraint& c, ContactExtra& extra) { extra.record(c); });
     }
 
     bool anything_bounces() const {
-        for (const ContactExtra& extra : world_.extras)
+        for (const ContactExtra& extra : extras_)
             if (extra.restitution > 0.0f) return true;
         return false;
     }
 
   private:
     MassScale scale_of(size_t solver_index) const {
-        const SolverBody& body = world_.solver_bodies[solver_index];
-        const BodyRecord& record = world_.bodies[world_.awake_bodies[solver_index - 1]];
+        const SolverBody& body = bodies_[solver_index];
+        const BodyRecord& record =
+            input_.objects.bodies[input_.active.awake_bodies[solver_index - 1]];
         const double linear = std::sqrt(double(body.inverse_mass));
         return {record.locked_x ? 0.0 : linear, record.locked_y ? 0.0 : linear,
                 std::sqrt(double(body.inverse_inertia))};
@@ -66,23 +73,22 @@ class DirectSolver {
     /// Every pass writes the same rows in the same order, with other numbers.
     void write(DirectPass pass) {
         RowWriter writer(rows_, scales_, h_, pass);
-        auto& bodies = world_.solver_bodies;
-        world_.follow_curved_contacts();
+        follow_curved_contacts(input_);
         const auto joints = [&](auto& list) {
-            for (auto& c : list) write_rows(writer, c, bodies[c.ends.a], bodies[c.ends.b]);
+            for (auto& c : list) write_rows(writer, c, bodies_[c.ends.a], bodies_[c.ends.b]);
         };
-        std::apply([&](auto&... list) { (joints(list), ...); }, world_.joint_constraints);
-        for (ContactConstraint& c : world_.constraints) {
-            write_rows(writer, c, c.extra != 0 ? &world_.extras[c.extra - 1] : nullptr, bodies[c.a],
-                       bodies[c.b], world_.settings.push_speed,
-                       world_.settings.restitution_threshold);
+        std::apply([&](auto&... list) { (joints(list), ...); }, input_.joints.joint_constraints);
+        for (ContactConstraint& c : constraints_) {
+            write_rows(writer, c, c.extra != 0 ? &extras_[c.extra - 1] : nullptr, bodies_[c.a],
+                       bodies_[c.b], input_.settings.push_speed,
+                       input_.settings.restitution_threshold);
         }
     }
 
     template <class Visit>
     void for_each_extra(Visit&& visit) {
-        for (const ContactConstraint& c : world_.constraints)
-            if (c.extra != 0) visit(c, world_.extras[c.extra - 1]);
+        for (const ContactConstraint& c : constraints_)
+            if (c.extra != 0) visit(c, extras_[c.extra - 1]);
     }
 
     bool moves(uint32_t body) const {
@@ -125,8 +131,12 @@ class DirectSolver {
         }
     }
 
-    WorldData& world_;
+    const SolverInput& input_;
+    std::span<ContactConstraint> constraints_;
+    std::span<ContactExtra> extras_;
+    std::span<SolverBody> bodies_;
     float h_;
+    StepStatistics& statistics_;
     std::vector<MassScale> scales_;  ///< by solver body
     std::vector<DirectRow> rows_;
     std::deque<DirectProblem> problems_;
@@ -134,21 +144,23 @@ class DirectSolver {
 
 }  // namespace
 
-void WorldData::solve_directly(const JointStep& joint_step) {
+void solve_directly(const SolverInput& input, const JointStep& joint_step,
+                    StepStatistics& statistics) {
     const float h = joint_step.h;
-    DirectSolver solver(*this, h);
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        apply_forces(h);
+    const SolverBlocks& blocks = input.schedule.blocks;
+    DirectSolver solver(input, h, statistics);
+    for (int substep = 0; substep < input.settings.substeps; ++substep) {
+        apply_forces(input, h);
         solver.pass(DirectPass::biased);
-        zero_locked();
-        integrate_positions(blocks.bodies_of(blocks[0]), solver_bodies, h);
+        zero_locked(input);
+        integrate_positions(blocks.bodies_of(blocks[0]), input.bodies.solver_bodies, h);
         solver.pass(DirectPass::relaxed);
-        zero_locked();
-        strain_joints();
+        zero_locked(input);
+        strain_joints(input.objects, input.joints);
     }
     if (!solver.anything_bounces()) return;
     solver.pass(DirectPass::bounced);
-    zero_locked();
+    zero_locked(input);
 }
 
 }  // namespace fettle::physics::detail

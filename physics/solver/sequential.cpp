@@ -1,19 +1,21 @@
+#include <solver/joint_passes.h>
 #include <solver/motion.h>
-#include <world/world_data.h>
+#include <solver/solvers.h>
 
 #include <algorithm>
 
 // The method of a student project of 2008: bodies move, contacts are found, and then each is put
 // right by itself, once, the worst first (after I. Millington, "Game Physics Engine Development",
 // 2007, ch. 7 and 14: impulses, then overlaps, in order of severity). Contacts of shapes that are
-// near but do not touch take part: whoever is pushed into a neighbor is put right in the same pass.
+// near but do not touch take part: a body that is pushed into a neighbor is put right in the same
+// pass.
 //
 // In each sub-step, with h its length, s the separation and v the relative velocity of a point:
 //
 //   1. velocities change by the forces;
 //   2. points in order of s + h·v_n, how far apart they would be after the move (the depth that
-//      the project saw, for it moved first). Who would overlap gets the impulse after which
-//      v_n = -s/h, or v_n = -e·v_n where it bounces, and with it friction up to μ times that;
+//      the project saw, for it moved first). A point that would overlap gets the impulse after
+//      which v_n = -s/h, or v_n = -e·v_n where it bounces, and with it friction up to μ times that;
 //   3. bodies move;
 //   4. points in order of s: of each overlap one half is removed, by a shift along the normal that
 //      the two bodies share by their inverse masses.
@@ -49,31 +51,35 @@ struct Gap {
 
 class SequentialPass {
   public:
-    SequentialPass(WorldData& world, float h) : world_(world), h_(h), bodies_(world.solver_bodies) {
-        for (uint32_t i = 0; i < world.constraints.size(); ++i) {
-            for (uint32_t k = 0; k < world.constraints[i].count; ++k)
-                turns_.push_back({0.0f, i, k});
+    SequentialPass(const SolverInput& input, float h)
+        : input_(input),
+          constraints_(input.contacts.constraints),
+          extras_(input.contacts.extras),
+          bodies_(input.bodies.solver_bodies),
+          h_(h) {
+        for (uint32_t i = 0; i < constraints_.size(); ++i) {
+            for (uint32_t k = 0; k < constraints_[i].count; ++k) turns_.push_back({0.0f, i, k});
         }
     }
 
     void resolve_velocities() {
-        world_.follow_curved_contacts();
-        for (ContactConstraint& c : world_.constraints) {
+        follow_curved_contacts(input_);
+        for (ContactConstraint& c : constraints_) {
             for (ConstraintPoint& p : c.points) p.normal_impulse = p.tangent_impulse = 0.0f;
         }
-        for (ContactExtra& extra : world_.extras) extra.rolling_impulse = 0.0f;
+        for (ContactExtra& extra : extras_) extra.rolling_impulse = 0.0f;
         for (Turn& turn : turns_) {
             const Gap gap = gap_of(turn);
             turn.severity = bounded(gap.separation + h_ * gap.velocity, 1e30f);
         }
         std::sort(turns_.begin(), turns_.end());
         for (const Turn& turn : turns_) bounce(turn);
-        for (const ContactConstraint& c : world_.constraints)
-            if (c.extra != 0) world_.extras[c.extra - 1].record(c);
+        for (const ContactConstraint& c : constraints_)
+            if (c.extra != 0) extras_[c.extra - 1].record(c);
     }
 
     void remove_overlaps() {
-        world_.follow_curved_contacts();
+        follow_curved_contacts(input_);
         for (Turn& turn : turns_) turn.severity = bounded(gap_of(turn).separation, 1e30f);
         std::sort(turns_.begin(), turns_.end());
         for (const Turn& turn : turns_) push_apart(turn);
@@ -81,7 +87,7 @@ class SequentialPass {
 
   private:
     Gap gap_of(const Turn& turn) const {
-        const ContactConstraint& c = world_.constraints[turn.constraint];
+        const ContactConstraint& c = constraints_[turn.constraint];
         const ConstraintPoint& p = c.points[turn.point];
         const SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
         const float opened = dot(c.normal, b.shift - a.shift) +
@@ -90,7 +96,7 @@ class SequentialPass {
             dot(c.normal, b.velocity - a.velocity) +
             (p.normal_lever_b * b.angular_velocity - p.normal_lever_a * a.angular_velocity);
         if (c.extra == 0) return {p.separation + opened, velocity};
-        const Corner& corner = world_.extras[c.extra - 1].corner;
+        const Corner& corner = extras_[c.extra - 1].corner;
         if (corner.distance == 0.0f) return {p.separation + opened, velocity};
         const Motion motion = {a.velocity, b.velocity, a.angular_velocity, b.angular_velocity};
         const float gap = corner_gap(corner, c.normal, a, b, motion, opened, 0.0f);
@@ -109,15 +115,15 @@ class SequentialPass {
     }
 
     void bounce(const Turn& turn) {
-        ContactConstraint& c = world_.constraints[turn.constraint];
+        ContactConstraint& c = constraints_[turn.constraint];
         ConstraintPoint& p = c.points[turn.point];
-        ContactExtra* extra = c.extra != 0 ? &world_.extras[c.extra - 1] : nullptr;
+        ContactExtra* extra = c.extra != 0 ? &extras_[c.extra - 1] : nullptr;
         const Gap gap = gap_of(turn);
         // Apart, it may just close the gap.
         const float excess = gap.velocity + max(gap.separation, 0.0f) / h_;
         if (!(excess < 0.0f)) return;
         const bool bounces =
-            extra != nullptr && gap.velocity < -world_.settings.restitution_threshold;
+            extra != nullptr && gap.velocity < -input_.settings.restitution_threshold;
         const float change =
             bounces ? max(-excess, -(1.0f + extra->restitution) * gap.velocity) : -excess;
         p.normal_impulse = p.normal_mass * change;
@@ -150,40 +156,45 @@ class SequentialPass {
     }
 
     void push_apart(const Turn& turn) {
-        const ContactConstraint& c = world_.constraints[turn.constraint];
+        const ContactConstraint& c = constraints_[turn.constraint];
         const float depth = -gap_of(turn).separation;
         if (!(depth > 0.0f)) return;
         const V2 n = c.normal;
         const float inverse = n.x * n.x * (c.inverse_a.x + c.inverse_b.x) +
                               n.y * n.y * (c.inverse_a.y + c.inverse_b.y);
         if (!(inverse > 0.0f)) return;
-        const float way = min(0.5f * depth, h_ * world_.settings.push_speed) / inverse;
+        const float way = min(0.5f * depth, h_ * input_.settings.push_speed) / inverse;
         SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
         a.shift = a.shift - way * V2{c.inverse_a.x * n.x, c.inverse_a.y * n.y};
         b.shift = b.shift + way * V2{c.inverse_b.x * n.x, c.inverse_b.y * n.y};
     }
 
-    WorldData& world_;
+    const SolverInput& input_;
+    std::span<ContactConstraint> constraints_;
+    std::span<ContactExtra> extras_;
+    std::span<SolverBody> bodies_;
     float h_;
-    std::vector<SolverBody>& bodies_;
     std::vector<Turn> turns_;
 };
 
 }  // namespace
 
-void WorldData::solve_sequentially(const JointStep& joint_step) {
-    SequentialPass pass(*this, joint_step.h);
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        apply_forces(joint_step.h);
-        warm_start_joints(strips.all_nodes());
+void solve_sequentially(const SolverInput& input, const JointStep& joint_step) {
+    const SolverBlocks& blocks = input.schedule.blocks;
+    const StripNodes all = input.strips.all_nodes();
+    std::vector<SolverBody>& bodies = input.bodies.solver_bodies;
+    SequentialPass pass(input, joint_step.h);
+    for (int substep = 0; substep < input.settings.substeps; ++substep) {
+        apply_forces(input, joint_step.h);
+        warm_start_joints(input.joints, bodies, all);
         pass.resolve_velocities();
-        solve_joints(joint_step, strips.all_nodes());
-        zero_locked();
-        integrate_positions(blocks.bodies_of(blocks[0]), solver_bodies, joint_step.h);
+        solve_joints(input.joints, bodies, joint_step, all);
+        zero_locked(input);
+        integrate_positions(blocks.bodies_of(blocks[0]), bodies, joint_step.h);
         pass.remove_overlaps();
-        relax_joints(joint_step, strips.all_nodes());
-        zero_locked();
-        strain_joints();
+        relax_joints(input.joints, bodies, joint_step, all);
+        zero_locked(input);
+        strain_joints(input.objects, input.joints);
     }
 }
 

@@ -1,8 +1,7 @@
-#include <world/world_data.h>
-
-// Contacts that are solved one at a time: where a body is locked along an axis, where surfaces
-// roll, bounce, move or bend, and what found no color. Constraints are written once a step in the
-// order of the nodes they belong to, and their impulses are read back.
+#include <contacts/hits.h>
+#include <schedule/serial_criteria.h>
+#include <solver/serial_contacts.h>
+#include <state/limits.h>
 
 namespace fettle::physics::detail {
 namespace {
@@ -10,7 +9,7 @@ namespace {
 /// Contacts that a thread takes at a time.
 constexpr size_t contacts_at_a_time = 64;
 
-/// What is known of one when it is prepared, and when it is stored.
+/// Notes of a contact that is prepared, and that is stored.
 enum PreparedNote : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
 enum StoredNote : uint8_t { touches = 1, is_news = 2, may_hit = 4 };
 
@@ -67,7 +66,7 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
         prepare_point(m.points[k], c, t, a, b, impulse_ratio, c.points[k]);
     }
     if (m.count < 2) {
-        // A second point of no mass: whoever solves both alike adds nothing for it.
+        // The second point has no mass: solving it changes nothing.
         c.points[1] = {};
         c.coupling_normal = c.coupling_tangent = 0.0f;
         return;
@@ -85,103 +84,41 @@ V2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
     return {record.locked_x ? 0.0f : body.inverse_mass, record.locked_y ? 0.0f : body.inverse_mass};
 }
 
-}  // namespace
-
-/// What is solved one at a time, in the order of the nodes.
-void WorldData::list_serial() {
-    serial_acting.clear();
-    serial_nodes.clear();
-    for (const ActingPiece& piece : acting_pieces) {
-        if (piece.serially == 0) continue;
-        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
-            if (!acting[i].serially) continue;
-            serial_acting.push_back(i);
-            serial_nodes.count(acting[i].node);
-        }
-    }
-    serial_nodes.sum_up();
-    auto next = serial_nodes.places();
-    serial_contacts.resize(serial_acting.size());
-    for (const uint32_t i : serial_acting) serial_contacts[next[acting[i].node]++] = acting[i].slot;
-}
-
-void WorldData::prepare_serial(float dt, float ratio, const ContactStiffness& stiffness) {
-    const size_t count = serial_contacts.size();
-    constraints.resize(count);
-    serial_notes.resize(count);
-    share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const ContactRecord& record = contacts[serial_contacts[i]];
-            ContactConstraint& c = constraints[i];
-            c.contact = serial_contacts[i];
-            c.a = solver_ends[record.body_a].index();
-            c.b = solver_ends[record.body_b].index();
-            const SolverBody &a = solver_bodies[c.a], &b = solver_bodies[c.b];
-            c.inverse_a = {a.inverse_mass, a.inverse_mass};
-            c.inverse_b = {b.inverse_mass, b.inverse_mass};
-            c.anisotropic = on_locked_axis(record);
-            if (c.anisotropic) {
-                c.inverse_a = inverse_masses(bodies[record.body_a], a);
-                c.inverse_b = inverse_masses(bodies[record.body_b], b);
-            }
-            prepare_constraint(record, a, b, ratio, c);
-            c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
-                                  max(a.inverse_mass, b.inverse_mass));
-            const bool corner = !record.curved && passes_corner(record, dt);
-            serial_notes[i] =
-                uint8_t((record.special ? needs_extra : 0) | (corner ? needs_extra | passes : 0) |
-                        (record.curved ? needs_extra | rolls : 0));
-        }
-    });
-    give_extras();
-    share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            if (constraints[i].extra != 0) prepare_extra_of(i, ratio);
-    });
-}
-
-/// A place for what only special contacts need, one after the other.
-void WorldData::give_extras() {
-    extras.clear();
+/// Gives a place in `extras` to each contact that needs one.
+void give_extras(ContactScratch& scratch) {
+    scratch.extras.clear();
     uint32_t rolling = 0;
-    for (size_t i = 0; i < serial_notes.size(); ++i) {
-        constraints[i].extra = 0;
-        if (serial_notes[i] == 0) continue;
-        ContactExtra& extra = extras.emplace_back();
-        if ((serial_notes[i] & rolls) != 0) extra.rolling = ++rolling;
-        constraints[i].extra = uint32_t(extras.size());
+    for (size_t i = 0; i < scratch.serial_notes.size(); ++i) {
+        const uint8_t note = scratch.serial_notes[i];
+        scratch.constraints[i].extra = 0;
+        if (note == 0) continue;
+        ContactExtra& extra = scratch.extras.emplace_back();
+        if ((note & rolls) != 0) extra.rolling = ++rolling;
+        scratch.constraints[i].extra = uint32_t(scratch.extras.size());
     }
-    rolling_contacts.resize(rolling);
+    scratch.rolling_contacts.resize(rolling);
 }
 
-void WorldData::prepare_extra_of(size_t serial, float ratio) {
-    const ContactConstraint& c = constraints[serial];
-    const ContactRecord& record = contacts[c.contact];
-    ContactExtra& extra = extras[c.extra - 1];
-    prepare_extra(record, c, solver_bodies[c.a], solver_bodies[c.b], ratio, extra);
-    if ((serial_notes[serial] & passes) != 0) extra.corner = corner_of(record);
+void prepare_extra_of(size_t serial, const ObjectState& objects, const Columns& columns,
+                      std::span<const SolverBody> bodies, ContactScratch& scratch, float ratio) {
+    const ContactConstraint& c = scratch.constraints[serial];
+    const ContactRecord& record = objects.contacts[c.contact];
+    ContactExtra& extra = scratch.extras[c.extra - 1];
+    prepare_extra(record, c, bodies[c.a], bodies[c.b], ratio, extra);
+    if ((scratch.serial_notes[serial] & passes) != 0) extra.corner = corner_of(objects, record);
     if (extra.rolling == 0) return;
-    rolling_contacts[extra.rolling - 1] = {c, bend_of(solid(record.shape_a), c.normal),
-                                           bend_of(solid(record.shape_b), -c.normal)};
+    const auto bend = [&](uint32_t shape, V2 normal) {
+        return bend_of(solid_of(objects, columns, shape), normal);
+    };
+    scratch.rolling_contacts[extra.rolling - 1] = {c, bend(record.shape_a, c.normal),
+                                                   bend(record.shape_b, -c.normal)};
 }
 
-void WorldData::store_serial() {
-    share_out_range(threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) serial_notes[i] = store_constraint(constraints[i]);
-    });
-    for (size_t i = 0; i < constraints.size(); ++i) {
-        const ContactConstraint& c = constraints[i];
-        const uint8_t note = serial_notes[i];
-        if ((note & is_news) != 0) set_touching(c.contact, (note & touches) != 0);
-        if ((note & may_hit) == 0) continue;
-        const ContactExtra* const extra = c.extra != 0 ? &extras[c.extra - 1] : nullptr;
-        if (const auto hit = hit_of(c.contact, extra)) events.contact_hit.push_back(*hit);
-    }
-}
-
-uint8_t WorldData::store_constraint(const ContactConstraint& c) {
-    ContactRecord& record = contacts[c.contact];
-    // A bounce is over within one step and never looks near: its impulse, in some sub-step, tells.
+/// Returns the note of the contact.
+uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtra> extras,
+                         ContactRecord& record) {
+    // A bounce is over within one step, and the shapes are apart before and after it: that they
+    // touched shows in the impulse of some sub-step.
     bool pushed = false;
     if (c.extra != 0) {
         const ContactExtra& extra = extras[c.extra - 1];
@@ -191,7 +128,7 @@ uint8_t WorldData::store_constraint(const ContactConstraint& c) {
     float nearest = infinity;
     for (int k = 0; k < record.manifold.count; ++k) {
         ManifoldPoint& point = record.manifold.points[k];
-        // What overflowed would begin the next step, and so last for ever.
+        // An overflow would stay: the next step begins with this impulse.
         point.normal_impulse = bounded(c.points[k].normal_impulse, greatest_impulse);
         point.tangent_impulse = bounded(c.points[k].tangent_impulse, greatest_impulse);
         pushed |= point.normal_impulse > 0.0f;
@@ -201,6 +138,66 @@ uint8_t WorldData::store_constraint(const ContactConstraint& c) {
     const bool touching = pushed || nearest <= (record.touching ? 2.0f : 1.0f) * touch_distance;
     return uint8_t((touching ? touches : 0) | (touching != record.touching ? is_news : 0) |
                    (record.hit_events ? may_hit : 0));
+}
+
+}  // namespace
+
+void prepare_serial(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
+                    ContactScratch& scratch, const ContactStiffness& stiffness, float dt,
+                    float ratio, ThreadPool* threads) {
+    const size_t count = scratch.serial_contacts.size();
+    scratch.constraints.resize(count);
+    scratch.serial_notes.resize(count);
+    share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const ContactRecord& record = objects.contacts[scratch.serial_contacts[i]];
+            ContactConstraint& c = scratch.constraints[i];
+            c.contact = scratch.serial_contacts[i];
+            c.a = bodies.solver_ends[record.body_a].index();
+            c.b = bodies.solver_ends[record.body_b].index();
+            const SolverBody &a = bodies.solver_bodies[c.a], &b = bodies.solver_bodies[c.b];
+            c.inverse_a = {a.inverse_mass, a.inverse_mass};
+            c.inverse_b = {b.inverse_mass, b.inverse_mass};
+            c.anisotropic = on_locked_axis(objects, bodies, record);
+            if (c.anisotropic) {
+                c.inverse_a = inverse_masses(objects.bodies[record.body_a], a);
+                c.inverse_b = inverse_masses(objects.bodies[record.body_b], b);
+            }
+            prepare_constraint(record, a, b, ratio, c);
+            c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
+                                  max(a.inverse_mass, b.inverse_mass));
+            const bool corner = !record.curved && passes_corner(objects, bodies, record, dt);
+            scratch.serial_notes[i] =
+                uint8_t((record.special ? needs_extra : 0) | (corner ? needs_extra | passes : 0) |
+                        (record.curved ? needs_extra | rolls : 0));
+        }
+    });
+    give_extras(scratch);
+    share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            if (scratch.constraints[i].extra != 0)
+                prepare_extra_of(i, objects, columns, bodies.solver_bodies, scratch, ratio);
+    });
+}
+
+void store_serial(ContactScratch& scratch, const Touching& touching, float hit_threshold,
+                  ThreadPool* threads) {
+    const std::vector<ContactConstraint>& constraints = scratch.constraints;
+    std::vector<uint8_t>& notes = scratch.serial_notes;
+    ObjectState& objects = touching.objects;
+    share_out_range(threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            notes[i] = store_constraint(constraints[i], scratch.extras,
+                                        objects.contacts[constraints[i].contact]);
+    });
+    for (size_t i = 0; i < constraints.size(); ++i) {
+        const ContactConstraint& c = constraints[i];
+        if ((notes[i] & is_news) != 0) set_touching(touching, c.contact, (notes[i] & touches) != 0);
+        if ((notes[i] & may_hit) == 0) continue;
+        const ContactExtra* const extra = c.extra != 0 ? &scratch.extras[c.extra - 1] : nullptr;
+        const auto hit = hit_of(objects, touching.columns, hit_threshold, c.contact, extra);
+        if (hit) touching.events.contact_hit.push_back(*hit);
+    }
 }
 
 }  // namespace fettle::physics::detail

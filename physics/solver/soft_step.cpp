@@ -1,6 +1,8 @@
 #include <solver/contact_solver.h>
+#include <solver/joint_passes.h>
 #include <solver/motion.h>
-#include <world/world_data.h>
+#include <solver/solvers.h>
+#include <state/limits.h>
 
 #include <algorithm>
 #include <atomic>
@@ -16,7 +18,8 @@ namespace {
 // What a thread takes at a time.
 constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 1024;
 
-/// Who solves a block takes one that is idle and gives it back. There is one for every thread.
+/// The memory for wide contacts, one for each thread: a thread takes an idle one for the block that
+/// it solves, and gives it back.
 class IdleBlocks {
   public:
     explicit IdleBlocks(std::vector<WideBlock>& blocks)
@@ -35,99 +38,148 @@ class IdleBlocks {
     std::atomic<uint64_t> idle_;  // a bit each: a world has at most 64 threads
 };
 
-}  // namespace
-
-/// What holds for all blocks during a step.
-struct alignas(line_size) WorldData::BlockStep {
+/// The soft step over all blocks: what holds for each of them, and the loops over their sections.
+struct alignas(line_size) SoftStep {
+    const SolverInput& input;
     const WideKernels& kernels;
     PrepareStep prepare;
     float h;
     SubstepLimits limits;
+    BodyScratch& bodies = input.bodies;
+    ContactScratch& contacts = input.contacts;
+    ScheduleScratch& schedule = input.schedule;
+
+    using WidePass = void (*)(const WideStep&);
+
+    ThreadPool* helpers_of(const SolverBlock& block) const {
+        return block.cut ? input.threads : nullptr;
+    }
+    template <typename Work>
+    auto section_loop(const SolverBlock& block, Work work);
+    auto begin_loop(const SolverBlock& block, bool again);
+    auto move_loop(const SolverBlock& block);
+    void fill_group(size_t group, WideContact& wide, ContactLanes& from);
+    void note_news(size_t group, const ContactLanes& of);
+    void pass(WidePass kernel, uint32_t section, WideBlock& wide);
+    void prepare_block(const SolverBlock& block, WideBlock& wide);
+    void store_section(uint32_t section, WideBlock& wide);
+    bool repeats_pushes(const SolverBlock& block);
+    void solve_first_block(const JointStep& joint_step);
+    void solve_block(const SolverBlock& block, WideBlock& wide);
 };
 
 /// `work(section, nodes)` for each section of a block, by all threads if they share it out.
 template <typename Work>
-auto WorldData::section_loop(const SolverBlock& block, Work work) {
-    const Sections& plan = sections_of(block);
+auto SoftStep::section_loop(const SolverBlock& block, Work work) {
+    const Sections& plan = schedule.sections_of(block);
     return SectionLoop(plan, helpers_of(block),
                        [this, &plan, work, before = block.first_section](uint32_t section) {
                            const StripNodes nodes = plan.nodes_of(section);
-                           const bool strip = nodes.begin >= strips.first_leaf();
+                           const bool strip = nodes.begin >= input.strips.first_leaf();
                            const bool root = nodes.begin == 1;
-                           if (strip) hubs.hand_out(nodes, solver_bodies);
-                           if (root && !strip) hubs.take_back(solver_bodies);
+                           if (strip) schedule.hubs.hand_out(nodes, bodies.solver_bodies);
+                           if (root && !strip) schedule.hubs.take_back(bodies.solver_bodies);
                            work(before + section, nodes);
-                           if (root && strip) hubs.take_back(solver_bodies);
+                           if (root && strip) schedule.hubs.take_back(bodies.solver_bodies);
                        });
 }
 
-void WorldData::pass(WidePass kernel, uint32_t section, WideBlock& wide, const BlockStep& step) {
-    const size_t begin = first_groups[section], end = first_groups[section + 1];
-    kernel({solver_bodies.data(), wide.contacts_of(begin), end - begin, 1.0f / step.h,
-            settings.push_speed});
+/// Before a group is prepared: the contacts in its lanes.
+void SoftStep::fill_group(size_t group, WideContact& wide, ContactLanes& from) {
+    from.touching = from.tells_always = 0;
+    for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
+        const uint32_t i = contacts.lane_contacts[group * lanes + lane];
+        if (i == none) {  // spare: body 0 against itself, without mass
+            wide.a[lane] = wide.b[lane] = 0;
+            wide.friction[lane] = 0.0f;
+            from.spare = {};
+            from.manifolds[lane] = &from.spare;
+            continue;
+        }
+        const ActingContact& c = contacts.acting[i];
+        wide.a[lane] = c.a();
+        wide.b[lane] = c.b();
+        wide.friction[lane] = input.objects.contacts[c.slot].friction;
+        from.manifolds[lane] = &input.objects.contacts[c.slot].manifold;
+        from.touching |= uint32_t{c.touching()} << lane;
+        from.tells_always |= uint32_t{c.hit_events()} << lane;
+    }
 }
 
-void WorldData::prepare_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
+/// After a group is stored: which touches begin or end, and which contacts report hits.
+void SoftStep::note_news(size_t group, const ContactLanes& of) {
+    const uint32_t touches = (of.near & ~of.touching) | (of.within_twice & of.touching);
+    contacts.news[group] = {uint16_t((touches ^ of.touching) | of.tells_always), uint16_t(touches)};
+}
+
+void SoftStep::pass(WidePass kernel, uint32_t section, WideBlock& wide) {
+    const size_t begin = schedule.first_groups[section], end = schedule.first_groups[section + 1];
+    kernel({bodies.solver_bodies.data(), wide.contacts_of(begin), end - begin, 1.0f / h,
+            input.settings.push_speed});
+}
+
+void SoftStep::prepare_block(const SolverBlock& block, WideBlock& wide) {
     wide.make_groups(block.first_group, block.group_end);
     section_loop(block, [&](uint32_t section, const StripNodes&) {
-        const size_t end = first_groups[section + 1];
-        for (size_t i = first_groups[section]; i < end; i += groups_at_a_time) {
+        const size_t end = schedule.first_groups[section + 1];
+        for (size_t i = schedule.first_groups[section]; i < end; i += groups_at_a_time) {
             const size_t next = std::min(i + groups_at_a_time, end);
             WideContact* const groups = wide.contacts_of(i);
             ContactLanes* const from = wide.lanes_of(i);
             for (size_t k = 0; k < next - i; ++k) fill_group(i + k, groups[k], from[k]);
-            step.kernels.prepare(step.prepare, {from, next - i}, groups);
+            kernels.prepare(prepare, {from, next - i}, groups);
         }
     }).run();
 }
 
-void WorldData::store_section(uint32_t section, WideBlock& wide, const BlockStep& step) {
-    const size_t begin = first_groups[section], end = first_groups[section + 1];
+void SoftStep::store_section(uint32_t section, WideBlock& wide) {
+    const size_t begin = schedule.first_groups[section], end = schedule.first_groups[section + 1];
     const std::span to(wide.lanes_of(begin), end - begin);
-    step.kernels.store(wide.contacts_of(begin), to, touch_distance);
+    kernels.store(wide.contacts_of(begin), to, touch_distance);
     for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
 }
 
-auto WorldData::begin_loop(const SolverBlock& block, const BlockStep& step, bool again) {
-    const std::span which = blocks.bodies_of(block);
+auto SoftStep::begin_loop(const SolverBlock& block, bool again) {
+    const std::span which = schedule.blocks.bodies_of(block);
     return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
-                     [this, which, &step, again](size_t begin, size_t end) {
-                         integrate_velocities(which.subspan(begin, end - begin), solver_bodies,
-                                              solver_forces, step.limits, again);
+                     [this, which, again](size_t begin, size_t end) {
+                         integrate_velocities(which.subspan(begin, end - begin),
+                                              bodies.solver_bodies, bodies.solver_forces, limits,
+                                              again);
                      });
 }
 
-auto WorldData::move_loop(const SolverBlock& block, const BlockStep& step) {
-    const std::span which = blocks.bodies_of(block);
+auto SoftStep::move_loop(const SolverBlock& block) {
+    const std::span which = schedule.blocks.bodies_of(block);
     return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
-                     [this, which, h = step.h](size_t begin, size_t end) {
-                         integrate_positions(which.subspan(begin, end - begin), solver_bodies, h);
+                     [this, which, h = h](size_t begin, size_t end) {
+                         integrate_positions(which.subspan(begin, end - begin),
+                                             bodies.solver_bodies, h);
                      });
 }
 
 /// A block of nothing but wide contacts, through all sub-steps.
-void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const BlockStep& step) {
-    const WideKernels& kernels = step.kernels;
+void SoftStep::solve_block(const SolverBlock& block, WideBlock& wide) {
     const auto all = [&](WidePass kernel) {
         return section_loop(block, [&, kernel](uint32_t section, const StripNodes&) {
-            pass(kernel, section, wide, step);
+            pass(kernel, section, wide);
         });
     };
     const auto warm_start = all(kernels.warm_start), solve_biased = all(kernels.solve_biased);
     const auto relax = all(kernels.relax);
     const auto relax_and_store = section_loop(block, [&](uint32_t section, const StripNodes&) {
-        pass(kernels.relax, section, wide, step);
-        store_section(section, wide, step);
+        pass(kernels.relax, section, wide);
+        store_section(section, wide);
     });
-    const auto begin = begin_loop(block, step, false), begin_again = begin_loop(block, step, true);
-    const auto move_bodies = move_loop(block, step);
-    prepare_block(block, wide, step);
-    for (int substep = 0; substep < settings.substeps; ++substep) {
+    const auto begin = begin_loop(block, false), begin_again = begin_loop(block, true);
+    const auto move_bodies = move_loop(block);
+    prepare_block(block, wide);
+    for (int substep = 0; substep < input.settings.substeps; ++substep) {
         (substep > 0 ? begin_again : begin).run();
         if (substep == 0) warm_start.run();
         solve_biased.run();
         move_bodies.run();
-        if (substep + 1 < settings.substeps)
+        if (substep + 1 < input.settings.substeps)
             relax.run();
         else
             relax_and_store.run();
@@ -136,17 +188,17 @@ void WorldData::solve_block(const SolverBlock& block, WideBlock& wide, const Blo
 
 /// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
 /// start them one by one. What many joints do besides takes longer to tell apart than that saves.
-bool WorldData::repeats_pushes(const SolverBlock& block) {
-    if (!rolling_contacts.empty()) return false;  // what they gave had another direction
-    if (2 * acting_joints() > (block.contacts + constraints.size()) / 4) return false;
-    find_jointed();
+bool SoftStep::repeats_pushes(const SolverBlock& block) {
+    if (!contacts.rolling_contacts.empty()) return false;  // what they gave had another direction
+    if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
+        return false;
+    find_jointed(input.joints, input.strips);
     return true;
 }
 
 /// Passes over the first block, with all that the others do not have.
-struct alignas(line_size) WorldData::FirstBlock {
-    WorldData& world;
-    const BlockStep& step;
+struct alignas(line_size) FirstBlock {
+    SoftStep& step;
     const JointStep& joint_step;
     WideBlock& wide;
     ContactSolver serial;  // all constraints
@@ -154,73 +206,79 @@ struct alignas(line_size) WorldData::FirstBlock {
 
     ContactSolver serial_of(const StripNodes& nodes) const {
         ContactSolver some = serial;
-        const size_t begin = world.serial_nodes.begin(nodes), end = world.serial_nodes.end(nodes);
+        const size_t begin = step.contacts.serial_nodes.begin(nodes),
+                     end = step.contacts.serial_nodes.end(nodes);
         some.constraints = some.constraints.subspan(begin, end - begin);
         return some;
     }
     template <typename Pass>
     void around_joints(const StripNodes& nodes, Pass&& pass) const {
         if (repeats)
-            world.joint_share.around(nodes, world.solver_bodies, world.solver_forces, pass);
+            step.input.joints.joint_share.around(nodes, step.bodies.solver_bodies,
+                                                 step.bodies.solver_forces, pass);
         else
             pass();
     }
     void repeat_joints(const StripNodes& nodes) const {
-        around_joints(nodes, [&] { world.warm_start_joints(nodes); });
+        around_joints(
+            nodes, [&] { warm_start_joints(step.input.joints, step.bodies.solver_bodies, nodes); });
     }
     void warm_start(uint32_t section, const StripNodes& nodes) const {
         repeat_joints(nodes);
         serial_of(nodes).warm_start();
-        world.pass(step.kernels.warm_start, section, wide, step);
+        step.pass(step.kernels.warm_start, section, wide);
     }
     void solve_biased(uint32_t section, const StripNodes& nodes) const {
-        around_joints(nodes, [&] { world.solve_joints(joint_step, nodes); });
+        around_joints(nodes, [&] {
+            solve_joints(step.input.joints, step.bodies.solver_bodies, joint_step, nodes);
+        });
         serial_of(nodes).solve_biased();
-        world.pass(step.kernels.solve_biased, section, wide, step);
+        step.pass(step.kernels.solve_biased, section, wide);
     }
     void relax(uint32_t section, const StripNodes& nodes) const {
-        around_joints(nodes, [&] { world.relax_joints(joint_step, nodes); });
+        around_joints(nodes, [&] {
+            relax_joints(step.input.joints, step.bodies.solver_bodies, joint_step, nodes);
+        });
         serial_of(nodes).relax();
-        world.pass(step.kernels.relax, section, wide, step);
+        step.pass(step.kernels.relax, section, wide);
     }
     void relax_and_store(uint32_t section, const StripNodes& nodes) const {
         relax(section, nodes);
-        world.store_section(section, wide, step);
+        step.store_section(section, wide);
     }
     void bounce(const SolverBlock& block) const {
-        world.bounced.assign(world.solver_bodies.size(), 0);
+        step.bodies.bounced.assign(step.bodies.solver_bodies.size(), 0);
         std::atomic<bool> any = true;
         for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
             any = false;
-            world
-                .section_loop(block,
+            step.section_loop(block,
                               [&](uint32_t, const StripNodes& nodes) {
-                                  const float dt = step.h * float(world.settings.substeps);
-                                  if (serial_of(nodes).bounce(dt, pass, world.bounced)) any = true;
+                                  const float dt = step.h * float(step.input.settings.substeps);
+                                  if (serial_of(nodes).bounce(dt, pass, step.bodies.bounced))
+                                      any = true;
                               })
                 .run();
         }
     }
     void restitute(const SolverBlock& block) const {
-        world
-            .section_loop(
+        step.section_loop(
                 block, [this](uint32_t, const StripNodes& nodes) { serial_of(nodes).restitute(); })
             .run();
     }
 };
 
-void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_step) {
-    const SolverBlock& block = blocks[0];
-    FirstBlock first = {*this, step, joint_step, wide_blocks[0], {}};
-    first.serial.bodies = solver_bodies;
-    first.serial.constraints = constraints;
-    first.serial.extras = extras;
-    first.serial.rolling = rolling_contacts;
-    first.serial.inverse_h = 1.0f / step.h;
-    first.serial.push_speed = settings.push_speed;
-    first.serial.restitution_threshold = settings.restitution_threshold;
+void SoftStep::solve_first_block(const JointStep& joint_step) {
+    const SolverBlock& block = schedule.blocks[0];
+    FirstBlock first = {*this, joint_step, schedule.wide_blocks[0], {}};
+    first.serial.bodies = bodies.solver_bodies;
+    first.serial.constraints = contacts.constraints;
+    first.serial.extras = contacts.extras;
+    first.serial.rolling = contacts.rolling_contacts;
+    first.serial.inverse_h = 1.0f / h;
+    first.serial.push_speed = input.settings.push_speed;
+    first.serial.restitution_threshold = input.settings.restitution_threshold;
     first.repeats = repeats_pushes(block);
-    const bool jointed = acting_joints() > 0;
+    const bool jointed = input.joints.acting_joints() > 0;
 
     const auto loop = [&](auto member) {
         return section_loop(block, [&first, member](uint32_t section, const StripNodes& nodes) {
@@ -232,52 +290,58 @@ void WorldData::solve_first_block(const BlockStep& step, const JointStep& joint_
         block, [&first](uint32_t, const StripNodes& nodes) { first.repeat_joints(nodes); });
     const auto solve_biased = loop(&FirstBlock::solve_biased), relax = loop(&FirstBlock::relax);
     const auto relax_and_store = loop(&FirstBlock::relax_and_store);
-    const auto begin = begin_loop(block, step, false), begin_again = begin_loop(block, step, true);
-    const auto move_bodies = move_loop(block, step);
+    const auto begin = begin_loop(block, false), begin_again = begin_loop(block, true);
+    const auto move_bodies = move_loop(block);
 
-    prepare_block(block, first.wide, step);
-    if (!extras.empty()) first.bounce(block);
-    zero_locked();
-    for (int substep = 0; substep < settings.substeps; ++substep) {
+    prepare_block(block, first.wide);
+    if (!contacts.extras.empty()) first.bounce(block);
+    zero_locked(input);
+    for (int substep = 0; substep < input.settings.substeps; ++substep) {
         const bool again = first.repeats && substep > 0;
         (again ? begin_again : begin).run();
-        zero_locked();
+        zero_locked(input);
         if (!again)
             warm_start.run();
         else if (jointed)
             repeat_joints.run();
         solve_biased.run();
-        zero_locked();
+        zero_locked(input);
         move_bodies.run();
-        (substep + 1 < settings.substeps ? relax : relax_and_store).run();
-        zero_locked();
-        strain_joints();
+        (substep + 1 < input.settings.substeps ? relax : relax_and_store).run();
+        zero_locked(input);
+        strain_joints(input.objects, input.joints);
     }
-    if (!extras.empty()) {
+    if (!contacts.extras.empty()) {
         first.restitute(block);
-        zero_locked();
+        zero_locked(input);
     }
 }
 
-void WorldData::solve_softly(const JointStep& joint_step, const ContactStiffness& stiffness) {
+}  // namespace
+
+void solve_softly(const SolverInput& input, const JointStep& joint_step,
+                  const ContactStiffness& stiffness, const WideKernels& kernels) {
     const float h = joint_step.h;
-    const BlockStep step = {wide_kernels(most_lanes),
-                            {solver_bodies.data(), &stiffness, joint_step.impulse_ratio},
-                            h,
-                            {greatest_speed, greatest_turn / h}};
+    const SolverBlocks& blocks = input.schedule.blocks;
+    std::vector<WideBlock>& wide_blocks = input.schedule.wide_blocks;
+    SoftStep step = {input,
+                     kernels,
+                     {input.bodies.solver_bodies.data(), &stiffness, joint_step.impulse_ratio},
+                     h,
+                     {greatest_speed, greatest_turn / h}};
     const auto whole = uint32_t(blocks.size() - 1);
-    const int at_a_time = threads != nullptr && whole > 1 ? threads->threads() : 1;
+    const int at_a_time = input.threads != nullptr && whole > 1 ? input.threads->threads() : 1;
     if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));
-    solve_first_block(step, joint_step);
+    step.solve_first_block(joint_step);
     // The few that are large are solved one by one, by all threads together.
     for (uint32_t i = 1; i <= whole; ++i) {
-        if (blocks[i].cut) solve_block(blocks[i], wide_blocks[0], step);
+        if (blocks[i].cut) step.solve_block(blocks[i], wide_blocks[0]);
     }
     IdleBlocks idle(wide_blocks);
-    share_out(threads, whole, [&](uint32_t i) {
+    share_out(input.threads, whole, [&](uint32_t i) {
         if (blocks[i + 1].cut) return;
         WideBlock& wide = idle.take();
-        solve_block(blocks[i + 1], wide, step);
+        step.solve_block(blocks[i + 1], wide);
         idle.give_back(wide);
     });
 }

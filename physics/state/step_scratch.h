@@ -68,6 +68,12 @@ struct JointScratch {
     std::vector<uint8_t> joint_notes;
     std::vector<Strain> strains;
 
+    size_t acting_joints() const {
+        size_t count = 0;
+        for (const JointPlan& plan : joint_plans.of_type) count += plan.joints.size();
+        return count;
+    }
+
     template <class Io, class Self>
     static void scratch(Io& io, Self& s) {
         list_members<JointScratch>(io, named("step", s.joint_share, s.joint_plans,
@@ -113,6 +119,10 @@ struct ScheduleScratch {
     std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting ones
     std::vector<uint64_t> colors_of_body;              ///< by solver index, a bit a color
     std::vector<WideBlock> wide_blocks;                ///< for each that is solved at a time
+
+    const Sections& sections_of(const SolverBlock& block) const {
+        return block.cut ? cut_sections : whole_sections;
+    }
 
     template <class Io, class Self>
     static void scratch(Io& io, Self& s) {

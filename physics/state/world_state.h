@@ -10,6 +10,7 @@
 #include <state/records.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace fettle::physics::detail {
@@ -39,6 +40,83 @@ struct ObjectState {
     std::vector<FieldRecord> fields;
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
 
+    /// The shape that stands for a slot outside: for a part its owner.
+    uint32_t named_shape(uint32_t slot) const {
+        return shapes[slot].owner == none ? slot : shapes[slot].owner;
+    }
+    /// False for an outline, of which only the parts collide.
+    bool is_solid(uint32_t shape) const { return forms[shape].kind != FormKind::outline; }
+    Convex convex(uint32_t shape) const {
+        const ShapeForm& form = forms[shape];
+        return {&pool.vertices[form.begin], &pool.directions[form.begin], &pool.offsets[form.begin],
+                int(form.count), form.radius};
+    }
+    std::span<const V2> outline_of(uint32_t shape) const {
+        return {&pool.local[forms[shape].begin], shapes[shape].outline};
+    }
+    /// The shape itself, or the parts it consists of.
+    template <typename Visit>
+    void for_each_solid(uint32_t shape, Visit&& visit) const {
+        if (is_solid(shape)) {
+            visit(shape);
+            return;
+        }
+        for (uint32_t part = shapes[shape].first_part; part != none;) {
+            const uint32_t next = shapes[part].next_part;
+            visit(part);
+            part = next;
+        }
+    }
+
+    template <typename Visit>
+    void for_each_joint(uint32_t body, Visit&& visit) const {
+        for (uint32_t edge = bodies[body].first_joint; edge != none;) {
+            const uint32_t next = joints[edge >> 1].edges[edge & 1].next;
+            visit(edge >> 1, edge & 1);
+            edge = next;
+        }
+    }
+    template <typename Visit>
+    void for_each_contact(uint32_t body, Visit&& visit) const {
+        any_contact(bodies[body].first_contact, none, [&](uint32_t contact) {
+            visit(contact);
+            return false;
+        });
+    }
+    /// Whether `visit` is true of a contact in a body's list, from an edge on and before the
+    /// contact `end` (none: to the end of the list).
+    template <typename Visit>
+    bool any_contact(uint32_t edge, uint32_t end, Visit&& visit) const {
+        while (edge != none && edge >> 1 != end) {
+            const uint32_t next = contact_links[edge >> 1].edges[edge & 1].next;
+            if (visit(edge >> 1)) return true;
+            edge = next;
+        }
+        return false;
+    }
+    /// The contacts of the shape and of its parts.
+    template <typename Visit>
+    void for_each_contact_of(uint32_t shape, Visit&& visit) const {
+        if (forms[shape].body == none) return;
+        const auto is_its = [&](uint32_t s) { return s == shape || shapes[s].owner == shape; };
+        for_each_contact(forms[shape].body, [&](uint32_t contact) {
+            const ContactRecord& c = contacts[contact];
+            if (is_its(c.shape_a) || is_its(c.shape_b)) visit(contact);
+        });
+    }
+    uint32_t other_body(uint32_t contact, uint32_t body) const {
+        const ContactRecord& c = contacts[contact];
+        return c.body_a == body ? c.body_b : c.body_a;
+    }
+    template <typename Visit>
+    void for_each_asleep(uint32_t island, Visit&& visit) const {
+        for (uint32_t body = islands[island].first; body != none;) {
+            const uint32_t next = bodies[body].next;
+            visit(body);
+            body = next;
+        }
+    }
+
     template <class Io, class Self>
     static void members(Io& io, Self& s) {
         list_members<ObjectState>(
@@ -49,6 +127,27 @@ struct ObjectState {
             named("fields", s.fields, s.field_slots));
     }
 };
+
+inline BodyId body_id(const Columns& columns, uint32_t slot) {
+    return {slot, columns.body_generations[slot]};
+}
+/// Of the shape that stands for the slot outside.
+inline ShapeId shape_id(const ObjectState& objects, const Columns& columns, uint32_t slot) {
+    const uint32_t named = objects.named_shape(slot);
+    return {named, columns.shape_generations[named]};
+}
+
+/// The shape as collision sees it, rotated with its body.
+inline Solid solid_of(const ObjectState& objects, const Columns& columns, uint32_t shape) {
+    const ShapeForm& form = objects.forms[shape];
+    Solid made = {objects.convex(shape), form.kind};
+    if (form.kind == FormKind::convex || form.kind == FormKind::ellipse) return made;
+    made.limits = &objects.pool.local[form.begin] + form.count;
+    made.normals = &objects.pool.normals[form.begin];
+    if (form.body != none)
+        made.rotation = {columns.states[form.body].cosine, columns.states[form.body].sine};
+    return made;
+}
 
 /// Where the shapes are, and which pairs are near each other.
 struct BroadPhaseState {

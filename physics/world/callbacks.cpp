@@ -1,3 +1,4 @@
+#include <contacts/impact.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
 
@@ -14,13 +15,6 @@ namespace fettle::physics {
 using namespace detail;
 
 namespace detail {
-
-V2 WorldData::middle_of(const ContactRecord& c) const {
-    const Manifold& m = c.manifold;
-    V2 middle = m.points[0].anchor_a;
-    if (m.count == 2) middle = 0.5f * (m.points[0].anchor_a + m.points[1].anchor_a);
-    return bodies[c.body_a].center + middle;
-}
 
 namespace {
 
@@ -52,7 +46,7 @@ class Consultation {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
             if (!acts(c)) continue;
             const Part part = {pair_of(c), i};
-            if (!world_.of_outline(c)) {
+            if (!is_of_outline(world_, c)) {
                 ask({&part, 1});
                 continue;
             }
@@ -79,7 +73,7 @@ class Consultation {
     void list_parts() {
         for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
-            if (acts(c) && world_.of_outline(c)) parts_.push_back({pair_of(c), i});
+            if (acts(c) && is_of_outline(world_, c)) parts_.push_back({pair_of(c), i});
         }
         std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
             return a.pair != b.pair ? a.pair < b.pair : a.at < b.at;
@@ -90,13 +84,13 @@ class Consultation {
     }
 
     ContactEdit edit_of(const ContactRecord& c) const {
-        const V2 point = world_.middle_of(c);
+        const V2 point = middle_of(world_, c);
         ContactEdit edit;
         edit.shape_a = {world_.self.link->world, world_.shape_id(c.shape_a)};
         edit.shape_b = {world_.self.link->world, world_.shape_id(c.shape_b)};
         edit.point = to_vec2(point);
         edit.normal = to_vec2(c.manifold.normal);
-        edit.speed = world_.approach_speed(c, point);
+        edit.speed = approach_speed(world_, world_, c, point);
         edit.separation = infinity;
         for (int k = 0; k < c.manifold.count; ++k) {
             edit.impulse += c.manifold.points[k].normal_impulse * float(world_.settings.substeps);
@@ -145,7 +139,7 @@ class Consultation {
 
     void disable(ContactRecord& c, uint32_t slot) {
         c.disabled = true;
-        if (c.touching) world_.set_touching(slot, false);
+        if (c.touching) set_touching(world_.touching(), slot, false);
         for (ManifoldPoint& p : c.manifold.points) p.normal_impulse = p.tangent_impulse = 0.0f;
         c.rolling_impulse = 0.0f;
     }
@@ -170,15 +164,15 @@ void WorldData::tell_persisting() {
         if (!c.touching || c.sensor || contact_links[slot].began == uint32_t(steps) ||
             c.manifold.count == 0)
             continue;
-        if (!tells_for_pair(slot)) continue;
-        const V2 point = middle_of(c);
+        if (!reports_for_pair(*this, slot)) continue;
+        const V2 point = middle_of(*this, c);
         float impulse = 0.0f;
         for (int k = 0; k < c.manifold.count; ++k)
             impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
-        events.contact_persist.push_back({shape_id(c.shape_a), shape_id(c.shape_b),
-                                          body_id(c.body_a), body_id(c.body_b), to_vec2(point),
-                                          to_vec2(c.manifold.normal), approach_speed(c, point),
-                                          impulse, c.friction, c.restitution});
+        events.contact_persist.push_back(
+            {shape_id(c.shape_a), shape_id(c.shape_b), body_id(c.body_a), body_id(c.body_b),
+             to_vec2(point), to_vec2(c.manifold.normal), approach_speed(*this, *this, c, point),
+             impulse, c.friction, c.restitution});
     }
 }
 

@@ -113,7 +113,7 @@ void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
 
 void WorldData::destroy_contact(uint32_t slot) {
     ContactRecord& c = contacts[slot];
-    if (c.touching) set_touching(slot, false);
+    if (c.touching) set_touching(touching(), slot, false);
     if (c.awake_index != none) remove_awake_contact(slot);
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
@@ -152,25 +152,6 @@ void WorldData::refilter(uint32_t shape) {
         if (c.sensor != sensor || !may_collide(c.shape_a, c.shape_b)) destroy_contact(contact);
     });
     for_each_solid(shape, [&](uint32_t solid) { mark_moved(solid); });
-}
-
-/// Until the poses are finished, the states hold the velocities before the step.
-float WorldData::approach_speed(const ContactRecord& c, V2 point) const {
-    const BodyState &a = states[c.body_a], &b = states[c.body_b];
-    const V2 at_a = to_v2(a.velocity) + cross(a.angular_velocity, point - bodies[c.body_a].center);
-    const V2 at_b = to_v2(b.velocity) + cross(b.angular_velocity, point - bodies[c.body_b].center);
-    return max(0.0f, dot(c.manifold.normal, at_a - at_b));
-}
-
-/// Impulse per speed of approach: the effective mass along the normal, 1 / (n·M⁻¹·n), and the
-/// share of the bounce.
-float WorldData::impact_mass(const ContactRecord& c, V2 point) const {
-    const BodyRecord &a = bodies[c.body_a], &b = bodies[c.body_b];
-    const float lever_a = cross(point - a.center, c.manifold.normal);
-    const float lever_b = cross(point - b.center, c.manifold.normal);
-    const float inverse = a.inverse_mass + b.inverse_mass + a.inverse_inertia * lever_a * lever_a +
-                          b.inverse_inertia * lever_b * lever_b;
-    return inverse > 0.0f ? (1.0f + c.restitution) / inverse : 0.0f;
 }
 
 Contact WorldData::view(const ContactRecord& c) const {

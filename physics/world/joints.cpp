@@ -1,3 +1,4 @@
+#include <state/joint_role.h>
 #include <world/world_data.h>
 
 #include <utility>
@@ -78,7 +79,7 @@ void WorldData::set_joint_body(uint32_t joint, uint32_t side, uint32_t body) {
     joints[joint].bodies[side] = body;
     link_joint(joint, side);
     joints[joint].enabled = enabled;
-    forget_impulses(joint);
+    forget_impulses(*this, joint);
     wake_joint(joint);
     list_joint(joint);
     refilter_joint(joint);
@@ -98,11 +99,22 @@ void WorldData::set_joint_broken(uint32_t joint, bool broken) {
     refilter_joint(joint);
 }
 
-void WorldData::forget_impulses(uint32_t joint) {
-    auto forget = [&](auto& list) { list[joints[joint].place].impulses = {}; };
-    with_list(joint_lists, joints[joint].type, forget);
-    joints[joint].force = {};
-    joints[joint].torque = 0.0f;
+/// Breaks the joints that bore more than they can, as the mean over the step.
+void WorldData::break_joints(const JointStep& step) {
+    const float rate = step.inverse_h / float(settings.substeps);
+    for (const Strain& strain : strains) {
+        const JointRecord& joint = joints[strain.joint];
+        const V2 force = rate * strain.force;
+        const float torque = rate * strain.torque;
+        if (length(force) <= joint.break_force && std::fabs(torque) <= joint.break_torque) continue;
+        const auto [a, b] = joint.bodies;
+        event_sink().joint_broke.push_back({{strain.joint, joint_generations[strain.joint]},
+                                            body_id(a),
+                                            body_id(b),
+                                            to_vec2(force),
+                                            torque});
+        set_joint_broken(strain.joint, true);
+    }
 }
 
 /// A joint is listed while it acts and one of its bodies is awake. Asleep, it keeps its impulses;
@@ -113,7 +125,7 @@ void WorldData::list_joint(uint32_t joint) {
     const auto [a, b] = record.bodies;
     const bool wanted =
         record.acts() && (bodies[a].solver_index != 0 || bodies[b].solver_index != 0);
-    if (!wanted && role_of(record) == Role::idle) forget_impulses(joint);
+    if (!wanted && role_of(*this, record) == JointRole::idle) forget_impulses(*this, joint);
     if (wanted == (record.awake_index != none)) return;
     if (wanted) {
         record.awake_index = uint32_t(list.size());
@@ -179,16 +191,6 @@ void WorldData::refilter_joint(uint32_t joint) {
     for (uint32_t body : {a, b}) {
         for (uint32_t s = bodies[body].first_shape; s != none; s = shapes[s].next) mark_moved(s);
     }
-}
-
-WorldData::Role WorldData::role_of(const JointRecord& joint) const {
-    Role role = Role::idle;
-    for (uint32_t body : joint.bodies) {
-        if (!joint.acts() || bodies[body].mobility != Mobility::dynamic) continue;
-        if (bodies[body].solver_index != 0) return Role::acting;
-        role = Role::asleep;
-    }
-    return role;
 }
 
 }  // namespace fettle::physics::detail

@@ -134,9 +134,9 @@ class NarrowPhase {
 void WorldData::follow_note(ContactRecord& c, uint32_t slot) {
     const bool active = c.manifold.count > 0;
     if (c.sensor) {
-        if (active != c.touching) set_touching(slot, active);
+        if (active != c.touching) set_touching(touching(), slot, active);
     } else if (!active) {
-        if (c.touching) set_touching(slot, false);
+        if (c.touching) set_touching(touching(), slot, false);
         c.rolling_impulse = 0.0f;
     } else if (bodies[c.body_a].asleep() && in_motion(c.body_b)) {
         // Whoever is asleep and about to be hit takes part in this very step.

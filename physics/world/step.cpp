@@ -1,5 +1,9 @@
 #include <geometry/trigonometry.h>
-#include <solver/motion.h>
+#include <schedule/coloring.h>
+#include <solver/joint_passes.h>
+#include <solver/serial_contacts.h>
+#include <solver/solvers.h>
+#include <solver/store_contacts.h>
 #include <world/archive.h>
 #include <world/world_data.h>
 
@@ -111,63 +115,41 @@ void WorldData::gather_bodies(float h) {
     }
 }
 
-void WorldData::zero_locked() {
-    for (uint32_t i : locked) {
-        const BodyRecord& record = bodies[awake_bodies[i - 1]];
-        SolverBody& b = solver_bodies[i];
-        if (record.locked_x) b.velocity.x = 0.0f;
-        if (record.locked_y) b.velocity.y = 0.0f;
-        if (record.locked_rotation) b.angular_velocity = 0.0f;
-    }
-}
-
 void WorldData::solve(float dt) {
     const float h = dt / float(settings.substeps);
     cut_into_strips();
     gather_bodies(h);
     apply_fields(h, dt);
-    const JointStep joint_step = prepare_joints(h);
-
+    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+    const JointStep joint_step =
+        prepare_joints(*this, *this, *this, *this, *this, h, ratio, threads);
     const float gravity = length(to_v2(settings.gravity));
     const ContactStiffness stiffness(settings.contact_hertz, settings.contact_damping, h,
                                      gravity > 0.0f ? gravity : usual_gravity);
-    prepare_contacts(dt, h, stiffness);
+    const bool groups = settings.solver == Solver::soft_step;
+    find_acting(*this, *this, *this, *this, *this, groups, dt, threads);
+    color_contacts(*this, *this, strips, acting_joints(), *this, *this, threads);
+    prepare_serial(*this, *this, *this, *this, stiffness, dt, ratio, threads);
+    const SolverInput input = {settings, *this, *this, strips, *this, *this, *this, *this, threads};
     statistics.direct_solves = statistics.direct_failures = 0;
     switch (settings.solver) {
         case Solver::soft_step:
-            solve_softly(joint_step, stiffness);
+            solve_softly(input, joint_step, stiffness, wide_kernels(most_lanes));
             break;
         case Solver::sequential:
-            solve_sequentially(joint_step);
+            solve_sequentially(input, joint_step);
             keep_pushed_awake(dt);
             break;
         case Solver::direct:
-            solve_directly(joint_step);
+            solve_directly(input, joint_step, statistics);
             keep_pushed_awake(dt);
             break;
     }
     last_substep = h;
-    store_joints(joint_step);
-    store_contacts();
+    store_joints(*this, *this, joint_step, threads);
+    break_joints(joint_step);
+    store_contacts(*this, touching(), settings.hit_threshold, threads);
     tell_persisting();
-}
-
-/// How the solvers without warm starting begin a sub-step.
-void WorldData::apply_forces(float h) {
-    integrate_velocities(blocks.bodies_of(blocks[0]), solver_bodies, solver_forces,
-                         {greatest_speed, greatest_turn / h}, false);
-    zero_locked();
-    solver_bodies[0] = {};
-}
-
-/// Contacts of ellipses run along the rim: direction, levers and gap for where the bodies are.
-void WorldData::follow_curved_contacts() {
-    if (rolling_contacts.empty()) return;
-    for (ContactConstraint& c : constraints) {
-        if (c.extra == 0 || extras[c.extra - 1].rolling == 0) continue;
-        rolling_contacts[extras[c.extra - 1].rolling - 1].follow(c, solver_bodies[c.a],
-                                                                 solver_bodies[c.b]);
-    }
 }
 
 void WorldData::step(float dt) {
@@ -189,7 +171,7 @@ void WorldData::step(float dt) {
     statistics.solve_ms = clock.lap();
     finish_bodies(dt);
     stop_fast_bodies();
-    tell_parted();
+    report_parted(touching());
     order_lists();
     statistics.finish_ms = clock.lap();
     ++steps;

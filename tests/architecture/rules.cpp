@@ -91,6 +91,16 @@ const std::vector<Room>& rooms() {
         {"physics/state",
          {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
           "physics/constraints", "physics/partition", "physics/joints"}},
+        {"physics/contacts",
+         {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
+          "physics/constraints", "physics/wide", "physics/state"}},
+        {"physics/schedule",
+         {"physics/geometry", "physics/threads", "physics/constraints", "physics/partition",
+          "physics/state"}},
+        {"physics/solver",
+         {"physics/geometry", "physics/threads", "physics/constraints", "physics/partition",
+          "physics/joints", "physics/wide", "physics/state", "physics/contacts",
+          "physics/schedule"}},
     };
     return table;
 }

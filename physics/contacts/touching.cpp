@@ -1,0 +1,121 @@
+#include <contacts/impact.h>
+#include <contacts/touching.h>
+
+#include <algorithm>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// The side, 0 or 1, of which the body has fewer contacts.
+uint32_t shorter_list(const ObjectState& objects, const ContactRecord& c) {
+    return objects.bodies[c.body_a].contact_count < objects.bodies[c.body_b].contact_count ? 0 : 1;
+}
+
+bool same_pair(const ObjectState& objects, const ContactRecord& c, const ContactRecord& d) {
+    const uint32_t a = objects.named_shape(c.shape_a), b = objects.named_shape(c.shape_b);
+    const uint32_t e = objects.named_shape(d.shape_a), f = objects.named_shape(d.shape_b);
+    // Parts of two outlines are in any order.
+    return c.sensor == d.sensor && ((a == e && b == f) || (a == f && b == e));
+}
+
+/// Whether the two shapes touch in another pair of parts.
+bool touch_elsewhere(const ObjectState& objects, uint32_t slot) {
+    const ContactRecord& c = objects.contacts[slot];
+    const uint32_t side = shorter_list(objects, c);
+    const uint32_t body = side == 0 ? c.body_a : c.body_b;
+    const ListEdge& own = objects.contact_links[slot].edges[side];
+    const auto touches = [&](uint32_t other) {
+        const ContactRecord& d = objects.contacts[other];
+        return d.touching && !d.disabled && same_pair(objects, c, d);
+    };
+    // From its own place on: those made beside it began, and are destroyed, beside it as well.
+    return objects.any_contact(own.next, none, touches) ||
+           objects.any_contact(objects.bodies[body].first_contact, slot, touches);
+}
+
+void report(const Touching& touching, const ContactRecord& c, bool begins) {
+    ObjectState& objects = touching.objects;
+    const Columns& columns = touching.columns;
+    Events& events = touching.events;
+    const uint32_t change = begins ? 1u : ~0u;  // ± 1, modulo 2³²
+    objects.shapes[objects.named_shape(c.shape_a)].touching += change;
+    objects.shapes[objects.named_shape(c.shape_b)].touching += change;
+    const ShapeId a = shape_id(objects, columns, c.shape_a);
+    const ShapeId b = shape_id(objects, columns, c.shape_b);
+    const BodyId body_a = body_id(columns, c.body_a), body_b = body_id(columns, c.body_b);
+    if (c.sensor) {
+        auto& list = begins ? events.sensor_begin : events.sensor_end;
+        if (objects.shapes[c.shape_a].surface.sensor)
+            list.push_back({a, b, body_a, body_b});
+        else
+            list.push_back({b, a, body_b, body_a});
+        return;
+    }
+    if (begins) {
+        const V2 point = middle_of(objects, c);
+        const float speed = approach_speed(objects, columns, c, point);
+        events.contact_begin.push_back(
+            {a, b, body_a, body_b, to_vec2(point), to_vec2(c.manifold.normal), speed,
+             speed * impact_mass(objects, c, point), c.friction, c.restitution});
+    } else {
+        events.contact_end.push_back({a, b, body_a, body_b});
+    }
+}
+
+}  // namespace
+
+bool is_of_outline(const ObjectState& objects, const ContactRecord& c) {
+    return objects.forms[c.shape_a].kind == FormKind::piece ||
+           objects.forms[c.shape_b].kind == FormKind::piece;
+}
+
+void set_touching(const Touching& touching, uint32_t slot, bool begins) {
+    ObjectState& objects = touching.objects;
+    ContactRecord& c = objects.contacts[slot];
+    c.touching = begins;
+    if (!c.sensor) {
+        objects.bodies[c.body_a].touching += begins ? 1u : ~0u;  // ± 1, modulo 2³²
+        objects.bodies[c.body_b].touching += begins ? 1u : ~0u;
+    }
+    if (!is_of_outline(objects, c)) {
+        if (begins) objects.contact_links[slot].began = touching.step;
+        report(touching, c, begins);
+        return;
+    }
+    if (touch_elsewhere(objects, slot)) return;
+    if (!begins) {
+        if (touching.parted != nullptr)
+            touching.parted->push_back(c);
+        else
+            report(touching, c, false);
+        return;
+    }
+    if (touching.parted != nullptr) {
+        auto& parted = *touching.parted;
+        const auto left = std::ranges::find_if(
+            parted, [&](const ContactRecord& d) { return same_pair(objects, c, d); });
+        if (left != parted.end()) {
+            parted.erase(left);  // only gone on to another part
+            return;
+        }
+    }
+    objects.contact_links[slot].began = touching.step;
+    report(touching, c, true);
+}
+
+void report_parted(const Touching& touching) {
+    for (const ContactRecord& c : *touching.parted) report(touching, c, false);
+    touching.parted->clear();
+}
+
+bool reports_for_pair(const ObjectState& objects, uint32_t slot) {
+    const ContactRecord& c = objects.contacts[slot];
+    if (!is_of_outline(objects, c)) return true;
+    const uint32_t body = shorter_list(objects, c) == 0 ? c.body_a : c.body_b;
+    return !objects.any_contact(objects.bodies[body].first_contact, none, [&](uint32_t other) {
+        const ContactRecord& d = objects.contacts[other];
+        return other < slot && d.touching && !d.disabled && same_pair(objects, c, d);
+    });
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,352 @@
+#include <schedule/coloring.h>
+#include <schedule/serial_criteria.h>
+#include <state/limits.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+// Ranges of the contact records are shared out among threads. The coloring, where the color of a
+// contact depends on the contacts before it, is shared out by nodes and reads the short list of
+// acting contacts only.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// The first colors are of contacts between two bodies that move. Contacts with a fixed body have
+/// the others: they are solved last, so that they hold best.
+constexpr int moving_colors = 48;
+constexpr int color_count = 64;
+constexpr int end_of_colors(bool both_move) {
+    return both_move ? moving_colors : color_count;
+}
+
+/// Worlds with fewer contacts have one block: all their contacts fit into the cache.
+constexpr size_t least_for_blocks = 4000;
+
+/// Contacts that a thread takes at a time.
+constexpr size_t piece_length = 256;
+
+/// Stable sort. `nodes`: the nodes of the contacts, a bit each.
+void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges& ranges) {
+    if (std::has_single_bit(nodes)) {
+        ranges.count(uint32_t(std::countr_zero(nodes)), uint32_t(contacts.size()));
+        ranges.sum_up();
+        return;
+    }
+    for (const ActingContact& c : contacts) ranges.count(c.node);
+    ranges.sum_up();
+    std::array<ActingContact, piece_length> sorted;
+    auto next = ranges.places();
+    for (const ActingContact& c : contacts) sorted[next[c.node]++] = c;
+    std::copy_n(sorted.begin(), contacts.size(), contacts.begin());
+}
+
+/// Several threads share out a block with at least this many contacts and joints: with fewer, they
+/// would wait for each other for longer than they work. There are many blocks after the first, and
+/// each is solved by one thread unless it is large.
+constexpr size_t least_shared_first = 1000, least_shared = 2 * SolverBlocks::enough_contacts;
+
+class Coloring {
+  public:
+    Coloring(const ActiveLists& active, const BodyScratch& bodies, const Strips& strips,
+             size_t joints, ContactScratch& contacts, ScheduleScratch& schedule,
+             ThreadPool* threads)
+        : awake_bodies_(active.awake_bodies),
+          bodies_(bodies),
+          strips_(strips),
+          joints_(joints),
+          contacts_(contacts),
+          schedule_(schedule),
+          blocks_(schedule.blocks),
+          acting_(contacts.acting),
+          threads_(threads) {}
+
+    void update_blocks();
+    void make_sections();
+    void color();
+    void list_serial();
+    void place_lanes();
+
+  private:
+    template <typename Visit>
+    void for_each_acting_of(const StripNodes& nodes, Visit&& visit);
+    void color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over);
+    void unite_blocks();
+    void make_blocks(bool several);
+    void begin_counts();
+    uint32_t entry_of(const ActingContact& contact, uint32_t color) const;
+    size_t section_of(const ActingContact& contact) const;
+
+    std::span<const uint32_t> awake_bodies_;
+    const BodyScratch& bodies_;
+    const Strips& strips_;
+    size_t joints_;
+    ContactScratch& contacts_;
+    ScheduleScratch& schedule_;
+    SolverBlocks& blocks_;
+    std::vector<ActingContact>& acting_;
+    ThreadPool* threads_;
+};
+
+/// Visits the contacts in groups that belong to these nodes.
+template <typename Visit>
+void Coloring::for_each_acting_of(const StripNodes& nodes, Visit&& visit) {
+    for (const ActingPiece& piece : contacts_.acting_pieces) {
+        const uint32_t end = piece.begin + piece.nodes.end(nodes);
+        for (uint32_t i = piece.begin + piece.nodes.begin(nodes); i < end; ++i) {
+            if (!acting_[i].serially) visit(acting_[i]);
+        }
+    }
+}
+
+/// Greedy coloring, anew in every step: a contact gets the lowest color that neither body has yet.
+/// A contact for which no color is left is solved one at a time.
+void Coloring::color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over) {
+    left_over.clear();
+    if (nodes.begin < strips_.first_leaf()) {
+        // Not solved at the same time as the nodes below: all colors are free again.
+        for_each_acting_of(nodes, [&](const ActingContact& c) {
+            if (c.moves_a()) schedule_.colors_of_body[c.a()] = 0;
+            if (c.moves_b()) schedule_.colors_of_body[c.b()] = 0;
+        });
+    }
+    for_each_acting_of(nodes, [&](ActingContact& c) {
+        if (c.hub != 0) schedule_.hubs.choose_copy(c);
+        const uint32_t a = c.a(), b = c.b();
+        const uint64_t taken = (c.moves_a() ? schedule_.colors_of_body[a] : 0) |
+                               (c.moves_b() ? schedule_.colors_of_body[b] : 0);
+        const int first = c.both_move() ? 0 : moving_colors;
+        const int color = first + std::countr_one(taken >> first);
+        if (color >= end_of_colors(c.both_move())) {
+            c.serially = true;
+            if (c.hub != 0) schedule_.hubs.give_up_copy(c);
+            left_over.push_back(uint32_t(&c - acting_.data()));
+            return;
+        }
+        if (c.moves_a()) schedule_.colors_of_body[a] |= uint64_t{1} << color;
+        if (c.moves_b()) schedule_.colors_of_body[b] |= uint64_t{1} << color;
+        c.entry = entry_of(c, uint32_t(color));
+        c.place = schedule_.color_begin[c.entry]++;
+    });
+}
+
+/// Threads that color different nodes count apart: contacts of several nodes may be in a block.
+void Coloring::begin_counts() {
+    schedule_.color_begin.assign(
+        schedule_.cut_sections.owners() * color_count * schedule_.first_groups.size(), 0);
+}
+
+void Coloring::color() {
+    schedule_.colors_of_body.assign(bodies_.solver_bodies.size(), 0);
+    begin_counts();
+    const Sections& plan = schedule_.cut_sections;
+    schedule_.out_of_colors.resize(plan.size());
+    SectionLoop(plan, plan.shared() ? threads_ : nullptr, [&](uint32_t section) {
+        color_nodes(plan.nodes_of(section), schedule_.out_of_colors[section]);
+    }).run();
+    size_t left_overs = 0;
+    for (const std::vector<uint32_t>& left_over : schedule_.out_of_colors) {
+        left_overs += left_over.size();
+        for (const uint32_t i : left_over) ++contacts_.acting_pieces[i / piece_length].serially;
+    }
+    contacts_.colored_count -= left_overs;
+    if (left_overs > 0 && blocks_.size() > 1) unite_blocks();
+}
+
+/// Only the first block has contacts that are solved one at a time.
+void Coloring::unite_blocks() {
+    make_blocks(false);
+    make_sections();
+    begin_counts();
+    for_each_acting_of(strips_.all_nodes(), [&](ActingContact& c) {
+        c.entry = entry_of(c, c.entry % color_count);
+        c.place = schedule_.color_begin[c.entry]++;
+    });
+}
+
+/// One entry for the contacts of the same color and section that the same thread counts.
+uint32_t Coloring::entry_of(const ActingContact& c, uint32_t color) const {
+    const size_t section =
+        schedule_.cut_sections.owner_of(c.node) * schedule_.first_groups.size() + section_of(c);
+    return uint32_t(section * color_count) + color;
+}
+
+/// Decides which blocks several threads share out, and numbers the sections of all blocks.
+void Coloring::make_sections() {
+    const auto hands = uint32_t(threads_ != nullptr ? threads_->at_a_time() : 1);
+    const uint32_t parts = std::min(strips_.count(), std::bit_floor(hands));
+    schedule_.whole_sections = Sections(strips_.count(), 1);
+    schedule_.cut_sections = Sections(strips_.count(), parts);
+    size_t one_by_one = joints_;
+    for (const ActingPiece& piece : contacts_.acting_pieces) one_by_one += piece.serially;
+    uint32_t next = 0;
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+        SolverBlock& block = blocks_[i];
+        const size_t work = block.contacts + (i == 0 ? one_by_one : 0);
+        block.cut = parts > 1 && work >= (i == 0 ? least_shared_first : least_shared);
+        block.first_section = next;
+        next += schedule_.sections_of(block).size();
+    }
+    schedule_.first_groups.resize(next + 1);
+}
+
+size_t Coloring::section_of(const ActingContact& c) const {
+    if (blocks_.size() == 1) return schedule_.sections_of(blocks_[0]).of(c.node);
+    const SolverBlock& block = blocks_[std::max(blocks_.block_of(c.a()), blocks_.block_of(c.b()))];
+    return block.first_section + schedule_.sections_of(block).of(c.node);
+}
+
+/// The blocks of an earlier step are kept while no contact links two of them.
+void Coloring::update_blocks() {
+    size_t count = 0, serially = 0;
+    bool linked = false;
+    for (const ActingPiece& piece : contacts_.acting_pieces) {
+        count += piece.count();
+        serially += piece.serially;
+        linked |= piece.links_blocks;
+    }
+    contacts_.colored_count = count - serially;
+    const bool plain = serially == 0 && bodies_.locked.empty() && !bodies_.driven &&
+                       schedule_.hubs.empty() && joints_ == 0;
+    const bool enough = plain && contacts_.colored_count >= least_for_blocks;
+    const bool several = enough && blocks_.may_be_several();
+    if (linked || !blocks_.may_stay(awake_bodies_, several)) make_blocks(several);
+    if (blocks_.size() == 1) blocks_[0].contacts = uint32_t(contacts_.colored_count);
+}
+
+/// `several`: each island is put whole into one of several blocks.
+void Coloring::make_blocks(bool several) {
+    blocks_.begin(uint32_t(awake_bodies_.size()) + 1);
+    blocks_.remember(awake_bodies_, several);
+    if (!several) {
+        blocks_.finish_as_one();
+        return;
+    }
+    for_each_acting_of(strips_.all_nodes(), [&](const ActingContact& c) {
+        if (c.both_move()) blocks_.link(c.a(), c.b());
+    });
+    blocks_.find_islands();
+    for_each_acting_of(strips_.all_nodes(),
+                       [&](const ActingContact& c) { blocks_.count_contact(c.mover()); });
+    blocks_.finish();
+    if (blocks_.are_mostly_one()) make_blocks(false);
+}
+
+/// Gives each colored contact a lane of its color in its block.
+void Coloring::place_lanes() {
+    contacts_.spare_lanes.clear();
+    // From counts to the first lane of each color; every color begins a group of its own.
+    uint32_t begin = 0, section = 0;
+    const size_t owned = color_count * schedule_.first_groups.size();
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+        SolverBlock& block = blocks_[i];
+        block.first_group = begin / lanes;
+        for (const uint32_t end = section + schedule_.sections_of(block).size(); section < end;
+             ++section) {
+            schedule_.first_groups[section] = begin / lanes;
+            for (size_t color = 0; color < color_count; ++color) {
+                uint32_t last = begin;
+                for (size_t k = section * color_count + color; k < schedule_.color_begin.size();
+                     k += owned)
+                    last += std::exchange(schedule_.color_begin[k], last);
+                begin = (last + lanes - 1) / lanes * lanes;
+                for (uint32_t lane = last; lane < begin; ++lane)
+                    contacts_.spare_lanes.push_back(lane);
+            }
+        }
+        block.group_end = begin / lanes;
+    }
+    schedule_.first_groups.back() = begin / lanes;
+    contacts_.news.resize(begin / lanes);
+    contacts_.lane_contacts.resize(begin);
+    for (const uint32_t lane : contacts_.spare_lanes) contacts_.lane_contacts[lane] = none;
+    share_out(threads_, uint32_t(contacts_.acting_pieces.size()), [&](uint32_t piece) {
+        for (uint32_t i = contacts_.acting_pieces[piece].begin;
+             i < contacts_.acting_pieces[piece].end(); ++i) {
+            ActingContact& c = acting_[i];
+            if (c.serially) continue;
+            c.place += schedule_.color_begin[c.entry];
+            contacts_.lane_contacts[c.place] = i;
+        }
+    });
+}
+
+/// In the order of the nodes.
+void Coloring::list_serial() {
+    contacts_.serial_acting.clear();
+    contacts_.serial_nodes.clear();
+    for (const ActingPiece& piece : contacts_.acting_pieces) {
+        if (piece.serially == 0) continue;
+        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
+            if (!acting_[i].serially) continue;
+            contacts_.serial_acting.push_back(i);
+            contacts_.serial_nodes.count(acting_[i].node);
+        }
+    }
+    contacts_.serial_nodes.sum_up();
+    auto next = contacts_.serial_nodes.places();
+    contacts_.serial_contacts.resize(contacts_.serial_acting.size());
+    for (const uint32_t i : contacts_.serial_acting)
+        contacts_.serial_contacts[next[acting_[i].node]++] = acting_[i].slot;
+}
+
+}  // namespace
+
+/// The list has gaps only between the pieces that threads fill.
+void find_acting(const ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
+                 const ScheduleScratch& schedule, ContactScratch& scratch, bool groups, float dt,
+                 ThreadPool* threads) {
+    const std::vector<uint32_t>& awake = active.awake_contacts;
+    const std::vector<ContactRecord>& contacts = objects.contacts;
+    const SolverBlocks& blocks = schedule.blocks;
+    std::vector<ActingContact>& acting = scratch.acting;
+    const size_t count = awake.size();
+    const bool any_hubs = !schedule.hubs.empty();
+    const bool blocks_stay = blocks.may_be_linked(active.awake_bodies);
+    acting.resize(count);
+    scratch.acting_pieces.resize((count + piece_length - 1) / piece_length);
+    share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
+        ActingPiece piece;
+        piece.begin = uint32_t(begin);
+        ActingContact* last = &acting[begin];
+        uint32_t nodes = 0;
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t slot = awake[i];
+            if (i + contacts_ahead < count) contacts[awake[i + contacts_ahead]].prefetch();
+            const ContactRecord& record = contacts[slot];
+            if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
+            const SolverEnd a = bodies.solver_ends[record.body_a],
+                            b = bodies.solver_ends[record.body_b];
+            const bool serially = !groups || record.special || record.curved ||
+                                  on_locked_axis(objects, bodies, record) ||
+                                  passes_corner(objects, bodies, record, dt);
+            const auto tells = uint8_t((record.touching ? ActingContact::is_touching : 0) |
+                                       (record.hit_events ? ActingContact::of_hits : 0));
+            ActingContact& c = *last++;
+            c = {slot, a, b, 0, 0, node_of(a, b), 0, serially, tells};
+            if (any_hubs && (a.is_hub() || b.is_hub()))
+                schedule.hubs.settle(c, bodies.solver_bodies);
+            nodes |= 1u << c.node;
+            piece.serially += c.serially;
+            if (blocks_stay && c.both_move())
+                piece.links_blocks |= blocks.block_of(c.a()) != blocks.block_of(c.b());
+        }
+        order_by_node({&acting[begin], last}, nodes, piece.nodes);
+        scratch.acting_pieces[begin / piece_length] = piece;
+    });
+}
+
+void color_contacts(const ActiveLists& active, const BodyScratch& bodies, const Strips& strips,
+                    size_t joints, ContactScratch& contacts, ScheduleScratch& schedule,
+                    ThreadPool* threads) {
+    Coloring coloring(active, bodies, strips, joints, contacts, schedule, threads);
+    coloring.update_blocks();
+    coloring.make_sections();
+    coloring.color();
+    coloring.list_serial();
+    coloring.place_lanes();
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <state/step_scratch.h>
+#include <state/world_state.h>
+
+// Which contacts are solved one at a time because of how their bodies may move or do move.
+
+namespace fettle::physics::detail {
+
+/// One of the bodies is locked along an axis. Most worlds have no such body: then no record is
+/// read.
+inline bool on_locked_axis(const ObjectState& objects, const BodyScratch& bodies,
+                           const ContactRecord& contact) {
+    if (!bodies.axes_locked) return false;
+    const BodyRecord &a = objects.bodies[contact.body_a], &b = objects.bodies[contact.body_b];
+    return a.locked_x || a.locked_y || b.locked_x || b.locked_y;
+}
+
+/// The path of the cores round a corner.
+Corner corner_of(const ObjectState& objects, const ContactRecord& contact);
+
+/// The contact passes a corner so fast that its path bends noticeably within the step. False for
+/// two circles, which meet in heaps where all move slowly, and for corners without rounding, which
+/// have no path round them.
+bool passes_corner(const ObjectState& objects, const BodyScratch& bodies,
+                   const ContactRecord& contact, float dt);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <constraints/stiffness.h>
+#include <contacts/touching.h>
+#include <state/step_scratch.h>
+#include <state/world_state.h>
+#include <threads/pool.h>
+
+// Contacts that are solved one at a time: where a body is locked along an axis, where surfaces
+// roll, bounce, move or bend, and where no color was left. Constraints are written once a step in
+// the order of the nodes they belong to, and their impulses are read back.
+
+namespace fettle::physics::detail {
+
+/// `ratio`: of this sub-step to the last one, for the impulses.
+void prepare_serial(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
+                    ContactScratch& scratch, const ContactStiffness& stiffness, float dt,
+                    float ratio, ThreadPool* threads);
+void store_serial(ContactScratch& scratch, const Touching& touching, float hit_threshold,
+                  ThreadPool* threads);
+
+}  // namespace fettle::physics::detail

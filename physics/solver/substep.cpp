@@ -1,0 +1,37 @@
+#include <solver/motion.h>
+#include <solver/solvers.h>
+#include <state/limits.h>
+
+namespace fettle::physics::detail {
+
+void apply_forces(const SolverInput& input, float h) {
+    BodyScratch& bodies = input.bodies;
+    const SolverBlocks& blocks = input.schedule.blocks;
+    integrate_velocities(blocks.bodies_of(blocks[0]), bodies.solver_bodies, bodies.solver_forces,
+                         {greatest_speed, greatest_turn / h}, false);
+    zero_locked(input);
+    bodies.solver_bodies[0] = {};
+}
+
+void zero_locked(const SolverInput& input) {
+    for (const uint32_t i : input.bodies.locked) {
+        const BodyRecord& record = input.objects.bodies[input.active.awake_bodies[i - 1]];
+        SolverBody& b = input.bodies.solver_bodies[i];
+        if (record.locked_x) b.velocity.x = 0.0f;
+        if (record.locked_y) b.velocity.y = 0.0f;
+        if (record.locked_rotation) b.angular_velocity = 0.0f;
+    }
+}
+
+void follow_curved_contacts(const SolverInput& input) {
+    ContactScratch& contacts = input.contacts;
+    if (contacts.rolling_contacts.empty()) return;
+    const std::vector<SolverBody>& bodies = input.bodies.solver_bodies;
+    for (ContactConstraint& c : contacts.constraints) {
+        const uint32_t rolling = c.extra != 0 ? contacts.extras[c.extra - 1].rolling : 0;
+        if (rolling != 0)
+            contacts.rolling_contacts[rolling - 1].follow(c, bodies[c.a], bodies[c.b]);
+    }
+}
+
+}  // namespace fettle::physics::detail
