@@ -185,8 +185,6 @@ struct WorldData : WorldState, StepScratch {
     void step(float dt);
     void solve(float dt);
     void keep_pushed_awake(float dt);
-    void gather_bodies(float h);
-    uint8_t gather_body(size_t place, float h);
     // finish.cpp
     void finish_bodies(float dt);
     void finish_body(size_t place, float dt, FinishedPiece& piece);
@@ -200,13 +198,6 @@ struct WorldData : WorldState, StepScratch {
     float limit_motion(const FastBody& fast) const;
     float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
                       float core) const;
-    // strips.cpp
-    void cut_into_strips();
-    void order_lists();
-    // hubs.cpp
-    void find_hubs(size_t begin, size_t end);
-    bool is_hub(uint32_t body) const;
-    float inverse_mass_at_rim(uint32_t body) const;
     // memory.cpp
     void trim();
 
@@ -216,8 +207,6 @@ struct WorldData : WorldState, StepScratch {
     std::optional<std::string> memberships_problem() const;
     std::optional<std::string> numbers_problem() const;
 
-    // fields.cpp
-    void apply_fields(float h, float dt);
     // queries.cpp, shape_queries.cpp
     bool accepted(const QueryFilter& filter, uint32_t shape) const;
     bool shape_contains(uint32_t shape, V2 point) const;

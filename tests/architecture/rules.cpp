@@ -101,6 +101,10 @@ const std::vector<Room>& rooms() {
          {"physics/geometry", "physics/threads", "physics/constraints", "physics/partition",
           "physics/joints", "physics/wide", "physics/state", "physics/contacts",
           "physics/schedule"}},
+        {"physics/step",
+         {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
+          "physics/constraints", "physics/partition", "physics/joints", "physics/wide",
+          "physics/state", "physics/contacts", "physics/schedule", "physics/solver"}},
     };
     return table;
 }

@@ -1,0 +1,211 @@
+#include <collision/ellipse.h>
+#include <collision/large_polygon.h>
+#include <collision/piece.h>
+#include <collision/submerged.h>
+#include <geometry/trigonometry.h>
+#include <state/limits.h>
+#include <step/field_forces.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// What fields do to one body.
+struct Push {
+    V2 force;
+    float torque = 0.0f;
+
+    void at(V2 arm, V2 f) {
+        force = force + f;
+        torque += cross(arm, f);
+    }
+};
+
+bool inside(const std::optional<Aabb>& region, V2 p) {
+    return !region || (p.x >= region->min.x() && p.x <= region->max.x() && p.y >= region->min.y() &&
+                       p.y <= region->max.y());
+}
+
+bool reaches(const std::optional<Aabb>& region, const Box4& box) {
+    return !region || overlap(box, Box4{to_v2(region->min), to_v2(region->max)});
+}
+
+class FieldOnBody {
+  public:
+    FieldOnBody(const ObjectState& objects, const Columns& columns, V2 gravity, uint32_t body,
+                uint64_t mask, float dt, Push& push)
+        : objects_(objects),
+          columns_(columns),
+          gravity_(gravity),
+          dt_(dt),
+          body_(objects.bodies[body]),
+          velocity_(to_v2(columns.states[body].velocity)),
+          spin_(columns.states[body].angular_velocity),
+          mask_(mask),
+          push_(push) {}
+
+    void operator()(const WindField& wind) {
+        each_shape([&](uint32_t shape) {
+            const PlainCopy plain(solid_of(objects_, columns_, shape));
+            const Solid& solid = plain.solid();
+            if (solid.kind == FormKind::ellipse)
+                blow_on_ellipse(wind, ellipse_of(solid.form));
+            else
+                blow_on_polygon(wind, solid);
+        });
+    }
+
+    void operator()(const DragField& drag) {
+        each_shape([&](uint32_t shape) {
+            const ShapeRecord& m = objects_.shapes[shape];
+            const V2 arm = centroid_of(shape);
+            const V2 u = to_v2(drag.flow) - velocity_at(arm);
+            push_.at(arm, (m.area * (drag.linear + drag.quadratic * length(u))) * u);
+            push_.torque -= m.moment * drag.linear * spin_;
+        });
+    }
+
+    void operator()(const BuoyancyField& liquid) {
+        const V2 normal = normalized(to_v2(liquid.normal));
+        each_shape([&](uint32_t shape) {
+            const double depth = double(liquid.level) - (double(normal.x) * double(body_.center.x) +
+                                                         double(normal.y) * double(body_.center.y));
+            const AreaPart part = part_below(solid_of(objects_, columns_, shape), normal, depth);
+            if (!(part.area > 0.0)) return;
+            const float mass = liquid.density * float(part.area);
+            push_.at(part.centroid, -(mass * gravity_));
+            const V2 u = to_v2(liquid.flow) - velocity_at(part.centroid);
+            push_.at(part.centroid, (liquid.drag * mass) * u);
+            const ShapeRecord& m = objects_.shapes[shape];
+            const float share = m.area > 0.0f ? float(part.area / double(m.area)) : 0.0f;
+            push_.torque -= liquid.drag * liquid.density * share * m.moment * spin_;
+        });
+    }
+
+    void operator()(const AttractorField& attractor) {
+        // Where the body is in the middle of the step: a leapfrog, which keeps orbits closed.
+        const V2 d = to_v2(attractor.center) - (body_.center + (0.5f * dt_) * velocity_);
+        const float distance = length(d);
+        const float far = max(distance, attractor.core);
+        float acceleration = attractor.strength;
+        for (int i = 0; i < attractor.falloff; ++i) acceleration /= far;
+        // Within the core it falls linearly to nothing.
+        push_.force = push_.force + (body_.mass * acceleration / max(far, 1e-6f)) * d;
+    }
+
+  private:
+    template <class Visit>
+    void each_shape(Visit&& visit) const {
+        for (uint32_t s = body_.first_shape; s != none; s = objects_.shapes[s].next) {
+            const ShapeDef& surface = objects_.shapes[s].surface;
+            if (!objects_.is_solid(s)) continue;  // its parts are
+            if ((surface.category & mask_) != 0 && !surface.sensor) visit(s);
+        }
+    }
+    V2 blow(const WindField& wind, V2 arm) const { return to_v2(wind.velocity) - velocity_at(arm); }
+    void blow_on_edge(const WindField& wind, V2 arm, V2 n, float length) {
+        const float speed = dot(blow(wind, arm), n);
+        if (speed >= 0.0f) return;  // on the lee
+        push_.at(arm, (-0.5f * wind.density * speed * speed * length) * n);
+    }
+    void blow_on_polygon(const WindField& wind, const Solid& solid) {
+        const Convex& form = solid.form;
+        V2 middle;
+        for (int i = 0; i < form.count; ++i) {
+            const V2 v = form.vertices[i], next = form.vertices[(i + 1) % form.count];
+            middle = middle + (1.0f / float(form.count)) * v;
+            if (form.count == 1) break;
+            if (solid.kind == FormKind::piece && Piece(solid).is_inner(i)) continue;
+            const V2 n = form.normals[i], arm = 0.5f * (v + next) + form.radius * n;
+            blow_on_edge(wind, arm, n, length(next - v));
+        }
+        // The round corners together are a circle: ∫ cos³θ r dθ over its windward half.
+        const V2 u = blow(wind, middle);
+        push_.at(middle, (0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u)) * u);
+    }
+    /// The same integral over the rim, by the midpoint rule.
+    void blow_on_ellipse(const WindField& wind, const EllipseForm& e) {
+        constexpr int parts = 64;
+        const V2 across = {-e.axis.y, e.axis.x};
+        const Rotation step = rotation_of(2.0 * double(pi) / parts);
+        Rotation q = rotation_of(double(pi) / parts);
+        for (int i = 0; i < parts; ++i) {
+            const V2 arm = e.center + (e.first * q.c) * e.axis + (e.second * q.s) * across;
+            const V2 outwards = (e.second * q.c) * e.axis + (e.first * q.s) * across;
+            blow_on_edge(wind, arm, normalized(outwards), 2.0f * pi / parts * length(outwards));
+            q = {q.c * step.c - q.s * step.s, q.s * step.c + q.c * step.s};
+        }
+    }
+    V2 velocity_at(V2 arm) const { return velocity_ + cross(spin_, arm); }
+    V2 centroid_of(uint32_t shape) const {
+        const V2 local = objects_.shapes[shape].centroid - body_.local_center;
+        const BodyState& state = columns_.states[objects_.forms[shape].body];
+        return rotate({state.cosine, state.sine}, local);
+    }
+
+    const ObjectState& objects_;
+    const Columns& columns_;
+    V2 gravity_;
+    float dt_;
+    const BodyRecord& body_;
+    V2 velocity_;
+    float spin_;
+    uint64_t mask_;
+    Push& push_;
+};
+
+bool concerns(const ObjectState& objects, std::span<const Box4> boxes, uint32_t body,
+              const FieldDef& field) {
+    const bool liquid = std::holds_alternative<BuoyancyField>(field.force);
+    if (!liquid && !inside(field.region, objects.bodies[body].center)) return false;
+    bool any = objects.bodies[body].first_shape == none;
+    for (uint32_t s = objects.bodies[body].first_shape; s != none && !any;
+         s = objects.shapes[s].next) {
+        any = (objects.shapes[s].surface.category & field.mask) != 0 &&
+              (!liquid || reaches(field.region, boxes[s]));
+    }
+    return any;
+}
+
+/// Resistance changes a velocity by no more than what it is against its surroundings.
+V2 limited(V2 force, float mass, float dt, V2 against) {
+    const float most = mass * length(against) / dt, size = length(force);
+    return size > most && size > 0.0f ? (most / size) * force : force;
+}
+
+}  // namespace
+
+void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
+                  std::span<const uint32_t> awake, V2 gravity, float h, float dt,
+                  std::span<SolverForce> forces) {
+    if (objects.field_slots.count == 0) return;
+    for (size_t i = 0; i < awake.size(); ++i) {
+        const uint32_t body = awake[i];
+        const BodyRecord& record = objects.bodies[body];
+        if (record.mobility != Mobility::dynamic) continue;
+        Push sum;
+        for (const FieldRecord& field : objects.fields) {
+            if (field.generation == 0 || !field.def.enabled ||
+                !concerns(objects, boxes, body, field.def))
+                continue;
+            Push push;
+            std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, dt, push),
+                       field.def.force);
+            const V2 velocity = to_v2(columns.states[body].velocity);
+            if (const auto* wind = std::get_if<WindField>(&field.def.force))
+                push.force = limited(push.force, record.mass, dt, to_v2(wind->velocity) - velocity);
+            if (const auto* drag = std::get_if<DragField>(&field.def.force))
+                push.force = limited(push.force, record.mass, dt, to_v2(drag->flow) - velocity);
+            if (std::get_if<AttractorField>(&field.def.force) == nullptr)
+                push.torque =
+                    clamp(push.torque, -record.inertia * 10.0f / dt, record.inertia * 10.0f / dt);
+            sum.force = sum.force + push.force;
+            sum.torque += push.torque;
+        }
+        SolverForce& f = forces[i + 1];
+        const float limit = 2 * greatest_speed;
+        f.change = bounded(f.change + (h * record.inverse_mass) * sum.force, limit);
+        f.turn_change = bounded(f.turn_change + h * record.inverse_inertia * sum.torque, limit);
+    }
+}
+
+}  // namespace fettle::physics::detail

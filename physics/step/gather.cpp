@@ -1,0 +1,96 @@
+#include <schedule/find_hubs.h>
+#include <state/limits.h>
+#include <step/gather.h>
+
+#include <algorithm>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Bodies that a thread takes at a time.
+constexpr size_t bodies_at_a_time = 256;
+
+/// What at least one of some bodies has, and few have.
+enum Gathered : uint8_t {
+    some_locked = 1,
+    some_axis_locked = 2,
+    some_driven = 4,
+    some_crowded = 8
+};
+
+uint8_t gather_body(const BodyRecord& record, const BodyState& state, V2 gravity, float h,
+                    SolverBody& b, SolverForce& f) {
+    b.velocity = to_v2(state.velocity);
+    b.angular_velocity = state.angular_velocity;
+    b.inverse_mass = record.inverse_mass;
+    b.inverse_inertia = record.inverse_inertia;
+    b.shift = {};
+    b.turn = 0.0f;
+    f = {};
+    if (record.mobility != Mobility::dynamic) return some_driven;
+    const V2 force = record.force + record.step_force;
+    const float torque = record.torque + record.step_torque;
+    f.change = {bounded(h * (record.gravity_scale * gravity.x + record.inverse_mass * force.x),
+                        2 * greatest_speed),
+                bounded(h * (record.gravity_scale * gravity.y + record.inverse_mass * force.y),
+                        2 * greatest_speed)};
+    f.turn_change = bounded(h * record.inverse_inertia * torque, 2 * greatest_speed);
+    // Implicit: stable for any damping.
+    f.keep.x = f.keep.y = 1.0f / (1.0f + h * record.linear_damping);
+    f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
+    const bool axis = record.locked_x || record.locked_y;
+    return uint8_t((axis ? some_axis_locked | some_locked : 0) |
+                   (record.locked_rotation ? some_locked : 0) |
+                   (record.contact_count >= Hubs::least_contacts ? some_crowded : 0));
+}
+
+}  // namespace
+
+void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLists& active,
+                   const WorldDef& settings, const Strips& strips, float h, BodyScratch& bodies,
+                   Hubs& hubs, ThreadPool* threads) {
+    const std::vector<uint32_t>& awake = active.awake_bodies;
+    const std::vector<BodyRecord>& records = objects.bodies;
+    const V2 gravity = to_v2(settings.gravity);
+    const size_t count = awake.size();
+    bodies.solver_bodies.resize(count + 1);
+    bodies.solver_forces.resize(count + 1);
+    bodies.solver_bodies[0] = {};
+    bodies.solver_ends.assign(records.size(), {});
+    bodies.gathered.resize((count + bodies_at_a_time - 1) / bodies_at_a_time);
+    share_out_range(threads, count, bodies_at_a_time, [&](size_t begin, size_t end) {
+        uint8_t found = 0;
+        for (size_t i = begin; i < end; ++i) {
+            if (i + bodies_ahead < end) records[awake[i + bodies_ahead]].prefetch();
+            const uint32_t slot = awake[i];
+            const BodyRecord& record = records[slot];
+            const BodyState& state = columns.states[slot];
+            bodies.solver_ends[slot] = {uint32_t(i + 1), strips.leaf_at(record.center),
+                                        record.mobility == Mobility::dynamic};
+            columns.previous[slot] = {state.position, state.angle};
+            found |= gather_body(record, state, gravity, h, bodies.solver_bodies[i + 1],
+                                 bodies.solver_forces[i + 1]);
+        }
+        bodies.gathered[begin / bodies_at_a_time] = found;
+    });
+    uint8_t found = 0;
+    hubs.begin(strips.count());
+    for (size_t piece = 0; piece < bodies.gathered.size(); ++piece) {
+        found |= bodies.gathered[piece];
+        // The solvers that solve one contact after the other need no hubs.
+        if ((bodies.gathered[piece] & some_crowded) != 0 && settings.solver == Solver::soft_step)
+            find_hubs(objects, awake, piece * bodies_at_a_time,
+                      std::min((piece + 1) * bodies_at_a_time, count), bodies, hubs);
+    }
+    bodies.axes_locked = (found & some_axis_locked) != 0;
+    bodies.driven = (found & some_driven) != 0;
+    bodies.locked.clear();
+    for (size_t i = 0; (found & some_locked) != 0 && i < count; ++i) {
+        const BodyRecord& record = records[awake[i]];
+        if (record.mobility == Mobility::dynamic &&
+            (record.locked_x || record.locked_y || record.locked_rotation))
+            bodies.locked.push_back(uint32_t(i + 1));
+    }
+}
+
+}  // namespace fettle::physics::detail
