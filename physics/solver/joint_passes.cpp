@@ -1,5 +1,5 @@
 #include <solver/joint_passes.h>
-#include <state/joint_role.h>
+#include <state/active_lists.h>
 
 #include <algorithm>
 #include <atomic>

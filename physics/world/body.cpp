@@ -19,7 +19,7 @@ Rotation rotation(const BodyState& state) {
 /// nothing is drawn between.
 void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
     data.wake_for_edit(body);
-    data.wake_touching(body);
+    wake_touching(data.activity(), body);
     BodyState& state = data.states[body];
     state.position = position;
     if (state.angle != angle) {
@@ -147,7 +147,7 @@ Vec2 Body::force() const {
 void Body::set_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     record.force = to_v2(check_finite("force", force));
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
 }
 
 float Body::torque() const {
@@ -158,7 +158,7 @@ float Body::torque() const {
 void Body::set_torque(float torque) {
     FETTLE_EDIT_BODY
     record.torque = check_finite("torque", torque);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
 }
 
 namespace {
@@ -174,7 +174,7 @@ V2 sum(V2 force, V2 more) {
 bool moved_by_forces(WorldData& data, uint32_t body) {
     data.read_mass(body);
     if (data.bodies[body].mobility != Mobility::dynamic) return false;
-    data.wake_body(body);
+    wake_body(data.activity(), body);
     return true;
 }
 
@@ -218,7 +218,7 @@ void Body::apply_impulse(const Vec2& impulse) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
     kick(record, state, to_v2(impulse), 0.0f);
 }
 
@@ -227,7 +227,7 @@ void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
     check_finite("impulse", impulse);
     check_finite("world_point", world_point);
     data.read_mass(id_.index);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
     kick(record, state, to_v2(impulse), cross(to_v2(world_point) - record.center, to_v2(impulse)));
 }
 
@@ -235,7 +235,7 @@ void Body::apply_angular_impulse(float impulse) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
     kick(record, state, {}, impulse);
 }
 
@@ -247,7 +247,7 @@ float Body::gravity_scale() const {
 void Body::set_gravity_scale(float scale) {
     FETTLE_EDIT_BODY
     record.gravity_scale = check_finite("gravity_scale", scale);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
 }
 
 float Body::linear_damping() const {
@@ -258,7 +258,7 @@ float Body::linear_damping() const {
 void Body::set_linear_damping(float damping) {
     FETTLE_EDIT_BODY
     record.linear_damping = check_not_negative("linear_damping", damping);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
 }
 
 float Body::angular_damping() const {
@@ -269,7 +269,7 @@ float Body::angular_damping() const {
 void Body::set_angular_damping(float damping) {
     FETTLE_EDIT_BODY
     record.angular_damping = check_not_negative("angular_damping", damping);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
 }
 
 bool Body::awake() const {
@@ -281,10 +281,10 @@ bool Body::awake() const {
 void Body::set_awake(bool awake) {
     FETTLE_EDIT_BODY
     if (awake) {
-        data.wake_body(id_.index);
+        wake_body(data.activity(), id_.index);
     } else if (data.settings.sleeping) {
         data.read_all();
-        data.put_group_to_sleep(id_.index);
+        put_group_to_sleep(data.activity(), id_.index);
     }
 }
 
@@ -296,7 +296,7 @@ bool Body::can_sleep() const {
 void Body::set_can_sleep(bool can_sleep) {
     FETTLE_EDIT_BODY
     record.can_sleep = can_sleep;
-    if (!can_sleep) data.wake_body(id_.index);
+    if (!can_sleep) wake_body(data.activity(), id_.index);
 }
 
 bool Body::bullet() const {
@@ -314,7 +314,7 @@ namespace {
 void set_lock(WorldData& data, uint32_t body, bool BodyRecord::*lock, bool locked) {
     data.bodies[body].*lock = locked;
     data.mark_mass(body);
-    data.wake_body(body);
+    wake_body(data.activity(), body);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ float Body::inertia() const {
 void Body::set_inertia(std::optional<float> inertia) {
     FETTLE_EDIT_BODY
     record.given_inertia = check_inertial("inertia", inertia).value_or(not_given);
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
     data.mark_mass(id_.index);
 }
 
@@ -60,7 +60,7 @@ void Body::set_center(std::optional<Vec2> center) {
     FETTLE_EDIT_BODY
     record.given_center =
         center ? to_v2(check_coordinates("center", *center)) : V2{not_given, not_given};
-    data.wake_body(id_.index);
+    wake_body(data.activity(), id_.index);
     data.mark_mass(id_.index);
 }
 

@@ -201,13 +201,13 @@ void World::set_friction_mix(MixRule rule) {
     WorldData& data = edit(__func__);
     data.settings.friction_mix = check_enumerator("friction_mix", rule, MixRule::geometric);
     remix_all(data);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 void World::set_restitution_mix(MixRule rule) {
     WorldData& data = edit(__func__);
     data.settings.restitution_mix = check_enumerator("restitution_mix", rule, MixRule::geometric);
     remix_all(data);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 bool World::persist_events() const {

@@ -108,13 +108,13 @@ void WorldData::create_contact(uint32_t shape_a, uint32_t shape_b) {
     }
     pairs.insert(shape_a, shape_b, slot);
     if (bodies[c.body_a].solver_index != 0 || bodies[c.body_b].solver_index != 0)
-        add_awake_contact(slot);
+        add_awake_contact(*this, *this, slot);
 }
 
 void WorldData::destroy_contact(uint32_t slot) {
     ContactRecord& c = contacts[slot];
     if (c.touching) set_touching(touching(), slot, false);
-    if (c.awake_index != none) remove_awake_contact(slot);
+    if (c.awake_index != none) remove_awake_contact(*this, *this, slot);
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = bodies[owners[side]];

@@ -316,18 +316,18 @@ void WorldData::update_mobility(uint32_t body) {
     if (mobility == record.mobility) return;
 
     wake_for_edit(body);
-    wake_touching(body);
+    wake_touching(activity(), body);
     destroy_contacts_of_body(body);
     record.mobility = mobility;
     if (mobility == Mobility::fixed) {
-        if (record.solver_index != 0) remove_awake(body);
+        if (record.solver_index != 0) remove_awake(*this, *this, body);
         states[body].velocity.setZero();
         states[body].angular_velocity = 0.0f;
         previous[body] = {states[body].position, states[body].angle};
     } else if (record.solver_index == 0) {
-        add_awake(body);
+        add_awake(*this, *this, body);
     }
-    for_each_joint(body, [&](uint32_t joint, uint32_t) { list_joint(joint); });
+    for_each_joint(body, [&](uint32_t joint, uint32_t) { list_joint(*this, *this, joint); });
     record.sleep_time = 0.0f;
     mark_placement(body);
 }

@@ -55,7 +55,7 @@ Field World::create_field(const FieldDef& def) {
     }
     data.fields[slot] = {def, data.new_generation(), none};
     ++data.field_slots.count;
-    data.wake_all();
+    detail::wake_all(data.activity());
     return {this, {slot, data.fields[slot].generation}};
 }
 
@@ -108,7 +108,7 @@ void Field::set(const FieldDef& wanted) {
         data.self.may_edit("Field", __func__);
     check(wanted);
     def = wanted;
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 void Field::destroy() {
@@ -117,7 +117,7 @@ void Field::destroy() {
     data.fields[id_.index] = {{}, 0, data.field_slots.free};
     data.field_slots.free = id_.index;
     --data.field_slots.count;
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 }  // namespace fettle::physics

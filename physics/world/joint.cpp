@@ -94,7 +94,7 @@ Vec2 Joint::anchor_a() const {
 void Joint::set_anchor_a(const Vec2& anchor) {
     WorldData& data = edited(__func__);
     data.joints[id_.index].anchors[0] = to_v2(check_coordinates("anchor_a", anchor));
-    data.wake_joint(id_.index);
+    wake_joint(data.activity(), id_.index);
 }
 
 Vec2 Joint::anchor_b() const {
@@ -103,7 +103,7 @@ Vec2 Joint::anchor_b() const {
 void Joint::set_anchor_b(const Vec2& anchor) {
     WorldData& data = edited(__func__);
     data.joints[id_.index].anchors[1] = to_v2(check_coordinates("anchor_b", anchor));
-    data.wake_joint(id_.index);
+    wake_joint(data.activity(), id_.index);
 }
 
 Vec2 Joint::world_anchor_a() const {
@@ -135,7 +135,7 @@ float Joint::break_force() const {
 void Joint::set_break_force(float force) {
     WorldData& data = edited(__func__);
     data.joints[id_.index].break_force = check_strength("break_force", force);
-    data.wake_joint(id_.index);
+    wake_joint(data.activity(), id_.index);
 }
 float Joint::break_torque() const {
     return live().joints[id_.index].break_torque;
@@ -143,7 +143,7 @@ float Joint::break_torque() const {
 void Joint::set_break_torque(float torque) {
     WorldData& data = edited(__func__);
     data.joints[id_.index].break_torque = check_strength("break_torque", torque);
-    data.wake_joint(id_.index);
+    wake_joint(data.activity(), id_.index);
 }
 bool Joint::broken() const {
     return live().joints[id_.index].broken;

@@ -1,4 +1,3 @@
-#include <state/joint_role.h>
 #include <world/world_data.h>
 
 #include <utility>
@@ -23,16 +22,16 @@ uint32_t WorldData::add_joint(const JointRecord& record, JointType type, uint32_
     ++joint_slots.count;
     link_joint(slot, 0);
     link_joint(slot, 1);
-    wake_joint(slot);
-    list_joint(slot);
+    wake_joint(activity(), slot);
+    list_joint(*this, *this, slot);
     refilter_joint(slot);
     return slot;
 }
 
 void WorldData::destroy_joint(uint32_t joint) {
-    wake_joint(joint);
+    wake_joint(activity(), joint);
     joints[joint].enabled = false;
-    list_joint(joint);
+    list_joint(*this, *this, joint);
     refilter_joint(joint);
     unlink_joint(joint, 0);
     unlink_joint(joint, 1);
@@ -72,7 +71,7 @@ void WorldData::unlink_joint(uint32_t joint, uint32_t side) {
 }
 
 void WorldData::set_joint_body(uint32_t joint, uint32_t side, uint32_t body) {
-    wake_joint(joint);
+    wake_joint(activity(), joint);
     const bool enabled = std::exchange(joints[joint].enabled, false);
     refilter_joint(joint);  // those who part may collide
     unlink_joint(joint, side);
@@ -80,22 +79,22 @@ void WorldData::set_joint_body(uint32_t joint, uint32_t side, uint32_t body) {
     link_joint(joint, side);
     joints[joint].enabled = enabled;
     forget_impulses(*this, joint);
-    wake_joint(joint);
-    list_joint(joint);
+    wake_joint(activity(), joint);
+    list_joint(*this, *this, joint);
     refilter_joint(joint);
 }
 
 void WorldData::set_joint_enabled(uint32_t joint, bool enabled) {
     joints[joint].enabled = enabled;
-    wake_joint(joint);
-    list_joint(joint);
+    wake_joint(activity(), joint);
+    list_joint(*this, *this, joint);
     refilter_joint(joint);
 }
 
 void WorldData::set_joint_broken(uint32_t joint, bool broken) {
     joints[joint].broken = broken;
-    wake_joint(joint);
-    list_joint(joint);
+    wake_joint(activity(), joint);
+    list_joint(*this, *this, joint);
     refilter_joint(joint);
 }
 
@@ -117,48 +116,10 @@ void WorldData::break_joints(const JointStep& step) {
     }
 }
 
-/// A joint is listed while it acts and one of its bodies is awake. Asleep, it keeps its impulses;
-/// doing nothing, it has none.
-void WorldData::list_joint(uint32_t joint) {
-    JointRecord& record = joints[joint];
-    auto& list = awake_joints[size_t(record.type)];
-    const auto [a, b] = record.bodies;
-    const bool wanted =
-        record.acts() && (bodies[a].solver_index != 0 || bodies[b].solver_index != 0);
-    if (!wanted && role_of(*this, record) == JointRole::idle) forget_impulses(*this, joint);
-    if (wanted == (record.awake_index != none)) return;
-    if (wanted) {
-        record.awake_index = uint32_t(list.size());
-        list.push_back(joint);
-        return;
-    }
-    list[record.awake_index] = list.back();
-    joints[list.back()].awake_index = record.awake_index;
-    list.pop_back();
-    record.awake_index = none;
-}
-
 void WorldData::set_joint_collide(uint32_t joint, bool collide) {
     joints[joint].collide = collide;
-    wake_joint(joint);
+    wake_joint(activity(), joint);
     refilter_joint(joint);
-}
-
-void WorldData::wake_joint(uint32_t joint) {
-    for (uint32_t body : joints[joint].bodies) wake_body(body);
-}
-
-/// Who sleeps at a joint to something that has begun to move.
-void WorldData::wake_jointed() {
-    if (island_slots.count == 0) return;
-    for (const auto& list : awake_joints) {
-        // Waking appends to the list while it is walked.
-        for (size_t i = 0; i < list.size(); ++i) {
-            const auto [a, b] = joints[list[i]].bodies;
-            if (bodies[a].asleep() && in_motion(b)) wake_body(a);
-            if (bodies[b].asleep() && in_motion(a)) wake_body(b);
-        }
-    }
 }
 
 /// The border belongs to the world, and what hangs in the world still collides with it.

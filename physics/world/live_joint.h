@@ -49,7 +49,7 @@ Data& Joint::edit(const char* of, const char* function) const {
     Data& own_data = own<Data>();
     detail::WorldData& data = live();
     data.self.may_edit(of, function);
-    data.wake_joint(id_.index);
+    wake_joint(data.activity(), id_.index);
     return own_data;
 }
 

@@ -138,11 +138,11 @@ void WorldData::follow_note(ContactRecord& c, uint32_t slot) {
     } else if (!active) {
         if (c.touching) set_touching(touching(), slot, false);
         c.rolling_impulse = 0.0f;
-    } else if (bodies[c.body_a].asleep() && in_motion(c.body_b)) {
+    } else if (bodies[c.body_a].asleep() && in_motion(*this, *this, c.body_b)) {
         // Whoever is asleep and about to be hit takes part in this very step.
-        wake_body(c.body_a);
-    } else if (bodies[c.body_b].asleep() && in_motion(c.body_a)) {
-        wake_body(c.body_b);
+        wake_body(activity(), c.body_a);
+    } else if (bodies[c.body_b].asleep() && in_motion(*this, *this, c.body_a)) {
+        wake_body(activity(), c.body_b);
     }
 }
 
@@ -203,7 +203,7 @@ void WorldData::narrow_phase() {
     // Now that all are collided the last can take the place of one that goes. What else is to do
     // for it can wait until the bodies are finished.
     for (const CollidedPiece& piece : collided)
-        for (const uint32_t slot : piece.over) remove_awake_contact(slot);
+        for (const uint32_t slot : piece.over) remove_awake_contact(*this, *this, slot);
     if (!moved_shapes.empty()) std::ranges::fill(relocated, uint8_t{0});
     moved_shapes.clear();
 }

@@ -201,7 +201,7 @@ void WorldData::drop_parts(uint32_t shape, uint32_t last) {
     if (const uint32_t body = forms[shape].body; body != none) {
         // The contacts of all of them in one walk: there may be many of both.
         wake_for_edit(body);
-        wake_touching(body);
+        wake_touching(activity(), body);
         std::vector<bool> dropped(shapes.size());
         for (uint32_t each = part; each != none; each = shapes[each].next_part)
             dropped[each] = true;

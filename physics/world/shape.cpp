@@ -109,7 +109,7 @@ void Shape::set_density(float density) {
     refuse_border_any(record, "density");
     record.surface.density = check_not_negative("density", density);
     if (form.body == none) return;
-    data.wake_body(form.body);
+    wake_body(data.activity(), form.body);
     data.mark_mass(form.body);
 }
 
@@ -172,7 +172,7 @@ void Shape::set_sensor(bool sensor) {
     if (record.surface.sensor == sensor) return;
     if (form.body != none) {
         data.wake_for_edit(form.body);
-        data.wake_touching(form.body);
+        wake_touching(data.activity(), form.body);
         data.destroy_contacts_of_shape(id_.index);  // ended as what they were
     }
     record.surface.sensor = sensor;

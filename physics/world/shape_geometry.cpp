@@ -16,7 +16,7 @@ void geometry_changed(WorldData& data, uint32_t shape) {
     const uint32_t body = data.forms[shape].body;
     if (body != none) {
         data.wake_for_edit(body);
-        data.wake_touching(body);
+        wake_touching(data.activity(), body);
     }
     data.mark_geometry(shape);
 }

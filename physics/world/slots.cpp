@@ -31,7 +31,7 @@ void WorldData::make_border() {
 }
 
 void WorldData::apply_bounds() {
-    wake_all();
+    wake_all(activity());
     for (uint32_t side = 0; side < 4; ++side) {
         shapes[side].surface.friction = settings.bounds_friction;
         shapes[side].surface.restitution = settings.bounds_restitution;
@@ -120,8 +120,8 @@ uint32_t WorldData::create_body(const BodyDef& def) {
         if (!def.awake && settings.sleeping) {
             // No sleep event for what was never awake: straight into an island of its own.
             const uint32_t only[1] = {slot};
-            remove_awake(slot);
-            put_to_sleep(only);
+            remove_awake(*this, *this, slot);
+            put_to_sleep(activity(), only);
             event_sink().slept.pop_back();
             record.never_awake = true;
             state.velocity = def.velocity;  // kept until it wakes
@@ -133,12 +133,12 @@ uint32_t WorldData::create_body(const BodyDef& def) {
 
 void WorldData::destroy_body(uint32_t body) {
     wake_for_edit(body);
-    wake_touching(body);
+    wake_touching(activity(), body);
     while (bodies[body].first_joint != none) destroy_joint(bodies[body].first_joint >> 1);
     destroy_contacts_of_body(body);
     while (bodies[body].first_shape != none) destroy_shape(bodies[body].first_shape);
-    if (bodies[body].solver_index != 0) remove_awake(body);
-    leave_island(body);
+    if (bodies[body].solver_index != 0) remove_awake(*this, *this, body);
+    leave_island(*this, body);
     bodies[body] = BodyRecord();
     bodies[body].next = body_slots.free;
     body_slots.free = body;
@@ -291,7 +291,7 @@ void WorldData::link_shape(uint32_t shape, uint32_t body) {
 void WorldData::detach_shape(uint32_t shape) {
     const uint32_t body = forms[shape].body;
     wake_for_edit(body);
-    wake_touching(body);
+    wake_touching(activity(), body);
     destroy_contacts_of_shape(shape);
     for_each_solid(shape, [&](uint32_t solid) { unlink_shape(solid); });
     if (!is_solid(shape)) unlink_shape(shape);

@@ -62,11 +62,11 @@ void WorldData::solve(float dt) {
             break;
         case Solver::sequential:
             solve_sequentially(input, joint_step);
-            keep_pushed_awake(dt);
+            keep_pushed_awake(*this, *this, *this, settings.sleep_speed * dt);
             break;
         case Solver::direct:
             solve_directly(input, joint_step, statistics);
-            keep_pushed_awake(dt);
+            keep_pushed_awake(*this, *this, *this, settings.sleep_speed * dt);
             break;
     }
     last_substep = h;
@@ -86,7 +86,7 @@ void WorldData::step(float dt) {
     statistics.moved_proxies = 0;
     statistics.edits_ms = clock.lap();
     find_pairs();
-    wake_jointed();
+    wake_jointed(activity());
     statistics.pairs_ms = clock.lap();
     narrow_phase();
     consult_callbacks();
@@ -99,7 +99,7 @@ void WorldData::step(float dt) {
     order_lists(*this, *this, strips, *this, steps, reordering, threads);
     statistics.finish_ms = clock.lap();
     ++steps;
-    sleep_resting_islands();
+    sleep_resting_islands(activity(), settings, sleep_candidates, steps);
     statistics.sleep_ms = clock.lap();
     stepping = false;
     statistics.total_ms = total.lap();

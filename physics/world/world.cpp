@@ -77,7 +77,7 @@ Vec2 World::gravity() const {
 void World::set_gravity(const Vec2& gravity) {
     WorldData& data = edit(__func__);
     data.settings.gravity = check_finite("gravity", gravity);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 int World::substeps() const {
@@ -122,7 +122,7 @@ bool World::sleeping() const {
 void World::set_sleeping(bool enabled) {
     WorldData& data = edit(__func__);
     data.settings.sleeping = enabled;
-    if (!enabled) data.wake_all();
+    if (!enabled) detail::wake_all(data.activity());
 }
 
 bool World::continuous() const {
@@ -155,7 +155,7 @@ float World::sleep_speed() const {
 void World::set_sleep_speed(float speed) {
     WorldData& data = edit(__func__);
     data.settings.sleep_speed = check_not_negative("sleep_speed", speed);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 float World::sleep_delay() const {
@@ -164,7 +164,7 @@ float World::sleep_delay() const {
 void World::set_sleep_delay(float seconds) {
     WorldData& data = edit(__func__);
     data.settings.sleep_delay = check_not_negative("sleep_delay", seconds);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 float World::contact_hertz() const {
@@ -173,7 +173,7 @@ float World::contact_hertz() const {
 void World::set_contact_hertz(float hertz) {
     WorldData& data = edit(__func__);
     data.settings.contact_hertz = check_not_negative("contact_hertz", hertz);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 float World::contact_damping() const {
@@ -182,7 +182,7 @@ float World::contact_damping() const {
 void World::set_contact_damping(float ratio) {
     WorldData& data = edit(__func__);
     data.settings.contact_damping = check_not_negative("contact_damping", ratio);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 Solver World::solver() const {
@@ -191,7 +191,7 @@ Solver World::solver() const {
 void World::set_solver(Solver solver) {
     WorldData& data = edit(__func__);
     data.settings.solver = check_enumerator("solver", solver, Solver::direct);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 float World::push_speed() const {
@@ -200,7 +200,7 @@ float World::push_speed() const {
 void World::set_push_speed(float speed) {
     WorldData& data = edit(__func__);
     data.settings.push_speed = check_not_negative("push_speed", speed);
-    data.wake_all();
+    detail::wake_all(data.activity());
 }
 
 int World::threads() const {
@@ -215,7 +215,7 @@ void World::set_threads(int threads) {
 }
 
 void World::wake_all() {
-    edit(__func__).wake_all();
+    detail::wake_all(edit(__func__).activity());
 }
 
 Body World::create_body(const BodyDef& def) {

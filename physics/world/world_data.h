@@ -1,6 +1,7 @@
 #pragma once
 
 #include <contacts/touching.h>
+#include <sleep/sleep.h>
 #include <state/limits.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
@@ -77,9 +78,6 @@ struct WorldData : WorldState, StepScratch {
     void set_joint_collide(uint32_t joint, bool collide);
     void set_joint_broken(uint32_t joint, bool broken);
     void break_joints(const JointStep& step);
-    void list_joint(uint32_t joint);
-    void wake_joint(uint32_t joint);
-    void wake_jointed();
     bool keeps_apart(uint32_t joint) const;
     bool joint_forbids_contact(uint32_t body_a, uint32_t body_b) const;
     void refilter_joint(uint32_t joint);
@@ -116,8 +114,8 @@ struct WorldData : WorldState, StepScratch {
     void remove_proxy(uint32_t shape);
     float fat_margin(uint32_t shape) const;
     void wake_for_edit(uint32_t body) {
-        wake_body(body);
-        if (bodies[body].mobility != Mobility::dynamic) wake_touching(body);
+        wake_body(activity(), body);
+        if (bodies[body].mobility != Mobility::dynamic) wake_touching(activity(), body);
     }
 
     // pairs.cpp
@@ -159,32 +157,11 @@ struct WorldData : WorldState, StepScratch {
         return {*this, *this, event_sink(), stepping ? &parted : nullptr, uint32_t(steps)};
     }
     Contact view(const ContactRecord& contact) const;
-    // islands.cpp: sleeping and waking
-    void wake_body(uint32_t body) {
-        if (bodies[body].asleep())
-            wake_sleeping(body);
-        else
-            bodies[body].sleep_time = 0.0f;
-    }
-    void wake_sleeping(uint32_t body);  ///< with its island
-    void wake_touching(uint32_t body);
-    void wake_all();
-    void put_to_sleep(std::span<const uint32_t> group);
-    void compact_awake();
-    void put_group_to_sleep(uint32_t body);
-    void sleep_resting_islands();
-    void add_awake(uint32_t body);
-    void remove_awake(uint32_t body);
-    void add_awake_contact(uint32_t contact);
-    void remove_awake_contact(uint32_t contact);
-    void leave_island(uint32_t body);
-    void free_island_slot(uint32_t island);
-    bool in_motion(uint32_t body) const;
+    Activity activity() { return {*this, *this, *this, event_sink()}; }
 
     // step.cpp
     void step(float dt);
     void solve(float dt);
-    void keep_pushed_awake(float dt);
     // finish.cpp
     void finish_bodies(float dt);
     void finish_body(size_t place, float dt, FinishedPiece& piece);

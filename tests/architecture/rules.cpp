@@ -91,9 +91,10 @@ const std::vector<Room>& rooms() {
         {"physics/state",
          {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
           "physics/constraints", "physics/partition", "physics/joints"}},
+        {"physics/sleep", {"physics/geometry", "physics/partition", "physics/state"}},
         {"physics/contacts",
          {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
-          "physics/constraints", "physics/wide", "physics/state"}},
+          "physics/constraints", "physics/wide", "physics/state", "physics/sleep"}},
         {"physics/schedule",
          {"physics/geometry", "physics/threads", "physics/constraints", "physics/partition",
           "physics/state"}},
@@ -104,7 +105,8 @@ const std::vector<Room>& rooms() {
         {"physics/step",
          {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
           "physics/constraints", "physics/partition", "physics/joints", "physics/wide",
-          "physics/state", "physics/contacts", "physics/schedule", "physics/solver"}},
+          "physics/state", "physics/sleep", "physics/contacts", "physics/schedule",
+          "physics/solver"}},
     };
     return table;
 }

@@ -1,0 +1,272 @@
+#include <geometry/growth.h>
+#include <partition/union_find.h>
+#include <sleep/sleep.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Steps between two looks for resting islands, while there is a reason to look.
+constexpr uint64_t look_interval = 8;
+
+void free_island_slot(ObjectState& objects, uint32_t island) {
+    objects.islands[island] = {none, objects.island_slots.free};
+    objects.island_slots.free = island;
+    --objects.island_slots.count;
+}
+
+}  // namespace
+
+bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body) {
+    const BodyRecord& record = objects.bodies[body];
+    if (record.solver_index == 0) return false;
+    if (record.mobility == Mobility::dynamic) return true;
+    const BodyState& state = columns.states[body];
+    return state.velocity.x() != 0.0f || state.velocity.y() != 0.0f ||
+           state.angular_velocity != 0.0f;
+}
+
+void leave_island(ObjectState& objects, uint32_t body) {
+    const uint32_t island = objects.bodies[body].island;
+    if (island == none) return;
+    objects.bodies[body].island = none;
+    uint32_t* link = &objects.islands[island].first;
+    while (*link != body) link = &objects.bodies[*link].next;
+    *link = std::exchange(objects.bodies[body].next, none);
+    if (objects.islands[island].first == none) free_island_slot(objects, island);
+}
+
+void wake_sleeping(const Activity& activity, uint32_t body) {
+    ObjectState& objects = activity.objects;
+    Columns& columns = activity.columns;
+    ActiveLists& active = activity.active;
+    const uint32_t island = objects.bodies[body].island;
+    std::vector<uint32_t> members;
+    objects.for_each_asleep(island, [&](uint32_t member) { members.push_back(member); });
+    free_island_slot(objects, island);
+    for (uint32_t member : members) {
+        objects.bodies[member].island = objects.bodies[member].next = none;
+        objects.bodies[member].sleep_time = 0.0f;
+        objects.bodies[member].never_awake = false;
+        add_awake(objects, active, member);
+        activity.events.woke.push_back(body_id(columns, member));
+    }
+    std::vector<uint32_t> woken;
+    for (uint32_t member : members) {
+        objects.for_each_contact(member, [&](uint32_t contact) {
+            if (objects.contacts[contact].awake_index != none) return;
+            objects.contacts[contact].awake_index = 0;  // so that the other body adds it no more
+            woken.push_back(contact);
+        });
+    }
+    // The solver converges best in the order in which they were made.
+    std::sort(woken.begin(), woken.end());
+    for (uint32_t contact : woken) add_awake_contact(objects, active, contact);
+    woken.clear();
+    for (uint32_t member : members) {
+        objects.for_each_joint(member, [&](uint32_t joint, uint32_t) {
+            if (objects.joints[joint].awake_index == none) woken.push_back(joint);
+        });
+    }
+    std::sort(woken.begin(), woken.end());
+    for (uint32_t joint : woken) list_joint(objects, active, joint);
+}
+
+void wake_touching(const Activity& activity, uint32_t body) {
+    ObjectState& objects = activity.objects;
+    // Waking changes no contact list, so it may be walked meanwhile.
+    objects.for_each_contact(body, [&](uint32_t contact) {
+        if (objects.contacts[contact].manifold.count > 0)
+            wake_body(activity, objects.other_body(contact, body));
+    });
+    objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+        wake_body(activity, objects.joints[joint].bodies[side ^ 1]);
+    });
+}
+
+void wake_joint(const Activity& activity, uint32_t joint) {
+    ObjectState& objects = activity.objects;
+    for (uint32_t body : objects.joints[joint].bodies) wake_body(activity, body);
+}
+
+void wake_jointed(const Activity& activity) {
+    ObjectState& objects = activity.objects;
+    Columns& columns = activity.columns;
+    ActiveLists& active = activity.active;
+    if (objects.island_slots.count == 0) return;
+    for (const auto& list : active.awake_joints) {
+        // Waking appends to the list while it is walked.
+        for (size_t i = 0; i < list.size(); ++i) {
+            const auto [a, b] = objects.joints[list[i]].bodies;
+            if (objects.bodies[a].asleep() && in_motion(objects, columns, b))
+                wake_body(activity, a);
+            if (objects.bodies[b].asleep() && in_motion(objects, columns, a))
+                wake_body(activity, b);
+        }
+    }
+}
+
+void wake_all(const Activity& activity) {
+    ObjectState& objects = activity.objects;
+    Columns& columns = activity.columns;
+    for (uint32_t body = 0; body < objects.bodies.size(); ++body) {
+        if (columns.body_generations[body] != 0) wake_body(activity, body);
+    }
+}
+
+void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
+    ObjectState& objects = activity.objects;
+    Columns& columns = activity.columns;
+    uint32_t island = objects.island_slots.free;
+    if (island != none) {
+        objects.island_slots.free = objects.islands[island].next_free;
+    } else {
+        island = uint32_t(objects.islands.size());
+        make_room(objects.islands);
+        objects.islands.emplace_back();
+    }
+    ++objects.island_slots.count;
+    uint32_t* link = &objects.islands[island].first;
+    for (uint32_t body : group) {
+        BodyRecord& record = objects.bodies[body];
+        *link = body;
+        link = &record.next;
+        record.island = island;
+        record.solver_index = 0;
+        record.sleep_time = 0.0f;
+        record.step_force = {};
+        record.step_torque = 0.0f;
+        columns.states[body].velocity.setZero();
+        columns.states[body].angular_velocity = 0.0f;
+        columns.previous[body] = {columns.states[body].position, columns.states[body].angle};
+        activity.events.slept.push_back(body_id(columns, body));
+    }
+}
+
+/// Drops the sleeping from the lists. One pass over each list keeps its order, which removing one
+/// entry after the other would not.
+void compact_awake(ObjectState& objects, ActiveLists& active) {
+    size_t kept = 0;
+    for (uint32_t body : active.awake_bodies) {
+        if (objects.bodies[body].solver_index == 0) continue;
+        active.awake_bodies[kept++] = body;
+        objects.bodies[body].solver_index = uint32_t(kept);
+    }
+    active.awake_bodies.resize(kept);
+    kept = 0;
+    for (uint32_t contact : active.awake_contacts) {
+        ContactRecord& c = objects.contacts[contact];
+        if (objects.bodies[c.body_a].solver_index == 0 &&
+            objects.bodies[c.body_b].solver_index == 0) {
+            c.awake_index = none;
+            continue;
+        }
+        c.awake_index = uint32_t(kept);
+        active.awake_contacts[kept++] = contact;
+    }
+    active.awake_contacts.resize(kept);
+    for (auto& list : active.awake_joints) {
+        kept = 0;
+        for (uint32_t joint : list) {
+            JointRecord& record = objects.joints[joint];
+            const auto [a, b] = record.bodies;
+            const bool awake =
+                objects.bodies[a].solver_index != 0 || objects.bodies[b].solver_index != 0;
+            record.awake_index = awake ? uint32_t(kept) : none;
+            if (awake) list[kept++] = joint;
+        }
+        list.resize(kept);
+    }
+}
+
+void put_group_to_sleep(const Activity& activity, uint32_t body) {
+    ObjectState& objects = activity.objects;
+    ActiveLists& active = activity.active;
+    if (objects.bodies[body].solver_index == 0) return;
+    std::vector<uint32_t> group = {body};
+    std::vector<bool> seen(objects.bodies.size());
+    seen[body] = true;
+    for (size_t i = 0; i < group.size(); ++i) {
+        if (objects.bodies[group[i]].mobility != Mobility::dynamic) continue;
+        auto follow = [&](uint32_t other) {
+            if (seen[other] || objects.bodies[other].solver_index == 0) return;
+            if (objects.bodies[other].mobility != Mobility::dynamic) return;
+            seen[other] = true;
+            group.push_back(other);
+        };
+        objects.for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
+            if (objects.joints[joint].acts()) follow(objects.joints[joint].bodies[side ^ 1]);
+        });
+        objects.for_each_contact(group[i], [&](uint32_t contact) {
+            const ContactRecord& c = objects.contacts[contact];
+            if (c.manifold.count > 0 && !c.sensor && !c.disabled)
+                follow(objects.other_body(contact, group[i]));
+        });
+    }
+    put_to_sleep(activity, group);
+    compact_awake(objects, active);
+}
+
+void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
+                       float way) {
+    for (size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
+        if (length_squared(bodies.solver_bodies[i].shift) > way * way)
+            objects.bodies[active.awake_bodies[i - 1]].sleep_time = 0.0f;
+    }
+}
+
+void sleep_resting_islands(const Activity& activity, const WorldDef& settings, uint32_t candidates,
+                           uint64_t step) {
+    ObjectState& objects = activity.objects;
+    Columns& columns = activity.columns;
+    ActiveLists& active = activity.active;
+    if (!settings.sleeping || candidates == 0 || step % look_interval != 0) return;
+    const size_t count = active.awake_bodies.size();
+    UnionFind sets;
+    sets.reset(count);
+    std::vector<uint8_t> restless(count, 0);
+    for (size_t i = 0; i < count; ++i) {
+        const BodyRecord& record = objects.bodies[active.awake_bodies[i]];
+        restless[i] = !record.can_sleep || record.sleep_time < settings.sleep_delay;
+    }
+    auto link = [&](uint32_t body_a, uint32_t body_b) {
+        const uint32_t a = objects.bodies[body_a].solver_index,
+                       b = objects.bodies[body_b].solver_index;
+        if (a == 0 || b == 0) return;
+        const bool moves_a = objects.bodies[body_a].mobility == Mobility::dynamic;
+        const bool moves_b = objects.bodies[body_b].mobility == Mobility::dynamic;
+        if (moves_a && moves_b)
+            sets.unite(a - 1, b - 1);
+        else if (moves_a && in_motion(objects, columns, body_b))
+            restless[a - 1] = 1;  // carried by something that moves
+        else if (moves_b && in_motion(objects, columns, body_a))
+            restless[b - 1] = 1;
+    };
+    for (uint32_t slot : active.awake_contacts) {
+        const ContactRecord& c = objects.contacts[slot];
+        if (c.manifold.count > 0 && !c.sensor && !c.disabled) link(c.body_a, c.body_b);
+    }
+    for (const auto& list : active.awake_joints) {
+        for (uint32_t joint : list)
+            link(objects.joints[joint].bodies[0], objects.joints[joint].bodies[1]);
+    }
+    std::vector<uint8_t> island_restless(count, 0);
+    for (uint32_t i = 0; i < count; ++i) island_restless[sets.find(i)] |= restless[i];
+    std::vector<std::vector<uint32_t>> groups;
+    std::vector<uint32_t> group_of(count, none);
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t root = sets.find(i);
+        if (island_restless[root]) continue;
+        if (group_of[root] == none) {
+            group_of[root] = uint32_t(groups.size());
+            groups.emplace_back();
+        }
+        groups[group_of[root]].push_back(active.awake_bodies[i]);
+    }
+    for (const auto& group : groups) put_to_sleep(activity, group);
+    if (!groups.empty()) compact_awake(objects, active);
+}
+
+}  // namespace fettle::physics::detail

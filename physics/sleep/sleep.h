@@ -1,0 +1,55 @@
+#pragma once
+
+#include <fettle/physics/events.h>
+#include <state/active_lists.h>
+#include <state/step_scratch.h>
+#include <state/world_state.h>
+
+// Sleeping. What is awake is listed; a sleeping body is in an island with all that fell asleep with
+// it, costs nothing in a step, and wakes with the whole island. Islands are found by union-find
+// over the active contacts and joints, and only in steps in which some body has rested long enough:
+// keeping them up to date all the time would cost more.
+
+namespace fettle::physics::detail {
+
+/// What waking and falling asleep change, and where the events go.
+struct Activity {
+    ObjectState& objects;
+    Columns& columns;
+    ActiveLists& active;
+    Events& events;  ///< of the step, or of the edits since
+};
+
+void wake_sleeping(const Activity& activity, uint32_t body);  ///< with its island
+inline void wake_body(const Activity& activity, uint32_t body) {
+    BodyRecord& record = activity.objects.bodies[body];
+    if (record.asleep())
+        wake_sleeping(activity, body);
+    else
+        record.sleep_time = 0.0f;
+}
+/// Wakes the bodies that the body touches or has a joint with.
+void wake_touching(const Activity& activity, uint32_t body);
+void wake_joint(const Activity& activity, uint32_t joint);
+/// Wakes the sleeping bodies that have a joint with a body that moves.
+void wake_jointed(const Activity& activity);
+void wake_all(const Activity& activity);
+
+/// The lists of what is awake still hold these bodies until `compact_awake`.
+void put_to_sleep(const Activity& activity, std::span<const uint32_t> bodies);
+void compact_awake(ObjectState& objects, ActiveLists& active);
+/// The body with all that it touches or is joined to.
+void put_group_to_sleep(const Activity& activity, uint32_t body);
+/// `candidates`: how many bodies rested long enough.
+void sleep_resting_islands(const Activity& activity, const WorldDef& settings, uint32_t candidates,
+                           uint64_t step);
+/// For solvers that correct positions without velocities: a body that was pushed farther than `way`
+/// (m) in the step does not rest.
+void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
+                       float way);
+
+void leave_island(ObjectState& objects, uint32_t body);
+/// Awake, and not at rest if it moves on its own.
+bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body);
+
+}  // namespace fettle::physics::detail
