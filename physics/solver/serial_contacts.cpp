@@ -1,4 +1,4 @@
-#include <contacts/hits.h>
+#include <contacts/reports.h>
 #include <schedule/serial_criteria.h>
 #include <solver/serial_contacts.h>
 #include <state/limits.h>

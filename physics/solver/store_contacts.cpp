@@ -1,4 +1,4 @@
-#include <contacts/hits.h>
+#include <contacts/reports.h>
 #include <solver/serial_contacts.h>
 #include <solver/store_contacts.h>
 

@@ -1,3 +1,4 @@
+#include <contacts/reports.h>
 #include <geometry/trigonometry.h>
 #include <world/arguments.h>
 #include <world/live_body.h>
@@ -429,7 +430,7 @@ std::vector<Contact> Body::contacts() const {
     std::vector<Contact> all;
     data.for_each_contact(id_.index, [&](uint32_t contact) {
         const ContactRecord& c = data.contacts[contact];
-        if (c.touching && !c.sensor) all.push_back(data.view(c));
+        if (c.touching && !c.sensor) all.push_back(view_of(data, data, data.last_substep, c));
     });
     return all;
 }

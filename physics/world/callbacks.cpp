@@ -16,6 +16,24 @@ using namespace detail;
 
 namespace detail {
 
+/// A filter that throws says nothing: yes.
+bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
+    if (!self.filter) return true;
+    bool agrees = true;
+    const bool answered = self.ask(in_filter, [&] {
+        World* const world = self.link->world;
+        agrees = self.filter({world, shape_id(std::min(a, b))}, {world, shape_id(std::max(a, b))});
+    });
+    return agrees || !answered;
+}
+
+UserFilter WorldData::user_filter() const {
+    if (!self.filter) return {};
+    return {this, [](const void* world, uint32_t a, uint32_t b) {
+                return static_cast<const WorldData*>(world)->callback_agrees(a, b);
+            }};
+}
+
 namespace {
 
 /// Asks about the contacts of a step: serially and in their order, so that equal inputs have equal
@@ -29,7 +47,7 @@ class Consultation {
             ContactRecord& c = world_.contacts[slot];
             c.disabled = false;
             if (!acts(c)) continue;
-            world_.remix(c);  // what was changed before was for that step alone
+            remix(world_, world_.settings, c);  // a change by a callback is for one step
             if (!world_.self.mix) continue;
             ContactEdit edit = edit_of(c);
             if (world_.self.ask(in_mixing, [&] { world_.self.mix(edit); }))
@@ -157,25 +175,6 @@ void WorldData::consult_callbacks() {
     consultation.before_solve_all();
 }
 
-void WorldData::tell_persisting() {
-    if (!settings.persist_events) return;
-    for (const uint32_t slot : awake_contacts) {
-        const ContactRecord& c = contacts[slot];
-        if (!c.touching || c.sensor || contact_links[slot].began == uint32_t(steps) ||
-            c.manifold.count == 0)
-            continue;
-        if (!reports_for_pair(*this, slot)) continue;
-        const V2 point = middle_of(*this, c);
-        float impulse = 0.0f;
-        for (int k = 0; k < c.manifold.count; ++k)
-            impulse += c.manifold.points[k].normal_impulse * float(settings.substeps);
-        events.contact_persist.push_back(
-            {shape_id(c.shape_a), shape_id(c.shape_b), body_id(c.body_a), body_id(c.body_b),
-             to_vec2(point), to_vec2(c.manifold.normal), approach_speed(*this, *this, c, point),
-             impulse, c.friction, c.restitution});
-    }
-}
-
 }  // namespace detail
 
 MixRule World::friction_mix() const {
@@ -190,7 +189,7 @@ namespace {
 void remix_all(WorldData& data) {
     for (ContactRecord& c : data.contacts) {
         if (c.shape_a == none) continue;
-        data.remix(c);
+        remix(data, data.settings, c);
         c.disabled = false;
     }
 }
@@ -227,7 +226,7 @@ void World::set_filter(PairFilter filter) {
         if (c.shape_a == none || data.may_collide(c.shape_a, c.shape_b)) continue;
         data.wake_for_edit(c.body_a);
         data.wake_for_edit(c.body_b);
-        data.destroy_contact(slot);
+        destroy_contact(data.contact_list(), slot);
     }
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         if (data.shape_generations[shape] != 0 && data.forms[shape].body != none)

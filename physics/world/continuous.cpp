@@ -1,6 +1,7 @@
 #include <collision/piece.h>
 #include <collision/probe.h>
 #include <collision/sweep.h>
+#include <contacts/border.h>
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
@@ -42,7 +43,7 @@ float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 ce
                              float core) const {
     const BodyRecord& record = bodies[fast.body];
     if (forms[o].kind == FormKind::border) {
-        const BorderPlane plane = border_plane(o);
+        const BorderPlane plane = border_plane(*settings.bounds, o);
         const V2 start_centroid = centroid - fast.shift;
         const float before = dot(plane.normal, start_centroid) - plane.depth - core;
         const float after = dot(plane.normal, centroid) - plane.depth - core;

@@ -58,6 +58,19 @@ void WorldData::mark_moved(uint32_t shape) {
     list_moved(shape);
 }
 
+void WorldData::refilter(uint32_t shape) {
+    const uint32_t body = forms[shape].body;
+    if (body == none) return;
+    wake_for_edit(body);
+    for_each_contact_of(shape, [&](uint32_t contact) {
+        const ContactRecord& c = contacts[contact];
+        const bool sensor = shapes[c.shape_a].surface.sensor || shapes[c.shape_b].surface.sensor;
+        if (c.sensor != sensor || !may_collide(c.shape_a, c.shape_b))
+            destroy_contact(contact_list(), contact);
+    });
+    for_each_solid(shape, [&](uint32_t solid) { mark_moved(solid); });
+}
+
 void WorldData::list_moved(uint32_t shape) {
     if (shapes[shape].moved) return;
     shapes[shape].moved = true;
@@ -179,7 +192,8 @@ void WorldData::refresh_shape(uint32_t shape) {
     record.set_moments(record.type == ShapeType::ellipse
                            ? moments_of(record.figure.as<Ellipse>())
                            : moments_of({local, form.count}, form.radius));
-    if (form.radius != radius_before) remix_shape(shape);  // for the rolling resistance
+    if (form.radius != radius_before)
+        remix_shape(*this, settings, shape);  // for the rolling resistance
     if (form.body == none) place_shape(shape, {});
 }
 
@@ -317,7 +331,7 @@ void WorldData::update_mobility(uint32_t body) {
 
     wake_for_edit(body);
     wake_touching(activity(), body);
-    destroy_contacts_of_body(body);
+    destroy_contacts_of_body(contact_list(), body);
     record.mobility = mobility;
     if (mobility == Mobility::fixed) {
         if (record.solver_index != 0) remove_awake(*this, *this, body);

@@ -1,3 +1,4 @@
+#include <contacts/narrow_phase.h>
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
@@ -60,10 +61,10 @@ void WorldData::finish_bodies(float dt) {
     const size_t count = awake_bodies.size();
     finished.resize((count + piece_length - 1) / piece_length);
     // Where a callback may have disabled a contact, who is stopped asks for it by its pair.
-    if (self.see_contacts()) end_pairs();
+    if (self.see_contacts()) end_pairs(contact_list(), *this);
     share_out(threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
         if (block == 0) {
-            end_pairs();
+            end_pairs(contact_list(), *this);
             return;
         }
         FinishedPiece& piece = finished[block - 1];

@@ -122,29 +122,13 @@ void WorldData::set_joint_collide(uint32_t joint, bool collide) {
     refilter_joint(joint);
 }
 
-/// The border belongs to the world, and what hangs in the world still collides with it.
-bool WorldData::keeps_apart(uint32_t joint) const {
-    const JointRecord& j = joints[joint];
-    return j.acts() && !j.collide && j.bodies[0] != 0 && j.bodies[1] != 0;
-}
-
-bool WorldData::joint_forbids_contact(uint32_t body_a, uint32_t body_b) const {
-    if (bodies[body_a].joint_count > bodies[body_b].joint_count) std::swap(body_a, body_b);
-    for (uint32_t edge = bodies[body_a].first_joint; edge != none;) {
-        const JointRecord& joint = joints[edge >> 1];
-        if (joint.bodies[~edge & 1] == body_b && keeps_apart(edge >> 1)) return true;
-        edge = joint.edges[edge & 1].next;
-    }
-    return false;
-}
-
 /// After an edit: contacts between the two bodies end, or are looked for.
 void WorldData::refilter_joint(uint32_t joint) {
     uint32_t a = joints[joint].bodies[0], b = joints[joint].bodies[1];
     if (bodies[a].contact_count > bodies[b].contact_count) std::swap(a, b);
-    if (joint_forbids_contact(a, b)) {
+    if (joint_forbids_contact(*this, a, b)) {
         for_each_contact(a, [&](uint32_t contact) {
-            if (other_body(contact, a) == b) destroy_contact(contact);
+            if (other_body(contact, a) == b) destroy_contact(contact_list(), contact);
         });
         return;
     }

@@ -207,7 +207,7 @@ void WorldData::drop_parts(uint32_t shape, uint32_t last) {
             dropped[each] = true;
         for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = contacts[contact];
-            if (dropped[c.shape_a] || dropped[c.shape_b]) destroy_contact(contact);
+            if (dropped[c.shape_a] || dropped[c.shape_b]) destroy_contact(contact_list(), contact);
         });
         for (uint32_t each = part; each != none; each = shapes[each].next_part) unlink_shape(each);
         mark_mass(body);

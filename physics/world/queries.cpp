@@ -1,5 +1,6 @@
 #include <collision/nearest.h>
 #include <collision/probe.h>
+#include <contacts/border.h>
 #include <world/arguments.h>
 #include <world/asking.h>
 #include <world/world_data.h>
@@ -57,7 +58,7 @@ void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, 
     data.fixed_tree.cast(from, to, visit);
     data.moving_tree.cast(from, to, visit);
     for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
-        const Probe probe = cast_border(data.border_plane(side), from, d);
+        const Probe probe = cast_border(border_plane(*data.settings.bounds, side), from, d);
         if (probe.fraction <= far && data.accepted(filter, side)) far = hit(side, probe, far);
     }
 }

@@ -30,7 +30,7 @@ void refuse_border_any(const ShapeRecord& record, const char* what) {
 void surface_changed(WorldData& data, uint32_t shape) {
     data.share_surface(shape);
     if (data.forms[shape].body == none) return;
-    data.remix_shape(shape);
+    remix_shape(data, data.settings, shape);
     data.wake_for_edit(data.forms[shape].body);
 }
 
@@ -173,7 +173,7 @@ void Shape::set_sensor(bool sensor) {
     if (form.body != none) {
         data.wake_for_edit(form.body);
         wake_touching(data.activity(), form.body);
-        data.destroy_contacts_of_shape(id_.index);  // ended as what they were
+        destroy_contacts_of_shape(data.contact_list(), id_.index);  // ended as what they were
     }
     record.surface.sensor = sensor;
     data.share_surface(id_.index);
@@ -191,7 +191,7 @@ void Shape::set_hit_events(bool enabled) {
     refuse_border_any(record, "hit_events");
     record.surface.hit_events = enabled;
     data.share_surface(id_.index);
-    data.remix_shape(id_.index);
+    remix_shape(data, data.settings, id_.index);
 }
 
 uint64_t Shape::category() const {

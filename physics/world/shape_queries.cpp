@@ -1,6 +1,7 @@
 #include <collision/nearest.h>
 #include <collision/probe.h>
 #include <collision/sweep.h>
+#include <contacts/border.h>
 #include <world/arguments.h>
 #include <world/asking.h>
 #include <world/world_data.h>
@@ -160,7 +161,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
         data.fixed_tree.query(swept, visit);
         data.moving_tree.query(swept, visit);
         for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
-            const BorderPlane plane = data.border_plane(side);
+            const BorderPlane plane = border_plane(*data.settings.bounds, side);
             const float t = meets_border(probe, d, plane);
             if (t >= nearest || !data.accepted(filter, side)) continue;
             nearest = t;

@@ -35,9 +35,9 @@ void WorldData::apply_bounds() {
     for (uint32_t side = 0; side < 4; ++side) {
         shapes[side].surface.friction = settings.bounds_friction;
         shapes[side].surface.restitution = settings.bounds_restitution;
-        remix_shape(side);
+        remix_shape(*this, settings, side);
         if (!settings.bounds) {
-            destroy_contacts_of_shape(side);
+            destroy_contacts_of_shape(contact_list(), side);
             continue;
         }
         const float far = 2.0f * greatest_coordinate;
@@ -52,20 +52,6 @@ void WorldData::apply_bounds() {
     if (!settings.bounds) return;
     for (uint32_t shape = 4; shape < shapes.size(); ++shape) {
         if (shape_generations[shape] != 0 && forms[shape].body != none) mark_moved(shape);
-    }
-}
-
-BorderPlane WorldData::border_plane(uint32_t side) const {
-    const Aabb& bounds = *settings.bounds;
-    switch (side) {
-        case 0:
-            return {{1.0f, 0.0f}, bounds.min.x()};
-        case 1:
-            return {{-1.0f, 0.0f}, -bounds.max.x()};
-        case 2:
-            return {{0.0f, 1.0f}, bounds.min.y()};
-        default:
-            return {{0.0f, -1.0f}, -bounds.max.y()};
     }
 }
 
@@ -135,7 +121,7 @@ void WorldData::destroy_body(uint32_t body) {
     wake_for_edit(body);
     wake_touching(activity(), body);
     while (bodies[body].first_joint != none) destroy_joint(bodies[body].first_joint >> 1);
-    destroy_contacts_of_body(body);
+    destroy_contacts_of_body(contact_list(), body);
     while (bodies[body].first_shape != none) destroy_shape(bodies[body].first_shape);
     if (bodies[body].solver_index != 0) remove_awake(*this, *this, body);
     leave_island(*this, body);
@@ -234,7 +220,7 @@ void WorldData::set_form(uint32_t slot, const Geometry& geometry, const std::vec
     }
     // It collides no more as what it was.
     if (forms[slot].kind != kind && forms[slot].body != none) {
-        destroy_contacts_of_shape(slot);
+        destroy_contacts_of_shape(contact_list(), slot);
         if (kind == FormKind::outline) remove_proxy(slot);
     }
     forms[slot].kind = kind;
@@ -292,7 +278,7 @@ void WorldData::detach_shape(uint32_t shape) {
     const uint32_t body = forms[shape].body;
     wake_for_edit(body);
     wake_touching(activity(), body);
-    destroy_contacts_of_shape(shape);
+    destroy_contacts_of_shape(contact_list(), shape);
     for_each_solid(shape, [&](uint32_t solid) { unlink_shape(solid); });
     if (!is_solid(shape)) unlink_shape(shape);
     mark_mass(body);

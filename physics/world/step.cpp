@@ -1,3 +1,6 @@
+#include <contacts/narrow_phase.h>
+#include <contacts/pairs.h>
+#include <contacts/reports.h>
 #include <geometry/trigonometry.h>
 #include <schedule/coloring.h>
 #include <schedule/cutting.h>
@@ -73,7 +76,8 @@ void WorldData::solve(float dt) {
     store_joints(*this, *this, joint_step, threads);
     break_joints(joint_step);
     store_contacts(*this, touching(), settings.hit_threshold, threads);
-    tell_persisting();
+    if (settings.persist_events)
+        report_persisting(*this, *this, *this, uint32_t(steps), settings.substeps, events);
 }
 
 void WorldData::step(float dt) {
@@ -85,10 +89,13 @@ void WorldData::step(float dt) {
     stepping = true;
     statistics.moved_proxies = 0;
     statistics.edits_ms = clock.lap();
-    find_pairs();
+    const WideKernels& kernels = wide_kernels(most_lanes);
+    find_pairs(*this, *this, *this, *this, settings.bounds.has_value(), user_filter(),
+               kernels.overlaps, threads);
     wake_jointed(activity());
     statistics.pairs_ms = clock.lap();
-    narrow_phase();
+    narrow_phase({*this, *this, *this, *this, settings, *this, contact_list(), activity(), kernels,
+                  threads});
     consult_callbacks();
     statistics.narrow_ms = clock.lap();
     solve(dt);

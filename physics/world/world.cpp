@@ -1,3 +1,4 @@
+#include <contacts/reports.h>
 #include <geometry/trigonometry.h>
 #include <world/arguments.h>
 #include <world/world_data.h>
@@ -267,7 +268,7 @@ std::vector<Joint> World::joints() const {
 std::vector<Contact> World::contacts() const {
     std::vector<Contact> all;
     for (const ContactRecord& c : data_->contacts) {
-        if (c.touching && !c.sensor) all.push_back(data_->view(c));
+        if (c.touching && !c.sensor) all.push_back(view_of(*data_, *data_, data_->last_substep, c));
     }
     return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <contacts/touching.h>
+#include <contacts/contact_list.h>
+#include <contacts/filter.h>
 #include <sleep/sleep.h>
 #include <state/limits.h>
 #include <state/step_scratch.h>
@@ -15,12 +16,6 @@
 #include <vector>
 
 namespace fettle::physics::detail {
-
-/// The border is solid where normal·p <= depth.
-struct BorderPlane {
-    V2 normal;
-    float depth = 0.0f;
-};
 
 /// A world: its state, what its step makes anew, and what it is besides. The member functions are
 /// grouped by the file that defines them.
@@ -41,7 +36,6 @@ struct WorldData : WorldState, StepScratch {
     // slots.cpp: birth and death
     void make_border();
     void apply_bounds();
-    BorderPlane border_plane(uint32_t side) const;
     uint32_t create_body(const BodyDef& def);
     void destroy_body(uint32_t body);
     uint32_t create_shape(const ShapeDef& def, const Geometry& geometry);
@@ -78,8 +72,6 @@ struct WorldData : WorldState, StepScratch {
     void set_joint_collide(uint32_t joint, bool collide);
     void set_joint_broken(uint32_t joint, bool broken);
     void break_joints(const JointStep& step);
-    bool keeps_apart(uint32_t joint) const;
-    bool joint_forbids_contact(uint32_t body_a, uint32_t body_b) const;
     void refilter_joint(uint32_t joint);
     // edits.cpp: what an edit leaves to do, and doing it when somebody looks. `read_...` is for who
     // looks, before an edit too if it does; `refresh...` for what is part of an edit or a step.
@@ -118,45 +110,18 @@ struct WorldData : WorldState, StepScratch {
         if (bodies[body].mobility != Mobility::dynamic) wake_touching(activity(), body);
     }
 
-    // pairs.cpp
-    void find_pairs();
-    void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const;
-    template <typename Look>
-    void look_in_pieces(size_t count, Look&& look);
-    void look_around_moved();
-    void walk_trees();
-    void look_at_border();
-    void order_pairs();
-    void prefetch_pair(uint64_t pair) const;
-    void create_contacts();
-    void mark_paired(std::span<const uint32_t> moved);
-    // contacts.cpp: pairs and manifolds
-    bool filters_agree(uint32_t shape_a, uint32_t shape_b) const;
-    bool may_collide(uint32_t shape_a, uint32_t shape_b) const;
+    // callbacks.cpp
     bool callback_agrees(uint32_t shape_a, uint32_t shape_b) const;
-    void create_contact(uint32_t shape_a, uint32_t shape_b);
-    void destroy_contact(uint32_t contact);
-    void destroy_contacts_of_shape(uint32_t shape);  ///< and of its parts
-    void destroy_contacts_of_body(uint32_t body);
-    void refilter(uint32_t shape);
-    void remix(ContactRecord& contact) const;
-    void remix_shape(uint32_t shape);
-    void narrow_phase();
-    template <typename Work>
-    size_t collide_awake(std::span<const uint32_t> slots, size_t first, uint32_t others, Work&&);
-    size_t collide_and_create();
-    void end_pairs();
+    UserFilter user_filter() const;
+    bool may_collide(uint32_t shape_a, uint32_t shape_b) const {
+        return detail::may_collide(*this, user_filter(), shape_a, shape_b);
+    }
     void consult_callbacks();
-    void tell_persisting();
-    void update_manifold(ContactRecord& contact);
-    void follow_note(ContactRecord& contact, uint32_t slot);
-    /// `held`: they were in contact before.
-    void collide_unusual(const ContactRecord& contact, float margin, bool held,
-                         Manifold& manifold) const;
+    void refilter(uint32_t shape);
+    ContactList contact_list() { return {touching(), pairs, *this}; }
     Touching touching() {
         return {*this, *this, event_sink(), stepping ? &parted : nullptr, uint32_t(steps)};
     }
-    Contact view(const ContactRecord& contact) const;
     Activity activity() { return {*this, *this, *this, event_sink()}; }
 
     // step.cpp

@@ -94,7 +94,7 @@ const std::vector<Room>& rooms() {
         {"physics/sleep", {"physics/geometry", "physics/partition", "physics/state"}},
         {"physics/contacts",
          {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
-          "physics/constraints", "physics/wide", "physics/state", "physics/sleep"}},
+          "physics/wide", "physics/state", "physics/sleep"}},
         {"physics/schedule",
          {"physics/geometry", "physics/threads", "physics/constraints", "physics/partition",
           "physics/state"}},

@@ -2,12 +2,10 @@
 #include <collision/large_polygon.h>
 #include <collision/piece.h>
 #include <collision/turned_copy.h>
-#include <world/world_data.h>
+#include <contacts/border.h>
+#include <contacts/unusual_contacts.h>
 
 #include <utility>
-
-// Contacts of shapes that are not plain convex forms. Few pairs of most worlds: the narrow phase
-// asks once whether it has to come here.
 
 namespace fettle::physics::detail {
 namespace {
@@ -88,12 +86,12 @@ void collide_mixed_with_large(const Solid& a, const Solid& b, V2 offset, float m
 
 }  // namespace
 
-void WorldData::collide_unusual(const ContactRecord& c, float margin, bool held,
-                                Manifold& m) const {
-    const V2 center_b = bodies[c.body_b].center;
-    const Solid b = solid(c.shape_b);
-    if (forms[c.shape_a].kind == FormKind::border) {  // of a pair it is always the first
-        const BorderPlane plane = border_plane(c.shape_a);
+void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
+                     const ContactRecord& c, float margin, bool held, Manifold& m) {
+    const V2 center_b = objects.bodies[c.body_b].center;
+    const Solid b = solid_of(objects, columns, c.shape_b);
+    if (objects.forms[c.shape_a].kind == FormKind::border) {  // of a pair it is always the first
+        const BorderPlane plane = border_plane(*settings.bounds, c.shape_a);
         if (b.kind == FormKind::ellipse)
             collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);
         else if (b.kind == FormKind::large)
@@ -102,8 +100,8 @@ void WorldData::collide_unusual(const ContactRecord& c, float margin, bool held,
             collide_half_plane(plane.normal, plane.depth, b.form, center_b, margin, m);
         return;
     }
-    const Solid a = solid(c.shape_a);
-    const V2 offset = center_b - bodies[c.body_a].center;
+    const Solid a = solid_of(objects, columns, c.shape_a);
+    const V2 offset = center_b - objects.bodies[c.body_a].center;
     const auto is_plain = [](const Solid& s) {
         return s.kind == FormKind::convex || s.kind == FormKind::large;
     };

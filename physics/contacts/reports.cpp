@@ -1,5 +1,5 @@
-#include <contacts/hits.h>
 #include <contacts/impact.h>
+#include <contacts/reports.h>
 #include <contacts/touching.h>
 #include <state/limits.h>
 
@@ -70,6 +70,51 @@ void report_wide_hits(const ObjectState& objects, const Columns& columns, float 
     });
     for (const auto& found : scratch.hits)
         events.contact_hit.insert(events.contact_hit.end(), found.begin(), found.end());
+}
+
+void report_persisting(const ObjectState& objects, const Columns& columns,
+                       const ActiveLists& active, uint32_t step, int substeps, Events& events) {
+    for (const uint32_t slot : active.awake_contacts) {
+        const ContactRecord& c = objects.contacts[slot];
+        if (!c.touching || c.sensor || objects.contact_links[slot].began == step ||
+            c.manifold.count == 0)
+            continue;
+        if (!reports_for_pair(objects, slot)) continue;
+        const V2 point = middle_of(objects, c);
+        float impulse = 0.0f;
+        for (int k = 0; k < c.manifold.count; ++k)
+            impulse += c.manifold.points[k].normal_impulse * float(substeps);
+        events.contact_persist.push_back(
+            {shape_id(objects, columns, c.shape_a), shape_id(objects, columns, c.shape_b),
+             body_id(columns, c.body_a), body_id(columns, c.body_b), to_vec2(point),
+             to_vec2(c.manifold.normal), approach_speed(objects, columns, c, point), impulse,
+             c.friction, c.restitution});
+    }
+}
+
+Contact view_of(const ObjectState& objects, const Columns& columns, float substep,
+                const ContactRecord& c) {
+    Contact contact;
+    contact.body_a = body_id(columns, c.body_a);
+    contact.body_b = body_id(columns, c.body_b);
+    contact.shape_a = shape_id(objects, columns, c.shape_a);
+    contact.shape_b = shape_id(objects, columns, c.shape_b);
+    contact.normal = to_vec2(c.manifold.normal);
+    contact.point_count = c.manifold.count;
+    contact.friction = c.friction;
+    contact.restitution = c.restitution;
+    // The point as each body carries it: a point of the ground stays behind when a body slides on.
+    const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
+    const bool a_moves = a.mobility != Mobility::fixed, b_moves = b.mobility != Mobility::fixed;
+    const float share_a = a_moves == b_moves ? 0.5f : a_moves ? 1.0f : 0.0f;
+    for (int k = 0; k < c.manifold.count; ++k) {
+        const ManifoldPoint& p = c.manifold.points[k];
+        const V2 on_a = a.center + p.anchor_a, on_b = b.center + p.anchor_b;
+        contact.points[size_t(k)] = {to_vec2(on_b + share_a * (on_a - on_b)), p.separation,
+                                     p.normal_impulse, p.tangent_impulse, uint16_t(p.feature)};
+        if (substep > 0.0f) contact.normal_force += p.normal_impulse / substep;
+    }
+    return contact;
 }
 
 }  // namespace fettle::physics::detail

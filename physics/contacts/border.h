@@ -1,0 +1,27 @@
+#pragma once
+
+#include <fettle/physics/types.h>
+#include <geometry/vector.h>
+
+namespace fettle::physics::detail {
+
+/// A side of the bounds of a world, solid where normal·p <= depth.
+struct BorderPlane {
+    V2 normal;
+    float depth = 0.0f;
+};
+
+inline BorderPlane border_plane(const Aabb& bounds, uint32_t side) {
+    switch (side) {
+        case 0:
+            return {{1.0f, 0.0f}, bounds.min.x()};
+        case 1:
+            return {{-1.0f, 0.0f}, -bounds.max.x()};
+        case 2:
+            return {{0.0f, 1.0f}, bounds.min.y()};
+        default:
+            return {{0.0f, -1.0f}, -bounds.max.y()};
+    }
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,121 @@
+#include <contacts/contact_list.h>
+#include <geometry/growth.h>
+#include <state/active_lists.h>
+#include <state/limits.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+float mixed(MixRule rule, float a, float b) {
+    switch (rule) {
+        case MixRule::average:
+            return 0.5f * (a + b);
+        case MixRule::minimum:
+            return min(a, b);
+        case MixRule::maximum:
+            return max(a, b);
+        case MixRule::multiply:
+            return a * b;
+        default:
+            return std::sqrt(a * b);
+    }
+}
+
+}  // namespace
+
+void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& c) {
+    const ShapeDef& a = objects.shapes[c.shape_a].surface;
+    const ShapeDef& b = objects.shapes[c.shape_b].surface;
+    // Bounded like what callbacks return: the product of two large numbers may be infinite.
+    c.friction = bounded(mixed(settings.friction_mix, a.friction, b.friction), greatest_grip);
+    c.restitution = mixed(settings.restitution_mix, a.restitution, b.restitution);
+    c.rolling_resistance = bounded(max(a.rolling_resistance * objects.forms[c.shape_a].radius,
+                                       b.rolling_resistance * objects.forms[c.shape_b].radius),
+                                   greatest_grip);
+    c.surface_speed = bounded(a.surface_speed + b.surface_speed, greatest_speed);
+    c.hit_events = a.hit_events || b.hit_events;
+    c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
+}
+
+void remix_shape(ObjectState& objects, const WorldDef& settings, uint32_t shape) {
+    objects.for_each_contact_of(
+        shape, [&](uint32_t contact) { remix(objects, settings, objects.contacts[contact]); });
+}
+
+void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
+                    uint32_t shape_b) {
+    ObjectState& objects = list.touching.objects;
+    auto& contacts = objects.contacts;
+    auto& contact_links = objects.contact_links;
+    uint32_t slot = objects.contact_slots.free;
+    if (slot != none) {
+        objects.contact_slots.free = contact_links[slot].edges[0].next;
+        contacts[slot] = {};
+    } else {
+        slot = uint32_t(contacts.size());
+        make_room_in_each(contacts, contact_links);
+        contacts.emplace_back();
+        contact_links.emplace_back();
+    }
+    ++objects.contact_slots.count;
+    ContactRecord& c = contacts[slot];
+    c.shape_a = shape_a;
+    c.shape_b = shape_b;
+    c.body_a = objects.forms[shape_a].body;
+    c.body_b = objects.forms[shape_b].body;
+    c.sensor = objects.shapes[shape_a].surface.sensor || objects.shapes[shape_b].surface.sensor;
+    c.curved = objects.forms[shape_a].kind == FormKind::ellipse ||
+               objects.forms[shape_b].kind == FormKind::ellipse;
+    remix(objects, settings, c);
+    const uint32_t owners[2] = {c.body_a, c.body_b};
+    for (uint32_t side = 0; side < 2; ++side) {
+        BodyRecord& body = objects.bodies[owners[side]];
+        const uint32_t edge = slot << 1 | side;
+        contact_links[slot].edges[side] = {none, body.first_contact};
+        if (body.first_contact != none) {
+            contact_links[body.first_contact >> 1].edges[body.first_contact & 1].previous = edge;
+        }
+        body.first_contact = edge;
+        ++body.contact_count;
+    }
+    list.pairs.insert(shape_a, shape_b, slot);
+    if (objects.bodies[c.body_a].solver_index != 0 || objects.bodies[c.body_b].solver_index != 0)
+        add_awake_contact(objects, list.active, slot);
+}
+
+void destroy_contact(const ContactList& list, uint32_t slot) {
+    ObjectState& objects = list.touching.objects;
+    auto& contact_links = objects.contact_links;
+    ContactRecord& c = objects.contacts[slot];
+    if (c.touching) set_touching(list.touching, slot, false);
+    if (c.awake_index != none) remove_awake_contact(objects, list.active, slot);
+    const uint32_t owners[2] = {c.body_a, c.body_b};
+    for (uint32_t side = 0; side < 2; ++side) {
+        BodyRecord& body = objects.bodies[owners[side]];
+        const ListEdge edge = contact_links[slot].edges[side];
+        if (edge.previous != none)
+            contact_links[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
+        else
+            body.first_contact = edge.next;
+        if (edge.next != none)
+            contact_links[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
+        --body.contact_count;
+    }
+    list.pairs.erase(c.shape_a, c.shape_b);
+    c = {};
+    contact_links[slot].edges[0].next = objects.contact_slots.free;
+    objects.contact_slots.free = slot;
+    --objects.contact_slots.count;
+}
+
+void destroy_contacts_of_shape(const ContactList& list, uint32_t shape) {
+    list.touching.objects.for_each_contact_of(
+        shape, [&](uint32_t contact) { destroy_contact(list, contact); });
+}
+
+void destroy_contacts_of_body(const ContactList& list, uint32_t body) {
+    list.touching.objects.for_each_contact(
+        body, [&](uint32_t contact) { destroy_contact(list, contact); });
+}
+
+}  // namespace fettle::physics::detail

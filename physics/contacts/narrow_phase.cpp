@@ -1,0 +1,234 @@
+#include <contacts/narrow_phase.h>
+#include <contacts/pairs.h>
+#include <contacts/unusual_contacts.h>
+#include <geometry/growth.h>
+#include <state/active_lists.h>
+#include <state/limits.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Contacts that are collided before their results are read: few enough to be still in the cache.
+constexpr size_t run_length = 64;  // a bit each
+/// Contacts that a thread takes at a time, and shapes.
+constexpr size_t piece_length = 128, moved_at_a_time = 512;
+
+/// Collides one pair by itself.
+void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
+    const Manifold old = c.manifold;
+    Manifold& m = c.manifold;
+    m.count = 0;
+    const ShapeForm &a = in.objects.forms[c.shape_a], &b = in.objects.forms[c.shape_b];
+    const float margin = c.sensor ? 0.0f : speculative_margin;
+    if (usual_forms(a, b))
+        collide(in.objects.convex(c.shape_a), in.objects.convex(c.shape_b), b.center - a.center,
+                margin, m);
+    else
+        collide_unusual(in.objects, in.columns, in.settings, c, margin, old.count > 0, m);
+    // A point that is still the same vertex on the same edge keeps its impulses for the warm
+    // start.
+    for (int i = 0; i < m.count; ++i) {
+        for (int k = 0; k < old.count; ++k) {
+            if (old.points[k].feature != m.points[i].feature) continue;
+            m.points[i].normal_impulse = old.points[k].normal_impulse;
+            m.points[i].tangent_impulse = old.points[k].tangent_impulse;
+            break;
+        }
+    }
+}
+
+class Collision {
+  public:
+    explicit Collision(const NarrowPhaseInput& input)
+        : in_(input),
+          arrays_{input.objects.pool.vertices.data(), input.objects.pool.directions.data(),
+                  input.objects.pool.offsets.data()} {}
+
+    /// Manifolds of some of the awake contacts, and what they ask for.
+    void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
+        uint64_t over = 0;
+        for (size_t i = begin; i < end; ++i) {
+            if (i + contacts_ahead < slots.size())
+                in_.objects.contacts[slots[i + contacts_ahead]].prefetch();
+            ContactRecord& c = in_.objects.contacts[slots[i]];
+            const bool ends = is_over(c);
+            over |= uint64_t{ends} << (i - begin);
+            if (ends || !is_near(c))
+                c.manifold.count = 0;
+            else
+                collide_pair(c);
+        }
+        if (batch_.count > 0) flush();
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t slot = slots[i];
+            if ((over >> (i - begin) & 1) != 0) piece.over.push_back(slot);
+            if (needs_more(in_.objects.contacts[slot])) piece.more.push_back(slot);
+        }
+    }
+
+  private:
+    bool is_over(const ContactRecord& c) const {
+        return (in_.scratch.relocated[c.shape_a] | in_.scratch.relocated[c.shape_b]) != 0 &&
+               !overlap(in_.boxes.fat_boxes[c.shape_a], in_.boxes.fat_boxes[c.shape_b]);
+    }
+    bool is_near(const ContactRecord& c) const {
+        const float margin = c.sensor ? 0.0f : speculative_margin;
+        return overlap(grow(in_.boxes.boxes[c.shape_a], margin), in_.boxes.boxes[c.shape_b]);
+    }
+    void collide_pair(ContactRecord& c) {
+        const ShapeForm &a = in_.objects.forms[c.shape_a], &b = in_.objects.forms[c.shape_b];
+        if (!a.is_small_polygon() || !b.is_small_polygon()) {
+            update_manifold(in_, c);
+            return;
+        }
+        const int lane = batch_.count++;
+        records_[lane] = &c;
+        batch_.manifolds[lane] = &c.manifold;
+        batch_.begin_a[lane] = a.begin;
+        batch_.begin_b[lane] = b.begin;
+        batch_.count_a[lane] = int32_t(a.count);
+        batch_.count_b[lane] = int32_t(b.count);
+        batch_.radius_a[lane] = a.radius;
+        batch_.radius_b[lane] = b.radius;
+        batch_.offset_x[lane] = b.center.x - a.center.x;
+        batch_.offset_y[lane] = b.center.y - a.center.y;
+        batch_.margin[lane] = c.sensor ? 0.0f : speculative_margin;
+        if (batch_.is_full()) flush();
+    }
+    void flush() {
+        // Lanes left over repeat the first pair; their result is not used.
+        for (int lane = batch_.count; lane < CollisionBatch::size; ++lane) {
+            batch_.begin_a[lane] = batch_.begin_a[0];
+            batch_.begin_b[lane] = batch_.begin_b[0];
+            batch_.manifolds[lane] = &unused_;
+        }
+        for (uint32_t again = in_.kernels.collide(arrays_, batch_); again != 0;
+             again &= again - 1) {
+            const int lane = std::countr_zero(again);
+            if (lane < batch_.count) update_manifold(in_, *records_[lane]);
+        }
+        batch_.count = 0;
+    }
+    bool needs_more(const ContactRecord& c) const {
+        const bool active = c.manifold.count > 0;
+        if (c.sensor) return active != c.touching;
+        if (!active) return c.touching || c.rolling_impulse != 0.0f;
+        return in_.objects.island_slots.count > 0 &&
+               (in_.objects.bodies[c.body_a].asleep() || in_.objects.bodies[c.body_b].asleep());
+    }
+
+    const NarrowPhaseInput in_;  ///< a copy: one indirection less in the loops
+    const ConvexArrays arrays_;
+    CollisionBatch batch_ = {};
+    ContactRecord* records_[CollisionBatch::size] = {};
+    Manifold unused_;
+};
+
+/// What few manifolds need besides: a touch ends, or a sleeping body is about to be hit.
+void follow_note(const NarrowPhaseInput& in, uint32_t slot) {
+    ContactRecord& c = in.objects.contacts[slot];
+    const std::vector<BodyRecord>& bodies = in.objects.bodies;
+    const bool active = c.manifold.count > 0;
+    if (c.sensor) {
+        if (active != c.touching) set_touching(in.list.touching, slot, active);
+    } else if (!active) {
+        if (c.touching) set_touching(in.list.touching, slot, false);
+        c.rolling_impulse = 0.0f;
+    } else if (bodies[c.body_a].asleep() && in_motion(in.objects, in.columns, c.body_b)) {
+        // A sleeping body that is about to be hit takes part in this very step.
+        wake_body(in.activity, c.body_a);
+    } else if (bodies[c.body_b].asleep() && in_motion(in.objects, in.columns, c.body_a)) {
+        wake_body(in.activity, c.body_b);
+    }
+}
+
+/// All pairs of the fat boxes of these shapes are known now.
+void mark_paired(const NarrowPhaseInput& in, std::span<const uint32_t> moved) {
+    for (const uint32_t shape : moved) {
+        in.objects.shapes[shape].moved = false;
+        in.boxes.paired_boxes[shape] = in.boxes.fat_boxes[shape];
+    }
+}
+
+/// Collides the contacts `slots`. Their notes go into pieces from `first` on; returns the end of
+/// these. `beside(i)` is run for each i below `others` at the same time.
+template <typename Work>
+size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots, size_t first,
+                     uint32_t others, Work&& beside) {
+    std::vector<CollidedPiece>& collided = in.scratch.collided;
+    const size_t pieces = (slots.size() + piece_length - 1) / piece_length;
+    if (collided.size() < first + pieces) collided.resize(first + pieces);
+    share_out(in.threads, others + uint32_t(pieces), [&](uint32_t block) {
+        if (block < others) {
+            beside(block);
+            return;
+        }
+        Collision collision(in);
+        CollidedPiece& piece = collided[first + block - others];
+        piece.clear();
+        const size_t begin = (block - others) * piece_length;
+        const size_t end = std::min(begin + piece_length, slots.size());
+        for (size_t i = begin; i < end; i += run_length)
+            collision.run(slots, i, std::min(i + run_length, end), piece);
+    });
+    return first + pieces;
+}
+
+/// One thread makes the new contacts, one after the other; the others collide the old ones.
+size_t collide_and_create(const NarrowPhaseInput& in) {
+    const std::vector<uint64_t>& new_pairs = in.scratch.new_pairs;
+    std::vector<uint32_t>& moved_shapes = in.boxes.moved_shapes;
+    std::vector<uint32_t>& awake = in.active.awake_contacts;
+    std::vector<ContactRecord>& contacts = in.objects.contacts;
+    make_room(awake, new_pairs.size());
+    const size_t spare = contacts.size() - in.objects.contact_slots.count;
+    make_room(contacts, new_pairs.size() - std::min(new_pairs.size(), spare));
+    const size_t moved = moved_shapes.size();
+    const auto marks = uint32_t((moved + moved_at_a_time - 1) / moved_at_a_time);
+    return collide_awake(in, awake, 0, moved == 0 ? 0 : 1 + marks, [&](uint32_t i) {
+        if (i == 0) {
+            create_contacts(in.list, in.settings, new_pairs);
+            return;
+        }
+        const size_t begin = (i - 1) * moved_at_a_time;
+        mark_paired(
+            in, std::span(moved_shapes).subspan(begin, std::min(moved_at_a_time, moved - begin)));
+    });
+}
+
+}  // namespace
+
+void narrow_phase(const NarrowPhaseInput& in) {
+    std::vector<uint32_t>& awake = in.active.awake_contacts;
+    std::vector<CollidedPiece>& collided = in.scratch.collided;
+    size_t collided_contacts = awake.size(), noted = 0;
+    size_t pieces = collide_and_create(in);
+    // New contacts are collided in a round of their own, and so are those that the notes wake.
+    for (;;) {
+        const std::span slots = std::span(awake).subspan(collided_contacts);
+        collided_contacts = awake.size();
+        if (!slots.empty()) pieces = collide_awake(in, slots, pieces, 0, [](uint32_t) {});
+        for (; noted < pieces; ++noted)
+            for (const uint32_t slot : collided[noted].more) follow_note(in, slot);
+        if (collided_contacts == awake.size()) break;
+    }
+    collided.resize(pieces);
+    // All are collided: the order of the list may change now. The rest of ending these pairs can
+    // wait until the bodies are finished.
+    for (const CollidedPiece& piece : collided)
+        for (const uint32_t slot : piece.over) remove_awake_contact(in.objects, in.active, slot);
+    if (!in.boxes.moved_shapes.empty()) std::ranges::fill(in.scratch.relocated, uint8_t{0});
+    in.boxes.moved_shapes.clear();
+}
+
+void end_pairs(const ContactList& list, PairScratch& scratch) {
+    for (CollidedPiece& piece : scratch.collided) {
+        for (const uint32_t slot : piece.over) destroy_contact(list, slot);
+        piece.over.clear();
+    }
+}
+
+}  // namespace fettle::physics::detail

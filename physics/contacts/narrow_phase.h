@@ -1,0 +1,36 @@
+#pragma once
+
+#include <contacts/contact_list.h>
+#include <sleep/sleep.h>
+#include <state/step_scratch.h>
+#include <threads/pool.h>
+#include <wide/kernels.h>
+
+// Every awake contact gets its manifold of this step. Pairs of triangles and quadrilaterals are
+// collected and collided sixteen at a time, the others one by one; both write nothing but the
+// manifold and a note of what the pair needs besides. The notes are then followed in the order of
+// the list: touches end, pairs end, and sleeping bodies that are about to be hit wake.
+
+namespace fettle::physics::detail {
+
+struct NarrowPhaseInput {
+    ObjectState& objects;
+    const Columns& columns;
+    BroadPhaseState& boxes;
+    ActiveLists& active;
+    const WorldDef& settings;
+    PairScratch& scratch;
+    ContactList list;
+    Activity activity;
+    const WideKernels& kernels;
+    ThreadPool* threads;
+};
+
+/// Makes contacts of the new pairs too.
+void narrow_phase(const NarrowPhaseInput& input);
+
+/// Destroys the contacts of the pairs that the narrow phase found to be over. They have no
+/// manifold, and no stage in between reads them.
+void end_pairs(const ContactList& list, PairScratch& scratch);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,198 @@
+#include <contacts/pairs.h>
+#include <wide/kernels.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <numeric>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Moved shapes that a thread takes at a time, and parts that a walk through the trees has.
+constexpr size_t shapes_at_a_time = 16, walk_parts = 64;
+/// Prefetch distance.
+constexpr size_t pairs_ahead = 6;
+
+class PairSearch {
+  public:
+    PairSearch(const ObjectState& objects, std::span<const uint32_t> generations,
+               const BroadPhaseState& boxes, PairScratch& scratch, FindOverlaps overlaps,
+               ThreadPool* threads)
+        : objects_(objects),
+          generations_(generations),
+          boxes_(boxes),
+          scratch_(scratch),
+          overlaps_(overlaps),
+          threads_(threads) {}
+
+    void look_around_moved();
+    void walk_trees();
+    void look_at_border();
+
+  private:
+    void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const;
+    template <typename Look>
+    void look_in_pieces(size_t count, Look&& look);
+
+    const ObjectState& objects_;
+    std::span<const uint32_t> generations_;  ///< of the shapes
+    const BroadPhaseState& boxes_;
+    PairScratch& scratch_;
+    FindOverlaps overlaps_;
+    ThreadPool* threads_;
+};
+
+/// The fat boxes of the two overlap, and one of them moved.
+void PairSearch::look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
+    if (overlap(boxes_.paired_boxes[shape], boxes_.paired_boxes[other]))
+        return;  // known: a pair, or none
+    if (!filters_agree(objects_, shape, other) ||
+        joint_forbids_contact(objects_, objects_.forms[shape].body, objects_.forms[other].body) ||
+        boxes_.pairs.find(shape, other) != PairSet::absent)
+        return;
+    found.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
+}
+
+/// Runs `look(piece, found)` for every piece, each with a list of its own.
+template <typename Look>
+void PairSearch::look_in_pieces(size_t count, Look&& look) {
+    if (scratch_.found_pairs.size() < count) scratch_.found_pairs.resize(count);
+    share_out(threads_, uint32_t(count), [&](uint32_t piece) {
+        scratch_.found_pairs[piece].clear();
+        look(piece, scratch_.found_pairs[piece]);
+    });
+    for (size_t piece = 0; piece < count; ++piece) {
+        const std::vector<uint64_t>& found = scratch_.found_pairs[piece];
+        scratch_.new_pairs.insert(scratch_.new_pairs.end(), found.begin(), found.end());
+    }
+}
+
+/// Each shape that has moved queries the trees.
+void PairSearch::look_around_moved() {
+    const size_t count = (boxes_.moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
+    look_in_pieces(count, [&](size_t piece, std::vector<uint64_t>& found) {
+        const size_t begin = piece * shapes_at_a_time;
+        const size_t end = std::min(begin + shapes_at_a_time, boxes_.moved_shapes.size());
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t shape = boxes_.moved_shapes[i];
+            const ShapeRecord& record = objects_.shapes[shape];
+            if (record.proxy == Tree::none) continue;
+            const auto look = [&](uint32_t other) { look_at_pair(shape, other, found); };
+            if (record.tree == Mobility::fixed) {
+                boxes_.moving_tree.query(boxes_.fixed_tree.box(record.proxy), look);
+            } else {
+                boxes_.moving_tree.look_around(record.proxy, boxes_.paired_boxes[shape], overlaps_,
+                                               look);
+                boxes_.fixed_tree.query(boxes_.moving_tree.box(record.proxy), look);
+            }
+        }
+    });
+}
+
+/// The moving tree against itself and against the fixed tree, in one round.
+void PairSearch::walk_trees() {
+    const size_t enough = threads_ != nullptr ? walk_parts : 1;
+    scratch_.parts_of_walk.clear();
+    boxes_.moving_tree.begin_walk(boxes_.moving_tree, enough, scratch_.parts_of_walk);
+    const size_t own = scratch_.parts_of_walk.size();
+    boxes_.moving_tree.begin_walk(boxes_.fixed_tree, enough, scratch_.parts_of_walk);
+    // The first parts are the largest: they are dealt out evenly to the threads.
+    const size_t hands = threads_ != nullptr ? size_t(threads_->at_a_time()) : 1;
+    const size_t each = (scratch_.parts_of_walk.size() + hands - 1) / hands;
+    look_in_pieces(each * hands, [&](size_t piece, std::vector<uint64_t>& found) {
+        const size_t part = piece / each + piece % each * hands;
+        if (part >= scratch_.parts_of_walk.size()) return;
+        const Tree& other = part < own ? boxes_.moving_tree : boxes_.fixed_tree;
+        const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
+        boxes_.moving_tree.pairs(other, scratch_.parts_of_walk[part], overlaps_, look);
+    });
+}
+
+/// The border is in no tree.
+void PairSearch::look_at_border() {
+    for (const uint32_t shape : boxes_.moved_shapes) {
+        if (objects_.forms[shape].body == none || generations_[shape] == 0) continue;
+        if (objects_.bodies[objects_.forms[shape].body].mobility != Mobility::dynamic) continue;
+        for (uint32_t side = 0; side < 4; ++side) {
+            if (overlap(boxes_.fat_boxes[shape], boxes_.fat_boxes[side]))
+                look_at_pair(shape, side, scratch_.new_pairs);
+        }
+    }
+}
+
+/// Sorted. Spread over buckets by the upper shape first, most of which get one or two: a third of
+/// the time.
+void sort_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size_t shapes) {
+    constexpr int bits = 8;
+    const int shift = 32 + std::max(0, int(std::bit_width(shapes)) - bits);
+    std::array<uint32_t, 1 + (1 << bits)> begin = {};
+    for (const uint64_t pair : pairs) ++begin[1 + (pair >> shift)];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    auto end = begin;
+    spare.resize(pairs.size());
+    for (const uint64_t pair : pairs) spare[end[pair >> shift]++] = pair;
+    pairs.swap(spare);
+    for (size_t bucket = 0; bucket + 1 < begin.size(); ++bucket)
+        if (end[bucket] > begin[bucket] + 1)
+            std::sort(pairs.begin() + begin[bucket], pairs.begin() + end[bucket]);
+}
+
+/// In the order of the shapes, whatever the order in the trees.
+void order_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size_t shapes,
+                 const UserFilter& filter) {
+    sort_pairs(pairs, spare, shapes);
+    // A pair with a fixed shape is found twice if both moved.
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    if (!filter) return;
+    std::erase_if(pairs,
+                  [&](uint64_t pair) { return !filter(uint32_t(pair), uint32_t(pair >> 32)); });
+}
+
+/// What a pair becomes a contact of lies anywhere in memory.
+void prefetch_pair(const ObjectState& objects, const PairSet& pairs, uint64_t pair) {
+    const auto a = uint32_t(pair), b = uint32_t(pair >> 32);
+    for (const uint32_t shape : {a, b}) {
+        __builtin_prefetch(&objects.shapes[shape]);
+        __builtin_prefetch(&objects.bodies[objects.forms[shape].body].first_contact, 1);
+    }
+    pairs.prefetch(a, b);
+}
+
+}  // namespace
+
+void create_contacts(const ContactList& list, const WorldDef& settings,
+                     std::span<const uint64_t> new_pairs) {
+    const ObjectState& objects = list.touching.objects;
+    for (size_t i = 0; i < new_pairs.size(); ++i) {
+        if (i + pairs_ahead < new_pairs.size())
+            prefetch_pair(objects, list.pairs, new_pairs[i + pairs_ahead]);
+        create_contact(list, settings, uint32_t(new_pairs[i]), uint32_t(new_pairs[i] >> 32));
+        if (objects.contact_slots.free == none) continue;
+        objects.contacts[objects.contact_slots.free].prefetch();
+        __builtin_prefetch(&objects.contact_links[objects.contact_slots.free], 1);
+    }
+}
+
+void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseState& boxes,
+                PairScratch& scratch, bool border, const UserFilter& filter, FindOverlaps overlaps,
+                ThreadPool* threads) {
+    const std::vector<uint32_t>& moved = boxes.moved_shapes;
+    scratch.relocated.resize(objects.shapes.size(), 0);
+    scratch.new_pairs.clear();
+    if (moved.empty()) return;
+    boxes.moving_tree.settle(threads, boxes.paired_boxes);
+    boxes.fixed_tree.settle(threads, boxes.paired_boxes);
+    PairSearch search(objects, columns.shape_generations, boxes, scratch, overlaps, threads);
+    if (4 * moved.size() < boxes.moving_tree.size())
+        search.look_around_moved();
+    else
+        search.walk_trees();
+    if (border) search.look_at_border();
+    order_pairs(scratch.new_pairs, scratch.spare_pairs, objects.shapes.size(), filter);
+    for (const uint32_t shape : moved) scratch.relocated[shape] = 1;
+    boxes.moving_tree.rest();
+    boxes.fixed_tree.rest();
+}
+
+}  // namespace fettle::physics::detail

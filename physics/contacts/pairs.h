@@ -1,0 +1,23 @@
+#pragma once
+
+#include <contacts/contact_list.h>
+#include <contacts/filter.h>
+#include <state/step_scratch.h>
+#include <threads/pool.h>
+
+// New pairs of shapes. Where few have moved, each queries the trees; else the trees are compared
+// with each other. Either is shared out among threads, and the pairs are put into order before they
+// become contacts.
+
+namespace fettle::physics::detail {
+
+/// Writes `scratch.new_pairs` and `scratch.relocated`. `border`: the world has one.
+void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseState& boxes,
+                PairScratch& scratch, bool border, const UserFilter& filter, FindOverlaps overlaps,
+                ThreadPool* threads);
+
+/// Other contacts may be collided at the same time.
+void create_contacts(const ContactList& list, const WorldDef& settings,
+                     std::span<const uint64_t> new_pairs);
+
+}  // namespace fettle::physics::detail

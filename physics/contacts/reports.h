@@ -1,0 +1,33 @@
+#pragma once
+
+#include <fettle/physics/contact.h>
+#include <fettle/physics/events.h>
+#include <state/step_scratch.h>
+#include <state/world_state.h>
+#include <threads/pool.h>
+
+#include <optional>
+
+// What the user hears of contacts besides that they begin and end.
+
+namespace fettle::physics::detail {
+
+/// The contact as a hit, if it met faster than the threshold (m/s). `extra`: of a contact that has
+/// one, else null. All of it is known without hit events too, so that asking for them changes
+/// nothing.
+std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns& columns,
+                                      float threshold, uint32_t contact, const ContactExtra* extra);
+
+/// Of the wide contacts in `scratch.told`, in the order of the acting contacts.
+void report_wide_hits(const ObjectState& objects, const Columns& columns, float threshold,
+                      ContactScratch& scratch, ThreadPool* threads, Events& events);
+
+/// Contacts that began to touch in an earlier step.
+void report_persisting(const ObjectState& objects, const Columns& columns,
+                       const ActiveLists& active, uint32_t step, int substeps, Events& events);
+
+/// `substep`: the length of the last sub-step, s; 0: there was none.
+Contact view_of(const ObjectState& objects, const Columns& columns, float substep,
+                const ContactRecord& contact);
+
+}  // namespace fettle::physics::detail
