@@ -23,6 +23,10 @@ struct SolverInput {
     ThreadPool* threads;
 };
 
+/// Solves with the solver of the settings.
+void solve(const SolverInput& input, const JointStep& joint_step, const ContactStiffness& stiffness,
+           const WideKernels& kernels, StepStatistics& statistics);
+
 void solve_softly(const SolverInput& input, const JointStep& joint_step,
                   const ContactStiffness& stiffness, const WideKernels& kernels);
 void solve_sequentially(const SolverInput& input, const JointStep& joint_step);

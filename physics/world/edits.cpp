@@ -194,38 +194,7 @@ void WorldData::refresh_shape(uint32_t shape) {
                            : moments_of({local, form.count}, form.radius));
     if (form.radius != radius_before)
         remix_shape(*this, settings, shape);  // for the rolling resistance
-    if (form.body == none) place_shape(shape, {});
-}
-
-void WorldData::place_shape(uint32_t shape, Rotation q) {
-    ShapeForm& form = forms[shape];
-    if (form.count == 0) return;
-    if (form.kind == FormKind::large) {
-        place_large(shape, q);
-        return;
-    }
-    V2 center, local_center;
-    if (form.body != none) {
-        center = bodies[form.body].center;
-        local_center = bodies[form.body].local_center;
-    }
-    V2 low, high;
-    for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
-        const V2 v = rotate(q, pool.local[i] - local_center);
-        pool.vertices[i] = v;
-        pool.directions[i] = rotate(q, pool.normals[i]);
-        pool.offsets[i] = dot(pool.normals[i], pool.local[i] - local_center);
-        low = i == form.begin ? v : V2{min(low.x, v.x), min(low.y, v.y)};
-        high = i == form.begin ? v : V2{max(high.x, v.x), max(high.y, v.y)};
-    }
-    if (form.count == 3) pool.pad_triangle(form.begin);
-    form.center = center;
-    if (form.kind == FormKind::ellipse) {
-        const V2 half = half_box(ellipse_of(convex(shape)));
-        low = low - half;
-        high = high + half;
-    }
-    boxes[shape] = grow({center + low, center + high}, form.radius);
+    if (form.body == none) place_shape(*this, boxes, shape, {});
 }
 
 void WorldData::refresh_edited_mass(uint32_t body) {
@@ -312,7 +281,7 @@ void WorldData::refresh_placement(uint32_t body) {
     record.center = to_v2(state.position) + rotate(q, record.local_center);
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
         if (!is_solid(s)) continue;
-        place_shape(s, q);
+        place_shape(*this, boxes, s, q);
         set_proxy(s);
         mark_moved(s);
     }
@@ -346,18 +315,12 @@ void WorldData::update_mobility(uint32_t body) {
     mark_placement(body);
 }
 
-float WorldData::fat_margin(uint32_t shape) const {
-    const Box4& box = boxes[shape];
-    const float extent = 0.5f * max(box.high.x - box.low.x, box.high.y - box.low.y);
-    return speculative_margin + min(0.05f, 0.125f * extent);
-}
-
 void WorldData::set_proxy(uint32_t shape) {
     ShapeRecord& record = shapes[shape];
     const Mobility mobility = bodies[forms[shape].body].mobility;
     const Mobility tree = mobility == Mobility::fixed ? Mobility::fixed : Mobility::dynamic;
     fat_boxes[shape] =
-        mobility == Mobility::fixed ? boxes[shape] : grow(boxes[shape], fat_margin(shape));
+        mobility == Mobility::fixed ? boxes[shape] : grow(boxes[shape], fat_margin(boxes[shape]));
     if (record.proxy != Tree::none && record.tree != tree) remove_proxy(shape);
     Tree& target = tree == Mobility::fixed ? fixed_tree : moving_tree;
     if (record.proxy == Tree::none)

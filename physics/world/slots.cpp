@@ -284,7 +284,7 @@ void WorldData::detach_shape(uint32_t shape) {
     mark_mass(body);
     mark_placement(body);
     // Alone, its box is in its own coordinates again.
-    for_each_solid(shape, [&](uint32_t solid) { place_shape(solid, {}); });
+    for_each_solid(shape, [&](uint32_t solid) { place_shape(*this, boxes, solid, {}); });
 }
 
 /// It has no contacts any more.

@@ -1,7 +1,6 @@
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
 #include <contacts/reports.h>
-#include <geometry/trigonometry.h>
 #include <schedule/coloring.h>
 #include <schedule/cutting.h>
 #include <solver/joint_passes.h>
@@ -9,21 +8,20 @@
 #include <solver/solvers.h>
 #include <solver/store_contacts.h>
 #include <step/field_forces.h>
+#include <step/finish.h>
 #include <step/gather.h>
 #include <world/archive.h>
 #include <world/world_data.h>
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
-// One step: edits → pairs → manifolds → gather → sub-steps → store → poses → sleep.
-// docs/design/physics.md tells the why.
+// The order of the stages of a step. docs/design/physics.md says why it is this one.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Where there is none, loads are told as if it were this, m/s².
+/// In a world without gravity, loads are measured by this gravity, m/s².
 constexpr float usual_gravity = 10.0f;
 
 class StageClock {
@@ -40,77 +38,100 @@ class StageClock {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace
-
-void WorldData::solve(float dt) {
-    const float h = dt / float(settings.substeps);
-    const bool groups = settings.solver == Solver::soft_step;
-    cut_into_strips(*this, *this, groups, steps, strips);
-    gather_bodies(*this, *this, *this, settings, strips, h, *this, hubs, threads);
-    apply_fields(*this, *this, boxes, awake_bodies, to_v2(settings.gravity), h, dt, solver_forces);
-    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
-    const JointStep joint_step =
-        prepare_joints(*this, *this, *this, *this, *this, h, ratio, threads);
+ContactStiffness stiffness_of(const WorldDef& settings, float h) {
     const float gravity = length(to_v2(settings.gravity));
-    const ContactStiffness stiffness(settings.contact_hertz, settings.contact_damping, h,
-                                     gravity > 0.0f ? gravity : usual_gravity);
-    find_acting(*this, *this, *this, *this, *this, groups, dt, threads);
-    color_contacts(*this, *this, strips, acting_joints(), *this, *this, threads);
-    prepare_serial(*this, *this, *this, *this, stiffness, dt, ratio, threads);
-    const SolverInput input = {settings, *this, *this, strips, *this, *this, *this, *this, threads};
-    statistics.direct_solves = statistics.direct_failures = 0;
-    switch (settings.solver) {
-        case Solver::soft_step:
-            solve_softly(input, joint_step, stiffness, wide_kernels(most_lanes));
-            break;
-        case Solver::sequential:
-            solve_sequentially(input, joint_step);
-            keep_pushed_awake(*this, *this, *this, settings.sleep_speed * dt);
-            break;
-        case Solver::direct:
-            solve_directly(input, joint_step, statistics);
-            keep_pushed_awake(*this, *this, *this, settings.sleep_speed * dt);
-            break;
-    }
-    last_substep = h;
-    store_joints(*this, *this, joint_step, threads);
-    break_joints(joint_step);
-    store_contacts(*this, touching(), settings.hit_threshold, threads);
-    if (settings.persist_events)
-        report_persisting(*this, *this, *this, uint32_t(steps), settings.substeps, events);
+    return {settings.contact_hertz, settings.contact_damping, h,
+            gravity > 0.0f ? gravity : usual_gravity};
 }
 
+}  // namespace
+
 void WorldData::step(float dt) {
+    ObjectState& objects = *this;
+    Columns& columns = *this;
+    BroadPhaseState& broad_phase = *this;
+    ActiveLists& active = *this;
+    PairScratch& pair_scratch = *this;
+    BodyScratch& body_scratch = *this;
+    JointScratch& joint_scratch = *this;
+    ContactScratch& contact_scratch = *this;
+    ScheduleScratch& schedule = *this;
+    const WideKernels& kernels = wide_kernels(most_lanes);
+    const bool groups = settings.solver == Solver::soft_step;  // other solvers know no groups
+    const float h = dt / float(settings.substeps);
+    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+    const ContactStiffness stiffness = stiffness_of(settings, h);
     StageClock total, clock;
+
+    begin_step();
+    statistics.edits_ms = clock.lap();
+    find_pairs(objects, columns, broad_phase, pair_scratch, settings.bounds.has_value(),
+               user_filter(), kernels.overlaps, threads);
+    wake_jointed(activity());
+    statistics.pairs_ms = clock.lap();
+    narrow_phase({objects, columns, broad_phase, active, settings, pair_scratch, contact_list(),
+                  activity(), kernels, threads});
+    consult_callbacks();
+    statistics.narrow_ms = clock.lap();
+
+    cut_into_strips(objects, active, groups, steps, strips);
+    gather_bodies(objects, columns, active, settings, strips, h, body_scratch, hubs, threads);
+    apply_fields(objects, columns, boxes, awake_bodies, to_v2(settings.gravity), h, dt,
+                 solver_forces);
+    const JointStep joint_step =
+        prepare_joints(objects, columns, active, body_scratch, joint_scratch, h, ratio, threads);
+    find_acting(objects, active, body_scratch, schedule, contact_scratch, groups, dt, threads);
+    color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
+                   threads);
+    prepare_serial(objects, columns, body_scratch, contact_scratch, stiffness, dt, ratio, threads);
+    solve({settings, objects, active, strips, body_scratch, joint_scratch, contact_scratch,
+           schedule, threads},
+          joint_step, stiffness, kernels, statistics);
+    if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
+    last_substep = h;
+    store_joints(objects, joint_scratch, joint_step, threads);
+    break_joints(joint_step);
+    store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
+    if (settings.persist_events)
+        report_persisting(objects, columns, active, uint32_t(steps), settings.substeps, events);
+    statistics.solve_ms = clock.lap();
+
+    const FinishInput finish = {objects,
+                                columns,
+                                broad_phase,
+                                active,
+                                settings,
+                                body_scratch,
+                                *this,
+                                pair_scratch,
+                                contact_list(),
+                                user_filter(),
+                                self.see_contacts(),
+                                statistics,
+                                threads};
+    sleep_candidates = finish_bodies(finish, dt);
+    stop_fast_bodies(finish);
+    report_parted(touching());
+    order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
+    statistics.finish_ms = clock.lap();
+    ++steps;
+    sleep_resting_islands(activity(), settings, sleep_candidates, steps);
+    statistics.sleep_ms = clock.lap();
+    statistics.total_ms = total.lap();
+    end_step();
+}
+
+void WorldData::begin_step() {
     refresh();
     std::swap(events, pending);
     const auto clear = [](auto& list) { list.clear(); };
     event_members(clear, pending);
     stepping = true;
     statistics.moved_proxies = 0;
-    statistics.edits_ms = clock.lap();
-    const WideKernels& kernels = wide_kernels(most_lanes);
-    find_pairs(*this, *this, *this, *this, settings.bounds.has_value(), user_filter(),
-               kernels.overlaps, threads);
-    wake_jointed(activity());
-    statistics.pairs_ms = clock.lap();
-    narrow_phase({*this, *this, *this, *this, settings, *this, contact_list(), activity(), kernels,
-                  threads});
-    consult_callbacks();
-    statistics.narrow_ms = clock.lap();
-    solve(dt);
-    statistics.solve_ms = clock.lap();
-    finish_bodies(dt);
-    stop_fast_bodies();
-    report_parted(touching());
-    order_lists(*this, *this, strips, *this, steps, reordering, threads);
-    statistics.finish_ms = clock.lap();
-    ++steps;
-    sleep_resting_islands(activity(), settings, sleep_candidates, steps);
-    statistics.sleep_ms = clock.lap();
-    stepping = false;
-    statistics.total_ms = total.lap();
+}
 
+void WorldData::end_step() {
+    stepping = false;
     statistics.steps = steps;
     statistics.bodies = body_slots.count;
     statistics.shapes = shape_slots.count;

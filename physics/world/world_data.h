@@ -4,6 +4,7 @@
 #include <contacts/filter.h>
 #include <sleep/sleep.h>
 #include <state/limits.h>
+#include <state/place_shape.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 #include <wide/kernels.h>
@@ -97,14 +98,11 @@ struct WorldData : WorldState, StepScratch {
     }
     void refresh_edited_mass(uint32_t body);
     void refresh_placement(uint32_t body);
-    void place_shape(uint32_t shape, Rotation q);
-    void place_large(uint32_t shape, Rotation q);
     void update_mobility(uint32_t body);
     void mark_moved(uint32_t shape);
     void list_moved(uint32_t shape);
     void set_proxy(uint32_t shape);
     void remove_proxy(uint32_t shape);
-    float fat_margin(uint32_t shape) const;
     void wake_for_edit(uint32_t body) {
         wake_body(activity(), body);
         if (bodies[body].mobility != Mobility::dynamic) wake_touching(activity(), body);
@@ -126,20 +124,8 @@ struct WorldData : WorldState, StepScratch {
 
     // step.cpp
     void step(float dt);
-    void solve(float dt);
-    // finish.cpp
-    void finish_bodies(float dt);
-    void finish_body(size_t place, float dt, FinishedPiece& piece);
-    void finish_shapes(uint32_t body, Rotation q, FinishedPiece& piece);
-    void follow_placed();
-    // continuous.cpp
-    void stop_fast_bodies();
-    void stop_or_list(const FastBody& fast, FinishedPiece& piece);
-    void stop_body(const FastBody& fast, FinishedPiece& piece);
-    bool is_disabled(uint32_t shape, uint32_t other) const;
-    float limit_motion(const FastBody& fast) const;
-    float sweep_shape(const FastBody& fast, uint32_t shape, uint32_t obstacle, V2 centroid,
-                      float core) const;
+    void begin_step();
+    void end_step();
     // memory.cpp
     void trim();
 

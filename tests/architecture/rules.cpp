@@ -68,49 +68,6 @@ const std::vector<Part>& parts() {
     return table;
 }
 
-/// A room of a part: a folder, and which rooms of that part it may include besides itself.
-struct Room {
-    std::string_view folder;
-    std::set<std::string_view> may_know;
-};
-
-// Rooms from the bottom to the top: a room knows only rooms above it in this table, so no two rooms
-// know each other. Public headers and the module lie in no room.
-const std::vector<Room>& rooms() {
-    static const std::vector<Room> table = {
-        {"physics/geometry", {}},
-        {"physics/threads", {}},
-        {"physics/simd", {}},
-        {"physics/broad_phase", {"physics/geometry", "physics/threads", "physics/simd"}},
-        {"physics/collision", {"physics/geometry", "physics/simd"}},
-        {"physics/constraints", {"physics/geometry", "physics/simd", "physics/collision"}},
-        {"physics/partition", {"physics/geometry", "physics/threads", "physics/constraints"}},
-        {"physics/joints", {"physics/geometry", "physics/constraints", "physics/partition"}},
-        {"physics/wide",
-         {"physics/simd", "physics/broad_phase", "physics/collision", "physics/constraints"}},
-        {"physics/state",
-         {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
-          "physics/constraints", "physics/partition", "physics/joints"}},
-        {"physics/sleep", {"physics/geometry", "physics/partition", "physics/state"}},
-        {"physics/contacts",
-         {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
-          "physics/wide", "physics/state", "physics/sleep"}},
-        {"physics/schedule",
-         {"physics/geometry", "physics/threads", "physics/constraints", "physics/partition",
-          "physics/state"}},
-        {"physics/solver",
-         {"physics/geometry", "physics/threads", "physics/constraints", "physics/partition",
-          "physics/joints", "physics/wide", "physics/state", "physics/contacts",
-          "physics/schedule"}},
-        {"physics/step",
-         {"physics/geometry", "physics/threads", "physics/broad_phase", "physics/collision",
-          "physics/constraints", "physics/partition", "physics/joints", "physics/wide",
-          "physics/state", "physics/sleep", "physics/contacts", "physics/schedule",
-          "physics/solver"}},
-    };
-    return table;
-}
-
 struct Library {
     std::string_view name;
     std::regex header;  // matches the whole of what stands between the brackets
@@ -158,13 +115,6 @@ const Part* part_of(std::string_view path) {
         }
     }
     return best;
-}
-
-/// The room that holds `path`; null for what lies in none.
-const Room* room_of(std::string_view path) {
-    const auto found =
-        std::ranges::find_if(rooms(), [&](const Room& room) { return lies_in(path, room.folder); });
-    return found == rooms().end() ? nullptr : &*found;
 }
 
 const Part* part_named(std::string_view name) {
@@ -251,36 +201,6 @@ Violations forbidden_includes(const SourceTree& tree) {
                            std::string(part->name) + " may not include <" + include.name +
                                ">; it may use the standard library and " + join(part->libraries)));
                 }
-            }
-        }
-    }
-    return found;
-}
-
-Violations forbidden_rooms(const SourceTree& tree) {
-    Violations found;
-    std::set<std::string_view> above;
-    for (const Room& room : rooms()) {
-        for (std::string_view known : room.may_know) {
-            if (!above.contains(known))
-                found.push_back(std::string(known) + " does not stand above " +
-                                std::string(room.folder) + " in the table of rooms");
-        }
-        above.insert(room.folder);
-    }
-    for (const auto& [path, file] : tree.files()) {
-        const Room* room = room_of(path);
-        if (!room) continue;
-        for (const Include& include : file.includes()) {
-            const std::string target = tree.resolve(file, include);
-            if (part_of(target) != part_of(path) || tree.files().at(target).is_public_header() ||
-                lies_in(target, room->folder))
-                continue;
-            const Room* other = room_of(target);
-            if (!other || !room->may_know.contains(other->folder)) {
-                found.push_back(at(file, include.line,
-                                   std::string(room->folder) + " may not include " + target +
-                                       "; it may know " + join(room->may_know)));
             }
         }
     }

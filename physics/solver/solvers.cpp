@@ -4,6 +4,19 @@
 
 namespace fettle::physics::detail {
 
+void solve(const SolverInput& input, const JointStep& joint_step, const ContactStiffness& stiffness,
+           const WideKernels& kernels, StepStatistics& statistics) {
+    statistics.direct_solves = statistics.direct_failures = 0;
+    switch (input.settings.solver) {
+        case Solver::soft_step:
+            return solve_softly(input, joint_step, stiffness, kernels);
+        case Solver::sequential:
+            return solve_sequentially(input, joint_step);
+        case Solver::direct:
+            return solve_directly(input, joint_step, statistics);
+    }
+}
+
 void apply_forces(const SolverInput& input, float h) {
     BodyScratch& bodies = input.bodies;
     const SolverBlocks& blocks = input.schedule.blocks;

@@ -3,13 +3,14 @@
 #include <collision/sweep.h>
 #include <contacts/border.h>
 #include <geometry/trigonometry.h>
-#include <world/world_data.h>
+#include <state/limits.h>
+#include <step/finish.h>
 
 // Continuous collision. A body that moved far for its thickness may have passed through something
 // thin. If the core of one of its shapes (a disc of half the thickness round the centroid) met an
 // obstacle on the way, the body is put back to where the shape itself arrived; it keeps its
-// velocity, and the next step finds an ordinary contact. Asking for the core keeps bodies that
-// slide over a floor of many pieces from being stopped at every seam.
+// velocity, and the next step finds an ordinary contact. Only the core counts, so that bodies that
+// slide over a floor of many pieces are not stopped at every seam.
 
 namespace fettle::physics::detail {
 namespace {
@@ -36,77 +37,83 @@ Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
     return cast_segment(grown, from, way);
 }
 
-}  // namespace
-
 /// How far shape `s` gets before obstacle `o`, as a fraction of the motion.
-float WorldData::sweep_shape(const FastBody& fast, uint32_t s, uint32_t o, V2 centroid,
-                             float core) const {
-    const BodyRecord& record = bodies[fast.body];
-    if (forms[o].kind == FormKind::border) {
-        const BorderPlane plane = border_plane(*settings.bounds, o);
+float sweep_shape(const FinishInput& in, const FastBody& fast, uint32_t s, uint32_t o, V2 centroid,
+                  float core) {
+    const ObjectState& objects = in.objects;
+    const BodyRecord& record = objects.bodies[fast.body];
+    if (objects.forms[o].kind == FormKind::border) {
+        const BorderPlane plane = border_plane(*in.settings.bounds, o);
         const V2 start_centroid = centroid - fast.shift;
         const float before = dot(plane.normal, start_centroid) - plane.depth - core;
         const float after = dot(plane.normal, centroid) - plane.depth - core;
         if (before <= 0.0f || after >= 0.0f) return 1.0f;
         // Where the farthest vertex arrives, turning left aside.
-        const float ahead =
-            reach(solid(s), -plane.normal) + dot(plane.normal, centroid - record.center);
+        const float ahead = reach(solid_of(objects, in.columns, s), -plane.normal) +
+                            dot(plane.normal, centroid - record.center);
         const float arrival = (before + core - ahead - arrival_gap) / (before - after);
         return clamp(arrival, 0.0f, before / (before - after));
     }
-    const Solid obstacle = solid(o);
-    const V2 center = bodies[forms[o].body].center;
+    const Solid obstacle = solid_of(objects, in.columns, o);
+    const V2 center = objects.bodies[objects.forms[o].body].center;
     const Rotation back = rotation_of(-double(fast.turn));
     const V2 start_centroid = fast.start + rotate(back, centroid - record.center);
     const Probe probe =
         cast_disc(obstacle, core, start_centroid - center, centroid - start_centroid);
     if (probe.fraction > 1.0f) return 1.0f;
-    const Sweep sweep = {solid(s), fast.start, fast.shift, fast.turn, record.extent};
+    const Sweep sweep = {solid_of(objects, in.columns, s), fast.start, fast.shift, fast.turn,
+                         record.extent};
     const float arrival = time_of_impact(sweep, obstacle, center, arrival_gap);
     // Touching from the start: its contacts hold it, but not beyond where the core would enter.
     return arrival > 0.0f ? min(arrival, probe.fraction) : probe.fraction;
 }
 
-/// By a callback. Where there is none the pairs may be ending meanwhile (finish_bodies).
-bool WorldData::is_disabled(uint32_t shape, uint32_t other) const {
-    if (!self.see_contacts()) return false;
-    const uint32_t contact = pairs.find(shape, other);
-    return contact != PairSet::absent && contacts[contact].disabled;
+/// A callback disabled the contact. Without callbacks pairs may be ending at the same time
+/// (`finish_bodies`).
+bool is_disabled(const FinishInput& in, uint32_t shape, uint32_t other) {
+    if (!in.callbacks) return false;
+    const uint32_t contact = in.boxes.pairs.find(shape, other);
+    return contact != PairSet::absent && in.objects.contacts[contact].disabled;
 }
 
-float WorldData::limit_motion(const FastBody& fast) const {
-    const BodyRecord& record = bodies[fast.body];
-    const Rotation q = {states[fast.body].cosine, states[fast.body].sine};
+/// How far the body gets, as a fraction of its motion.
+float limit_motion(const FinishInput& in, const FastBody& fast) {
+    const ObjectState& objects = in.objects;
+    const std::vector<ShapeRecord>& shapes = objects.shapes;
+    const std::vector<Box4>& boxes = in.boxes.boxes;
+    const BodyRecord& record = objects.bodies[fast.body];
+    const BodyState& state = in.columns.states[fast.body];
+    const Rotation q = {state.cosine, state.sine};
     float limit = 1.0f;
     for (uint32_t s = record.first_shape; s != none; s = shapes[s].next) {
-        if (shapes[s].surface.sensor || !is_solid(s)) continue;
+        if (shapes[s].surface.sensor || !objects.is_solid(s)) continue;
         const V2 centroid = record.center + rotate(q, shapes[s].centroid - record.local_center);
         const Box4 start = {boxes[s].low - fast.shift, boxes[s].high - fast.shift};
         const Box4 swept = grow(unite(boxes[s], start), speculative_margin);
         auto meet = [&](uint32_t other) {
-            if (shapes[other].surface.sensor || !may_collide(s, other)) return;
-            if (is_disabled(s, other)) return;
-            limit = min(limit, sweep_shape(fast, s, other, centroid, 0.5f * record.thickness));
+            if (shapes[other].surface.sensor || !may_collide(objects, in.filter, s, other)) return;
+            if (is_disabled(in, s, other)) return;
+            limit = min(limit, sweep_shape(in, fast, s, other, centroid, 0.5f * record.thickness));
         };
-        fixed_tree.query(swept, meet);
+        in.boxes.fixed_tree.query(swept, meet);
         if (record.bullet) {
-            moving_tree.query(swept, [&](uint32_t other) {
-                if (!bodies[forms[other].body].bullet) meet(other);
+            in.boxes.moving_tree.query(swept, [&](uint32_t other) {
+                if (!objects.bodies[objects.forms[other].body].bullet) meet(other);
             });
         }
-        for (uint32_t side = 0; settings.bounds && side < 4; ++side) {
-            if (overlap(swept, fat_boxes[side])) meet(side);
+        for (uint32_t side = 0; in.settings.bounds && side < 4; ++side) {
+            if (overlap(swept, in.boxes.fat_boxes[side])) meet(side);
         }
     }
     return limit;
 }
 
 /// Puts it back to where it arrived.
-void WorldData::stop_body(const FastBody& fast, FinishedPiece& piece) {
-    const float limit = limit_motion(fast);
+void stop_body(const FinishInput& in, const FastBody& fast, FinishedPiece& piece) {
+    const float limit = limit_motion(in, fast);
     if (limit >= 1.0f) return;
-    BodyRecord& record = bodies[fast.body];
-    BodyState& state = states[fast.body];
+    BodyRecord& record = in.objects.bodies[fast.body];
+    BodyState& state = in.columns.states[fast.body];
     const float back = (1.0f - limit) * fast.turn;
     record.center = fast.start + limit * fast.shift;
     state.angle = bounded(state.angle - back, greatest_coordinate);
@@ -115,29 +122,30 @@ void WorldData::stop_body(const FastBody& fast, FinishedPiece& piece) {
     state.sine = q.s;
     state.position =
         to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
-    finish_shapes(fast.body, q, piece);
+    finish_shapes(in, fast.body, q, piece);
 }
 
-/// Only what is fixed stops it, which nobody moves meanwhile: that any thread may find out. What
-/// may meet a bullet or asks the caller has to wait.
-void WorldData::stop_or_list(const FastBody& fast, FinishedPiece& piece) {
-    if (bodies[fast.body].bullet || self.filter)
+}  // namespace
+
+void stop_or_list(const FinishInput& in, const FastBody& fast, FinishedPiece& piece) {
+    if (in.objects.bodies[fast.body].bullet || in.filter)
         piece.fast.push_back(fast);
     else
-        stop_body(fast, piece);
+        stop_body(in, fast, piece);
 }
 
-void WorldData::stop_fast_bodies() {
-    // Bullets last: those they may hit are where they will stay.
+void stop_fast_bodies(const FinishInput& in) {
+    // Bullets last: the bodies that they may hit are then where they stay.
     for (const bool bullets : {false, true}) {
-        for (const FastBody& fast : fast_bodies) {
-            if (bodies[fast.body].bullet != bullets) continue;
-            FinishedPiece& piece = finished.front();
+        for (const FastBody& fast : in.scratch.fast_bodies) {
+            if (in.objects.bodies[fast.body].bullet != bullets) continue;
+            FinishedPiece& piece = in.scratch.finished.front();
             piece.clear();
-            stop_body(fast, piece);
-            for (const int32_t leaf : piece.placed) moving_tree.follow(leaf);
-            moved_shapes.insert(moved_shapes.end(), piece.moved.begin(), piece.moved.end());
-            statistics.moved_proxies += uint32_t(piece.placed.size());
+            stop_body(in, fast, piece);
+            for (const int32_t leaf : piece.placed) in.boxes.moving_tree.follow(leaf);
+            std::vector<uint32_t>& moved = in.boxes.moved_shapes;
+            moved.insert(moved.end(), piece.moved.begin(), piece.moved.end());
+            in.statistics.moved_proxies += uint32_t(piece.placed.size());
         }
     }
 }

@@ -1,0 +1,126 @@
+#include <contacts/narrow_phase.h>
+#include <geometry/trigonometry.h>
+#include <state/limits.h>
+#include <state/place_shape.h>
+#include <step/finish.h>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Bodies that a thread takes at a time.
+constexpr size_t piece_length = 64;
+
+void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& piece) {
+    const uint32_t slot = in.active.awake_bodies[place];
+    const WorldDef& settings = in.settings;
+    BodyRecord& record = in.objects.bodies[slot];
+    BodyState& state = in.columns.states[slot];
+    const SolverBody& b = in.bodies.solver_bodies[place + 1];
+    const float speed_limit = 1.5f * greatest_speed;
+    state.velocity = {bounded(b.velocity.x, speed_limit), bounded(b.velocity.y, speed_limit)};
+    state.angular_velocity = bounded(b.angular_velocity, 1e6f);
+    record.step_force = {};
+    record.step_torque = 0.0f;
+
+    V2 shift = {bounded(b.shift.x, 1e6f), bounded(b.shift.y, 1e6f)};
+    const float turn = bounded(b.turn, 1e3f);
+    record.center = record.center + shift;
+    record.center = {bounded(record.center.x, greatest_coordinate),
+                     bounded(record.center.y, greatest_coordinate)};
+    if (turn != 0.0f) {
+        // The part of the turn that the angle is too coarse to hold is kept for the next step.
+        const float sum = turn + record.angle_rest;
+        const float angle = bounded(state.angle + sum, greatest_coordinate);
+        record.angle_rest = sum - (angle - state.angle);
+        state.angle = angle;
+        const Rotation q = rotation_of(double(angle) + double(record.angle_rest));
+        state.cosine = q.c;
+        state.sine = q.s;
+    }
+    const Rotation q = {state.cosine, state.sine};
+    state.position =
+        to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
+    finish_shapes(in, slot, q, piece);
+    // A slower body cannot move past the reach of a speculative contact, nor with more than half
+    // of itself through a thin obstacle.
+    const float near = max(0.5f * record.thickness, speculative_margin);
+    if (settings.continuous && record.mobility == Mobility::dynamic &&
+        length_squared(shift) > near * near) {
+        stop_or_list(in, {slot, record.center - shift, shift, turn}, piece);
+    }
+
+    const float speed =
+        max(length(to_v2(state.velocity)), std::fabs(state.angular_velocity) * record.extent);
+    record.sleep_time = speed < settings.sleep_speed ? record.sleep_time + dt : 0.0f;
+    piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
+}
+
+/// Updates the nodes above the leaves that were placed.
+void follow_placed(const FinishInput& in) {
+    const std::vector<FinishedPiece>& finished = in.scratch.finished;
+    Tree& moving_tree = in.boxes.moving_tree;
+    size_t placed = 0;
+    for (const FinishedPiece& piece : finished) placed += piece.placed.size();
+    in.statistics.moved_proxies += uint32_t(placed);
+    if (!moving_tree.are_few(placed)) {
+        moving_tree.refit(in.threads, in.boxes.paired_boxes);
+        return;
+    }
+    for (const FinishedPiece& piece : finished)
+        for (const int32_t leaf : piece.placed) moving_tree.follow(leaf);
+}
+
+}  // namespace
+
+void finish_shapes(const FinishInput& in, uint32_t body, Rotation q, FinishedPiece& piece) {
+    ObjectState& objects = in.objects;
+    std::vector<ShapeRecord>& shapes = objects.shapes;
+    std::vector<Box4>&boxes = in.boxes.boxes, &fat_boxes = in.boxes.fat_boxes;
+    for (uint32_t s = objects.bodies[body].first_shape; s != none; s = shapes[s].next) {
+        if (!objects.is_solid(s)) continue;
+        place_shape(objects, boxes, s, q);
+        if (contains(fat_boxes[s], grow(boxes[s], speculative_margin))) continue;
+        fat_boxes[s] = grow(boxes[s], fat_margin(boxes[s]));
+        in.boxes.moving_tree.place(shapes[s].proxy, fat_boxes[s]);
+        piece.placed.push_back(shapes[s].proxy);
+        if (shapes[s].moved) continue;
+        shapes[s].moved = true;
+        piece.moved.push_back(s);
+    }
+}
+
+uint32_t finish_bodies(const FinishInput& in, float dt) {
+    const std::vector<uint32_t>& awake = in.active.awake_bodies;
+    std::vector<FinishedPiece>& finished = in.scratch.finished;
+    const size_t count = awake.size();
+    finished.resize((count + piece_length - 1) / piece_length);
+    // With callbacks, a fast body looks up its pairs, to see whether they are disabled.
+    if (in.callbacks) end_pairs(in.list, in.pairs);
+    share_out(in.threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
+        if (block == 0) {
+            end_pairs(in.list, in.pairs);
+            return;
+        }
+        FinishedPiece& piece = finished[block - 1];
+        piece.clear();
+        const size_t end = std::min(block * piece_length, count);
+        for (size_t place = (block - 1) * piece_length; place < end; ++place) {
+            if (place + bodies_ahead < end)
+                in.objects.bodies[awake[place + bodies_ahead]].prefetch();
+            finish_body(in, place, dt, piece);
+        }
+    });
+    uint32_t sleep_candidates = 0;
+    std::vector<uint32_t>& moved_shapes = in.boxes.moved_shapes;
+    std::vector<FastBody>& fast_bodies = in.scratch.fast_bodies;
+    fast_bodies.clear();
+    for (const FinishedPiece& piece : finished) {
+        moved_shapes.insert(moved_shapes.end(), piece.moved.begin(), piece.moved.end());
+        fast_bodies.insert(fast_bodies.end(), piece.fast.begin(), piece.fast.end());
+        sleep_candidates += piece.sleep_candidates;
+    }
+    follow_placed(in);
+    return sleep_candidates;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <contacts/contact_list.h>
+#include <contacts/filter.h>
+#include <state/step_scratch.h>
+#include <state/world_state.h>
+#include <threads/pool.h>
+
+// After the solver: poses, rotated vertices, boxes, and bodies put back to where they first hit
+// something. Each piece of the bodies has lists of what else is to do; these are then processed in
+// the order of the pieces.
+
+namespace fettle::physics::detail {
+
+struct FinishInput {
+    ObjectState& objects;
+    Columns& columns;
+    BroadPhaseState& boxes;
+    const ActiveLists& active;
+    const WorldDef& settings;
+    const BodyScratch& bodies;
+    FinishScratch& scratch;
+    PairScratch& pairs;  ///< with the pairs that end
+    ContactList list;
+    UserFilter filter;
+    bool callbacks;  ///< the user has callbacks that may disable contacts
+    StepStatistics& statistics;
+    ThreadPool* threads;
+};
+
+/// Returns how many bodies rested long enough to sleep.
+uint32_t finish_bodies(const FinishInput& input, float dt);
+/// Bodies that had to wait until the others were finished.
+void stop_fast_bodies(const FinishInput& input);
+
+// Parts of both.
+
+/// Places the shapes of a body, and gives new fat boxes to those that left theirs.
+void finish_shapes(const FinishInput& input, uint32_t body, Rotation q, FinishedPiece& piece);
+/// A body that moved far for its thickness. Only fixed shapes stop most bodies, so any thread may
+/// compute where. A body waits if it may hit a bullet or if the filter of the user is asked.
+void stop_or_list(const FinishInput& input, const FastBody& fast, FinishedPiece& piece);
+
+}  // namespace fettle::physics::detail
