@@ -14,115 +14,95 @@ constexpr size_t shapes_at_a_time = 16, walk_parts = 64;
 /// Prefetch distance.
 constexpr size_t pairs_ahead = 6;
 
-class PairSearch {
-  public:
-    PairSearch(const ObjectState& objects, std::span<const uint32_t> generations,
-               const BroadPhaseState& boxes, PairScratch& scratch, FindOverlaps overlaps,
-               ThreadPool* threads)
-        : objects_(objects),
-          generations_(generations),
-          boxes_(boxes),
-          scratch_(scratch),
-          overlaps_(overlaps),
-          threads_(threads) {}
+struct PairSearch {
+    const ObjectState& objects;
+    std::span<const uint32_t> generations;  ///< of the shapes
+    const BroadPhaseState& boxes;
+    PairScratch& scratch;
+    FindOverlaps overlaps;
+    ThreadPool* threads;
 
-    void look_around_moved();
-    void walk_trees();
-    void look_at_border();
-
-  private:
-    void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const;
-    template <typename Look>
-    void look_in_pieces(size_t count, Look&& look);
-
-    const ObjectState& objects_;
-    std::span<const uint32_t> generations_;  ///< of the shapes
-    const BroadPhaseState& boxes_;
-    PairScratch& scratch_;
-    FindOverlaps overlaps_;
-    ThreadPool* threads_;
-};
-
-/// The fat boxes of the two overlap, and one of them moved.
-void PairSearch::look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
-    if (overlap(boxes_.paired_boxes[shape], boxes_.paired_boxes[other]))
-        return;  // known: a pair, or none
-    if (!filters_agree(objects_, shape, other) ||
-        joint_forbids_contact(objects_, objects_.forms[shape].body, objects_.forms[other].body) ||
-        boxes_.pairs.find(shape, other) != PairSet::absent)
-        return;
-    found.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
-}
-
-/// Runs `look(piece, found)` for every piece, each with a list of its own.
-template <typename Look>
-void PairSearch::look_in_pieces(size_t count, Look&& look) {
-    if (scratch_.found_pairs.size() < count) scratch_.found_pairs.resize(count);
-    share_out(threads_, uint32_t(count), [&](uint32_t piece) {
-        scratch_.found_pairs[piece].clear();
-        look(piece, scratch_.found_pairs[piece]);
-    });
-    for (size_t piece = 0; piece < count; ++piece) {
-        const std::vector<uint64_t>& found = scratch_.found_pairs[piece];
-        scratch_.new_pairs.insert(scratch_.new_pairs.end(), found.begin(), found.end());
+    /// The fat boxes of the two overlap, and one of them moved.
+    void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
+        if (overlap(boxes.paired_boxes[shape], boxes.paired_boxes[other]))
+            return;  // known: a pair, or none
+        if (!filters_agree(objects, shape, other) ||
+            joint_forbids_contact(objects, objects.forms[shape].body, objects.forms[other].body) ||
+            boxes.pairs.find(shape, other) != PairSet::absent)
+            return;
+        found.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
     }
-}
 
-/// Each shape that has moved queries the trees.
-void PairSearch::look_around_moved() {
-    const size_t count = (boxes_.moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
-    look_in_pieces(count, [&](size_t piece, std::vector<uint64_t>& found) {
-        const size_t begin = piece * shapes_at_a_time;
-        const size_t end = std::min(begin + shapes_at_a_time, boxes_.moved_shapes.size());
-        for (size_t i = begin; i < end; ++i) {
-            const uint32_t shape = boxes_.moved_shapes[i];
-            const ShapeRecord& record = objects_.shapes[shape];
-            if (record.proxy == Tree::none) continue;
-            const auto look = [&](uint32_t other) { look_at_pair(shape, other, found); };
-            if (record.tree == Mobility::fixed) {
-                boxes_.moving_tree.query(boxes_.fixed_tree.box(record.proxy), look);
-            } else {
-                boxes_.moving_tree.look_around(record.proxy, boxes_.paired_boxes[shape], overlaps_,
-                                               look);
-                boxes_.fixed_tree.query(boxes_.moving_tree.box(record.proxy), look);
+    /// Runs `look(piece, found)` for every piece, each with a list of its own.
+    template <typename Look>
+    void look_in_pieces(size_t count, Look&& look) {
+        if (scratch.found_pairs.size() < count) scratch.found_pairs.resize(count);
+        share_out(threads, uint32_t(count), [&](uint32_t piece) {
+            scratch.found_pairs[piece].clear();
+            look(piece, scratch.found_pairs[piece]);
+        });
+        for (size_t piece = 0; piece < count; ++piece) {
+            const std::vector<uint64_t>& found = scratch.found_pairs[piece];
+            scratch.new_pairs.insert(scratch.new_pairs.end(), found.begin(), found.end());
+        }
+    }
+
+    /// Each shape that has moved queries the trees.
+    void look_around_moved() {
+        const size_t count = (boxes.moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
+        look_in_pieces(count, [&](size_t piece, std::vector<uint64_t>& found) {
+            const size_t begin = piece * shapes_at_a_time;
+            const size_t end = std::min(begin + shapes_at_a_time, boxes.moved_shapes.size());
+            for (size_t i = begin; i < end; ++i) {
+                const uint32_t shape = boxes.moved_shapes[i];
+                const ShapeRecord& record = objects.shapes[shape];
+                if (record.proxy == Tree::none) continue;
+                const auto look = [&](uint32_t other) { look_at_pair(shape, other, found); };
+                if (record.tree == Mobility::fixed) {
+                    boxes.moving_tree.query(boxes.fixed_tree.box(record.proxy), look);
+                } else {
+                    boxes.moving_tree.look_around(record.proxy, boxes.paired_boxes[shape], overlaps,
+                                                  look);
+                    boxes.fixed_tree.query(boxes.moving_tree.box(record.proxy), look);
+                }
+            }
+        });
+    }
+
+    /// The moving tree against itself and against the fixed tree, in one round.
+    void walk_trees() {
+        const size_t enough = threads != nullptr ? walk_parts : 1;
+        scratch.parts_of_walk.clear();
+        boxes.moving_tree.begin_walk(boxes.moving_tree, enough, scratch.parts_of_walk);
+        const size_t own = scratch.parts_of_walk.size();
+        boxes.moving_tree.begin_walk(boxes.fixed_tree, enough, scratch.parts_of_walk);
+        // The first parts are the largest: they are dealt out evenly to the threads.
+        const size_t hands = threads != nullptr ? size_t(threads->at_a_time()) : 1;
+        const size_t each = (scratch.parts_of_walk.size() + hands - 1) / hands;
+        look_in_pieces(each * hands, [&](size_t piece, std::vector<uint64_t>& found) {
+            const size_t part = piece / each + piece % each * hands;
+            if (part >= scratch.parts_of_walk.size()) return;
+            const Tree& other = part < own ? boxes.moving_tree : boxes.fixed_tree;
+            const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
+            boxes.moving_tree.pairs(other, scratch.parts_of_walk[part], overlaps, look);
+        });
+    }
+
+    /// The border is in no tree.
+    void look_at_border() {
+        for (const uint32_t shape : boxes.moved_shapes) {
+            if (objects.forms[shape].body == none || generations[shape] == 0) continue;
+            if (objects.bodies[objects.forms[shape].body].mobility != Mobility::dynamic) continue;
+            for (uint32_t side = 0; side < 4; ++side) {
+                if (overlap(boxes.fat_boxes[shape], boxes.fat_boxes[side]))
+                    look_at_pair(shape, side, scratch.new_pairs);
             }
         }
-    });
-}
-
-/// The moving tree against itself and against the fixed tree, in one round.
-void PairSearch::walk_trees() {
-    const size_t enough = threads_ != nullptr ? walk_parts : 1;
-    scratch_.parts_of_walk.clear();
-    boxes_.moving_tree.begin_walk(boxes_.moving_tree, enough, scratch_.parts_of_walk);
-    const size_t own = scratch_.parts_of_walk.size();
-    boxes_.moving_tree.begin_walk(boxes_.fixed_tree, enough, scratch_.parts_of_walk);
-    // The first parts are the largest: they are dealt out evenly to the threads.
-    const size_t hands = threads_ != nullptr ? size_t(threads_->at_a_time()) : 1;
-    const size_t each = (scratch_.parts_of_walk.size() + hands - 1) / hands;
-    look_in_pieces(each * hands, [&](size_t piece, std::vector<uint64_t>& found) {
-        const size_t part = piece / each + piece % each * hands;
-        if (part >= scratch_.parts_of_walk.size()) return;
-        const Tree& other = part < own ? boxes_.moving_tree : boxes_.fixed_tree;
-        const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
-        boxes_.moving_tree.pairs(other, scratch_.parts_of_walk[part], overlaps_, look);
-    });
-}
-
-/// The border is in no tree.
-void PairSearch::look_at_border() {
-    for (const uint32_t shape : boxes_.moved_shapes) {
-        if (objects_.forms[shape].body == none || generations_[shape] == 0) continue;
-        if (objects_.bodies[objects_.forms[shape].body].mobility != Mobility::dynamic) continue;
-        for (uint32_t side = 0; side < 4; ++side) {
-            if (overlap(boxes_.fat_boxes[shape], boxes_.fat_boxes[side]))
-                look_at_pair(shape, side, scratch_.new_pairs);
-        }
     }
-}
+};
 
-/// Sorted. Spread over buckets by the upper shape first, most of which get one or two: a third of
-/// the time.
+/// Spreads the pairs over buckets by the upper shape first, most of which get one or two pairs:
+/// that takes a third of the time of sorting them at once.
 void sort_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size_t shapes) {
     constexpr int bits = 8;
     const int shift = 32 + std::max(0, int(std::bit_width(shapes)) - bits);
@@ -183,7 +163,7 @@ void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseSt
     if (moved.empty()) return;
     boxes.moving_tree.settle(threads, boxes.paired_boxes);
     boxes.fixed_tree.settle(threads, boxes.paired_boxes);
-    PairSearch search(objects, columns.shape_generations, boxes, scratch, overlaps, threads);
+    PairSearch search = {objects, columns.shape_generations, boxes, scratch, overlaps, threads};
     if (4 * moved.size() < boxes.moving_tree.size())
         search.look_around_moved();
     else

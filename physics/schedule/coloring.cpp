@@ -48,249 +48,219 @@ void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges
 /// each is solved by one thread unless it is large.
 constexpr size_t least_shared_first = 1000, least_shared = 2 * SolverBlocks::enough_contacts;
 
-class Coloring {
-  public:
-    Coloring(const ActiveLists& active, const BodyScratch& bodies, const Strips& strips,
-             size_t joints, ContactScratch& contacts, ScheduleScratch& schedule,
-             ThreadPool* threads)
-        : awake_bodies_(active.awake_bodies),
-          bodies_(bodies),
-          strips_(strips),
-          joints_(joints),
-          contacts_(contacts),
-          schedule_(schedule),
-          blocks_(schedule.blocks),
-          acting_(contacts.acting),
-          threads_(threads) {}
+struct Coloring {
+    std::span<const uint32_t> awake_bodies;
+    const BodyScratch& bodies;
+    const Strips& strips;
+    size_t joints;
+    ContactScratch& contacts;
+    ScheduleScratch& schedule;
+    ThreadPool* threads;
+    SolverBlocks& blocks = schedule.blocks;
+    std::vector<ActingContact>& acting = contacts.acting;
 
-    void update_blocks();
-    void make_sections();
-    void color();
-    void list_serial();
-    void place_lanes();
-
-  private:
+    /// Visits the contacts in groups that belong to these nodes.
     template <typename Visit>
-    void for_each_acting_of(const StripNodes& nodes, Visit&& visit);
-    void color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over);
-    void unite_blocks();
-    void make_blocks(bool several);
-    void begin_counts();
-    uint32_t entry_of(const ActingContact& contact, uint32_t color) const;
-    size_t section_of(const ActingContact& contact) const;
-
-    std::span<const uint32_t> awake_bodies_;
-    const BodyScratch& bodies_;
-    const Strips& strips_;
-    size_t joints_;
-    ContactScratch& contacts_;
-    ScheduleScratch& schedule_;
-    SolverBlocks& blocks_;
-    std::vector<ActingContact>& acting_;
-    ThreadPool* threads_;
-};
-
-/// Visits the contacts in groups that belong to these nodes.
-template <typename Visit>
-void Coloring::for_each_acting_of(const StripNodes& nodes, Visit&& visit) {
-    for (const ActingPiece& piece : contacts_.acting_pieces) {
-        const uint32_t end = piece.begin + piece.nodes.end(nodes);
-        for (uint32_t i = piece.begin + piece.nodes.begin(nodes); i < end; ++i) {
-            if (!acting_[i].serially) visit(acting_[i]);
-        }
-    }
-}
-
-/// Greedy coloring, anew in every step: a contact gets the lowest color that neither body has yet.
-/// A contact for which no color is left is solved one at a time.
-void Coloring::color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over) {
-    left_over.clear();
-    if (nodes.begin < strips_.first_leaf()) {
-        // Not solved at the same time as the nodes below: all colors are free again.
-        for_each_acting_of(nodes, [&](const ActingContact& c) {
-            if (c.moves_a()) schedule_.colors_of_body[c.a()] = 0;
-            if (c.moves_b()) schedule_.colors_of_body[c.b()] = 0;
-        });
-    }
-    for_each_acting_of(nodes, [&](ActingContact& c) {
-        if (c.hub != 0) schedule_.hubs.choose_copy(c);
-        const uint32_t a = c.a(), b = c.b();
-        const uint64_t taken = (c.moves_a() ? schedule_.colors_of_body[a] : 0) |
-                               (c.moves_b() ? schedule_.colors_of_body[b] : 0);
-        const int first = c.both_move() ? 0 : moving_colors;
-        const int color = first + std::countr_one(taken >> first);
-        if (color >= end_of_colors(c.both_move())) {
-            c.serially = true;
-            if (c.hub != 0) schedule_.hubs.give_up_copy(c);
-            left_over.push_back(uint32_t(&c - acting_.data()));
-            return;
-        }
-        if (c.moves_a()) schedule_.colors_of_body[a] |= uint64_t{1} << color;
-        if (c.moves_b()) schedule_.colors_of_body[b] |= uint64_t{1} << color;
-        c.entry = entry_of(c, uint32_t(color));
-        c.place = schedule_.color_begin[c.entry]++;
-    });
-}
-
-/// Threads that color different nodes count apart: contacts of several nodes may be in a block.
-void Coloring::begin_counts() {
-    schedule_.color_begin.assign(
-        schedule_.cut_sections.owners() * color_count * schedule_.first_groups.size(), 0);
-}
-
-void Coloring::color() {
-    schedule_.colors_of_body.assign(bodies_.solver_bodies.size(), 0);
-    begin_counts();
-    const Sections& plan = schedule_.cut_sections;
-    schedule_.out_of_colors.resize(plan.size());
-    SectionLoop(plan, plan.shared() ? threads_ : nullptr, [&](uint32_t section) {
-        color_nodes(plan.nodes_of(section), schedule_.out_of_colors[section]);
-    }).run();
-    size_t left_overs = 0;
-    for (const std::vector<uint32_t>& left_over : schedule_.out_of_colors) {
-        left_overs += left_over.size();
-        for (const uint32_t i : left_over) ++contacts_.acting_pieces[i / piece_length].serially;
-    }
-    contacts_.colored_count -= left_overs;
-    if (left_overs > 0 && blocks_.size() > 1) unite_blocks();
-}
-
-/// Only the first block has contacts that are solved one at a time.
-void Coloring::unite_blocks() {
-    make_blocks(false);
-    make_sections();
-    begin_counts();
-    for_each_acting_of(strips_.all_nodes(), [&](ActingContact& c) {
-        c.entry = entry_of(c, c.entry % color_count);
-        c.place = schedule_.color_begin[c.entry]++;
-    });
-}
-
-/// One entry for the contacts of the same color and section that the same thread counts.
-uint32_t Coloring::entry_of(const ActingContact& c, uint32_t color) const {
-    const size_t section =
-        schedule_.cut_sections.owner_of(c.node) * schedule_.first_groups.size() + section_of(c);
-    return uint32_t(section * color_count) + color;
-}
-
-/// Decides which blocks several threads share out, and numbers the sections of all blocks.
-void Coloring::make_sections() {
-    const auto hands = uint32_t(threads_ != nullptr ? threads_->at_a_time() : 1);
-    const uint32_t parts = std::min(strips_.count(), std::bit_floor(hands));
-    schedule_.whole_sections = Sections(strips_.count(), 1);
-    schedule_.cut_sections = Sections(strips_.count(), parts);
-    size_t one_by_one = joints_;
-    for (const ActingPiece& piece : contacts_.acting_pieces) one_by_one += piece.serially;
-    uint32_t next = 0;
-    for (size_t i = 0; i < blocks_.size(); ++i) {
-        SolverBlock& block = blocks_[i];
-        const size_t work = block.contacts + (i == 0 ? one_by_one : 0);
-        block.cut = parts > 1 && work >= (i == 0 ? least_shared_first : least_shared);
-        block.first_section = next;
-        next += schedule_.sections_of(block).size();
-    }
-    schedule_.first_groups.resize(next + 1);
-}
-
-size_t Coloring::section_of(const ActingContact& c) const {
-    if (blocks_.size() == 1) return schedule_.sections_of(blocks_[0]).of(c.node);
-    const SolverBlock& block = blocks_[std::max(blocks_.block_of(c.a()), blocks_.block_of(c.b()))];
-    return block.first_section + schedule_.sections_of(block).of(c.node);
-}
-
-/// The blocks of an earlier step are kept while no contact links two of them.
-void Coloring::update_blocks() {
-    size_t count = 0, serially = 0;
-    bool linked = false;
-    for (const ActingPiece& piece : contacts_.acting_pieces) {
-        count += piece.count();
-        serially += piece.serially;
-        linked |= piece.links_blocks;
-    }
-    contacts_.colored_count = count - serially;
-    const bool plain = serially == 0 && bodies_.locked.empty() && !bodies_.driven &&
-                       schedule_.hubs.empty() && joints_ == 0;
-    const bool enough = plain && contacts_.colored_count >= least_for_blocks;
-    const bool several = enough && blocks_.may_be_several();
-    if (linked || !blocks_.may_stay(awake_bodies_, several)) make_blocks(several);
-    if (blocks_.size() == 1) blocks_[0].contacts = uint32_t(contacts_.colored_count);
-}
-
-/// `several`: each island is put whole into one of several blocks.
-void Coloring::make_blocks(bool several) {
-    blocks_.begin(uint32_t(awake_bodies_.size()) + 1);
-    blocks_.remember(awake_bodies_, several);
-    if (!several) {
-        blocks_.finish_as_one();
-        return;
-    }
-    for_each_acting_of(strips_.all_nodes(), [&](const ActingContact& c) {
-        if (c.both_move()) blocks_.link(c.a(), c.b());
-    });
-    blocks_.find_islands();
-    for_each_acting_of(strips_.all_nodes(),
-                       [&](const ActingContact& c) { blocks_.count_contact(c.mover()); });
-    blocks_.finish();
-    if (blocks_.are_mostly_one()) make_blocks(false);
-}
-
-/// Gives each colored contact a lane of its color in its block.
-void Coloring::place_lanes() {
-    contacts_.spare_lanes.clear();
-    // From counts to the first lane of each color; every color begins a group of its own.
-    uint32_t begin = 0, section = 0;
-    const size_t owned = color_count * schedule_.first_groups.size();
-    for (size_t i = 0; i < blocks_.size(); ++i) {
-        SolverBlock& block = blocks_[i];
-        block.first_group = begin / lanes;
-        for (const uint32_t end = section + schedule_.sections_of(block).size(); section < end;
-             ++section) {
-            schedule_.first_groups[section] = begin / lanes;
-            for (size_t color = 0; color < color_count; ++color) {
-                uint32_t last = begin;
-                for (size_t k = section * color_count + color; k < schedule_.color_begin.size();
-                     k += owned)
-                    last += std::exchange(schedule_.color_begin[k], last);
-                begin = (last + lanes - 1) / lanes * lanes;
-                for (uint32_t lane = last; lane < begin; ++lane)
-                    contacts_.spare_lanes.push_back(lane);
+    void for_each_acting_of(const StripNodes& nodes, Visit&& visit) {
+        for (const ActingPiece& piece : contacts.acting_pieces) {
+            const uint32_t end = piece.begin + piece.nodes.end(nodes);
+            for (uint32_t i = piece.begin + piece.nodes.begin(nodes); i < end; ++i) {
+                if (!acting[i].serially) visit(acting[i]);
             }
         }
-        block.group_end = begin / lanes;
     }
-    schedule_.first_groups.back() = begin / lanes;
-    contacts_.news.resize(begin / lanes);
-    contacts_.lane_contacts.resize(begin);
-    for (const uint32_t lane : contacts_.spare_lanes) contacts_.lane_contacts[lane] = none;
-    share_out(threads_, uint32_t(contacts_.acting_pieces.size()), [&](uint32_t piece) {
-        for (uint32_t i = contacts_.acting_pieces[piece].begin;
-             i < contacts_.acting_pieces[piece].end(); ++i) {
-            ActingContact& c = acting_[i];
-            if (c.serially) continue;
-            c.place += schedule_.color_begin[c.entry];
-            contacts_.lane_contacts[c.place] = i;
-        }
-    });
-}
 
-/// In the order of the nodes.
-void Coloring::list_serial() {
-    contacts_.serial_acting.clear();
-    contacts_.serial_nodes.clear();
-    for (const ActingPiece& piece : contacts_.acting_pieces) {
-        if (piece.serially == 0) continue;
-        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
-            if (!acting_[i].serially) continue;
-            contacts_.serial_acting.push_back(i);
-            contacts_.serial_nodes.count(acting_[i].node);
+    /// Greedy coloring, anew in every step: a contact gets the lowest color that neither body has
+    /// yet. A contact for which no color is left is solved one at a time.
+    void color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over) {
+        left_over.clear();
+        if (nodes.begin < strips.first_leaf()) {
+            // Not solved at the same time as the nodes below: all colors are free again.
+            for_each_acting_of(nodes, [&](const ActingContact& c) {
+                if (c.moves_a()) schedule.colors_of_body[c.a()] = 0;
+                if (c.moves_b()) schedule.colors_of_body[c.b()] = 0;
+            });
         }
+        for_each_acting_of(nodes, [&](ActingContact& c) {
+            if (c.hub != 0) schedule.hubs.choose_copy(c);
+            const uint32_t a = c.a(), b = c.b();
+            const uint64_t taken = (c.moves_a() ? schedule.colors_of_body[a] : 0) |
+                                   (c.moves_b() ? schedule.colors_of_body[b] : 0);
+            const int first = c.both_move() ? 0 : moving_colors;
+            const int color = first + std::countr_one(taken >> first);
+            if (color >= end_of_colors(c.both_move())) {
+                c.serially = true;
+                if (c.hub != 0) schedule.hubs.give_up_copy(c);
+                left_over.push_back(uint32_t(&c - acting.data()));
+                return;
+            }
+            if (c.moves_a()) schedule.colors_of_body[a] |= uint64_t{1} << color;
+            if (c.moves_b()) schedule.colors_of_body[b] |= uint64_t{1} << color;
+            c.entry = entry_of(c, uint32_t(color));
+            c.place = schedule.color_begin[c.entry]++;
+        });
     }
-    contacts_.serial_nodes.sum_up();
-    auto next = contacts_.serial_nodes.places();
-    contacts_.serial_contacts.resize(contacts_.serial_acting.size());
-    for (const uint32_t i : contacts_.serial_acting)
-        contacts_.serial_contacts[next[acting_[i].node]++] = acting_[i].slot;
-}
+
+    /// Threads that color different nodes count apart: contacts of several nodes may be in a block.
+    void begin_counts() {
+        schedule.color_begin.assign(
+            schedule.cut_sections.owners() * color_count * schedule.first_groups.size(), 0);
+    }
+
+    void color() {
+        schedule.colors_of_body.assign(bodies.solver_bodies.size(), 0);
+        begin_counts();
+        const Sections& plan = schedule.cut_sections;
+        schedule.out_of_colors.resize(plan.size());
+        SectionLoop(plan, plan.shared() ? threads : nullptr, [&](uint32_t section) {
+            color_nodes(plan.nodes_of(section), schedule.out_of_colors[section]);
+        }).run();
+        size_t left_overs = 0;
+        for (const std::vector<uint32_t>& left_over : schedule.out_of_colors) {
+            left_overs += left_over.size();
+            for (const uint32_t i : left_over) ++contacts.acting_pieces[i / piece_length].serially;
+        }
+        contacts.colored_count -= left_overs;
+        if (left_overs > 0 && blocks.size() > 1) unite_blocks();
+    }
+
+    /// Only the first block has contacts that are solved one at a time.
+    void unite_blocks() {
+        make_blocks(false);
+        make_sections();
+        begin_counts();
+        for_each_acting_of(strips.all_nodes(), [&](ActingContact& c) {
+            c.entry = entry_of(c, c.entry % color_count);
+            c.place = schedule.color_begin[c.entry]++;
+        });
+    }
+
+    /// One entry for the contacts of the same color and section that the same thread counts.
+    uint32_t entry_of(const ActingContact& c, uint32_t color) const {
+        const size_t section =
+            schedule.cut_sections.owner_of(c.node) * schedule.first_groups.size() + section_of(c);
+        return uint32_t(section * color_count) + color;
+    }
+
+    /// Decides which blocks several threads share out, and numbers the sections of all blocks.
+    void make_sections() {
+        const auto hands = uint32_t(threads != nullptr ? threads->at_a_time() : 1);
+        const uint32_t parts = std::min(strips.count(), std::bit_floor(hands));
+        schedule.whole_sections = Sections(strips.count(), 1);
+        schedule.cut_sections = Sections(strips.count(), parts);
+        size_t one_by_one = joints;
+        for (const ActingPiece& piece : contacts.acting_pieces) one_by_one += piece.serially;
+        uint32_t next = 0;
+        for (size_t i = 0; i < blocks.size(); ++i) {
+            SolverBlock& block = blocks[i];
+            const size_t work = block.contacts + (i == 0 ? one_by_one : 0);
+            block.cut = parts > 1 && work >= (i == 0 ? least_shared_first : least_shared);
+            block.first_section = next;
+            next += schedule.sections_of(block).size();
+        }
+        schedule.first_groups.resize(next + 1);
+    }
+
+    size_t section_of(const ActingContact& c) const {
+        if (blocks.size() == 1) return schedule.sections_of(blocks[0]).of(c.node);
+        const SolverBlock& block = blocks[std::max(blocks.block_of(c.a()), blocks.block_of(c.b()))];
+        return block.first_section + schedule.sections_of(block).of(c.node);
+    }
+
+    /// The blocks of an earlier step are kept while no contact links two of them.
+    void update_blocks() {
+        size_t count = 0, serially = 0;
+        bool linked = false;
+        for (const ActingPiece& piece : contacts.acting_pieces) {
+            count += piece.count();
+            serially += piece.serially;
+            linked |= piece.links_blocks;
+        }
+        contacts.colored_count = count - serially;
+        const bool plain = serially == 0 && bodies.locked.empty() && !bodies.driven &&
+                           schedule.hubs.empty() && joints == 0;
+        const bool enough = plain && contacts.colored_count >= least_for_blocks;
+        const bool several = enough && blocks.may_be_several();
+        if (linked || !blocks.may_stay(awake_bodies, several)) make_blocks(several);
+        if (blocks.size() == 1) blocks[0].contacts = uint32_t(contacts.colored_count);
+    }
+
+    /// `several`: each island is put whole into one of several blocks.
+    void make_blocks(bool several) {
+        blocks.begin(uint32_t(awake_bodies.size()) + 1);
+        blocks.remember(awake_bodies, several);
+        if (!several) {
+            blocks.finish_as_one();
+            return;
+        }
+        for_each_acting_of(strips.all_nodes(), [&](const ActingContact& c) {
+            if (c.both_move()) blocks.link(c.a(), c.b());
+        });
+        blocks.find_islands();
+        for_each_acting_of(strips.all_nodes(),
+                           [&](const ActingContact& c) { blocks.count_contact(c.mover()); });
+        blocks.finish();
+        if (blocks.are_mostly_one()) make_blocks(false);
+    }
+
+    /// Gives each colored contact a lane of its color in its block.
+    void place_lanes() {
+        contacts.spare_lanes.clear();
+        // From counts to the first lane of each color; every color begins a group of its own.
+        uint32_t begin = 0, section = 0;
+        const size_t owned = color_count * schedule.first_groups.size();
+        for (size_t i = 0; i < blocks.size(); ++i) {
+            SolverBlock& block = blocks[i];
+            block.first_group = begin / lanes;
+            for (const uint32_t end = section + schedule.sections_of(block).size(); section < end;
+                 ++section) {
+                schedule.first_groups[section] = begin / lanes;
+                for (size_t color = 0; color < color_count; ++color) {
+                    uint32_t last = begin;
+                    for (size_t k = section * color_count + color; k < schedule.color_begin.size();
+                         k += owned)
+                        last += std::exchange(schedule.color_begin[k], last);
+                    begin = (last + lanes - 1) / lanes * lanes;
+                    for (uint32_t lane = last; lane < begin; ++lane)
+                        contacts.spare_lanes.push_back(lane);
+                }
+            }
+            block.group_end = begin / lanes;
+        }
+        schedule.first_groups.back() = begin / lanes;
+        contacts.news.resize(begin / lanes);
+        contacts.lane_contacts.resize(begin);
+        for (const uint32_t lane : contacts.spare_lanes) contacts.lane_contacts[lane] = none;
+        share_out(threads, uint32_t(contacts.acting_pieces.size()), [&](uint32_t piece) {
+            for (uint32_t i = contacts.acting_pieces[piece].begin;
+                 i < contacts.acting_pieces[piece].end(); ++i) {
+                ActingContact& c = acting[i];
+                if (c.serially) continue;
+                c.place += schedule.color_begin[c.entry];
+                contacts.lane_contacts[c.place] = i;
+            }
+        });
+    }
+
+    /// In the order of the nodes.
+    void list_serial() {
+        contacts.serial_acting.clear();
+        contacts.serial_nodes.clear();
+        for (const ActingPiece& piece : contacts.acting_pieces) {
+            if (piece.serially == 0) continue;
+            for (uint32_t i = piece.begin; i < piece.end(); ++i) {
+                if (!acting[i].serially) continue;
+                contacts.serial_acting.push_back(i);
+                contacts.serial_nodes.count(acting[i].node);
+            }
+        }
+        contacts.serial_nodes.sum_up();
+        auto next = contacts.serial_nodes.places();
+        contacts.serial_contacts.resize(contacts.serial_acting.size());
+        for (const uint32_t i : contacts.serial_acting)
+            contacts.serial_contacts[next[acting[i].node]++] = acting[i].slot;
+    }
+};
 
 }  // namespace
 
@@ -341,7 +311,7 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
 void color_contacts(const ActiveLists& active, const BodyScratch& bodies, const Strips& strips,
                     size_t joints, ContactScratch& contacts, ScheduleScratch& schedule,
                     ThreadPool* threads) {
-    Coloring coloring(active, bodies, strips, joints, contacts, schedule, threads);
+    Coloring coloring = {active.awake_bodies, bodies, strips, joints, contacts, schedule, threads};
     coloring.update_blocks();
     coloring.make_sections();
     coloring.color();

@@ -46,133 +46,115 @@ void on_ends(std::span<SolverBody> bodies, Constraint& c, Act&& act) {
 }
 
 /// Writes the joints of a step into constraints.
-class JointPreparation {
-  public:
-    JointPreparation(ObjectState& objects, const Columns& columns, const ActiveLists& active,
-                     const BodyScratch& bodies, JointScratch& scratch, ThreadPool* threads)
-        : objects_(objects),
-          columns_(columns),
-          active_(active),
-          bodies_(bodies),
-          scratch_(scratch),
-          threads_(threads) {}
+struct JointPreparation {
+    ObjectState& objects;
+    const Columns& columns;
+    const ActiveLists& active;
+    const BodyScratch& bodies;
+    JointScratch& scratch;
+    ThreadPool* threads;
 
-    template <class Constraint>
-    bool prepare_list(const JointStep& step, std::vector<Constraint>& made);
-
-  private:
-    JointEnds ends_of(const JointRecord& joint) const;
-    JointFrame frame_of(const JointRecord& joint) const;
-    template <class Constraint>
-    void list_acting(JointPlan& plan);
-
-    ObjectState& objects_;
-    const Columns& columns_;
-    const ActiveLists& active_;
-    const BodyScratch& bodies_;
-    JointScratch& scratch_;
-    ThreadPool* threads_;
-};
-
-JointEnds JointPreparation::ends_of(const JointRecord& joint) const {
-    const auto [a, b] = joint.bodies;
-    const BodyRecord &body_a = objects_.bodies[a], &body_b = objects_.bodies[b];
-    JointEnds ends;
-    ends.a = body_a.solver_index;
-    ends.b = body_b.solver_index;
-    ends.place = joint.place;
-    ends.start_a = rotate({columns_.states[a].cosine, columns_.states[a].sine},
-                          joint.anchors[0] - body_a.local_center);
-    ends.start_b = rotate({columns_.states[b].cosine, columns_.states[b].sine},
-                          joint.anchors[1] - body_b.local_center);
-    ends.lever_a = ends.start_a;
-    ends.lever_b = ends.start_b;
-    ends.apart = body_b.center - body_a.center;
-    ends.angle = (columns_.states[b].angle - columns_.states[a].angle) +
-                 (body_b.angle_rest - body_a.angle_rest);
-    const float mass_a = bodies_.solver_bodies[ends.a].inverse_mass;
-    const float mass_b = bodies_.solver_bodies[ends.b].inverse_mass;
-    ends.inverse_a = {body_a.locked_x ? 0.0f : mass_a, body_a.locked_y ? 0.0f : mass_a};
-    ends.inverse_b = {body_b.locked_x ? 0.0f : mass_b, body_b.locked_y ? 0.0f : mass_b};
-    return ends;
-}
-
-JointFrame JointPreparation::frame_of(const JointRecord& joint) const {
-    const auto [a, b] = joint.bodies;
-    return {.a = {columns_.states[a].cosine, columns_.states[a].sine},
-            .center_a = objects_.bodies[a].center,
-            .center_b = objects_.bodies[b].center,
-            .anchor_a = joint.anchors[0],
-            .angle_a = double(columns_.states[a].angle) + double(objects_.bodies[a].angle_rest),
-            .angle_b = double(columns_.states[b].angle) + double(objects_.bodies[b].angle_rest)};
-}
-
-/// Which of the awake ones of a type act, in the order of their nodes.
-template <class Constraint>
-void JointPreparation::list_acting(JointPlan& plan) {
-    constexpr auto type = size_t(joint_type<typename Constraint::Data>);
-    const auto& awake = active_.awake_joints[type];
-    scratch_.joint_notes.resize(awake.size());
-    share_out_range(threads_, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const JointRecord& joint = objects_.joints[awake[i]];
-            const JointRole role = role_of(objects_, joint);
-            if (role == JointRole::idle) forget_impulses(objects_, awake[i]);
-            scratch_.joint_notes[i] = 0;
-            if (role != JointRole::acting) continue;  // asleep, it goes on as it was when it wakes
-            // Unlike a contact, a joint also writes to a body that moves on its own: the nodes of
-            // all joints of such a body are on one path from the root, so none is solved beside
-            // another.
-            const SolverEnd a = bodies_.solver_ends[joint.bodies[0]],
-                            b = bodies_.solver_ends[joint.bodies[1]];
-            const StripNode node =
-                above_both((a.index() != 0 ? a : b).strip(), (b.index() != 0 ? b : a).strip());
-            scratch_.joint_notes[i] =
-                uint8_t(std::max<StripNode>(node, 1) | (joint.breakable() ? can_break : 0));
-        }
-    });
-    plan.nodes.clear();
-    for (const uint8_t note : scratch_.joint_notes)
-        if (note != 0) plan.nodes.count(note & ~can_break);
-    plan.nodes.sum_up();
-    auto next = plan.nodes.places();
-    plan.joints.resize(plan.nodes.size());
-    for (size_t i = 0; i < awake.size(); ++i) {
-        if (scratch_.joint_notes[i] == 0) continue;
-        const uint32_t place = next[scratch_.joint_notes[i] & ~can_break]++;
-        plan.joints[place] = awake[i];
-        if ((scratch_.joint_notes[i] & can_break) != 0)
-            scratch_.strains.push_back({awake[i], place, {}, 0.0f});
+    JointEnds ends_of(const JointRecord& joint) const {
+        const auto [a, b] = joint.bodies;
+        const BodyRecord &body_a = objects.bodies[a], &body_b = objects.bodies[b];
+        JointEnds ends;
+        ends.a = body_a.solver_index;
+        ends.b = body_b.solver_index;
+        ends.place = joint.place;
+        ends.start_a = rotate({columns.states[a].cosine, columns.states[a].sine},
+                              joint.anchors[0] - body_a.local_center);
+        ends.start_b = rotate({columns.states[b].cosine, columns.states[b].sine},
+                              joint.anchors[1] - body_b.local_center);
+        ends.lever_a = ends.start_a;
+        ends.lever_b = ends.start_b;
+        ends.apart = body_b.center - body_a.center;
+        ends.angle = (columns.states[b].angle - columns.states[a].angle) +
+                     (body_b.angle_rest - body_a.angle_rest);
+        const float mass_a = bodies.solver_bodies[ends.a].inverse_mass;
+        const float mass_b = bodies.solver_bodies[ends.b].inverse_mass;
+        ends.inverse_a = {body_a.locked_x ? 0.0f : mass_a, body_a.locked_y ? 0.0f : mass_a};
+        ends.inverse_b = {body_b.locked_x ? 0.0f : mass_b, body_b.locked_y ? 0.0f : mass_b};
+        return ends;
     }
-}
 
-/// True if some of them bear a heavy load.
-template <class Constraint>
-bool JointPreparation::prepare_list(const JointStep& step, std::vector<Constraint>& made) {
-    using Data = typename Constraint::Data;
-    JointPlan& plan = scratch_.joint_plans.of_type[size_t(joint_type<Data>)];
-    list_acting<Constraint>(plan);
-    made.resize(plan.joints.size());
-    std::atomic<bool> heavy = false;
-    share_out_range(threads_, made.size(), joints_at_a_time, [&](size_t begin, size_t end) {
-        bool any = false;
-        for (size_t i = begin; i < end; ++i) {
-            const JointRecord& joint = objects_.joints[plan.joints[i]];
-            const Data& data = std::get<std::vector<Data>>(objects_.joint_lists)[joint.place];
-            Constraint& c = made[i];
-            c = {};
-            c.ends = ends_of(joint);
-            c.impulses = data.impulses;
-            c.impulses.scale(step.impulse_ratio);
-            const SolverBody &a = bodies_.solver_bodies[c.ends.a],
-                             &b = bodies_.solver_bodies[c.ends.b];
-            c.prepare(data, frame_of(joint), step, a, b);
-            any |= bears_heavy_load(a, b);
+    JointFrame frame_of(const JointRecord& joint) const {
+        const auto [a, b] = joint.bodies;
+        return {.a = {columns.states[a].cosine, columns.states[a].sine},
+                .center_a = objects.bodies[a].center,
+                .center_b = objects.bodies[b].center,
+                .anchor_a = joint.anchors[0],
+                .angle_a = double(columns.states[a].angle) + double(objects.bodies[a].angle_rest),
+                .angle_b = double(columns.states[b].angle) + double(objects.bodies[b].angle_rest)};
+    }
+
+    /// Which of the awake ones of a type act, in the order of their nodes.
+    template <class Constraint>
+    void list_acting(JointPlan& plan) {
+        constexpr auto type = size_t(joint_type<typename Constraint::Data>);
+        const auto& awake = active.awake_joints[type];
+        scratch.joint_notes.resize(awake.size());
+        share_out_range(threads, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                const JointRecord& joint = objects.joints[awake[i]];
+                const JointRole role = role_of(objects, joint);
+                if (role == JointRole::idle) forget_impulses(objects, awake[i]);
+                scratch.joint_notes[i] = 0;
+                if (role != JointRole::acting)
+                    continue;  // asleep, it goes on as it was when it wakes
+                // Unlike a contact, a joint also writes to a body that moves on its own: the nodes
+                // of all joints of such a body are on one path from the root, so none is solved
+                // beside another.
+                const SolverEnd a = bodies.solver_ends[joint.bodies[0]],
+                                b = bodies.solver_ends[joint.bodies[1]];
+                const StripNode node =
+                    above_both((a.index() != 0 ? a : b).strip(), (b.index() != 0 ? b : a).strip());
+                scratch.joint_notes[i] =
+                    uint8_t(std::max<StripNode>(node, 1) | (joint.breakable() ? can_break : 0));
+            }
+        });
+        plan.nodes.clear();
+        for (const uint8_t note : scratch.joint_notes)
+            if (note != 0) plan.nodes.count(note & ~can_break);
+        plan.nodes.sum_up();
+        auto next = plan.nodes.places();
+        plan.joints.resize(plan.nodes.size());
+        for (size_t i = 0; i < awake.size(); ++i) {
+            if (scratch.joint_notes[i] == 0) continue;
+            const uint32_t place = next[scratch.joint_notes[i] & ~can_break]++;
+            plan.joints[place] = awake[i];
+            if ((scratch.joint_notes[i] & can_break) != 0)
+                scratch.strains.push_back({awake[i], place, {}, 0.0f});
         }
-        if (any) heavy.store(true, std::memory_order_relaxed);
-    });
-    return heavy.load(std::memory_order_relaxed);
-}
+    }
+
+    /// True if some of them bear a heavy load.
+    template <class Constraint>
+    bool prepare_list(const JointStep& step, std::vector<Constraint>& made) {
+        using Data = typename Constraint::Data;
+        JointPlan& plan = scratch.joint_plans.of_type[size_t(joint_type<Data>)];
+        list_acting<Constraint>(plan);
+        made.resize(plan.joints.size());
+        std::atomic<bool> heavy = false;
+        share_out_range(threads, made.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            bool any = false;
+            for (size_t i = begin; i < end; ++i) {
+                const JointRecord& joint = objects.joints[plan.joints[i]];
+                const Data& data = std::get<std::vector<Data>>(objects.joint_lists)[joint.place];
+                Constraint& c = made[i];
+                c = {};
+                c.ends = ends_of(joint);
+                c.impulses = data.impulses;
+                c.impulses.scale(step.impulse_ratio);
+                const SolverBody &a = bodies.solver_bodies[c.ends.a],
+                                 &b = bodies.solver_bodies[c.ends.b];
+                c.prepare(data, frame_of(joint), step, a, b);
+                any |= bears_heavy_load(a, b);
+            }
+            if (any) heavy.store(true, std::memory_order_relaxed);
+        });
+        return heavy.load(std::memory_order_relaxed);
+    }
+};
 
 /// `visit(constraint)` for those of some nodes, type by type.
 template <bool backwards = false, typename Visit>
@@ -191,7 +173,7 @@ void for_each_joint_of(JointScratch& joints, const StripNodes& nodes, Visit&& vi
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          const BodyScratch& bodies, JointScratch& joints, float h,
                          float impulse_ratio, ThreadPool* threads) {
-    JointPreparation preparation(objects, columns, active, bodies, joints, threads);
+    JointPreparation preparation = {objects, columns, active, bodies, joints, threads};
     JointStep step;
     step.h = h;
     step.inverse_h = 1.0f / h;

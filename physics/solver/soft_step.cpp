@@ -54,147 +54,140 @@ struct alignas(line_size) SoftStep {
     ThreadPool* helpers_of(const SolverBlock& block) const {
         return block.cut ? input.threads : nullptr;
     }
+
+    /// `work(section, nodes)` for each section of a block, by all threads if they share it out.
     template <typename Work>
-    auto section_loop(const SolverBlock& block, Work work);
-    auto begin_loop(const SolverBlock& block, bool again);
-    auto move_loop(const SolverBlock& block);
-    void fill_group(size_t group, WideContact& wide, ContactLanes& from);
-    void note_news(size_t group, const ContactLanes& of);
-    void pass(WidePass kernel, uint32_t section, WideBlock& wide);
-    void prepare_block(const SolverBlock& block, WideBlock& wide);
-    void store_section(uint32_t section, WideBlock& wide);
-    bool repeats_pushes(const SolverBlock& block);
-    void solve_first_block(const JointStep& joint_step);
-    void solve_block(const SolverBlock& block, WideBlock& wide);
-};
-
-/// `work(section, nodes)` for each section of a block, by all threads if they share it out.
-template <typename Work>
-auto SoftStep::section_loop(const SolverBlock& block, Work work) {
-    const Sections& plan = schedule.sections_of(block);
-    return SectionLoop(plan, helpers_of(block),
-                       [this, &plan, work, before = block.first_section](uint32_t section) {
-                           const StripNodes nodes = plan.nodes_of(section);
-                           const bool strip = nodes.begin >= input.strips.first_leaf();
-                           const bool root = nodes.begin == 1;
-                           if (strip) schedule.hubs.hand_out(nodes, bodies.solver_bodies);
-                           if (root && !strip) schedule.hubs.take_back(bodies.solver_bodies);
-                           work(before + section, nodes);
-                           if (root && strip) schedule.hubs.take_back(bodies.solver_bodies);
-                       });
-}
-
-/// Before a group is prepared: the contacts in its lanes.
-void SoftStep::fill_group(size_t group, WideContact& wide, ContactLanes& from) {
-    from.touching = from.tells_always = 0;
-    for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
-        const uint32_t i = contacts.lane_contacts[group * lanes + lane];
-        if (i == none) {  // spare: body 0 against itself, without mass
-            wide.a[lane] = wide.b[lane] = 0;
-            wide.friction[lane] = 0.0f;
-            from.spare = {};
-            from.manifolds[lane] = &from.spare;
-            continue;
-        }
-        const ActingContact& c = contacts.acting[i];
-        wide.a[lane] = c.a();
-        wide.b[lane] = c.b();
-        wide.friction[lane] = input.objects.contacts[c.slot].friction;
-        from.manifolds[lane] = &input.objects.contacts[c.slot].manifold;
-        from.touching |= uint32_t{c.touching()} << lane;
-        from.tells_always |= uint32_t{c.hit_events()} << lane;
+    auto section_loop(const SolverBlock& block, Work work) {
+        const Sections& plan = schedule.sections_of(block);
+        return SectionLoop(plan, helpers_of(block),
+                           [this, &plan, work, before = block.first_section](uint32_t section) {
+                               const StripNodes nodes = plan.nodes_of(section);
+                               const bool strip = nodes.begin >= input.strips.first_leaf();
+                               const bool root = nodes.begin == 1;
+                               if (strip) schedule.hubs.hand_out(nodes, bodies.solver_bodies);
+                               if (root && !strip) schedule.hubs.take_back(bodies.solver_bodies);
+                               work(before + section, nodes);
+                               if (root && strip) schedule.hubs.take_back(bodies.solver_bodies);
+                           });
     }
-}
 
-/// After a group is stored: which touches begin or end, and which contacts report hits.
-void SoftStep::note_news(size_t group, const ContactLanes& of) {
-    const uint32_t touches = (of.near & ~of.touching) | (of.within_twice & of.touching);
-    contacts.news[group] = {uint16_t((touches ^ of.touching) | of.tells_always), uint16_t(touches)};
-}
-
-void SoftStep::pass(WidePass kernel, uint32_t section, WideBlock& wide) {
-    const size_t begin = schedule.first_groups[section], end = schedule.first_groups[section + 1];
-    kernel({bodies.solver_bodies.data(), wide.contacts_of(begin), end - begin, 1.0f / h,
-            input.settings.push_speed});
-}
-
-void SoftStep::prepare_block(const SolverBlock& block, WideBlock& wide) {
-    wide.make_groups(block.first_group, block.group_end);
-    section_loop(block, [&](uint32_t section, const StripNodes&) {
-        const size_t end = schedule.first_groups[section + 1];
-        for (size_t i = schedule.first_groups[section]; i < end; i += groups_at_a_time) {
-            const size_t next = std::min(i + groups_at_a_time, end);
-            WideContact* const groups = wide.contacts_of(i);
-            ContactLanes* const from = wide.lanes_of(i);
-            for (size_t k = 0; k < next - i; ++k) fill_group(i + k, groups[k], from[k]);
-            kernels.prepare(prepare, {from, next - i}, groups);
+    /// Before a group is prepared: the contacts in its lanes.
+    void fill_group(size_t group, WideContact& wide, ContactLanes& from) {
+        from.touching = from.tells_always = 0;
+        for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
+            const uint32_t i = contacts.lane_contacts[group * lanes + lane];
+            if (i == none) {  // spare: body 0 against itself, without mass
+                wide.a[lane] = wide.b[lane] = 0;
+                wide.friction[lane] = 0.0f;
+                from.spare = {};
+                from.manifolds[lane] = &from.spare;
+                continue;
+            }
+            const ActingContact& c = contacts.acting[i];
+            wide.a[lane] = c.a();
+            wide.b[lane] = c.b();
+            wide.friction[lane] = input.objects.contacts[c.slot].friction;
+            from.manifolds[lane] = &input.objects.contacts[c.slot].manifold;
+            from.touching |= uint32_t{c.touching()} << lane;
+            from.tells_always |= uint32_t{c.hit_events()} << lane;
         }
-    }).run();
-}
+    }
 
-void SoftStep::store_section(uint32_t section, WideBlock& wide) {
-    const size_t begin = schedule.first_groups[section], end = schedule.first_groups[section + 1];
-    const std::span to(wide.lanes_of(begin), end - begin);
-    kernels.store(wide.contacts_of(begin), to, touch_distance);
-    for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
-}
+    /// After a group is stored: which touches begin or end, and which contacts report hits.
+    void note_news(size_t group, const ContactLanes& of) {
+        const uint32_t touches = (of.near & ~of.touching) | (of.within_twice & of.touching);
+        contacts.news[group] = {uint16_t((touches ^ of.touching) | of.tells_always),
+                                uint16_t(touches)};
+    }
 
-auto SoftStep::begin_loop(const SolverBlock& block, bool again) {
-    const std::span which = schedule.blocks.bodies_of(block);
-    return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
-                     [this, which, again](size_t begin, size_t end) {
-                         integrate_velocities(which.subspan(begin, end - begin),
-                                              bodies.solver_bodies, bodies.solver_forces, limits,
-                                              again);
-                     });
-}
+    void pass(WidePass kernel, uint32_t section, WideBlock& wide) {
+        const size_t begin = schedule.first_groups[section],
+                     end = schedule.first_groups[section + 1];
+        kernel({bodies.solver_bodies.data(), wide.contacts_of(begin), end - begin, 1.0f / h,
+                input.settings.push_speed});
+    }
 
-auto SoftStep::move_loop(const SolverBlock& block) {
-    const std::span which = schedule.blocks.bodies_of(block);
-    return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
-                     [this, which, h = h](size_t begin, size_t end) {
-                         integrate_positions(which.subspan(begin, end - begin),
-                                             bodies.solver_bodies, h);
-                     });
-}
+    void prepare_block(const SolverBlock& block, WideBlock& wide) {
+        wide.make_groups(block.first_group, block.group_end);
+        section_loop(block, [&](uint32_t section, const StripNodes&) {
+            const size_t end = schedule.first_groups[section + 1];
+            for (size_t i = schedule.first_groups[section]; i < end; i += groups_at_a_time) {
+                const size_t next = std::min(i + groups_at_a_time, end);
+                WideContact* const groups = wide.contacts_of(i);
+                ContactLanes* const from = wide.lanes_of(i);
+                for (size_t k = 0; k < next - i; ++k) fill_group(i + k, groups[k], from[k]);
+                kernels.prepare(prepare, {from, next - i}, groups);
+            }
+        }).run();
+    }
 
-/// A block of nothing but wide contacts, through all sub-steps.
-void SoftStep::solve_block(const SolverBlock& block, WideBlock& wide) {
-    const auto all = [&](WidePass kernel) {
-        return section_loop(block, [&, kernel](uint32_t section, const StripNodes&) {
-            pass(kernel, section, wide);
+    void store_section(uint32_t section, WideBlock& wide) {
+        const size_t begin = schedule.first_groups[section],
+                     end = schedule.first_groups[section + 1];
+        const std::span to(wide.lanes_of(begin), end - begin);
+        kernels.store(wide.contacts_of(begin), to, touch_distance);
+        for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
+    }
+
+    auto begin_loop(const SolverBlock& block, bool again) {
+        const std::span which = schedule.blocks.bodies_of(block);
+        return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
+                         [this, which, again](size_t begin, size_t end) {
+                             integrate_velocities(which.subspan(begin, end - begin),
+                                                  bodies.solver_bodies, bodies.solver_forces,
+                                                  limits, again);
+                         });
+    }
+
+    auto move_loop(const SolverBlock& block) {
+        const std::span which = schedule.blocks.bodies_of(block);
+        return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
+                         [this, which, h = h](size_t begin, size_t end) {
+                             integrate_positions(which.subspan(begin, end - begin),
+                                                 bodies.solver_bodies, h);
+                         });
+    }
+
+    /// A block of nothing but wide contacts, through all sub-steps.
+    void solve_block(const SolverBlock& block, WideBlock& wide) {
+        const auto all = [&](WidePass kernel) {
+            return section_loop(block, [&, kernel](uint32_t section, const StripNodes&) {
+                pass(kernel, section, wide);
+            });
+        };
+        const auto warm_start = all(kernels.warm_start), solve_biased = all(kernels.solve_biased);
+        const auto relax = all(kernels.relax);
+        const auto relax_and_store = section_loop(block, [&](uint32_t section, const StripNodes&) {
+            pass(kernels.relax, section, wide);
+            store_section(section, wide);
         });
-    };
-    const auto warm_start = all(kernels.warm_start), solve_biased = all(kernels.solve_biased);
-    const auto relax = all(kernels.relax);
-    const auto relax_and_store = section_loop(block, [&](uint32_t section, const StripNodes&) {
-        pass(kernels.relax, section, wide);
-        store_section(section, wide);
-    });
-    const auto begin = begin_loop(block, false), begin_again = begin_loop(block, true);
-    const auto move_bodies = move_loop(block);
-    prepare_block(block, wide);
-    for (int substep = 0; substep < input.settings.substeps; ++substep) {
-        (substep > 0 ? begin_again : begin).run();
-        if (substep == 0) warm_start.run();
-        solve_biased.run();
-        move_bodies.run();
-        if (substep + 1 < input.settings.substeps)
-            relax.run();
-        else
-            relax_and_store.run();
+        const auto begin = begin_loop(block, false), begin_again = begin_loop(block, true);
+        const auto move_bodies = move_loop(block);
+        prepare_block(block, wide);
+        for (int substep = 0; substep < input.settings.substeps; ++substep) {
+            (substep > 0 ? begin_again : begin).run();
+            if (substep == 0) warm_start.run();
+            solve_biased.run();
+            move_bodies.run();
+            if (substep + 1 < input.settings.substeps)
+                relax.run();
+            else
+                relax_and_store.run();
+        }
     }
-}
 
-/// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
-/// start them one by one. What many joints do besides takes longer to tell apart than that saves.
-bool SoftStep::repeats_pushes(const SolverBlock& block) {
-    if (!contacts.rolling_contacts.empty()) return false;  // what they gave had another direction
-    if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
-        return false;
-    find_jointed(input.joints, input.strips);
-    return true;
-}
+    /// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
+    /// start them one by one. What many joints do besides takes longer to tell apart than that
+    /// saves.
+    bool repeats_pushes(const SolverBlock& block) {
+        if (!contacts.rolling_contacts.empty())
+            return false;  // what they gave had another direction
+        if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
+            return false;
+        find_jointed(input.joints, input.strips);
+        return true;
+    }
+};
 
 /// Passes over the first block, with all that the others do not have.
 struct alignas(line_size) FirstBlock {
@@ -267,33 +260,36 @@ struct alignas(line_size) FirstBlock {
     }
 };
 
-void SoftStep::solve_first_block(const JointStep& joint_step) {
-    const SolverBlock& block = schedule.blocks[0];
-    FirstBlock first = {*this, joint_step, schedule.wide_blocks[0], {}};
-    first.serial.bodies = bodies.solver_bodies;
-    first.serial.constraints = contacts.constraints;
-    first.serial.extras = contacts.extras;
+void solve_first_block(SoftStep& step, const JointStep& joint_step) {
+    const SolverInput& input = step.input;
+    const ContactScratch& contacts = step.contacts;
+    const SolverBlock& block = step.schedule.blocks[0];
+    FirstBlock first = {step, joint_step, step.schedule.wide_blocks[0], {}};
+    first.serial.bodies = step.bodies.solver_bodies;
+    first.serial.constraints = step.contacts.constraints;
+    first.serial.extras = step.contacts.extras;
     first.serial.rolling = contacts.rolling_contacts;
-    first.serial.inverse_h = 1.0f / h;
+    first.serial.inverse_h = 1.0f / step.h;
     first.serial.push_speed = input.settings.push_speed;
     first.serial.restitution_threshold = input.settings.restitution_threshold;
-    first.repeats = repeats_pushes(block);
+    first.repeats = step.repeats_pushes(block);
     const bool jointed = input.joints.acting_joints() > 0;
 
     const auto loop = [&](auto member) {
-        return section_loop(block, [&first, member](uint32_t section, const StripNodes& nodes) {
-            (first.*member)(section, nodes);
-        });
+        return step.section_loop(block,
+                                 [&first, member](uint32_t section, const StripNodes& nodes) {
+                                     (first.*member)(section, nodes);
+                                 });
     };
     const auto warm_start = loop(&FirstBlock::warm_start);
-    const auto repeat_joints = section_loop(
+    const auto repeat_joints = step.section_loop(
         block, [&first](uint32_t, const StripNodes& nodes) { first.repeat_joints(nodes); });
     const auto solve_biased = loop(&FirstBlock::solve_biased), relax = loop(&FirstBlock::relax);
     const auto relax_and_store = loop(&FirstBlock::relax_and_store);
-    const auto begin = begin_loop(block, false), begin_again = begin_loop(block, true);
-    const auto move_bodies = move_loop(block);
+    const auto begin = step.begin_loop(block, false), begin_again = step.begin_loop(block, true);
+    const auto move_bodies = step.move_loop(block);
 
-    prepare_block(block, first.wide);
+    step.prepare_block(block, first.wide);
     if (!contacts.extras.empty()) first.bounce(block);
     zero_locked(input);
     for (int substep = 0; substep < input.settings.substeps; ++substep) {
@@ -332,7 +328,7 @@ void solve_softly(const SolverInput& input, const JointStep& joint_step,
     const auto whole = uint32_t(blocks.size() - 1);
     const int at_a_time = input.threads != nullptr && whole > 1 ? input.threads->threads() : 1;
     if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));
-    step.solve_first_block(joint_step);
+    solve_first_block(step, joint_step);
     // The few that are large are solved one by one, by all threads together.
     for (uint32_t i = 1; i <= whole; ++i) {
         if (blocks[i].cut) step.solve_block(blocks[i], wide_blocks[0]);
