@@ -17,6 +17,18 @@ namespace fettle::physics::detail {
 
 inline constexpr uint32_t none = 0xffffffffu;
 
+/// One sequence of numbers for all objects of a world: an identity never comes back. 0 is not
+/// given.
+struct Generations {
+    uint32_t next = 1;
+
+    uint32_t take() {
+        const uint32_t given = next++;
+        if (next == 0) next = 1;
+        return given;
+    }
+};
+
 /// How a body takes part in the step. An infinitely heavy dynamic body is fixed.
 enum class Mobility : uint8_t { fixed, kinematic, dynamic };
 

@@ -102,7 +102,7 @@ void World::take(World&& other) {
     data.replace_state(std::move(given));
     WorldData empty;
     empty.self.link = &take_link();
-    empty.make_border();
+    detail::make_border(empty.editing());
     given.replace_state(std::move(empty));
 }
 

@@ -19,7 +19,7 @@ Rotation rotation(const BodyState& state) {
 /// Puts a body elsewhere: who rested on it falls, what is derived from the pose is out of date,
 /// nothing is drawn between.
 void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
-    data.wake_for_edit(body);
+    wake_for_edit(data.activity(), body);
     wake_touching(data.activity(), body);
     BodyState& state = data.states[body];
     state.position = position;
@@ -33,7 +33,7 @@ void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle)
     data.previous[body] = {position, angle};
     data.bodies[body].center =
         to_v2(position) + rotate(rotation(state), data.bodies[body].local_center);
-    data.mark_placement(body);
+    mark_placement(data, data, body);
 }
 
 /// An impulse at the center of mass and an angular one. What does not move is not kicked.
@@ -65,7 +65,7 @@ World& Body::world() const {
 void Body::destroy() {
     FETTLE_EDIT_BODY
     data.self.may_populate("Body", __func__);
-    data.destroy_body(id_.index);
+    detail::destroy_body(data.editing(), id_.index);
 }
 
 BodyType Body::type() const {
@@ -76,10 +76,11 @@ BodyType Body::type() const {
 void Body::set_type(BodyType type) {
     FETTLE_EDIT_BODY
     if (check_enumerator("type", type, BodyType::dynamic_body) == record.type) return;
-    data.wake_for_edit(id_.index);
+    wake_for_edit(data.activity(), id_.index);
     record.type = type;
-    data.mark_mass(id_.index);
-    data.refresh_mass(
+    mark_mass(data, data, id_.index);
+    detail::refresh_mass(
+        data.editing(),
         id_.index);  // at once: reading `awake` or setting a velocity next depends on it
 }
 
@@ -122,7 +123,7 @@ void Body::set_velocity(const Vec2& velocity) {
     check_finite("velocity", velocity);
     data.read_mass(id_.index);
     if (record.mobility == Mobility::fixed) return;
-    data.wake_for_edit(id_.index);
+    wake_for_edit(data.activity(), id_.index);
     state.velocity = velocity;
 }
 
@@ -136,7 +137,7 @@ void Body::set_angular_velocity(float angular_velocity) {
     check_finite("angular_velocity", angular_velocity);
     data.read_mass(id_.index);
     if (record.mobility == Mobility::fixed) return;
-    data.wake_for_edit(id_.index);
+    wake_for_edit(data.activity(), id_.index);
     state.angular_velocity = angular_velocity;
 }
 
@@ -314,7 +315,7 @@ namespace {
 
 void set_lock(WorldData& data, uint32_t body, bool BodyRecord::*lock, bool locked) {
     data.bodies[body].*lock = locked;
-    data.mark_mass(body);
+    mark_mass(data, data, body);
     wake_body(data.activity(), body);
 }
 
@@ -399,7 +400,7 @@ Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
     FETTLE_EDIT_BODY
     data.self.may_populate("Body", __func__);
     const Shape shape = link_->world->create_shape(geometry, def);
-    data.attach_shape(shape.index(), id_.index);
+    detail::attach_shape(data.editing(), shape.index(), id_.index);
     return shape;
 }
 

@@ -23,8 +23,8 @@ float Body::mass() const {
 void Body::set_mass(std::optional<float> mass) {
     FETTLE_EDIT_BODY
     record.given_mass = check_inertial("mass", mass).value_or(not_given);
-    data.wake_for_edit(id_.index);
-    data.mark_mass(id_.index);
+    wake_for_edit(data.activity(), id_.index);
+    mark_mass(data, data, id_.index);
 }
 
 std::optional<float> Body::mass_override() const {
@@ -42,7 +42,7 @@ void Body::set_inertia(std::optional<float> inertia) {
     FETTLE_EDIT_BODY
     record.given_inertia = check_inertial("inertia", inertia).value_or(not_given);
     wake_body(data.activity(), id_.index);
-    data.mark_mass(id_.index);
+    mark_mass(data, data, id_.index);
 }
 
 std::optional<float> Body::inertia_override() const {
@@ -61,7 +61,7 @@ void Body::set_center(std::optional<Vec2> center) {
     record.given_center =
         center ? to_v2(check_coordinates("center", *center)) : V2{not_given, not_given};
     wake_body(data.activity(), id_.index);
-    data.mark_mass(id_.index);
+    mark_mass(data, data, id_.index);
 }
 
 std::optional<Vec2> Body::center_override() const {

@@ -21,7 +21,7 @@ namespace {
 bool stir(WorldData& data, uint32_t index) {
     data.read_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;
-    data.wake_for_edit(index);
+    wake_for_edit(data.activity(), index);
     return true;
 }
 

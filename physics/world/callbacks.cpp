@@ -27,6 +27,30 @@ bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
     return agrees || !answered;
 }
 
+void WorldData::read_edited(const Refresh& wanted) {
+    if (self.refresh && !self.locked()) {
+        WorldLock lock(self, WorldLock::During::query, in_refresh);
+        self.refresh(wanted);
+        lock.finish();
+    }
+    refresh(wanted);
+}
+
+void WorldData::refresh(const Refresh& wanted) {
+    switch (wanted.of) {
+        case Refresh::Of::everything:
+            return detail::refresh(editing());
+        case Refresh::Of::body:
+            if (wanted.slot < bodies.size() && body_generations[wanted.slot] != 0)
+                refresh_mass(editing(), wanted.slot);
+            return;
+        case Refresh::Of::shape:
+            if (wanted.slot < shapes.size() && shape_generations[wanted.slot] != 0)
+                refresh_shape(editing(), wanted.slot);
+            return;
+    }
+}
+
 UserFilter WorldData::user_filter() const {
     if (!self.filter) return {};
     return {this, [](const void* world, uint32_t a, uint32_t b) {
@@ -224,13 +248,13 @@ void World::set_filter(PairFilter filter) {
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
         const ContactRecord& c = data.contacts[slot];
         if (c.shape_a == none || data.may_collide(c.shape_a, c.shape_b)) continue;
-        data.wake_for_edit(c.body_a);
-        data.wake_for_edit(c.body_b);
+        wake_for_edit(data.activity(), c.body_a);
+        wake_for_edit(data.activity(), c.body_b);
         destroy_contact(data.contact_list(), slot);
     }
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         if (data.shape_generations[shape] != 0 && data.forms[shape].body != none)
-            data.mark_moved(shape);
+            mark_moved(data, data, shape);
     }
     lock.finish();
 }

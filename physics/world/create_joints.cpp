@@ -49,7 +49,7 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
     mouse.hertz = check_not_negative("hertz", def.hertz);
     mouse.damping_ratio = check_not_negative("damping_ratio", def.damping_ratio);
     mouse.max_force = check_range("max_force", def.max_force, 0.0f, infinity);
-    const uint32_t slot = data.create_joint(record, mouse);
+    const uint32_t slot = detail::create_joint(data.editing(), record, mouse);
     return {this, {slot, data.joint_generations[slot]}};
 }
 
@@ -57,7 +57,7 @@ namespace {
 
 template <class Any, class Data>
 Any make(World& world, WorldData& data, const JointDef& def, const Data& settings) {
-    const uint32_t slot = data.create_joint(checked(world, def), settings);
+    const uint32_t slot = detail::create_joint(data.editing(), checked(world, def), settings);
     return {&world, {slot, data.joint_generations[slot]}};
 }
 

@@ -53,7 +53,7 @@ Field World::create_field(const FieldDef& def) {
         slot = uint32_t(data.fields.size());
         data.fields.emplace_back();
     }
-    data.fields[slot] = {def, data.new_generation(), none};
+    data.fields[slot] = {def, data.self.link->generations.take(), none};
     ++data.field_slots.count;
     detail::wake_all(data.activity());
     return {this, {slot, data.fields[slot].generation}};

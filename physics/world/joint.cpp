@@ -39,7 +39,7 @@ World& Joint::world() const {
 void Joint::destroy() {
     WorldData& data = live();
     data.self.may_populate("Joint", __func__);
-    data.destroy_joint(id_.index);
+    detail::destroy_joint(data.editing(), id_.index);
 }
 
 JointType Joint::type() const {
@@ -78,7 +78,7 @@ void Joint::set_body(uint32_t side, const Body& body, const char* function) {
             "body: a mouse joint drags a body, not the bounds of the world");
     if (slot == data.joints[id_.index].bodies[side ^ 1])
         throw std::invalid_argument(std::string(name) + ": expected another body than the other's");
-    data.set_joint_body(id_.index, side, slot);
+    detail::set_joint_body(data.editing(), id_.index, side, slot);
 }
 
 void Joint::set_body_a(const Body& body) {
@@ -119,14 +119,14 @@ bool Joint::enabled() const {
     return live().joints[id_.index].enabled;
 }
 void Joint::set_enabled(bool enabled) {
-    edited(__func__).set_joint_enabled(id_.index, enabled);
+    detail::set_joint_enabled(edited(__func__).editing(), id_.index, enabled);
 }
 
 bool Joint::collide() const {
     return live().joints[id_.index].collide;
 }
 void Joint::set_collide(bool collide) {
-    edited(__func__).set_joint_collide(id_.index, collide);
+    detail::set_joint_collide(edited(__func__).editing(), id_.index, collide);
 }
 
 float Joint::break_force() const {
@@ -149,7 +149,7 @@ bool Joint::broken() const {
     return live().joints[id_.index].broken;
 }
 void Joint::set_broken(bool broken) {
-    edited(__func__).set_joint_broken(id_.index, broken);
+    detail::set_joint_broken(edited(__func__).editing(), id_.index, broken);
 }
 
 float Joint::per_substep(float impulse) const {

@@ -28,10 +28,10 @@ void refuse_border_any(const ShapeRecord& record, const char* what) {
 }
 
 void surface_changed(WorldData& data, uint32_t shape) {
-    data.share_surface(shape);
+    share_surface(data, shape);
     if (data.forms[shape].body == none) return;
     remix_shape(data, data.settings, shape);
-    data.wake_for_edit(data.forms[shape].body);
+    wake_for_edit(data.activity(), data.forms[shape].body);
 }
 
 /// A filter of the user may read the world: nothing may be out of date when it is called. The
@@ -40,9 +40,9 @@ template <class T>
 void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) {
     if (data.self.filter) data.read_all();
     data.shapes[shape].surface.*what = value;
-    data.share_surface(shape);
+    share_surface(data, shape);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
-    data.refilter(shape);
+    detail::refilter(data.editing(), data.user_filter(), shape);
     lock.finish();
 }
 
@@ -65,7 +65,7 @@ void Shape::destroy() {
     FETTLE_EDIT_SHAPE
     data.self.may_populate("Shape", __func__);
     refuse_border(record, "bounds");
-    data.destroy_shape(id_.index);
+    detail::destroy_shape(data.editing(), id_.index);
 }
 
 ShapeType Shape::type() const {
@@ -89,14 +89,14 @@ void Shape::attach(const Body& body) {
     if (body.index() == 0)
         throw std::invalid_argument("body: the bounds of the world take no other shapes");
     if (form.body == body.index()) return;
-    data.attach_shape(id_.index, body.index());
+    detail::attach_shape(data.editing(), id_.index, body.index());
 }
 
 void Shape::detach() {
     FETTLE_EDIT_SHAPE
     data.self.may_populate("Shape", __func__);
     refuse_border(record, "bounds");
-    if (form.body != none) data.detach_shape(id_.index);
+    if (form.body != none) detail::detach_shape(data.editing(), id_.index);
 }
 
 float Shape::density() const {
@@ -110,7 +110,7 @@ void Shape::set_density(float density) {
     record.surface.density = check_not_negative("density", density);
     if (form.body == none) return;
     wake_body(data.activity(), form.body);
-    data.mark_mass(form.body);
+    mark_mass(data, data, form.body);
 }
 
 float Shape::friction() const {
@@ -171,14 +171,14 @@ void Shape::set_sensor(bool sensor) {
     refuse_border_any(record, "sensor");
     if (record.surface.sensor == sensor) return;
     if (form.body != none) {
-        data.wake_for_edit(form.body);
+        wake_for_edit(data.activity(), form.body);
         wake_touching(data.activity(), form.body);
         destroy_contacts_of_shape(data.contact_list(), id_.index);  // ended as what they were
     }
     record.surface.sensor = sensor;
-    data.share_surface(id_.index);
+    share_surface(data, id_.index);
     if (form.body != none)
-        data.for_each_solid(id_.index, [&](uint32_t solid) { data.mark_moved(solid); });
+        data.for_each_solid(id_.index, [&](uint32_t solid) { mark_moved(data, data, solid); });
 }
 
 bool Shape::hit_events() const {
@@ -190,7 +190,7 @@ void Shape::set_hit_events(bool enabled) {
     FETTLE_EDIT_SHAPE
     refuse_border_any(record, "hit_events");
     record.surface.hit_events = enabled;
-    data.share_surface(id_.index);
+    share_surface(data, id_.index);
     remix_shape(data, data.settings, id_.index);
 }
 

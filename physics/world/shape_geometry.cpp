@@ -15,10 +15,10 @@ namespace {
 void geometry_changed(WorldData& data, uint32_t shape) {
     const uint32_t body = data.forms[shape].body;
     if (body != none) {
-        data.wake_for_edit(body);
+        wake_for_edit(data.activity(), body);
         wake_touching(data.activity(), body);
     }
-    data.mark_geometry(shape);
+    mark_geometry(data, data, shape);
 }
 
 /// Of which type a shape is that is such a figure.
@@ -103,7 +103,7 @@ void Shape::set_geometry(const Geometry& geometry) {
     if (const Polygon* polygon = std::get_if<Polygon>(&geometry))
         convex_hull(polygon->vertices, hull);
     geometry_changed(data, id_.index);
-    data.set_form(id_.index, geometry, hull);
+    detail::set_form(data.editing(), id_.index, geometry, hull);
 }
 
 float Shape::radius() const {
@@ -233,7 +233,7 @@ HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
     if (status != HullStatus::ok) return status;
     for (const Vec2& v : hull) check_point("vertices", v);
     geometry_changed(data, id_.index);
-    data.set_form(id_.index, Polygon{{}, polygon_rounding(record)}, hull);
+    detail::set_form(data.editing(), id_.index, Polygon{{}, polygon_rounding(record)}, hull);
     return status;
 }
 
@@ -245,7 +245,7 @@ void Shape::set_vertices(std::span<const Vec2> points) {
         else
             check_chain(points, record.closed);
         geometry_changed(data, id_.index);
-        data.write_outline(id_.index, points);
+        write_outline(data, data, id_.index, points);
         return;
     }
     const HullStatus status = try_set_vertices(points);

@@ -90,7 +90,7 @@ void WorldData::step(float dt) {
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
     store_joints(objects, joint_scratch, joint_step, threads);
-    break_joints(joint_step);
+    break_joints(editing(), joint_scratch, joint_step);
     store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
     if (settings.persist_events)
         report_persisting(objects, columns, active, uint32_t(steps), settings.substeps, events);
@@ -122,7 +122,7 @@ void WorldData::step(float dt) {
 }
 
 void WorldData::begin_step() {
-    refresh();
+    detail::refresh(editing());
     std::swap(events, pending);
     const auto clear = [](auto& list) { list.clear(); };
     event_members(clear, pending);

@@ -14,7 +14,7 @@ World::World(const WorldDef& def) {
     data_ = std::make_unique<WorldData>();
     data_->self.link = &take_link();  // it is given back with the data
     data_->settings = def;
-    data_->make_border();
+    detail::make_border(data_->editing());
     begin();
 }
 
@@ -96,7 +96,7 @@ void World::set_bounds(const std::optional<Aabb>& bounds) {
     WorldData& data = edit(__func__);
     if (bounds) check_box("bounds", *bounds);
     data.settings.bounds = bounds;
-    data.apply_bounds();
+    detail::apply_bounds(data.editing());
 }
 
 float World::bounds_friction() const {
@@ -105,7 +105,7 @@ float World::bounds_friction() const {
 void World::set_bounds_friction(float friction) {
     WorldData& data = edit(__func__);
     data.settings.bounds_friction = check_not_negative("bounds_friction", friction);
-    data.apply_bounds();
+    detail::apply_bounds(data.editing());
 }
 
 float World::bounds_restitution() const {
@@ -114,7 +114,7 @@ float World::bounds_restitution() const {
 void World::set_bounds_restitution(float restitution) {
     WorldData& data = edit(__func__);
     data.settings.bounds_restitution = check_range("bounds_restitution", restitution, 0.0f, 1.0f);
-    data.apply_bounds();
+    detail::apply_bounds(data.editing());
 }
 
 bool World::sleeping() const {
@@ -222,14 +222,14 @@ void World::wake_all() {
 Body World::create_body(const BodyDef& def) {
     WorldData& data = populate(__func__);
     check(def);
-    return {this, data.body_id(data.create_body(def))};
+    return {this, data.body_id(detail::create_body(data.editing(), def))};
 }
 
 Shape World::create_shape(const Geometry& geometry, const ShapeDef& def) {
     WorldData& data = populate(__func__);
     check(def);
     check(geometry);
-    return {this, data.shape_id(data.create_shape(def, geometry))};
+    return {this, data.shape_id(detail::create_shape(data.editing(), def, geometry))};
 }
 
 void World::clear() {

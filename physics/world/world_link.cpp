@@ -44,14 +44,14 @@ const AtEnd at_end;
 
 }  // namespace
 
-void WorldLink::skip(std::span<const uint32_t> generations) {
+void WorldLink::skip(std::span<const uint32_t> given) {
     uint32_t ahead = 0;
-    for (const uint32_t generation : generations) {
-        const uint32_t distance = generation - next_generation;
+    for (const uint32_t generation : given) {
+        const uint32_t distance = generation - generations.next;
         if (generation != 0 && distance < soon && distance + 1 > ahead) ahead = distance + 1;
     }
-    next_generation += ahead;
-    if (next_generation == 0) next_generation = 1;
+    generations.next += ahead;
+    if (generations.next == 0) generations.next = 1;
 }
 
 WorldLink& take_link() {
@@ -65,8 +65,8 @@ WorldLink& take_link() {
     known.unused.reserve(known.all.size() + 1);  // giving back must not throw
     const auto number = uint32_t(known.all.size());
     WorldLink& link = *known.all.emplace_back(std::make_unique<WorldLink>());
-    link.next_generation = number * apart + 1;
-    if (link.next_generation == 0) link.next_generation = 1;
+    link.generations.next = number * apart + 1;
+    if (link.generations.next == 0) link.generations.next = 1;
     return link;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <state/records.h>
+
 #include <cstdint>
 #include <span>
 
@@ -18,16 +20,11 @@ struct WorldData;
 struct WorldLink {
     World* world = nullptr;     ///< null: destroyed
     WorldData* data = nullptr;  ///< null: destroyed
-    uint32_t next_generation = 1;
+    Generations generations;
 
-    uint32_t new_generation() {
-        const uint32_t given = next_generation++;
-        if (next_generation == 0) next_generation = 1;
-        return given;
-    }
     /// Generations that are in a state which came from elsewhere: none that would soon be given
     /// here is given again.
-    void skip(std::span<const uint32_t> generations);
+    void skip(std::span<const uint32_t> given);
 };
 
 /// Of a new world.

@@ -30,6 +30,7 @@ const std::vector<Room>& rooms() {
          {"geometry", "threads", "broad_phase", "collision", "constraints", "partition", "joints"}},
         {"sleep", {"geometry", "partition", "state"}},
         {"contacts", {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep"}},
+        {"edits", {"geometry", "collision", "state", "sleep", "contacts"}},
         {"schedule", {"geometry", "threads", "constraints", "partition", "state"}},
         {"solver",
          {"geometry", "threads", "constraints", "partition", "joints", "wide", "state", "contacts",
@@ -39,7 +40,7 @@ const std::vector<Room>& rooms() {
           "schedule"}},
         {"world",
          {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep", "contacts",
-          "schedule", "solver", "step"}},
+          "edits", "schedule", "solver", "step"}},
     };
     return table;
 }

@@ -1,5 +1,5 @@
+#include <edits/edits.h>
 #include <geometry/decomposition.h>
-#include <world/world_data.h>
 
 #include <algorithm>
 #include <cstring>
@@ -143,87 +143,94 @@ Parts concave_parts(std::span<const V2> points) {
 
 }  // namespace
 
-/// Takes over the points; the parts are made when somebody needs them.
-void WorldData::write_outline(uint32_t shape, std::span<const Vec2> points) {
-    reserve_vertices(shape, uint32_t(points.size()));
-    shapes[shape].outline = uint32_t(points.size());
+void write_outline(ObjectState& objects, ActiveLists& active, uint32_t shape,
+                   std::span<const Vec2> points) {
+    reserve_vertices(objects, shape, uint32_t(points.size()));
+    objects.shapes[shape].outline = uint32_t(points.size());
     for (size_t i = 0; i < points.size(); ++i)
-        pool.local[forms[shape].begin + i] = to_v2(points[i]);
-    mark_geometry(shape);
+        objects.pool.local[objects.forms[shape].begin + i] = to_v2(points[i]);
+    mark_geometry(objects, active, shape);
 }
 
-void WorldData::rebuild_parts(uint32_t shape) {
-    const bool chain = shapes[shape].type == ShapeType::chain;
-    const Parts parts = chain ? chain_parts(outline_of(shape), shapes[shape].closed)
-                              : concave_parts(outline_of(shape));
-    uint32_t last = none, part = shapes[shape].first_part;
+void rebuild_parts(const Editing& e, uint32_t shape) {
+    const bool chain = e.objects.shapes[shape].type == ShapeType::chain;
+    const Parts parts =
+        chain ? chain_parts(e.objects.outline_of(shape), e.objects.shapes[shape].closed)
+              : concave_parts(e.objects.outline_of(shape));
+    uint32_t last = none, part = e.objects.shapes[shape].first_part;
     const V2* values = parts.values.data();
     for (const uint32_t count : parts.counts) {
         if (part == none) {
-            part = new_shape();
-            shapes[part].type = shapes[shape].type;
-            shapes[part].surface = shapes[shape].surface;
-            shapes[part].owner = shape;
-            forms[part].kind = FormKind::piece;
-            (last == none ? shapes[shape].first_part : shapes[last].next_part) = part;
-            if (forms[shape].body != none) attach_shape(part, forms[shape].body);
+            part = new_shape(e);
+            e.objects.shapes[part].type = e.objects.shapes[shape].type;
+            e.objects.shapes[part].surface = e.objects.shapes[shape].surface;
+            e.objects.shapes[part].owner = shape;
+            e.objects.forms[part].kind = FormKind::piece;
+            (last == none ? e.objects.shapes[shape].first_part : e.objects.shapes[last].next_part) =
+                part;
+            if (e.objects.forms[shape].body != none)
+                attach_shape(e, part, e.objects.forms[shape].body);
         }
         const size_t size = 3 * size_t{count} * sizeof(V2);
         // What an edit elsewhere left as it was keeps its contacts undisturbed.
-        if (forms[part].count != count ||
-            std::memcmp(&pool.local[forms[part].begin], values, size) != 0) {
-            reserve_vertices(part, 3 * count);
-            forms[part].count = count;
-            std::memcpy(&pool.local[forms[part].begin], values, size);
-            mark_geometry(part);
+        if (e.objects.forms[part].count != count ||
+            std::memcmp(&e.objects.pool.local[e.objects.forms[part].begin], values, size) != 0) {
+            reserve_vertices(e.objects, part, 3 * count);
+            e.objects.forms[part].count = count;
+            std::memcpy(&e.objects.pool.local[e.objects.forms[part].begin], values, size);
+            mark_geometry(e.objects, e.active, part);
         }
         values += 3 * count;
         last = part;
-        part = shapes[part].next_part;
+        part = e.objects.shapes[part].next_part;
     }
-    drop_parts(shape, last);
+    drop_parts(e, shape, last);
     // Exact: of the whole outline, whatever it was cut into.
-    ShapeRecord& record = shapes[shape];
+    ShapeRecord& record = e.objects.shapes[shape];
     if (chain) {
-        record.set_moments(moments_of(outline_of(shape).first(std::min(record.outline, 2u)), 0.0f));
+        record.set_moments(
+            moments_of(e.objects.outline_of(shape).first(std::min(record.outline, 2u)), 0.0f));
     } else {
-        std::vector<V2> points(outline_of(shape).begin(), outline_of(shape).end());
+        std::vector<V2> points(e.objects.outline_of(shape).begin(),
+                               e.objects.outline_of(shape).end());
         if (signed_area(points) < 0.0) std::reverse(points.begin(), points.end());
         record.set_moments(moments_of(points, 0.0f));
     }
 }
 
-/// Destroys the parts behind `last`; none: all.
-void WorldData::drop_parts(uint32_t shape, uint32_t last) {
-    uint32_t part = last == none ? shapes[shape].first_part : shapes[last].next_part;
-    (last == none ? shapes[shape].first_part : shapes[last].next_part) = none;
+void drop_parts(const Editing& e, uint32_t shape, uint32_t last) {
+    uint32_t part =
+        last == none ? e.objects.shapes[shape].first_part : e.objects.shapes[last].next_part;
+    (last == none ? e.objects.shapes[shape].first_part : e.objects.shapes[last].next_part) = none;
     if (part == none) return;
-    if (const uint32_t body = forms[shape].body; body != none) {
+    if (const uint32_t body = e.objects.forms[shape].body; body != none) {
         // The contacts of all of them in one walk: there may be many of both.
-        wake_for_edit(body);
-        wake_touching(activity(), body);
-        std::vector<bool> dropped(shapes.size());
-        for (uint32_t each = part; each != none; each = shapes[each].next_part)
+        wake_for_edit(e.activity, body);
+        wake_touching(e.activity, body);
+        std::vector<bool> dropped(e.objects.shapes.size());
+        for (uint32_t each = part; each != none; each = e.objects.shapes[each].next_part)
             dropped[each] = true;
-        for_each_contact(body, [&](uint32_t contact) {
-            const ContactRecord& c = contacts[contact];
-            if (dropped[c.shape_a] || dropped[c.shape_b]) destroy_contact(contact_list(), contact);
+        e.objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = e.objects.contacts[contact];
+            if (dropped[c.shape_a] || dropped[c.shape_b]) destroy_contact(e.contacts, contact);
         });
-        for (uint32_t each = part; each != none; each = shapes[each].next_part) unlink_shape(each);
-        mark_mass(body);
-        mark_placement(body);
+        for (uint32_t each = part; each != none; each = e.objects.shapes[each].next_part)
+            unlink_shape(e.objects, e.broad_phase, each);
+        mark_mass(e.objects, e.active, body);
+        mark_placement(e.objects, e.active, body);
     }
     while (part != none) {
-        const uint32_t next = shapes[part].next_part;
-        destroy_shape(part);
+        const uint32_t next = e.objects.shapes[part].next_part;
+        destroy_shape(e, part);
         part = next;
     }
 }
 
-/// An edit of the surface is one of all parts.
-void WorldData::share_surface(uint32_t shape) {
-    if (is_solid(shape)) return;
-    for_each_solid(shape, [&](uint32_t part) { shapes[part].surface = shapes[shape].surface; });
+void share_surface(ObjectState& objects, uint32_t shape) {
+    if (objects.is_solid(shape)) return;
+    objects.for_each_solid(shape, [&](uint32_t part) {
+        objects.shapes[part].surface = objects.shapes[shape].surface;
+    });
 }
 
 }  // namespace fettle::physics::detail

@@ -1,0 +1,321 @@
+#include <collision/ellipse.h>
+#include <edits/edits.h>
+#include <geometry/trigonometry.h>
+#include <state/active_lists.h>
+#include <state/limits.h>
+#include <state/place_shape.h>
+
+#include <algorithm>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Mass and inertia are kept in this range, so that their inverses and products stay finite.
+constexpr double least_mass = 1e-12, greatest_mass = 1e18;
+
+float bounded_inverse(double value) {
+    if (!(value > 0.0) || !(value < greatest_mass)) return 0.0f;
+    return float(1.0 / std::max(value, least_mass));
+}
+
+/// What fits into the box. Sides and rounding are set one after the other, in any order: what is
+/// too much for now is kept and limited here rather than refused.
+float fitting_rounding(const Box& box) {
+    return min(box.rounding, 0.5f * min(box.width, box.height));
+}
+
+/// Corners of a box without its rounding; the core never vanishes, so that it stays a polygon.
+void box_corners(const Box& box, V2* out) {
+    const float least = min(box.width, box.height) * 1e-3f;
+    const float rounding = fitting_rounding(box);
+    const float hx = 0.5f * max(box.width - 2.0f * rounding, least);
+    const float hy = 0.5f * max(box.height - 2.0f * rounding, least);
+    const Rotation q = rotation_of(box.angle);
+    const V2 corners[4] = {{-hx, -hy}, {hx, -hy}, {hx, hy}, {-hx, hy}};
+    for (int i = 0; i < 4; ++i) out[i] = to_v2(box.center) + rotate(q, corners[i]);
+}
+
+/// The ends of a segment are set one after the other too: while they are the same point, it is as
+/// short as one can be.
+V2 apart(V2 to, V2 from) {
+    const float least = 1e-4f + 1e-6f * max(std::fabs(from.x), std::fabs(from.y));
+    return length(to - from) >= least ? to : from + V2{least, 0.0f};
+}
+
+void list_body(ObjectState& objects, ActiveLists& active, uint32_t body) {
+    if (objects.bodies[body].listed) return;
+    objects.bodies[body].listed = true;
+    active.edited_bodies.push_back(body);
+}
+
+}  // namespace
+
+void mark_geometry(ObjectState& objects, ActiveLists& active, uint32_t shape) {
+    objects.shapes[shape].geometry_dirty = true;
+    if (!objects.shapes[shape].listed) {
+        objects.shapes[shape].listed = true;
+        active.edited_shapes.push_back(shape);
+    }
+    if (objects.forms[shape].body == none) return;
+    mark_mass(objects, active, objects.forms[shape].body);
+    mark_placement(objects, active, objects.forms[shape].body);
+}
+
+void mark_mass(ObjectState& objects, ActiveLists& active, uint32_t body) {
+    objects.bodies[body].mass_dirty = true;
+    list_body(objects, active, body);
+}
+
+void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body) {
+    objects.bodies[body].placement_dirty = true;
+    list_body(objects, active, body);
+}
+
+void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
+    if (!objects.is_solid(shape)) return;
+    broad_phase.paired_boxes[shape] = no_box;
+    const ShapeRecord& record = objects.shapes[shape];
+    if (record.proxy != Tree::none)
+        (record.tree == Mobility::fixed ? broad_phase.fixed_tree : broad_phase.moving_tree)
+            .touch(record.proxy);
+    if (objects.shapes[shape].moved) return;
+    objects.shapes[shape].moved = true;
+    broad_phase.moved_shapes.push_back(shape);
+}
+
+void refilter(const Editing& e, const UserFilter& filter, uint32_t shape) {
+    const uint32_t body = e.objects.forms[shape].body;
+    if (body == none) return;
+    wake_for_edit(e.activity, body);
+    e.objects.for_each_contact_of(shape, [&](uint32_t contact) {
+        const ContactRecord& c = e.objects.contacts[contact];
+        const bool sensor = e.objects.shapes[c.shape_a].surface.sensor ||
+                            e.objects.shapes[c.shape_b].surface.sensor;
+        if (c.sensor != sensor || !may_collide(e.objects, filter, c.shape_a, c.shape_b))
+            destroy_contact(e.contacts, contact);
+    });
+    e.objects.for_each_solid(shape,
+                             [&](uint32_t solid) { mark_moved(e.objects, e.broad_phase, solid); });
+}
+
+void remove_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
+    ShapeRecord& record = objects.shapes[shape];
+    if (record.proxy == Tree::none) return;
+    (record.tree == Mobility::fixed ? broad_phase.fixed_tree : broad_phase.moving_tree)
+        .remove(record.proxy);
+    record.proxy = Tree::none;
+}
+
+namespace {
+
+void set_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
+    ShapeRecord& record = objects.shapes[shape];
+    const Mobility mobility = objects.bodies[objects.forms[shape].body].mobility;
+    const Mobility tree = mobility == Mobility::fixed ? Mobility::fixed : Mobility::dynamic;
+    broad_phase.fat_boxes[shape] =
+        mobility == Mobility::fixed
+            ? broad_phase.boxes[shape]
+            : grow(broad_phase.boxes[shape], fat_margin(broad_phase.boxes[shape]));
+    if (record.proxy != Tree::none && record.tree != tree)
+        remove_proxy(objects, broad_phase, shape);
+    Tree& target = tree == Mobility::fixed ? broad_phase.fixed_tree : broad_phase.moving_tree;
+    if (record.proxy == Tree::none)
+        record.proxy = target.insert(broad_phase.fat_boxes[shape], shape);
+    else
+        target.move(record.proxy, broad_phase.fat_boxes[shape]);
+    record.tree = tree;
+}
+
+/// Fixed, kinematic or dynamic as the step sees it. A change also changes the tree of its shapes,
+/// and which shapes they collide with.
+void update_mobility(const Editing& e, uint32_t body) {
+    BodyRecord& record = e.objects.bodies[body];
+    Mobility mobility = Mobility::dynamic;
+    if (record.type == BodyType::kinematic_body) mobility = Mobility::kinematic;
+    if (record.type == BodyType::static_body) mobility = Mobility::fixed;
+    if (record.type == BodyType::dynamic_body && !(record.mass < float(greatest_mass)))
+        mobility = Mobility::fixed;
+    if (mobility == record.mobility) return;
+
+    wake_for_edit(e.activity, body);
+    wake_touching(e.activity, body);
+    destroy_contacts_of_body(e.contacts, body);
+    record.mobility = mobility;
+    if (mobility == Mobility::fixed) {
+        if (record.solver_index != 0) remove_awake(e.objects, e.active, body);
+        e.columns.states[body].velocity.setZero();
+        e.columns.states[body].angular_velocity = 0.0f;
+        e.columns.previous[body] = {e.columns.states[body].position, e.columns.states[body].angle};
+    } else if (record.solver_index == 0) {
+        add_awake(e.objects, e.active, body);
+    }
+    e.objects.for_each_joint(
+        body, [&](uint32_t joint, uint32_t) { list_joint(e.objects, e.active, joint); });
+    record.sleep_time = 0.0f;
+    mark_placement(e.objects, e.active, body);
+}
+
+void refresh_placement(const Editing& e, uint32_t body) {
+    BodyRecord& record = e.objects.bodies[body];
+    if (!record.placement_dirty) return;
+    record.placement_dirty = false;
+    const BodyState& state = e.columns.states[body];
+    const Rotation q = {state.cosine, state.sine};
+    record.center = to_v2(state.position) + rotate(q, record.local_center);
+    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
+        if (!e.objects.is_solid(s)) continue;
+        place_shape(e.objects, e.broad_phase.boxes, s, q);
+        set_proxy(e.objects, e.broad_phase, s);
+        mark_moved(e.objects, e.broad_phase, s);
+    }
+}
+
+}  // namespace
+
+void refresh(const Editing& e) {
+    // Refreshing a shape marks its body, refreshing a mass may mark a placement: shapes first,
+    // bodies while there are.
+    for (size_t i = 0; i < e.active.edited_shapes.size(); ++i) {
+        const uint32_t shape = e.active.edited_shapes[i];
+        if (!e.objects.shapes[shape].listed) continue;  // destroyed meanwhile
+        e.objects.shapes[shape].listed = false;
+        refresh_shape(e, shape);
+    }
+    e.active.edited_shapes.clear();
+    for (size_t i = 0; i < e.active.edited_bodies.size(); ++i) {
+        const uint32_t body = e.active.edited_bodies[i];
+        if (!e.objects.bodies[body].listed) continue;
+        refresh_mass(e, body);
+        refresh_placement(e, body);
+        e.objects.bodies[body].listed = false;
+    }
+    e.active.edited_bodies.clear();
+}
+
+void refresh_shape(const Editing& e, uint32_t shape) {
+    ShapeRecord& record = e.objects.shapes[shape];
+    if (!record.geometry_dirty) return;
+    record.geometry_dirty = false;
+    ++record.rebuilds;
+    if (!e.objects.is_solid(shape)) {
+        rebuild_parts(e, shape);
+        return;
+    }
+    ShapeForm& form = e.objects.forms[shape];
+    const float radius_before = form.radius;
+    V2* local = &e.objects.pool.local[form.begin];
+    switch (record.type) {
+        case ShapeType::circle:
+            local[0] = to_v2(record.figure.as<Circle>().center);
+            form.radius = record.figure.as<Circle>().radius;
+            break;
+        case ShapeType::box:
+            box_corners(record.figure.as<Box>(), local);
+            form.radius = fitting_rounding(record.figure.as<Box>());
+            break;
+        case ShapeType::segment:
+            local[0] = to_v2(record.figure.as<Segment>().from);
+            local[1] = apart(to_v2(record.figure.as<Segment>().to), local[0]);
+            form.radius = record.figure.as<Segment>().rounding;
+            break;
+        case ShapeType::ellipse:
+            write_ellipse(record.figure.as<Ellipse>(), form.begin, e.objects.pool);
+            form.radius = 0.0f;
+            break;
+        default:
+            // Its vertices are already in the e.objects.pool. A piece has no rounding.
+            form.radius = record.figure.as<PolygonFigure>().rounding;
+            break;
+    }
+    for (uint32_t i = 0; i < form.count && form.count > 1; ++i) {
+        e.objects.pool.normals[form.begin + i] =
+            normalized(right_perp(local[(i + 1) % form.count] - local[i]));
+    }
+    e.objects.pool.vertices[form.begin] = {infinity,
+                                           infinity};  // a large polygon is to be centered anew
+    record.set_moments(record.type == ShapeType::ellipse
+                           ? moments_of(record.figure.as<Ellipse>())
+                           : moments_of({local, form.count}, form.radius));
+    if (form.radius != radius_before)
+        remix_shape(e.objects, e.settings, shape);  // for the rolling resistance
+    if (form.body == none) place_shape(e.objects, e.broad_phase.boxes, shape, {});
+}
+
+void refresh_edited_mass(const Editing& e, uint32_t body) {
+    BodyRecord& record = e.objects.bodies[body];
+    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next)
+        refresh_shape(e, s);
+    if (!record.mass_dirty) return;
+    record.mass_dirty = false;
+    ++record.rebuilds;
+
+    double mass = 0.0, first_x = 0.0, first_y = 0.0;
+    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
+        if (e.objects.shapes[s].owner != none) continue;  // its owner knows better
+        const ShapeRecord& shape = e.objects.shapes[s];
+        const double part = double(shape.area) * double(shape.surface.density);
+        mass += part;
+        first_x += part * double(shape.centroid.x);
+        first_y += part * double(shape.centroid.y);
+    }
+    double cx = mass > 0.0 ? first_x / mass : 0.0, cy = mass > 0.0 ? first_y / mass : 0.0;
+    if (is_given(record.given_center.x)) {
+        cx = record.given_center.x;
+        cy = record.given_center.y;
+    }
+    double inertia = 0.0;
+    float extent = 0.0f, thickness = infinity;
+    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
+        const ShapeRecord& shape = e.objects.shapes[s];
+        const double dx = double(shape.centroid.x) - cx, dy = double(shape.centroid.y) - cy;
+        if (shape.owner == none)
+            inertia += double(shape.surface.density) *
+                       (double(shape.moment) + double(shape.area) * (dx * dx + dy * dy));
+        if (!e.objects.is_solid(s)) continue;
+        const ShapeForm& form = e.objects.forms[s];
+        float inner = infinity;
+        for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
+            const V2 v = e.objects.pool.local[i] - V2{float(cx), float(cy)};
+            extent = max(extent, length(v) + form.radius);
+            if (form.count > 2)
+                inner = min(inner, dot(e.objects.pool.normals[i],
+                                       e.objects.pool.local[i] - shape.centroid));
+        }
+        if (form.kind == FormKind::ellipse) {
+            const Ellipse ellipse = shape.figure.as<Ellipse>();
+            extent += max(ellipse.radius_x, ellipse.radius_y);
+            thickness = min(thickness, min(ellipse.radius_x, ellipse.radius_y));
+            continue;
+        }
+        thickness = min(thickness, form.count > 2 ? max(inner, 0.0f) + form.radius : form.radius);
+    }
+    const bool weightless = !(mass > 0.0);
+    if (is_given(record.given_mass)) {
+        const double wanted = double(record.given_mass);
+        if (std::isfinite(wanted)) inertia = weightless ? 0.0 : inertia * (wanted / mass);
+        mass = wanted;
+    } else if (weightless && record.type == BodyType::dynamic_body) {
+        mass = 1.0;
+    }
+    if (is_given(record.given_inertia)) inertia = double(record.given_inertia);
+
+    const BodyState& state = e.columns.states[body];
+    const V2 old_center = record.center;
+    record.mass = float(mass);
+    record.inertia = float(inertia);
+    record.extent = extent;
+    record.thickness = thickness == infinity ? 0.0f : thickness;
+    record.local_center = {float(cx), float(cy)};
+    record.center = to_v2(state.position) + rotate({state.cosine, state.sine}, record.local_center);
+    // The body goes on as it moved: only the point whose velocity is kept is another one.
+    const V2 drift = cross(state.angular_velocity, record.center - old_center);
+    e.columns.states[body].velocity = to_vec2(bounded(to_v2(state.velocity) + drift, 1e30f));
+    mark_placement(e.objects, e.active, body);
+    update_mobility(e, body);
+    const bool moves = record.mobility == Mobility::dynamic;
+    record.inverse_mass =
+        moves && !(record.locked_x && record.locked_y) ? bounded_inverse(mass) : 0.0f;
+    record.inverse_inertia = moves && !record.locked_rotation ? bounded_inverse(inertia) : 0.0f;
+}
+
+}  // namespace fettle::physics::detail

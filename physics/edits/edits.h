@@ -1,0 +1,102 @@
+#pragma once
+
+#include <contacts/contact_list.h>
+#include <contacts/filter.h>
+#include <sleep/sleep.h>
+#include <state/step_scratch.h>
+#include <state/world_state.h>
+
+#include <tuple>
+
+// Edits of a world. Data that follow from others are computed late: an edit marks what it leaves
+// out of date and lists it; it is computed when it is read or before the next step, once however
+// many edits there were.
+
+namespace fettle::physics::detail {
+
+/// What an edit may change.
+struct Editing {
+    ObjectState& objects;
+    Columns& columns;
+    BroadPhaseState& broad_phase;
+    ActiveLists& active;
+    const WorldDef& settings;
+    ContactList contacts;
+    Activity activity;
+    Generations& generations;
+};
+
+// edits.cpp: marks, and computing what is marked
+
+void mark_geometry(ObjectState& objects, ActiveLists& active, uint32_t shape);
+void mark_mass(ObjectState& objects, ActiveLists& active, uint32_t body);
+void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body);
+/// An edit moved the shape or changed with what it collides: all its pairs are searched again.
+void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
+
+void refresh(const Editing& editing);
+void refresh_shape(const Editing& editing, uint32_t shape);
+void refresh_edited_mass(const Editing& editing, uint32_t body);
+inline void refresh_mass(const Editing& editing, uint32_t body) {
+    // A body that is not listed has no edit, nor have its shapes.
+    if (editing.objects.bodies[body].listed) refresh_edited_mass(editing, body);
+}
+void remove_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
+void refilter(const Editing& editing, const UserFilter& filter, uint32_t shape);
+
+inline void wake_for_edit(const Activity& activity, uint32_t body) {
+    wake_body(activity, body);
+    if (activity.objects.bodies[body].mobility != Mobility::dynamic) wake_touching(activity, body);
+}
+
+// slots.cpp: objects are made and destroyed
+
+/// Body 0 is the world's own: it carries the four half-planes of the bounds in shapes 0 to 3.
+void make_border(const Editing& editing);
+void apply_bounds(const Editing& editing);
+uint32_t create_body(const Editing& editing, const BodyDef& def);
+void destroy_body(const Editing& editing, uint32_t body);
+uint32_t create_shape(const Editing& editing, const ShapeDef& def, const Geometry& geometry);
+uint32_t new_shape(const Editing& editing);
+void destroy_shape(const Editing& editing, uint32_t shape);
+/// Gives a shape a geometry of any type; `hull` is that of a polygon's vertices.
+void set_form(const Editing& editing, uint32_t shape, const Geometry& geometry,
+              const std::vector<Vec2>& hull);
+/// Makes room for so many vertices in the pool. If the place changes, the old vertices are lost.
+void reserve_vertices(ObjectState& objects, uint32_t shape, uint32_t count);
+void attach_shape(const Editing& editing, uint32_t shape, uint32_t body);
+void detach_shape(const Editing& editing, uint32_t shape);
+void unlink_shape(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
+
+// parts.cpp: outlines of many pieces
+
+/// Copies the points; the parts are made when they are needed.
+void write_outline(ObjectState& objects, ActiveLists& active, uint32_t shape,
+                   std::span<const Vec2> points);
+void rebuild_parts(const Editing& editing, uint32_t shape);
+/// Destroys the parts behind `last`; none: all.
+void drop_parts(const Editing& editing, uint32_t shape, uint32_t last);
+/// Copies the surface of an outline to its parts.
+void share_surface(ObjectState& objects, uint32_t shape);
+
+// joints.cpp
+
+uint32_t add_joint(const Editing& editing, const JointRecord& record, JointType type,
+                   uint32_t place);
+template <class Data>
+uint32_t create_joint(const Editing& editing, const JointRecord& record, const Data& data) {
+    auto& list = std::get<std::vector<Data>>(editing.objects.joint_lists);
+    list.push_back(data);
+    const uint32_t slot = add_joint(editing, record, joint_type<Data>, uint32_t(list.size() - 1));
+    list.back().joint = slot;
+    return slot;
+}
+void destroy_joint(const Editing& editing, uint32_t joint);
+void set_joint_body(const Editing& editing, uint32_t joint, uint32_t side, uint32_t body);
+void set_joint_enabled(const Editing& editing, uint32_t joint, bool enabled);
+void set_joint_collide(const Editing& editing, uint32_t joint, bool collide);
+void set_joint_broken(const Editing& editing, uint32_t joint, bool broken);
+/// Breaks the joints that bore more than they can, as the mean over the step.
+void break_joints(const Editing& editing, const JointScratch& scratch, const JointStep& step);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,149 @@
+#include <edits/edits.h>
+#include <state/active_lists.h>
+
+#include <utility>
+
+// Joints: what all of them have in slots, linked into lists of both bodies, and what a type adds in
+// a list of that type without gaps. Those that act on something awake are listed by type.
+
+namespace fettle::physics::detail {
+namespace {
+
+void link_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
+    JointRecord& record = objects.joints[joint];
+    BodyRecord& body = objects.bodies[record.bodies[side]];
+    record.edges[side] = {none, body.first_joint};
+    if (body.first_joint != none)
+        objects.joints[body.first_joint >> 1].edges[body.first_joint & 1].previous =
+            joint << 1 | side;
+    body.first_joint = joint << 1 | side;
+    ++body.joint_count;
+}
+
+void unlink_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
+    BodyRecord& body = objects.bodies[objects.joints[joint].bodies[side]];
+    const ListEdge edge = objects.joints[joint].edges[side];
+    if (edge.previous != none)
+        objects.joints[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
+    else
+        body.first_joint = edge.next;
+    if (edge.next != none)
+        objects.joints[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
+    --body.joint_count;
+}
+
+/// After an edit: contacts between the two bodies end, or are looked for.
+void refilter_joint(const Editing& e, uint32_t joint) {
+    uint32_t a = e.objects.joints[joint].bodies[0], b = e.objects.joints[joint].bodies[1];
+    if (e.objects.bodies[a].contact_count > e.objects.bodies[b].contact_count) std::swap(a, b);
+    if (joint_forbids_contact(e.objects, a, b)) {
+        e.objects.for_each_contact(a, [&](uint32_t contact) {
+            if (e.objects.other_body(contact, a) == b) destroy_contact(e.contacts, contact);
+        });
+        return;
+    }
+    if (a == 0 || b == 0) return;
+    for (uint32_t body : {a, b}) {
+        for (uint32_t s = e.objects.bodies[body].first_shape; s != none;
+             s = e.objects.shapes[s].next)
+            mark_moved(e.objects, e.broad_phase, s);
+    }
+}
+
+/// After an edit that may change what the joint does.
+void update_joint(const Editing& e, uint32_t joint) {
+    wake_joint(e.activity, joint);
+    list_joint(e.objects, e.active, joint);
+    refilter_joint(e, joint);
+}
+
+}  // namespace
+
+uint32_t add_joint(const Editing& e, const JointRecord& record, JointType type, uint32_t place) {
+    uint32_t slot = e.objects.joint_slots.free;
+    if (slot != none) {
+        e.objects.joint_slots.free = e.objects.joints[slot].next_free;
+    } else {
+        slot = uint32_t(e.objects.joints.size());
+        e.objects.joints.emplace_back();
+        e.columns.joint_generations.push_back(0);
+    }
+    e.objects.joints[slot] = record;
+    e.objects.joints[slot].type = type;
+    e.objects.joints[slot].place = place;
+    e.columns.joint_generations[slot] = e.generations.take();
+    ++e.objects.joint_slots.count;
+    link_joint(e.objects, slot, 0);
+    link_joint(e.objects, slot, 1);
+    update_joint(e, slot);
+    return slot;
+}
+
+void destroy_joint(const Editing& e, uint32_t joint) {
+    wake_joint(e.activity, joint);
+    e.objects.joints[joint].enabled = false;
+    list_joint(e.objects, e.active, joint);
+    refilter_joint(e, joint);
+    unlink_joint(e.objects, joint, 0);
+    unlink_joint(e.objects, joint, 1);
+    const uint32_t place = e.objects.joints[joint].place;
+    auto erase = [&](auto& list) {
+        list[place] = list.back();
+        e.objects.joints[list[place].joint].place = place;
+        list.pop_back();
+    };
+    with_list(e.objects.joint_lists, e.objects.joints[joint].type, erase);
+    e.objects.joints[joint] = {};
+    e.objects.joints[joint].next_free = e.objects.joint_slots.free;
+    e.objects.joint_slots.free = joint;
+    e.columns.joint_generations[joint] = 0;
+    --e.objects.joint_slots.count;
+}
+
+void set_joint_body(const Editing& e, uint32_t joint, uint32_t side, uint32_t body) {
+    wake_joint(e.activity, joint);
+    const bool enabled = std::exchange(e.objects.joints[joint].enabled, false);
+    refilter_joint(e, joint);  // the bodies that part may collide
+    unlink_joint(e.objects, joint, side);
+    e.objects.joints[joint].bodies[side] = body;
+    link_joint(e.objects, joint, side);
+    e.objects.joints[joint].enabled = enabled;
+    forget_impulses(e.objects, joint);
+    update_joint(e, joint);
+}
+
+void set_joint_enabled(const Editing& e, uint32_t joint, bool enabled) {
+    e.objects.joints[joint].enabled = enabled;
+    update_joint(e, joint);
+}
+
+void set_joint_broken(const Editing& e, uint32_t joint, bool broken) {
+    e.objects.joints[joint].broken = broken;
+    update_joint(e, joint);
+}
+
+void break_joints(const Editing& e, const JointScratch& scratch, const JointStep& step) {
+    const float rate = step.inverse_h / float(e.settings.substeps);
+    for (const Strain& strain : scratch.strains) {
+        const JointRecord& joint = e.objects.joints[strain.joint];
+        const V2 force = rate * strain.force;
+        const float torque = rate * strain.torque;
+        if (length(force) <= joint.break_force && std::fabs(torque) <= joint.break_torque) continue;
+        const auto [a, b] = joint.bodies;
+        e.activity.events.joint_broke.push_back(
+            {{strain.joint, e.columns.joint_generations[strain.joint]},
+             body_id(e.columns, a),
+             body_id(e.columns, b),
+             to_vec2(force),
+             torque});
+        set_joint_broken(e, strain.joint, true);
+    }
+}
+
+void set_joint_collide(const Editing& e, uint32_t joint, bool collide) {
+    e.objects.joints[joint].collide = collide;
+    wake_joint(e.activity, joint);
+    refilter_joint(e, joint);
+}
+
+}  // namespace fettle::physics::detail

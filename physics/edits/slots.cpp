@@ -1,0 +1,322 @@
+#include <collision/large_polygon.h>
+#include <edits/edits.h>
+#include <fettle/physics/hull.h>
+#include <geometry/growth.h>
+#include <geometry/trigonometry.h>
+#include <state/active_lists.h>
+#include <state/limits.h>
+#include <state/place_shape.h>
+
+#include <algorithm>
+
+// Birth and death in slots. A slot keeps its place until its object dies; every object gets a
+// generation that no other ever had in this world.
+
+namespace fettle::physics::detail {
+namespace {
+
+void link_shape(ObjectState& objects, uint32_t shape, uint32_t body) {
+    ShapeRecord& record = objects.shapes[shape];
+    BodyRecord& owner = objects.bodies[body];
+    objects.forms[shape].body = body;
+    record.previous = owner.last_shape;
+    record.next = none;
+    if (owner.last_shape != none)
+        objects.shapes[owner.last_shape].next = shape;
+    else
+        owner.first_shape = shape;
+    owner.last_shape = shape;
+}
+
+}  // namespace
+
+void make_border(const Editing& e) {
+    BodyDef def;
+    def.type = BodyType::static_body;
+    create_body(e, def);
+    for (uint32_t side = 0; side < 4; ++side) {
+        e.objects.forms.emplace_back();
+        e.objects.shapes.emplace_back();
+        e.broad_phase.boxes.emplace_back();
+        e.broad_phase.fat_boxes.emplace_back();
+        e.broad_phase.paired_boxes.push_back(no_box);
+        e.columns.shape_generations.push_back(e.generations.take());
+        e.objects.forms[side] = {side, 0, FormKind::border, 0.0f, 0, {}};
+        e.objects.shapes[side].type = ShapeType::border;
+    }
+    e.objects.body_slots.count = 0;
+    apply_bounds(e);
+}
+
+void apply_bounds(const Editing& e) {
+    wake_all(e.activity);
+    for (uint32_t side = 0; side < 4; ++side) {
+        e.objects.shapes[side].surface.friction = e.settings.bounds_friction;
+        e.objects.shapes[side].surface.restitution = e.settings.bounds_restitution;
+        remix_shape(e.objects, e.settings, side);
+        if (!e.settings.bounds) {
+            destroy_contacts_of_shape(e.contacts, side);
+            continue;
+        }
+        const float far = 2.0f * greatest_coordinate;
+        const Aabb& b = *e.settings.bounds;
+        Box4 box = {{-far, -far}, {far, far}};
+        if (side == 0) box.high.x = b.min.x();
+        if (side == 1) box.low.x = b.max.x();
+        if (side == 2) box.high.y = b.min.y();
+        if (side == 3) box.low.y = b.max.y();
+        e.broad_phase.boxes[side] = e.broad_phase.fat_boxes[side] =
+            e.broad_phase.paired_boxes[side] = box;
+    }
+    if (!e.settings.bounds) return;
+    for (uint32_t shape = 4; shape < e.objects.shapes.size(); ++shape) {
+        if (e.columns.shape_generations[shape] != 0 && e.objects.forms[shape].body != none)
+            mark_moved(e.objects, e.broad_phase, shape);
+    }
+}
+
+uint32_t create_body(const Editing& e, const BodyDef& def) {
+    uint32_t slot = e.objects.body_slots.free;
+    if (slot != none) {
+        e.objects.body_slots.free = e.objects.bodies[slot].next;
+        e.objects.bodies[slot] = BodyRecord();
+        e.columns.states[slot] = {};
+    } else {
+        slot = uint32_t(e.objects.bodies.size());
+        make_room_in_each(e.objects.bodies, e.columns.states, e.columns.previous,
+                          e.columns.body_generations);
+        e.objects.bodies.emplace_back();
+        e.columns.states.emplace_back();
+        e.columns.previous.emplace_back();
+        e.columns.body_generations.push_back(0);
+    }
+    e.columns.body_generations[slot] = e.generations.take();
+    ++e.objects.body_slots.count;
+
+    BodyRecord& record = e.objects.bodies[slot];
+    record.type = def.type;
+    record.gravity_scale = def.gravity_scale;
+    record.linear_damping = def.linear_damping;
+    record.angular_damping = def.angular_damping;
+    record.force = to_v2(def.force);
+    record.torque = def.torque;
+    record.locked_x = def.locked_x;
+    record.locked_y = def.locked_y;
+    record.locked_rotation = def.locked_rotation;
+    record.can_sleep = def.can_sleep;
+    record.bullet = def.bullet;
+    record.given_mass = def.mass.value_or(not_given);
+    record.given_inertia = def.inertia.value_or(not_given);
+    if (def.center) record.given_center = record.local_center = to_v2(*def.center);
+    record.user_data = def.user_data;
+
+    BodyState& state = e.columns.states[slot];
+    const Rotation q = rotation_of(def.angle);
+    state.position = def.position;
+    state.angle = def.angle;
+    state.cosine = q.c;
+    state.sine = q.s;
+    e.columns.previous[slot] = {def.position, def.angle};
+    record.center = to_v2(def.position) + rotate(q, record.local_center);
+    mark_mass(e.objects, e.active, slot);
+    refresh_mass(e, slot);  // finds its mobility: no shapes yet, nothing else to compute
+    record.rebuilds = 0;
+    if (record.mobility != Mobility::fixed) {
+        state.velocity = def.velocity;
+        state.angular_velocity = def.angular_velocity;
+        if (!def.awake && e.settings.sleeping) {
+            // No sleep event for what was never awake: straight into an island of its own.
+            const uint32_t only[1] = {slot};
+            remove_awake(e.objects, e.active, slot);
+            put_to_sleep(e.activity, only);
+            e.activity.events.slept.pop_back();
+            record.never_awake = true;
+            state.velocity = def.velocity;  // kept until it wakes
+            state.angular_velocity = def.angular_velocity;
+        }
+    }
+    return slot;
+}
+
+void destroy_body(const Editing& e, uint32_t body) {
+    wake_for_edit(e.activity, body);
+    wake_touching(e.activity, body);
+    while (e.objects.bodies[body].first_joint != none)
+        destroy_joint(e, e.objects.bodies[body].first_joint >> 1);
+    destroy_contacts_of_body(e.contacts, body);
+    while (e.objects.bodies[body].first_shape != none)
+        destroy_shape(e, e.objects.bodies[body].first_shape);
+    if (e.objects.bodies[body].solver_index != 0) remove_awake(e.objects, e.active, body);
+    leave_island(e.objects, body);
+    e.objects.bodies[body] = BodyRecord();
+    e.objects.bodies[body].next = e.objects.body_slots.free;
+    e.objects.body_slots.free = body;
+    e.columns.body_generations[body] = 0;
+    --e.objects.body_slots.count;
+}
+
+uint32_t create_shape(const Editing& e, const ShapeDef& def, const Geometry& geometry) {
+    // The hull first: a polygon that is none must leave nothing behind. Callers have checked that
+    // it is one.
+    std::vector<Vec2> hull;
+    const Polygon* polygon = std::get_if<Polygon>(&geometry);
+    if (polygon && convex_hull(polygon->vertices, hull) != HullStatus::ok) return none;
+
+    const uint32_t slot = new_shape(e);
+    ++e.objects.shape_slots.count;
+    e.objects.shapes[slot].surface = def;
+    set_form(e, slot, geometry, hull);
+    return slot;
+}
+
+uint32_t new_shape(const Editing& e) {
+    uint32_t slot = e.objects.shape_slots.free;
+    if (slot != none) {
+        e.objects.shape_slots.free = e.objects.shapes[slot].next;
+        const bool listed = e.objects.shapes[slot].moved;
+        e.objects.shapes[slot] = {};
+        e.objects.shapes[slot].moved = listed;
+        e.objects.forms[slot] = {};
+    } else {
+        slot = uint32_t(e.objects.shapes.size());
+        make_room_in_each(e.objects.shapes, e.objects.forms, e.broad_phase.boxes,
+                          e.broad_phase.fat_boxes, e.broad_phase.paired_boxes,
+                          e.columns.shape_generations);
+        e.objects.shapes.emplace_back();
+        e.objects.forms.emplace_back();
+        e.broad_phase.boxes.emplace_back();
+        e.broad_phase.fat_boxes.emplace_back();
+        e.broad_phase.paired_boxes.push_back(no_box);
+        e.columns.shape_generations.push_back(0);
+    }
+    e.columns.shape_generations[slot] = e.generations.take();
+    return slot;
+}
+
+void reserve_vertices(ObjectState& objects, uint32_t slot, uint32_t count) {
+    const uint32_t capacity = VertexPool::capacity_for(count);
+    if (capacity == objects.shapes[slot].capacity) return;
+    objects.pool.release(objects.forms[slot].begin, objects.shapes[slot].capacity);
+    objects.forms[slot].begin = objects.pool.allocate(capacity);
+    objects.shapes[slot].capacity = capacity;
+}
+
+void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
+              const std::vector<Vec2>& hull) {
+    ShapeRecord& record = e.objects.shapes[slot];
+    drop_parts(e, slot, none);
+    record.outline = 0;
+    FormKind kind = FormKind::convex;
+    uint32_t count = 0, room = 0;
+    std::span<const Vec2> outline;
+    if (const Circle* circle = std::get_if<Circle>(&geometry)) {
+        record.type = ShapeType::circle;
+        record.figure.become(*circle);
+        count = 1;
+    } else if (const Box* box = std::get_if<Box>(&geometry)) {
+        record.type = ShapeType::box;
+        record.figure.become(*box);
+        count = 4;
+    } else if (const Segment* segment = std::get_if<Segment>(&geometry)) {
+        record.type = ShapeType::segment;
+        record.figure.become(*segment);
+        count = 2;
+    } else if (const Polygon* polygon = std::get_if<Polygon>(&geometry)) {
+        record.type = ShapeType::polygon;
+        record.figure.become(PolygonFigure{polygon->rounding});
+        count = uint32_t(hull.size());
+        if (count > uint32_t(most_small_vertices)) kind = FormKind::large;
+    } else if (const Ellipse* ellipse = std::get_if<Ellipse>(&geometry)) {
+        record.type = ShapeType::ellipse;
+        record.figure.become(*ellipse);
+        kind = FormKind::ellipse;
+        count = 1;
+        room = 2;  // its axes
+    } else if (const Concave* concave = std::get_if<Concave>(&geometry)) {
+        record.type = ShapeType::concave;
+        kind = FormKind::outline;
+        outline = concave->vertices;
+    } else if (const Chain* chain = std::get_if<Chain>(&geometry)) {
+        record.type = ShapeType::chain;
+        record.closed = chain->closed;
+        kind = FormKind::outline;
+        outline = chain->points;
+    }
+    // It collides no more as what it was.
+    if (e.objects.forms[slot].kind != kind && e.objects.forms[slot].body != none) {
+        destroy_contacts_of_shape(e.contacts, slot);
+        if (kind == FormKind::outline) remove_proxy(e.objects, e.broad_phase, slot);
+    }
+    e.objects.forms[slot].kind = kind;
+    e.objects.forms[slot].count = count;
+    if (kind == FormKind::outline) {
+        e.broad_phase.boxes[slot] = e.broad_phase.fat_boxes[slot] = no_box;
+        e.objects.forms[slot].radius = 0.0f;
+        write_outline(e.objects, e.active, slot, outline);
+        return;
+    }
+    reserve_vertices(e.objects, slot, std::max(count, room));
+    if (record.type == ShapeType::polygon) {
+        for (uint32_t i = 0; i < count; ++i)
+            e.objects.pool.local[e.objects.forms[slot].begin + i] = to_v2(hull[i]);
+    }
+    mark_geometry(e.objects, e.active, slot);
+}
+
+void destroy_shape(const Editing& e, uint32_t shape) {
+    if (e.objects.forms[shape].body != none) detach_shape(e, shape);
+    drop_parts(e, shape, none);
+    if (e.objects.shapes[shape].owner == none) --e.objects.shape_slots.count;
+    e.objects.pool.release(e.objects.forms[shape].begin, e.objects.shapes[shape].capacity);
+    const bool listed = e.objects.shapes[shape].moved;
+    e.objects.shapes[shape] = {};
+    e.objects.shapes[shape].moved = listed;  // once is enough, whoever comes into the slot
+    e.objects.forms[shape] = {};
+    e.objects.shapes[shape].next = e.objects.shape_slots.free;
+    e.objects.shape_slots.free = shape;
+    e.columns.shape_generations[shape] = 0;
+}
+
+void attach_shape(const Editing& e, uint32_t shape, uint32_t body) {
+    if (e.objects.forms[shape].body != none) detach_shape(e, shape);
+    if (!e.objects.bodies[body].never_awake) wake_for_edit(e.activity, body);
+    link_shape(e.objects, shape, body);
+    if (!e.objects.is_solid(shape))
+        e.objects.for_each_solid(shape, [&](uint32_t part) { link_shape(e.objects, part, body); });
+    mark_mass(e.objects, e.active, body);
+    mark_placement(e.objects, e.active, body);
+}
+
+void detach_shape(const Editing& e, uint32_t shape) {
+    const uint32_t body = e.objects.forms[shape].body;
+    wake_for_edit(e.activity, body);
+    wake_touching(e.activity, body);
+    destroy_contacts_of_shape(e.contacts, shape);
+    e.objects.for_each_solid(
+        shape, [&](uint32_t solid) { unlink_shape(e.objects, e.broad_phase, solid); });
+    if (!e.objects.is_solid(shape)) unlink_shape(e.objects, e.broad_phase, shape);
+    mark_mass(e.objects, e.active, body);
+    mark_placement(e.objects, e.active, body);
+    // Alone, its box is in its own coordinates again.
+    e.objects.for_each_solid(
+        shape, [&](uint32_t solid) { place_shape(e.objects, e.broad_phase.boxes, solid, {}); });
+}
+
+/// It has no contacts any more.
+void unlink_shape(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
+    remove_proxy(objects, broad_phase, shape);
+    ShapeRecord& record = objects.shapes[shape];
+    BodyRecord& owner = objects.bodies[objects.forms[shape].body];
+    if (record.previous != none)
+        objects.shapes[record.previous].next = record.next;
+    else
+        owner.first_shape = record.next;
+    if (record.next != none)
+        objects.shapes[record.next].previous = record.previous;
+    else
+        owner.last_shape = record.previous;
+    record.previous = record.next = none;
+    objects.forms[shape].body = none;
+}
+
+}  // namespace fettle::physics::detail
