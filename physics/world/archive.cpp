@@ -1,3 +1,4 @@
+#include <checks/saved_world.h>
 #include <world/archive.h>
 #include <world/seal.h>
 #include <world/world_data.h>
@@ -88,9 +89,9 @@ void World::restore(std::span<const std::byte> bytes) {
     WorldData fresh;
     read(static_cast<WorldState&>(fresh));
     if (!read.at_end()) throw std::invalid_argument("there is something behind the saved world");
-    auto problem = fresh.links_problem();
-    if (!problem) problem = fresh.memberships_problem();
-    if (!problem) problem = fresh.numbers_problem();
+    auto problem = links_problem(fresh);
+    if (!problem) problem = memberships_problem(fresh);
+    if (!problem) problem = numbers_problem(fresh);
     if (problem) throw std::invalid_argument("the saved world is damaged: " + *problem);
     data.replace_state(std::move(fresh));
 }
@@ -106,17 +107,11 @@ void World::take(World&& other) {
     given.replace_state(std::move(empty));
 }
 
-/// The scratch, the functions of the user and the threads stay. What was made since stays gone for
-/// good: its generation is not given again.
+/// Keeps scratch, callbacks and threads. The generations of the new state are not given again.
 void WorldData::replace_state(WorldState&& other) {
     part<WorldState>(*this) = std::move(other);
-    skip_generations();
-}
-
-void WorldData::skip_generations() {
-    self.link->skip(body_generations);
-    self.link->skip(shape_generations);
-    self.link->skip(joint_generations);
+    for (const auto* list : {&body_generations, &shape_generations, &joint_generations})
+        self.link->skip(*list);
     for (const FieldRecord& field : fields) self.link->skip({&field.generation, 1});
 }
 

@@ -1,6 +1,6 @@
+#include <checks/arguments.h>
 #include <contacts/reports.h>
 #include <geometry/trigonometry.h>
-#include <world/arguments.h>
 #include <world/live_body.h>
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
+#include <checks/arguments.h>
 #include <contacts/impact.h>
-#include <world/arguments.h>
 #include <world/world_data.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <world/arguments.h>
+#include <checks/arguments.h>
 #include <world/world_data.h>
 
 #include <stdexcept>

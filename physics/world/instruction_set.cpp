@@ -1,6 +1,6 @@
+#include <checks/arguments.h>
 #include <fettle/physics/instruction_set.h>
 #include <wide/kernels.h>
-#include <world/arguments.h>
 #include <world/world_data.h>
 
 namespace fettle::physics {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <world/arguments.h>
+#include <checks/arguments.h>
 #include <world/world_data.h>
 
 namespace fettle::physics::detail {

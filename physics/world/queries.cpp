@@ -1,7 +1,7 @@
+#include <checks/arguments.h>
 #include <collision/nearest.h>
 #include <collision/probe.h>
 #include <contacts/border.h>
-#include <world/arguments.h>
 #include <world/asking.h>
 #include <world/world_data.h>
 
@@ -13,10 +13,10 @@ using namespace detail;
 
 namespace detail {
 
-bool WorldData::shape_contains(uint32_t shape, V2 point) const {
-    const uint32_t body = forms[shape].body;
-    return signed_distance(solid(shape), body == none ? point : point - bodies[body].center) <=
-           0.0f;
+bool shape_contains(const WorldData& data, uint32_t shape, V2 point) {
+    const uint32_t body = data.forms[shape].body;
+    return signed_distance(data.solid(shape),
+                           body == none ? point : point - data.bodies[body].center) <= 0.0f;
 }
 
 }  // namespace detail
@@ -50,7 +50,7 @@ void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, 
     const V2 d = to - from;
     float far = 1.0f;
     auto visit = [&](uint32_t shape, float) {
-        if (!data.accepted(filter, shape)) return far;
+        if (!is_accepted(data, filter, shape)) return far;
         const Probe probe = ray_on_shape(data, shape, from, d);
         if (probe.fraction <= far) far = hit(shape, probe, far);
         return far;
@@ -59,7 +59,7 @@ void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, 
     data.moving_tree.cast(from, to, visit);
     for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
         const Probe probe = cast_border(border_plane(*data.settings.bounds, side), from, d);
-        if (probe.fraction <= far && data.accepted(filter, side)) far = hit(side, probe, far);
+        if (probe.fraction <= far && is_accepted(data, filter, side)) far = hit(side, probe, far);
     }
 }
 
@@ -73,7 +73,7 @@ std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filt
     std::vector<Shape> found;
     const V2 p = to_v2(point);
     auto visit = [&](uint32_t shape) {
-        if (data.accepted(filter, shape) && data.shape_contains(shape, p)) {
+        if (is_accepted(data, filter, shape) && shape_contains(data, shape, p)) {
             add_once(found, Shape(self(), data.shape_id(shape)));
         }
     };
@@ -99,7 +99,7 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     const float offsets[4] = {half.y, half.x, half.y, half.x};
     const Convex probe = {corners, normals, offsets, 4, 0.0f};
     auto visit = [&](uint32_t shape) {
-        if (!data.accepted(filter, shape) || !overlap(data.boxes[shape], area)) return;
+        if (!is_accepted(data, filter, shape) || !overlap(data.boxes[shape], area)) return;
         const V2 offset = data.bodies[data.forms[shape].body].center - center;
         if (nearest_points({probe}, data.solid(shape), offset).distance <= 0.0f)
             add_once(found, Shape(self(), data.shape_id(shape)));

@@ -1,4 +1,5 @@
 #include <geometry/trigonometry.h>
+#include <world/asking.h>
 #include <world/live_shape.h>
 
 #include <stdexcept>
@@ -281,7 +282,7 @@ bool Shape::contains(const Vec2& world_point) const {
     if (record.type == ShapeType::border) return false;
     bool inside = false;
     data.for_each_solid(id_.index,
-                        [&](uint32_t s) { inside |= data.shape_contains(s, to_v2(world_point)); });
+                        [&](uint32_t s) { inside |= shape_contains(data, s, to_v2(world_point)); });
     return inside;
 }
 

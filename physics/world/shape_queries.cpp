@@ -1,8 +1,8 @@
+#include <checks/arguments.h>
 #include <collision/nearest.h>
 #include <collision/probe.h>
 #include <collision/sweep.h>
 #include <contacts/border.h>
-#include <world/arguments.h>
 #include <world/asking.h>
 #include <world/world_data.h>
 
@@ -68,8 +68,8 @@ float meets_border(const Placed& probe, V2 motion, const BorderPlane& plane) {
 
 namespace detail {
 
-bool WorldData::accepted(const QueryFilter& filter, uint32_t shape) const {
-    const ShapeDef& surface = shapes[shape].surface;
+bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shape) {
+    const ShapeDef& surface = data.shapes[shape].surface;
     if (surface.sensor && !filter.sensors) return false;
     const bool same_group = filter.group != 0 && surface.group == filter.group;
     if (same_group && filter.group < 0) return false;
@@ -77,8 +77,8 @@ bool WorldData::accepted(const QueryFilter& filter, uint32_t shape) const {
         ((surface.mask & filter.category) == 0 || (surface.category & filter.mask) == 0))
         return false;
     if (!filter.accept) return true;
-    const bool accepts = filter.accept(Shape(self.link->world, shape_id(shape)));
-    if (self.orphaned()) self.throw_orphaned();
+    const bool accepts = filter.accept(Shape(data.self.link->world, data.shape_id(shape)));
+    if (data.self.orphaned()) data.self.throw_orphaned();
     return accepts;
 }
 
@@ -109,7 +109,7 @@ std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& f
     for (const Placed& probe : probes) {
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
-            if (owner == body || !data.accepted(filter, other)) return;
+            if (owner == body || !is_accepted(data, filter, other)) return;
             const V2 offset = data.bodies[owner].center - probe.center;
             if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f)
                 add_new(found, Shape(self(), data.shape_id(other)));
@@ -144,7 +144,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
         const Box4 swept = unite(probe.box, {probe.box.low + d, probe.box.high + d});
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
-            if (owner == body || !data.accepted(filter, other)) return;
+            if (owner == body || !is_accepted(data, filter, other)) return;
             const V2 center = data.bodies[owner].center;
             const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
@@ -163,7 +163,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
         for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
             const BorderPlane plane = border_plane(*data.settings.bounds, side);
             const float t = meets_border(probe, d, plane);
-            if (t >= nearest || !data.accepted(filter, side)) continue;
+            if (t >= nearest || !is_accepted(data, filter, side)) continue;
             nearest = t;
             const V2 center = probe.center + t * d;
             const V2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
@@ -196,7 +196,7 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
     const float farthest = min(reach, 4.0f * greatest_coordinate);
     for (float half = min(1.0f, farthest);; half = min(4.0f * half, farthest)) {
         auto visit = [&](uint32_t shape) {
-            if (!data.accepted(filter, shape)) return;
+            if (!is_accepted(data, filter, shape)) return;
             const V2 offset = data.bodies[data.forms[shape].body].center - p;
             const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
             if (near.distance > farthest || (best && near.distance >= best->distance)) return;
@@ -229,7 +229,7 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
     std::vector<Hit> hits;
     auto visit = [&](uint32_t shape) {
         const uint32_t body = data.forms[shape].body;
-        if (data.bodies[body].mobility != Mobility::dynamic || !data.accepted(filter, shape))
+        if (data.bodies[body].mobility != Mobility::dynamic || !is_accepted(data, filter, shape))
             return;
         const V2 offset = data.bodies[body].center - p;
         const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);

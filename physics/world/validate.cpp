@@ -1,8 +1,9 @@
+#include <checks/saved_world.h>
 #include <world/world_data.h>
 
 #include <algorithm>
 
-// Looks for what a world should never be, at the cost of comparing every shape with every other.
+// Checks all that must hold in any world, at the cost of comparing every shape with every other.
 
 namespace fettle::physics {
 
@@ -14,14 +15,6 @@ using Fault = std::optional<std::string>;
 
 std::string number(uint64_t value) {
     return std::to_string(value);
-}
-
-Fault check_memberships(const WorldData& data) {
-    return data.memberships_problem();
-}
-
-Fault check_numbers(const WorldData& data) {
-    return data.numbers_problem();
 }
 
 Fault check_trees(const WorldData& data) {
@@ -70,18 +63,14 @@ Fault check_pairs(const WorldData& data) {
 
 }  // namespace
 
-std::optional<std::string> detail::WorldData::validate() const {
-    for (auto check : {check_memberships, check_numbers, check_trees, check_pairs}) {
-        if (Fault fault = check(*this)) return fault;
-    }
-    return {};
-}
-
 std::optional<std::string> World::validate() const {
     const WorldData& data = *data_;
     data.self.may_copy("World::validate");
     WorldLock lock(data.self, WorldLock::During::change, in_edit);  // it asks the filter
-    Fault fault = data.validate();
+    Fault fault = memberships_problem(data);
+    if (!fault) fault = numbers_problem(data);
+    if (!fault) fault = check_trees(data);
+    if (!fault) fault = check_pairs(data);
     lock.finish();
     return fault;
 }

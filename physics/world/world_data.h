@@ -23,7 +23,6 @@ struct WorldData : WorldState, StepScratch {
     ThreadPool* threads = nullptr;  ///< of `self`
 
     Events& event_sink() { return stepping ? events : pending; }
-    void skip_generations();
     BodyId body_id(uint32_t slot) const { return detail::body_id(*this, slot); }
     ShapeId shape_id(uint32_t slot) const { return detail::shape_id(*this, *this, slot); }
     Solid solid(uint32_t shape) const { return solid_of(*this, *this, shape); }
@@ -65,16 +64,8 @@ struct WorldData : WorldState, StepScratch {
     // memory.cpp
     void trim();
 
-    // archive.cpp, links.cpp, memberships.cpp, numbers.cpp: saved worlds
+    // archive.cpp
     void replace_state(WorldState&& other);
-    std::optional<std::string> links_problem() const;
-    std::optional<std::string> memberships_problem() const;
-    std::optional<std::string> numbers_problem() const;
-
-    // queries.cpp, shape_queries.cpp
-    bool accepted(const QueryFilter& filter, uint32_t shape) const;
-    bool shape_contains(uint32_t shape, V2 point) const;
-    std::optional<std::string> validate() const;
 };
 
 }  // namespace fettle::physics::detail

@@ -4,6 +4,8 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace fettle::physics::detail {
@@ -76,6 +78,22 @@ void return_link(WorldLink& link) {
     link.world = nullptr;
     link.data = nullptr;
     known.unused.push_back(&link);
+}
+
+void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t generation) {
+    if (link == nullptr || generation == 0)
+        throw std::invalid_argument(std::string("this handle names no ") + kind);
+    const std::string named = std::string(kind) + " " + std::to_string(index);
+    if (link->data == nullptr)
+        throw std::invalid_argument(named + " does not exist any more: its world was destroyed");
+    throw std::invalid_argument(named + " of generation " + std::to_string(generation) +
+                                " does not exist any more");
+}
+
+void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
+    throw std::invalid_argument(std::string(name) + ": " + kind + " " + std::to_string(index) +
+                                " of generation " + std::to_string(generation) +
+                                " was destroyed, or is of another world");
 }
 
 }  // namespace fettle::physics::detail

@@ -32,4 +32,10 @@ WorldLink& take_link();
 /// Its world was destroyed.
 void return_link(WorldLink& link);
 
+/// Throws for a handle without an object: default-made, or its object or its world was destroyed.
+[[noreturn]] void dangling(const char* kind, const WorldLink* link, uint32_t index,
+                           uint32_t generation);
+/// Throws for an id of another world; `name` is what a definition calls it.
+[[noreturn]] void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation);
+
 }  // namespace fettle::physics::detail

@@ -28,6 +28,7 @@ const std::vector<Room>& rooms() {
         {"wide", {"simd", "broad_phase", "collision", "constraints"}},
         {"state",
          {"geometry", "threads", "broad_phase", "collision", "constraints", "partition", "joints"}},
+        {"checks", {"geometry", "collision", "state"}},
         {"sleep", {"geometry", "partition", "state"}},
         {"contacts", {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep"}},
         {"edits", {"geometry", "collision", "state", "sleep", "contacts"}},
@@ -40,7 +41,7 @@ const std::vector<Room>& rooms() {
           "schedule"}},
         {"world",
          {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep", "contacts",
-          "edits", "schedule", "solver", "step"}},
+          "edits", "schedule", "solver", "step", "checks"}},
     };
     return table;
 }

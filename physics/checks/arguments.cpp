@@ -1,8 +1,7 @@
+#include <checks/arguments.h>
 #include <geometry/decomposition.h>
 #include <geometry/vector.h>
-#include <world/arguments.h>
-#include <world/world_data.h>
-#include <world/world_link.h>
+#include <state/limits.h>
 
 #include <cmath>
 #include <cstdio>
@@ -236,22 +235,6 @@ void check(const Geometry& geometry) {
             throw std::invalid_argument(std::string("vertices: ") + describe(status));
         for (const Vec2& v : hull) check_point("vertices", v);
     }
-}
-
-void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t generation) {
-    if (link == nullptr || generation == 0)
-        throw std::invalid_argument(std::string("this handle names no ") + kind);
-    const std::string named = std::string(kind) + " " + std::to_string(index);
-    if (link->data == nullptr)
-        throw std::invalid_argument(named + " does not exist any more: its world was destroyed");
-    throw std::invalid_argument(named + " of generation " + std::to_string(generation) +
-                                " does not exist any more");
-}
-
-void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
-    throw std::invalid_argument(std::string(name) + ": " + kind + " " + std::to_string(index) +
-                                " of generation " + std::to_string(generation) +
-                                " was destroyed, or is of another world");
 }
 
 void wrong_type(const char* property, ShapeType type) {

@@ -7,12 +7,10 @@
 
 #include <cmath>
 
-// Checks of what callers hand in. Each returns its argument or throws std::invalid_argument with
+// Checks of arguments. Each returns its argument or throws std::invalid_argument with
 // the name of the value, what it was and what was expected. `what` reads like "linear_damping".
 
 namespace fettle::physics::detail {
-
-struct WorldLink;
 
 [[noreturn]] void refuse_infinite(const char* what, float value);
 [[noreturn]] void refuse_infinite(const char* what, const Vec2& value);
@@ -26,7 +24,7 @@ inline const Vec2& check_finite(const char* what, const Vec2& value) {
         refuse_infinite(what, value);
     return value;
 }
-/// Of any length but none.
+/// Of any length above 0.
 const Vec2& check_direction(const char* what, const Vec2& value);
 [[noreturn]] void refuse_negative(const char* what, float value);
 /// Finite and >= 0.
@@ -62,11 +60,6 @@ void check_outline(std::span<const Vec2> points);
 void check_chain(std::span<const Vec2> points, bool closed);
 void check(const Geometry& geometry);  ///< polygons: also that there is a hull
 
-/// A handle that reaches nothing: default-made, or its object or its world was destroyed.
-[[noreturn]] void dangling(const char* kind, const WorldLink* link, uint32_t index,
-                           uint32_t generation);
-/// An id that a definition calls `name`.
-[[noreturn]] void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation);
 [[noreturn]] void wrong_type(const char* property, ShapeType type);
 
 }  // namespace fettle::physics::detail

@@ -1,5 +1,5 @@
+#include <checks/saved_world.h>
 #include <collision/climb.h>
-#include <world/world_data.h>
 
 #include <algorithm>
 #include <bit>
@@ -8,9 +8,7 @@
 #include <optional>
 #include <type_traits>
 
-// Whether a world that came as bytes may be walked: every index is in range and every list ends.
-// Whether its lists agree with what is in them is for memberships.cpp. What it simulates may still
-// be nonsense, as with any edit; it cannot reach foreign memory.
+// Damaged data may still describe nonsense, as any edit may; they cannot reach foreign memory.
 
 namespace fettle::physics::detail {
 namespace {
@@ -100,7 +98,7 @@ bool edge_in_range(const ListEdge& edge, size_t records) {
            (edge.next == none || edge.next >> 1 < records);
 }
 
-void check_bodies(const WorldData& w, Findings& findings) {
+void check_bodies(const WorldState& w, Findings& findings) {
     const size_t n = w.bodies.size(), shapes = w.shapes.size();
     findings.require(
         n > 0 && w.states.size() == n && w.previous.size() == n && w.body_generations.size() == n,
@@ -125,7 +123,7 @@ void check_bodies(const WorldData& w, Findings& findings) {
 }
 
 /// Parts are pieces and know whose they are, outlines have the only ones.
-void check_parts(const WorldData& w, Findings& findings) {
+void check_parts(const WorldState& w, Findings& findings) {
     if (findings.result()) return;
     const size_t n = w.shapes.size();
     for (size_t i = 0; i < n; ++i) {
@@ -176,7 +174,7 @@ bool counts_its_vertices(const ShapeForm& form, ShapeType type) {
     }
 }
 
-void check_shapes(const WorldData& w, Findings& findings) {
+void check_shapes(const WorldState& w, Findings& findings) {
     const size_t n = w.shapes.size(), vertices = w.pool.local.size();
     findings.require(n >= 4 && w.forms.size() == n && w.boxes.size() == n &&
                          w.fat_boxes.size() == n && w.paired_boxes.size() == n &&
@@ -214,7 +212,7 @@ void check_shapes(const WorldData& w, Findings& findings) {
                      "free shapes");
 }
 
-void check_proxies(const WorldData& w, Findings& findings) {
+void check_proxies(const WorldState& w, Findings& findings) {
     const auto n = uint32_t(w.shapes.size());
     findings.require(w.fixed_tree.is_walkable(n) && w.moving_tree.is_walkable(n),
                      "the broad phase");
@@ -239,7 +237,7 @@ void check_proxies(const WorldData& w, Findings& findings) {
     }
 }
 
-void check_contacts(const WorldData& w, Findings& findings) {
+void check_contacts(const WorldState& w, Findings& findings) {
     const size_t n = w.contacts.size();
     findings.require(w.contact_links.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
@@ -279,7 +277,7 @@ void check_contacts(const WorldData& w, Findings& findings) {
                          "a contact");
 }
 
-void check_links_of_joints(const WorldData& w, Findings& findings) {
+void check_links_of_joints(const WorldState& w, Findings& findings) {
     const size_t n = w.joints.size();
     findings.require(w.joint_generations.size() == n, "joints");
     if (findings.result()) return;
@@ -325,7 +323,7 @@ void check_links_of_joints(const WorldData& w, Findings& findings) {
         "free joints");
 }
 
-void check_fields(const WorldData& w, Findings& findings) {
+void check_fields(const WorldState& w, Findings& findings) {
     const size_t n = w.fields.size();
     constexpr size_t kinds = std::variant_size_v<decltype(FieldDef::force)>;
     for (const FieldRecord& field : w.fields)
@@ -337,7 +335,7 @@ void check_fields(const WorldData& w, Findings& findings) {
         "free fields");
 }
 
-void check_lists(const WorldData& w, Findings& findings) {
+void check_lists(const WorldState& w, Findings& findings) {
     const size_t bodies = w.bodies.size(), shapes = w.shapes.size();
     findings.require(all_below(w.awake_bodies, bodies) && all_below(w.edited_bodies, bodies) &&
                          all_below(w.edited_shapes, shapes) && all_below(w.moved_shapes, shapes) &&
@@ -381,16 +379,16 @@ void check_lists(const WorldData& w, Findings& findings) {
 
 }  // namespace
 
-std::optional<std::string> WorldData::links_problem() const {
+std::optional<std::string> links_problem(const WorldState& world) {
     Findings findings;
     // What a later check walks, an earlier one has found in range.
-    check_bodies(*this, findings);
-    if (!findings.result()) check_shapes(*this, findings);
-    if (!findings.result()) check_proxies(*this, findings);
-    check_fields(*this, findings);
-    if (!findings.result()) check_lists(*this, findings);
-    if (!findings.result()) check_contacts(*this, findings);
-    if (!findings.result()) check_links_of_joints(*this, findings);
+    check_bodies(world, findings);
+    if (!findings.result()) check_shapes(world, findings);
+    if (!findings.result()) check_proxies(world, findings);
+    check_fields(world, findings);
+    if (!findings.result()) check_lists(world, findings);
+    if (!findings.result()) check_contacts(world, findings);
+    if (!findings.result()) check_links_of_joints(world, findings);
     return findings.result();
 }
 

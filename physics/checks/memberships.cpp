@@ -1,11 +1,6 @@
-#include <world/world_data.h>
+#include <checks/saved_world.h>
 
 #include <algorithm>
-
-// Whether the parts of a world that say the same thing in different ways agree: who hangs on a body
-// is in its lists, who is listed says so, and nobody else does. Whoever is taken out of a list by
-// what he says himself is then out of it. Every index must be in range, and every list end
-// (links.cpp).
 
 namespace fettle::physics::detail {
 namespace {
@@ -16,7 +11,7 @@ std::string number(uint64_t value) {
     return std::to_string(value);
 }
 
-/// What is marked is in the list; others may be too, whose slot has been given away since.
+/// All marked slots are in the list. Others may be too: slots that were freed and used again.
 template <class IsMarked>
 bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, IsMarked is_marked) {
     std::vector<bool> listed(size);
@@ -26,7 +21,7 @@ bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, IsMarked i
     return true;
 }
 
-/// Every slot that is free, and no other, is in the list of those.
+/// The list of free slots has every free slot and no other.
 template <class IsFree, class Next>
 bool lists_the_free(uint32_t first, size_t size, IsFree is_free, Next next) {
     size_t free = 0;
@@ -65,7 +60,7 @@ uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
     return count;
 }
 
-Fault check_bodies(const WorldData& data) {
+Fault check_bodies(const WorldState& data) {
     uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0;
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const BodyRecord& record = data.bodies[body];
@@ -100,7 +95,7 @@ Fault check_bodies(const WorldData& data) {
                             data.body_slots.free);
 }
 
-Fault check_shapes(const WorldData& data) {
+Fault check_shapes(const WorldState& data) {
     uint32_t live = 0, on_bodies = 0, listed = 0, proxies = 0;
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         const ShapeRecord& record = data.shapes[shape];
@@ -142,7 +137,7 @@ Fault check_shapes(const WorldData& data) {
                             data.shape_slots.free);
 }
 
-Fault check_contacts(const WorldData& data) {
+Fault check_contacts(const WorldState& data) {
     uint32_t live = 0, awake = 0, edges = 0;
     std::vector<uint32_t> touching(data.bodies.size(), 0);
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
@@ -196,7 +191,7 @@ Fault check_contacts(const WorldData& data) {
 }
 
 /// Every joint is in the lists of both its bodies and at its place in the list of its type.
-Fault check_joints(const WorldData& data) {
+Fault check_joints(const WorldState& data) {
     uint32_t live = 0, edges = 0, awake = 0, placed = 0;
     for (uint32_t joint = 0; joint < data.joints.size(); ++joint) {
         const JointRecord& record = data.joints[joint];
@@ -253,9 +248,9 @@ Fault check_joints(const WorldData& data) {
 
 }  // namespace
 
-std::optional<std::string> WorldData::memberships_problem() const {
+std::optional<std::string> memberships_problem(const WorldState& world) {
     for (auto check : {check_bodies, check_shapes, check_contacts, check_joints}) {
-        if (Fault fault = check(*this)) return fault;
+        if (Fault fault = check(world)) return fault;
     }
     return {};
 }

@@ -1,12 +1,9 @@
-#include <world/arguments.h>
-#include <world/world_data.h>
+#include <checks/arguments.h>
+#include <checks/saved_world.h>
+#include <state/limits.h>
 
 #include <cmath>
 #include <stdexcept>
-
-// Whether the numbers of a world that came as bytes are such as somebody could have written, or as
-// could have followed from those: setters check what they are given, and this checks the same.
-// Every index must be in range, and what is walked must end (links.cpp).
 
 namespace fettle::physics::detail {
 namespace {
@@ -23,8 +20,7 @@ bool is_finite(V2 v) {
 bool is_finite(const Box4& box) {
     return is_finite(box.low) && is_finite(box.high);
 }
-/// Infinite where something weighs so much that nothing moves it, or rests longer than a number
-/// holds.
+/// May be infinite: a mass that nothing moves, or a time of rest beyond the range of a float.
 bool is_amount(float value) {
     return value >= 0.0f;
 }
@@ -73,12 +69,12 @@ void check(const BodyState& state, const Pose& previous, size_t slot) {
 
 // --- Shapes
 
-std::span<const Vec2> points_of(const WorldData& w, size_t shape, size_t count) {
+std::span<const Vec2> points_of(const WorldState& w, size_t shape, size_t count) {
     static_assert(sizeof(Vec2) == sizeof(V2) && alignof(Vec2) <= alignof(V2));
     return {reinterpret_cast<const Vec2*>(&w.pool.local[w.forms[shape].begin]), count};
 }
 
-void check_polygon(const WorldData& w, size_t shape) {
+void check_polygon(const WorldState& w, size_t shape) {
     check_range("rounding", w.shapes[shape].figure.as<PolygonFigure>().rounding, 0.0f, 1e6f);
     const auto points = points_of(w, shape, w.forms[shape].count);
     std::vector<Vec2> hull;
@@ -88,7 +84,7 @@ void check_polygon(const WorldData& w, size_t shape) {
     for (const Vec2& v : points) check_range("vertices", v.lpNorm<Eigen::Infinity>(), 0.0f, 1e6f);
 }
 
-void check_figure(const WorldData& w, size_t shape) {
+void check_figure(const WorldState& w, size_t shape) {
     const ShapeRecord& record = w.shapes[shape];
     switch (record.type) {
         case ShapeType::circle:
@@ -110,7 +106,7 @@ void check_figure(const WorldData& w, size_t shape) {
     }
 }
 
-void check_shape(const WorldData& w, size_t shape) {
+void check_shape(const WorldState& w, size_t shape) {
     const ShapeRecord& record = w.shapes[shape];
     const ShapeForm& form = w.forms[shape];
     check(record.surface);
@@ -261,7 +257,7 @@ void check_impulses(const Data& data, size_t slot) {
 
 // --- All of it
 
-void check_numbers_of_joints(const WorldData& w) {
+void check_numbers_of_joints(const WorldState& w) {
     for (size_t i = 0; i < w.joints.size(); ++i)
         if (w.joint_generations[i] != 0) check(w.joints[i]);
     const auto check_list = [](const auto& list) {
@@ -273,7 +269,7 @@ void check_numbers_of_joints(const WorldData& w) {
     std::apply([&](const auto&... lists) { (check_list(lists), ...); }, w.joint_lists);
 }
 
-void check_all(const WorldData& w) {
+void check_all(const WorldState& w) {
     check(w.settings);
     for (size_t i = 0; i < w.bodies.size(); ++i) {
         check(w.bodies[i], i);
@@ -294,9 +290,9 @@ void check_all(const WorldData& w) {
 
 }  // namespace
 
-std::optional<std::string> WorldData::numbers_problem() const {
+std::optional<std::string> numbers_problem(const WorldState& world) {
     try {
-        check_all(*this);
+        check_all(world);
     } catch (const std::invalid_argument& problem) {
         return problem.what();
     }
