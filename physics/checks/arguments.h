@@ -34,6 +34,15 @@ inline float check_not_negative(const char* what, float value) {
     return value;
 }
 float check_range(const char* what, float value, float low, float high);
+inline float check_limit(const char* what, float value) {
+    return check_range(what, value, -infinity, std::numeric_limits<float>::infinity());
+}
+inline float check_strength(const char* what, float value) {
+    return check_range(what, value, 0.0f, infinity);
+}
+inline float check_stiffness(const char* what, float hertz) {
+    return check_range(what, hertz, 0.0f, infinity);
+}
 int check_count(const char* what, int value, int low, int high);
 /// 4, 8 or 16.
 int check_simd_width(const char* what, int value);

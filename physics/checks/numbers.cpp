@@ -144,13 +144,6 @@ void check(const ContactRecord& contact, size_t slot) {
 
 // --- Joints: as their setters do
 
-void check_strength(const char* what, float value) {
-    check_range(what, value, 0.0f, infinity);
-}
-void check_limit(const char* what, float value) {
-    check_range(what, value, -infinity, infinity);
-}
-
 void check(const JointRecord& joint) {
     check_coordinates("anchor_a", to_vec2(joint.anchors[0]));
     check_coordinates("anchor_b", to_vec2(joint.anchors[1]));

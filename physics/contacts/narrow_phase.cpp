@@ -14,7 +14,7 @@ namespace {
 /// Contacts that are collided before their results are read: few enough to be still in the cache.
 constexpr size_t run_length = 64;  // a bit each
 /// Contacts that a thread takes at a time, and shapes.
-constexpr size_t piece_length = 128, moved_at_a_time = 512;
+constexpr size_t contacts_of_piece = 128, moved_at_a_time = 512;
 
 /// Collides one pair by itself.
 void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
@@ -159,7 +159,7 @@ template <typename Work>
 size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots, size_t first,
                      uint32_t others, Work&& beside) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
-    const size_t pieces = (slots.size() + piece_length - 1) / piece_length;
+    const size_t pieces = (slots.size() + contacts_of_piece - 1) / contacts_of_piece;
     if (collided.size() < first + pieces) collided.resize(first + pieces);
     share_out(in.threads, others + uint32_t(pieces), [&](uint32_t block) {
         if (block < others) {
@@ -169,8 +169,8 @@ size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots
         Collision collision(in);
         CollidedPiece& piece = collided[first + block - others];
         piece.clear();
-        const size_t begin = (block - others) * piece_length;
-        const size_t end = std::min(begin + piece_length, slots.size());
+        const size_t begin = (block - others) * contacts_of_piece;
+        const size_t end = std::min(begin + contacts_of_piece, slots.size());
         for (size_t i = begin; i < end; i += run_length)
             collision.run(slots, i, std::min(i + run_length, end), piece);
     });

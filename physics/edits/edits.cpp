@@ -37,7 +37,7 @@ void box_corners(const Box& box, V2* out) {
 
 /// The ends of a segment are set one after the other too: while they are the same point, it is as
 /// short as one can be.
-V2 apart(V2 to, V2 from) {
+V2 kept_apart(V2 to, V2 from) {
     const float least = 1e-4f + 1e-6f * max(std::fabs(from.x), std::fabs(from.y));
     return length(to - from) >= least ? to : from + V2{least, 0.0f};
 }
@@ -215,7 +215,7 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             break;
         case ShapeType::segment:
             local[0] = to_v2(record.figure.as<Segment>().from);
-            local[1] = apart(to_v2(record.figure.as<Segment>().to), local[0]);
+            local[1] = kept_apart(to_v2(record.figure.as<Segment>().to), local[0]);
             form.radius = record.figure.as<Segment>().rounding;
             break;
         case ShapeType::ellipse:

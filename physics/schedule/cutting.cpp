@@ -20,7 +20,7 @@ constexpr uint64_t cut_interval = 8;
 constexpr uint64_t order_interval = 16, sort_interval = 64;
 
 /// Entries that a thread takes at a time, and the prefetch distance.
-constexpr size_t piece_length = 512, records_ahead = 8;
+constexpr size_t entries_at_a_time = 512, records_ahead = 8;
 
 /// Stable sort of a list of slots of `records`. `strip_of(slot)` is what it is sorted by;
 /// `place(slot, i)` stores the new place. `placed`: the stored places are right before the sort.
@@ -28,7 +28,7 @@ template <typename Records, typename StripOf, typename Place>
 void order_by_strip(ThreadPool* threads, Reordering& scratch, std::vector<uint32_t>& list,
                     bool placed, Records& records, StripOf&& strip_of, Place&& place) {
     const auto each = [&](auto&& visit) {
-        share_out_range(threads, list.size(), piece_length, [&](size_t begin, size_t end) {
+        share_out_range(threads, list.size(), entries_at_a_time, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 if (i + records_ahead < end)
                     __builtin_prefetch(&records[list[i + records_ahead]], 1);

@@ -12,13 +12,13 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Velocities of the two bodies of a contact, in registers while it is solved.
-struct Pair {
+struct SolvedPair {
     V2 va, vb;
     float wa, wb;
     V2 ma, mb;
     float ia, ib;
 
-    Pair(const ContactConstraint& c, const SolverBody& a, const SolverBody& b)
+    SolvedPair(const ContactConstraint& c, const SolverBody& a, const SolverBody& b)
         : va(a.velocity),
           vb(b.velocity),
           wa(a.angular_velocity),
@@ -72,7 +72,8 @@ struct NormalRow {
 
 template <bool biased>
 inline void solve_normals(ContactConstraint& c, const SolverBody& a, const SolverBody& b,
-                          Pair& pair, const Corner* corner, float inverse_h, float push_speed) {
+                          SolvedPair& pair, const Corner* corner, float inverse_h,
+                          float push_speed) {
     const Softness& soft = c.soft;
     const V2 n = c.normal;
     const float approach = dot(n, pair.vb - pair.va);
@@ -119,7 +120,7 @@ inline float tangent_impulse(ConstraintPoint& p, float velocity, float friction)
     return impulse;
 }
 
-inline void solve_friction(ContactConstraint& c, Pair& pair, float surface_speed) {
+inline void solve_friction(ContactConstraint& c, SolvedPair& pair, float surface_speed) {
     const V2 t = right_perp(c.normal);
     const float slip = dot(t, pair.vb - pair.va) + surface_speed;
     ConstraintPoint& p = c.points[0];
@@ -137,7 +138,7 @@ inline void solve_friction(ContactConstraint& c, Pair& pair, float surface_speed
                p.tangent_lever_b * i1 + q.tangent_lever_b * i2);
 }
 
-inline void solve_rolling(ContactConstraint& c, ContactExtra& extra, Pair& pair) {
+inline void solve_rolling(ContactConstraint& c, ContactExtra& extra, SolvedPair& pair) {
     if (!(extra.rolling_resistance > 0.0f)) return;
     float normal = c.points[0].normal_impulse;
     if (c.count == 2) normal += c.points[1].normal_impulse;
@@ -162,7 +163,7 @@ void ContactSolver::warm_start() {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
         follow(c, a, b);
-        Pair pair(c, a, b);
+        SolvedPair pair(c, a, b);
         const V2 t = right_perp(c.normal);
         const ConstraintPoint& p = c.points[0];
         float pn = p.normal_impulse, pt = p.tangent_impulse;
@@ -197,7 +198,7 @@ void ContactSolver::solve_biased() {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
         follow(c, a, b);
-        Pair pair(c, a, b);
+        SolvedPair pair(c, a, b);
         solve_normals<true>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         pair.store(a, b);
     }
@@ -208,7 +209,7 @@ void ContactSolver::relax() {
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
         follow(c, a, b);
-        Pair pair(c, a, b);
+        SolvedPair pair(c, a, b);
         solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         if (c.extra == 0) {
             solve_friction(c, pair, 0.0f);
@@ -259,7 +260,7 @@ bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
         if (pass > 1 && changed[c.a] + 1 < pass && changed[c.b] + 1 < pass) continue;
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
-        Pair pair(c, bodies[c.a], bodies[c.b]);
+        SolvedPair pair(c, bodies[c.a], bodies[c.b]);
         float v[2] = {};
         bool meets[2] = {};
         for (int k = 0; k < c.count; ++k) {
@@ -295,7 +296,7 @@ void ContactSolver::restitute() {
         ContactExtra& extra = extras[c.extra - 1];
         SolverBody& a = bodies[c.a];
         SolverBody& b = bodies[c.b];
-        Pair pair(c, a, b);
+        SolvedPair pair(c, a, b);
         for (int k = 0; k < c.count; ++k) {
             ConstraintPoint& p = c.points[k];
             if (extra.approach[k] > -restitution_threshold || !(extra.greatest[k] > 0.0f)) continue;

@@ -8,7 +8,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Bodies that a thread takes at a time.
-constexpr size_t piece_length = 64;
+constexpr size_t bodies_of_piece = 64;
 
 void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& piece) {
     const uint32_t slot = in.active.awake_bodies[place];
@@ -93,7 +93,7 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
     const std::vector<uint32_t>& awake = in.active.awake_bodies;
     std::vector<FinishedPiece>& finished = in.scratch.finished;
     const size_t count = awake.size();
-    finished.resize((count + piece_length - 1) / piece_length);
+    finished.resize((count + bodies_of_piece - 1) / bodies_of_piece);
     // With callbacks, a fast body looks up its pairs, to see whether they are disabled.
     if (in.callbacks) end_pairs(in.list, in.pairs);
     share_out(in.threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
@@ -103,8 +103,8 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
         }
         FinishedPiece& piece = finished[block - 1];
         piece.clear();
-        const size_t end = std::min(block * piece_length, count);
-        for (size_t place = (block - 1) * piece_length; place < end; ++place) {
+        const size_t end = std::min(block * bodies_of_piece, count);
+        for (size_t place = (block - 1) * bodies_of_piece; place < end; ++place) {
             if (place + bodies_ahead < end)
                 in.objects.bodies[awake[place + bodies_ahead]].prefetch();
             finish_body(in, place, dt, piece);

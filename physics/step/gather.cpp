@@ -8,7 +8,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Bodies that a thread takes at a time.
-constexpr size_t bodies_at_a_time = 256;
+constexpr size_t gathered_at_a_time = 256;
 
 /// What at least one of some bodies has, and few have.
 enum Gathered : uint8_t {
@@ -57,8 +57,8 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     bodies.solver_forces.resize(count + 1);
     bodies.solver_bodies[0] = {};
     bodies.solver_ends.assign(records.size(), {});
-    bodies.gathered.resize((count + bodies_at_a_time - 1) / bodies_at_a_time);
-    share_out_range(threads, count, bodies_at_a_time, [&](size_t begin, size_t end) {
+    bodies.gathered.resize((count + gathered_at_a_time - 1) / gathered_at_a_time);
+    share_out_range(threads, count, gathered_at_a_time, [&](size_t begin, size_t end) {
         uint8_t found = 0;
         for (size_t i = begin; i < end; ++i) {
             if (i + bodies_ahead < end) records[awake[i + bodies_ahead]].prefetch();
@@ -71,7 +71,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
             found |= gather_body(record, state, gravity, h, bodies.solver_bodies[i + 1],
                                  bodies.solver_forces[i + 1]);
         }
-        bodies.gathered[begin / bodies_at_a_time] = found;
+        bodies.gathered[begin / gathered_at_a_time] = found;
     });
     uint8_t found = 0;
     hubs.begin(strips.count());
@@ -79,8 +79,8 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
         found |= bodies.gathered[piece];
         // The solvers that solve one contact after the other need no hubs.
         if ((bodies.gathered[piece] & some_crowded) != 0 && settings.solver == Solver::soft_step)
-            find_hubs(objects, awake, piece * bodies_at_a_time,
-                      std::min((piece + 1) * bodies_at_a_time, count), bodies, hubs);
+            find_hubs(objects, awake, piece * gathered_at_a_time,
+                      std::min((piece + 1) * gathered_at_a_time, count), bodies, hubs);
     }
     bodies.axes_locked = (found & some_axis_locked) != 0;
     bodies.driven = (found & some_driven) != 0;

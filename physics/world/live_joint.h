@@ -23,16 +23,6 @@ inline float angle_between(const Joint& joint) {
 inline Vec2 gap_between(const Joint& joint) {
     return joint.world_anchor_b() - joint.world_anchor_a();
 }
-
-inline float check_limit(const char* what, float value) {
-    return check_range(what, value, -infinity, infinity);
-}
-inline float check_strength(const char* what, float value) {
-    return check_range(what, value, 0.0f, infinity);
-}
-inline float check_stiffness(const char* what, float hertz) {
-    return check_range(what, hertz, 0.0f, infinity);
-}
 }  // namespace detail
 
 template <class Data>

@@ -44,7 +44,7 @@ void add_new(std::vector<Shape>& found, const Shape& shape) {
     if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
 }
 
-struct Point {
+struct PointForm {
     V2 zero;
     Solid form() const { return {{&zero, nullptr, nullptr, 1, 0.0f}}; }
 };
@@ -190,7 +190,7 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
     data.read_all();
     Asking asking(data, filter);
     const V2 p = to_v2(point);
-    const Point asks;
+    const PointForm asks;
     std::optional<PointHit> best;
     // In growing boxes, until none outside of the box can be nearer.
     const float farthest = min(reach, 4.0f * greatest_coordinate);
@@ -225,7 +225,7 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
         V2 at;
     };
     const V2 p = to_v2(point);
-    const Point asks;
+    const PointForm asks;
     std::vector<Hit> hits;
     auto visit = [&](uint32_t shape) {
         const uint32_t body = data.forms[shape].body;
