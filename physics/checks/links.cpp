@@ -341,7 +341,7 @@ void check_lists(const WorldState& w, Findings& findings) {
                          all_below(w.edited_shapes, shapes) && all_below(w.moved_shapes, shapes) &&
                          all_below(w.awake_contacts, w.contacts.size()),
                      "the lists of what is awake or edited");
-    findings.require(w.strips.are_sound(), "the strips");
+    findings.require(w.strips.is_valid(), "the strips");
     for (const Island& island : w.islands)
         findings.require(
             list_ends(island.first, bodies, [&](uint32_t i) { return w.bodies[i].next; }),

@@ -41,18 +41,18 @@ struct ContactConstraint {
     ConstraintPoint points[2];
 };
 
-/// What a contact round a corner needs. Along the normal, who passes at a tangent comes nearer:
-/// s₀ + u_n; in truth the cores keep a distance of √((d + u_n)² + u_t²), which is more. Left out, a
-/// circle that rolls over flush tiles is kicked by the corner of every next one before it gets
-/// there.
+/// What a contact round a corner needs. To first order the gap is s₀ + u_n. A shape that passes the
+/// corner along the tangent has a larger gap in truth: the cores have the distance
+/// √((d + u_n)² + u_t²). Without this correction, a circle that rolls over flush tiles is kicked by
+/// the corner of the next tile before it gets there.
 struct Corner {
     float distance = 0.0f;                 ///< d of the cores when the step began, m; 0: no corner
     float lever_a = 0.0f, lever_b = 0.0f;  ///< of the cores along the tangent, m
 };
 
-/// What the way round a corner adds to the gap that is told along the normal: by now, or when all
-/// has gone on for a time. `along_normal`: how far the cores came apart by then, m. `motion` has
-/// the velocities va, wa of a and vb, wb of b.
+/// What the path round a corner adds to the gap along the normal: now, or after the time `ahead`
+/// (s). `along_normal`: how far the cores came apart by then, m. `motion` has the velocities va, wa
+/// of a and vb, wb of b.
 template <class Motion>
 float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
                  const Motion& motion, float along_normal, float ahead) {

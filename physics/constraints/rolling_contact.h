@@ -10,9 +10,9 @@ namespace fettle::physics::detail {
 float bend_of(const Solid& shape, V2 normal);
 
 /// How a contact of curved surfaces changes while the bodies turn, to second order. Direction,
-/// levers and gap of a contact are told for the begin of the step; that is enough for faces and
-/// circles. On an ellipse the contact runs along the rim as it rolls, and a lever that is a step
-/// old lets it gain energy until it tumbles.
+/// levers and gap of a contact are known for the beginning of the step; that is enough for faces
+/// and circles. On an ellipse the contact runs along the rim as it rolls, and a lever that is a
+/// step old lets it gain energy until it tumbles.
 ///
 /// With φ the angle of the normal, h(φ - θ) the reach of a body from its center of mass along it
 /// and c from center to center, the gap is s = n(φ)·c - h_a(φ - θ_a) - h_b(φ + π - θ_b), greatest

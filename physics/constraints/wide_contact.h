@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-// Contacts in groups of sixteen of one color: no two in a color share a body that moves, so the
-// lanes do not know of each other. Structure of arrays; lanes left over have body 0 on both sides
-// and no mass.
+// Contacts in groups of sixteen of one color: no two contacts of a color share a body that moves,
+// so the lanes are independent. Structure of arrays; lanes left over have body 0 on both sides and
+// no mass.
 
 namespace fettle::physics::detail {
 
@@ -38,26 +38,26 @@ struct ContactLanes {
     Manifold* manifolds[lanes];
     Manifold spare;             ///< of lanes left over
     uint32_t touching = 0;      ///< before the step, a bit for each lane
-    uint32_t tells_always = 0;  ///< whoever listens hears of it in every step
+    uint32_t tells_always = 0;  ///< contacts that are reported in every step
     // Of the step that was solved, a bit for each lane: an impulse flows, or the shapes are near
     // each other; the same within twice that distance.
     uint32_t near = 0, within_twice = 0;
 };
 
-/// What came of a group, a bit for each lane.
+/// The result of a group, a bit for each lane.
 struct GroupNews {
-    uint16_t told = 0;     ///< a touch begins or ends, or who listens hears of it always
+    uint16_t told = 0;     ///< a touch begins or ends, or the contact is reported in every step
     uint16_t touches = 0;  ///< now
 };
 
-/// Where a block of contacts is solved. Who solves one after the other uses the same memory again:
-/// it stays in the cache.
+/// Memory in which a block of contacts is solved. A thread uses it for one block after the other,
+/// so that it stays in the cache.
 struct WideBlock {
     std::vector<WideContact> contacts;
     std::vector<ContactLanes> lanes;
-    std::size_t first = 0;  ///< of the groups of all blocks, the one that `contacts` begins with
+    std::size_t first = 0;  ///< number of the group that `contacts` begins with, among all blocks
 
-    /// Groups `begin` to `end` are there; what they hold is of a block before.
+    /// Makes room for groups `begin` to `end`; they still hold what an earlier block left.
     void make_groups(std::size_t begin, std::size_t end) {
         first = begin;
         if (contacts.size() < end - begin) contacts.resize(end - begin), lanes.resize(end - begin);

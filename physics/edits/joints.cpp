@@ -3,8 +3,8 @@
 
 #include <utility>
 
-// Joints: what all of them have in slots, linked into lists of both bodies, and what a type adds in
-// a list of that type without gaps. Those that act on something awake are listed by type.
+// A joint has a slot for what all joints have, linked into the lists of both bodies, and an entry
+// in the list of its type for the rest. Joints that act on an awake body are also listed by type.
 
 namespace fettle::physics::detail {
 namespace {
@@ -32,7 +32,7 @@ void unlink_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
     --body.joint_count;
 }
 
-/// After an edit: contacts between the two bodies end, or are looked for.
+/// After an edit: contacts between the two bodies end, or pairs of them are searched.
 void refilter_joint(const Editing& e, uint32_t joint) {
     uint32_t a = e.objects.joints[joint].bodies[0], b = e.objects.joints[joint].bodies[1];
     if (e.objects.bodies[a].contact_count > e.objects.bodies[b].contact_count) std::swap(a, b);
@@ -103,7 +103,7 @@ void destroy_joint(const Editing& e, uint32_t joint) {
 void set_joint_body(const Editing& e, uint32_t joint, uint32_t side, uint32_t body) {
     wake_joint(e.activity, joint);
     const bool enabled = std::exchange(e.objects.joints[joint].enabled, false);
-    refilter_joint(e, joint);  // the bodies that part may collide
+    refilter_joint(e, joint);  // the two bodies may collide now
     unlink_joint(e.objects, joint, side);
     e.objects.joints[joint].bodies[side] = body;
     link_joint(e.objects, joint, side);

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cstring>
 
-// Outlines: chains and concave polygons. For the user one shape with one set of properties; for the
-// rest of the library a shape for every convex part, each with its own place in the tree, so that a
-// chain of ten thousand segments costs who slides along it no more than one of ten. A part is in
-// the pool with its vertices and, behind them, two unit normals a vertex: those of the edges of the
-// whole outline before and after it, none at a free end. collision/piece.h tells what they are for.
+// Outlines: chains and concave polygons. For the user an outline is one shape with one set of
+// properties; for the rest of the library each convex part is a shape with its own leaf in the
+// tree, so that a chain of ten thousand segments costs a body on it no more than a chain of ten.
+// The pool has the vertices of a part and, behind them, two unit normals for each vertex: those of
+// the edges of the whole outline before and after it, zero at a free end. collision/piece.h says
+// why.
 
 namespace fettle::physics::detail {
 namespace {
@@ -76,7 +77,7 @@ std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std
     return kept;
 }
 
-/// What touches a part looks at each of its vertices; which parts it touches, the tree finds.
+/// Colliding with a part takes time for each of its vertices; the tree finds the parts.
 constexpr size_t most_vertices = 16;
 
 /// Places 0 … count of a convex piece in parts of few, halved until they are.
@@ -126,7 +127,7 @@ Parts concave_parts(std::span<const V2> points) {
                 parts.values.push_back(normals[(piece[k] + n - 1) % n]);  // NOLINT: n is not 0
                 parts.values.push_back(normals[piece[k]]);
             }
-            // An edge of the outline is told by its normal, to the bit.
+            // An edge is one of the outline if its normal is the same, bit for bit.
             V2* limits = &parts.values[begin + count];
             for (size_t i = 0; i < count; ++i) {
                 const uint32_t here = part[i], there = part[(i + 1) % count];
@@ -172,7 +173,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
                 attach_shape(e, part, e.objects.forms[shape].body);
         }
         const size_t size = 3 * size_t{count} * sizeof(V2);
-        // What an edit elsewhere left as it was keeps its contacts undisturbed.
+        // A part that the edit did not change keeps its contacts.
         if (e.objects.forms[part].count != count ||
             std::memcmp(&e.objects.pool.local[e.objects.forms[part].begin], values, size) != 0) {
             reserve_vertices(e.objects, part, 3 * count);
@@ -185,7 +186,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
         part = e.objects.shapes[part].next_part;
     }
     drop_parts(e, shape, last);
-    // Exact: of the whole outline, whatever it was cut into.
+    // The moments of the whole outline are exact, however it was cut.
     ShapeRecord& record = e.objects.shapes[shape];
     if (chain) {
         record.set_moments(
@@ -204,7 +205,7 @@ void drop_parts(const Editing& e, uint32_t shape, uint32_t last) {
     (last == none ? e.objects.shapes[shape].first_part : e.objects.shapes[last].next_part) = none;
     if (part == none) return;
     if (const uint32_t body = e.objects.forms[shape].body; body != none) {
-        // The contacts of all of them in one walk: there may be many of both.
+        // The contacts of all parts in one walk over the list: there may be many of both.
         wake_for_edit(e.activity, body);
         wake_touching(e.activity, body);
         std::vector<bool> dropped(e.objects.shapes.size());

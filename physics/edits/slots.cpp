@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-// Birth and death in slots. A slot keeps its place until its object dies; every object gets a
-// generation that no other ever had in this world.
+// Objects are made and destroyed in slots. An object keeps its slot until it is destroyed; its
+// generation is one that no other object of this world ever had.
 
 namespace fettle::physics::detail {
 namespace {
@@ -242,7 +242,7 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
         kind = FormKind::outline;
         outline = chain->points;
     }
-    // It collides no more as what it was.
+    // Its contacts were those of another kind of form.
     if (e.objects.forms[slot].kind != kind && e.objects.forms[slot].body != none) {
         destroy_contacts_of_shape(e.contacts, slot);
         if (kind == FormKind::outline) remove_proxy(e.objects, e.broad_phase, slot);
@@ -270,7 +270,8 @@ void destroy_shape(const Editing& e, uint32_t shape) {
     e.objects.pool.release(e.objects.forms[shape].begin, e.objects.shapes[shape].capacity);
     const bool listed = e.objects.shapes[shape].moved;
     e.objects.shapes[shape] = {};
-    e.objects.shapes[shape].moved = listed;  // once is enough, whoever comes into the slot
+    e.objects.shapes[shape].moved =
+        listed;  // still in the list, also for the next shape in the slot
     e.objects.forms[shape] = {};
     e.objects.shapes[shape].next = e.objects.shape_slots.free;
     e.objects.shape_slots.free = shape;

@@ -8,12 +8,12 @@
 
 namespace fettle::physics::detail {
 
-/// Keeps what joints do to bodies apart from what contacts do, for the joints of some nodes at a
-/// time.
+/// Separates the change of velocity that joints cause from that of contacts, for the joints of some
+/// nodes at a time.
 class JointShare {
   public:
     void clear() { bodies_.clear(); }
-    /// A body that a joint of that node acts on; again and again, if need be.
+    /// A body that a joint of that node acts on; may be added several times.
     void add(uint32_t node, uint32_t body) { bodies_.push_back(uint64_t{node} << 32 | body); }
     void unite();
 

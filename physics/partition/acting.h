@@ -29,21 +29,21 @@ class SolverEnd {
     uint32_t bits_ = 0;
 };
 
-/// The node that two bodies with something between them belong to, if neither is a hub. What takes
-/// no impulses may be in any strip.
+/// The node of a contact or joint between two bodies, if neither is a hub. A body that takes no
+/// impulses may be in any strip.
 inline StripNode node_of(SolverEnd a, SolverEnd b) {
     if (a.moves() && b.moves()) return above_both(a.strip(), b.strip());
     return a.moves() || b.index() == 0 ? a.strip() : b.strip();
 }
 
-/// A contact that acts in this step, as those see it who color it and put it into a group.
+/// A contact that acts in this step: what coloring and grouping need of it.
 struct ActingContact {
     uint32_t slot = 0;
     SolverEnd end_a, end_b;
-    uint32_t entry = 0;  ///< who counts it, its section and color
-    uint32_t place = 0;  ///< among those of its entry; then its lane
+    uint32_t entry = 0;  ///< for the thread that counts it, its section and its color
+    uint32_t place = 0;  ///< in its entry; later its lane
     StripNode node = 1;
-    uint8_t hub = 0;        ///< a copy of which it acts on; 0: of none
+    uint8_t hub = 0;        ///< index + 1 of the hub on a copy of which it acts; 0: none
     bool serially = false;  ///< solved one at a time
     uint8_t tells = 0;      ///< `is_touching`, `of_hits`
 
@@ -56,17 +56,18 @@ struct ActingContact {
     bool moves_a() const { return end_a.moves(); }
     bool moves_b() const { return end_b.moves(); }
     bool both_move() const { return moves_a() && moves_b(); }
-    /// The one that takes impulses, or one of the two.
+    /// A body of the contact that takes impulses.
     uint32_t mover() const { return moves_a() ? a() : b(); }
 };
 static_assert(sizeof(ActingContact) == 24);
 
-/// Those that a thread found, by node, those of a node in the order of the awake contacts.
+/// Acting contacts that one thread found, sorted by node; within a node in the order of the awake
+/// contacts.
 struct ActingPiece {
     uint32_t begin = 0;
     NodeRanges nodes;           ///< from `begin` on
-    uint32_t serially = 0;      ///< how many of them
-    bool links_blocks = false;  ///< two blocks of an earlier step
+    uint32_t serially = 0;      ///< how many are solved one at a time
+    bool links_blocks = false;  ///< one of them links two blocks of an earlier step
 
     uint32_t count() const { return nodes.size(); }
     uint32_t end() const { return begin + count(); }

@@ -5,10 +5,10 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Steps after which blocks are made anew: islands come apart.
+/// Steps after which blocks are made anew, since islands may have come apart.
 constexpr int old_age = 64;
 
-/// Share of the contacts that makes an island nearly all there is.
+/// An island with this share of the contacts is nearly the whole world.
 constexpr float nearly_all = 0.75f;
 
 }  // namespace
@@ -39,7 +39,7 @@ void SolverBlocks::begin(uint32_t bodies) {
     blocks_.assign(1, {});
 }
 
-/// Roots come before what is below them.
+/// A root has a lower number than the bodies below it.
 void SolverBlocks::find_islands() {
     auto& root = islands_.parent;
     for (uint32_t i = 1; i < root.size(); ++i) root[i] = root[root[i]];

@@ -7,45 +7,45 @@
 #include <span>
 #include <vector>
 
-// A body that many much lighter ones touch (a drum, a raft, a rotor) would have all its contacts
-// wait for each other. It gets copies, among which its mass and inertia are shared out evenly, and
-// those contacts act on a copy each; after every pass what befell the copies is the hub's, and they
-// are all alike again (mass splitting: R. Tonge, F. Benevolenski, A. Voroshilov, "Mass Splitting
-// for Jitter-Free Parallel Rigid Body Simulation", 2012). Impulses count in full. That a contact
-// meets a part of the mass only is of no account as long as the part is still far heavier than
-// what lies on it.
+// A hub is a body with many contacts with much lighter bodies (a drum, a raft, a rotor). All these
+// contacts would have to be solved one after the other. So the hub gets copies that share its mass
+// and inertia evenly, and each contact acts on one copy; after every pass the copies are averaged
+// (mass splitting: R. Tonge, F. Benevolenski, A. Voroshilov, "Mass Splitting for Jitter-Free
+// Parallel Rigid Body Simulation", 2012). Impulses count in full. A contact sees a part of the mass
+// only, which makes no difference while that part is far heavier than the other body.
 //
-// Each strip has copies of its own: its contacts with the hub then are like any others in it. What
-// is not much lighter meets the hub itself, at the root.
+// Each strip has copies of its own, so that its contacts with the hub are contacts within the
+// strip. Contacts with bodies that are not much lighter act on the hub itself, at the root.
 
 namespace fettle::physics::detail {
 
 class Hubs {
   public:
-    /// Contacts of a body from which on it may be one.
+    /// A body with fewer contacts is no hub.
     static constexpr uint32_t least_contacts = 32;
     static constexpr std::size_t most = 8;
 
     void begin(uint32_t strips);
     bool empty() const { return hubs_.empty(); }
     bool full() const { return hubs_.size() == most; }
-    /// With so much inverse mass at its rim, the body is still heavy for others of so much.
+    /// A copy of a hub with this inverse mass at its rim is at least 8 times heavier than a body
+    /// with the other inverse mass.
     bool would_bear(float inverse_mass_at_rim, float inverse_mass) const {
         return inverse_mass >= much_lighter * parts() * inverse_mass_at_rim;
     }
     /// Appends the copies to the bodies.
     void add(uint32_t body, float inverse_mass_at_rim, std::vector<SolverBody>& bodies);
 
-    /// Of a contact with a hub, before it is colored: at which node, and whether with a copy.
+    /// Before a contact with a hub is colored: finds its node, and whether it acts on a copy.
     void settle(ActingContact& contact, std::span<const SolverBody> bodies) const;
-    /// With which copy, in turn. By who colors its node.
+    /// Chooses the copy, in turn, when the node of the contact is colored.
     void choose_copy(ActingContact& contact);
-    /// With none: it is solved one at a time.
+    /// The contact is solved one at a time, on the hub itself.
     void give_up_copy(ActingContact& contact) const;
 
-    /// Before a pass over these strips.
+    /// Before a pass over these strips: writes the copies.
     void hand_out(const StripNodes& nodes, std::span<SolverBody> bodies) const;
-    /// When all strips have had their pass.
+    /// After the pass over all strips: averages the copies.
     void take_back(std::span<SolverBody> bodies) const;
 
     /// All of it is made anew in every step.
@@ -58,15 +58,15 @@ class Hubs {
     struct Hub {
         uint32_t body, first_copy;
         float inverse_mass_at_rim;
-        std::array<uint32_t, most_strips> used;  ///< copies, by strip; again and again
+        std::array<uint32_t, most_strips> used;  ///< copies, by strip; counts on
     };
-    /// Of a strip; contacts that are solved at a time have one each.
+    /// Copies in a strip: contacts that are solved at the same time have one each.
     static constexpr uint32_t copies = 8;
     static constexpr float much_lighter = 8.0f;
 
     float parts() const { return float(copies * strips_); }
     uint32_t leaf_of(uint32_t node) const { return node - strips_; }
-    /// What is handed out, unchanged, and the copies after it.
+    /// Place of the hub as it was before the pass; the copies follow.
     uint32_t first_of(const Hub& hub, uint32_t leaf) const {
         return hub.first_copy + leaf * (copies + 1);
     }

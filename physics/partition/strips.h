@@ -35,7 +35,7 @@ struct StripNodes {
     uint32_t begin = 1, end = 2;
 };
 
-/// Where those of each node are in a list in the order of the nodes: `count` each, then `sum_up`.
+/// The range of each node in a list that is sorted by node: `count` each entry, then `sum_up`.
 class NodeRanges {
   public:
     using Places = std::array<uint32_t, 2 * most_strips + 1>;
@@ -43,7 +43,7 @@ class NodeRanges {
     void clear() { first_.fill(0); }
     void count(uint32_t node, uint32_t how_many = 1) { first_[node + 1] += how_many; }
     void sum_up() { std::partial_sum(first_.begin(), first_.end(), first_.begin()); }
-    /// The place of the first of each node; a copy, to give out one after the other.
+    /// The first place of each node, as a copy to count on from.
     Places places() const { return first_; }
     uint32_t begin(const StripNodes& nodes) const { return first_[nodes.begin]; }
     uint32_t end(const StripNodes& nodes) const { return first_[nodes.end]; }
@@ -53,7 +53,7 @@ class NodeRanges {
     Places first_ = {};
 };
 
-/// Something that takes time, and where it is.
+/// Position of a sampled body and the cost of its constraints.
 struct StripSample {
     V2 place;
     float work = 0.0f;
@@ -61,11 +61,11 @@ struct StripSample {
 
 class Strips {
   public:
-    /// Into how many strips so many constraints are cut: a power of two.
+    /// The number of strips for so many constraints: a power of two.
     static uint32_t count_for(std::size_t constraints);
 
-    /// Into `count` strips: along the list that the samples are from, if it runs along an axis,
-    /// else across the longer side.
+    /// Cuts into `count` strips: along the list that the samples are from, if the list runs along
+    /// an axis, else across the longer side.
     void cut(std::span<const StripSample> samples, uint32_t count);
     uint32_t count() const { return count_; }
     StripNodes all_nodes() const { return {1, 2 * count_}; }
@@ -77,8 +77,8 @@ class Strips {
         return StripNode(node);
     }
 
-    /// Of what came as bytes: whether it may be asked.
-    bool are_sound() const { return count_ <= most_strips && std::has_single_bit(count_); }
+    /// False if the data were read from damaged bytes.
+    bool is_valid() const { return count_ <= most_strips && std::has_single_bit(count_); }
 
   private:
     std::array<float, most_strips> limits_ = {};  ///< by node: where its two halves meet, m
@@ -86,9 +86,9 @@ class Strips {
     uint32_t upright_ = 0;  ///< 1: strips lie on each other
 };
 
-/// What is solved at a time, section by section. Where several threads share out a block, each has
-/// a part of the strips with all nodes below a node of its own; the nodes above come last. Where
-/// one does all, the nodes of a level are one section.
+/// The sections of a block, in the order in which they are solved. Where several threads share out
+/// a block, each has a part of the strips, with all nodes below a node of its own; the nodes above
+/// come last. Where one thread solves the block, the nodes of a level are one section.
 class Sections {
   public:
     Sections() = default;
@@ -99,7 +99,7 @@ class Sections {
     bool shared() const { return parts_ > 1; }
     uint32_t of(StripNode node) const { return of_[node]; }
     StripNodes nodes_of(uint32_t section) const { return nodes_[section]; }
-    /// Parts and the nodes above them: no two threads are at the same one at a time.
+    /// Parts, and the nodes above them: two threads never work on the same owner at the same time.
     uint32_t owners() const { return 2 * parts_ - 1; }
     uint32_t owner_of(StripNode node) const { return owner_[node]; }
 
@@ -113,8 +113,8 @@ class Sections {
     std::array<StripNodes, 2 * most_strips> nodes_ = {};
 };
 
-/// `work(section)` for each section, as often as it is run; whoever depends on another comes after
-/// it.
+/// Runs `work(section)` for each section, as often as `run` is called. A section runs after those
+/// that it depends on.
 template <typename Work>
 class alignas(line_size) SectionLoop {
   public:

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <span>
 
-// What moves bodies besides constraints, and what contacts give them again in every sub-step.
+// Integration of velocities and positions, and the warm start of sub-steps after the first.
 //
 // Each sub-step begins with the impulses that the last one found (warm start). Contacts keep their
-// normals and lever arms during a step, so what their impulses do to the velocity of a body is just
-// what they did to it in the sub-step before, all passes together: its velocity at the end less
-// that before the warm start. So only the first sub-step of a step warm starts contact by contact.
+// normals and lever arms during a step, so these impulses change the velocity of a body by what all
+// passes of the sub-step before changed it: its velocity at the end minus that before the warm
+// start. So only the first sub-step of a step warm starts contact by contact.
 
 namespace fettle::physics::detail {
 
@@ -19,8 +19,8 @@ struct SubstepLimits {
     float turn = 0.0f;   ///< rad/s
 };
 
-/// Of the bodies listed in `which`. `again`: contacts give each what they gave it in the last
-/// sub-step.
+/// For the bodies listed in `which`. `again`: adds the change of velocity that contacts caused in
+/// the last sub-step.
 void integrate_velocities(std::span<const uint32_t> which, std::span<SolverBody> bodies,
                           std::span<SolverForce> forces, const SubstepLimits& limits, bool again);
 void integrate_positions(std::span<const uint32_t> which, std::span<SolverBody> bodies, float h);

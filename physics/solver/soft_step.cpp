@@ -8,14 +8,14 @@
 #include <atomic>
 #include <bit>
 
-// The soft step (E. Catto, "Solver2D", 2024) over all blocks: per sub-step velocities, warm start,
-// biased solve, positions, relax; at the end restitution; joints before contacts, what is solved
-// one at a time before what is solved sixteen at a time.
+// The soft step (E. Catto, "Solver2D", 2024) over all blocks: in each sub-step velocities, warm
+// start, biased solve, positions, relax; at the end restitution. Joints come before contacts,
+// contacts that are solved one at a time before those that are solved sixteen at a time.
 
 namespace fettle::physics::detail {
 namespace {
 
-// What a thread takes at a time.
+// Groups and bodies that a thread takes at a time.
 constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 1024;
 
 /// The memory for wide contacts, one for each thread: a thread takes an idle one for the block that
@@ -55,7 +55,8 @@ struct alignas(line_size) SoftStep {
         return block.cut ? input.threads : nullptr;
     }
 
-    /// `work(section, nodes)` for each section of a block, by all threads if they share it out.
+    /// Runs `work(section, nodes)` for each section of a block, on all threads if they share it
+    /// out.
     template <typename Work>
     auto section_loop(const SolverBlock& block, Work work) {
         const Sections& plan = schedule.sections_of(block);
@@ -176,12 +177,11 @@ struct alignas(line_size) SoftStep {
         }
     }
 
-    /// Whether sub-steps after the first repeat what the contacts gave the bodies, rather than warm
-    /// start them one by one. What many joints do besides takes longer to tell apart than that
-    /// saves.
+    /// True if sub-steps after the first repeat the change of velocity that the contacts caused,
+    /// instead of a warm start of each contact. With many joints, separating their change from that
+    /// of the contacts would take longer than it saves.
     bool repeats_pushes(const SolverBlock& block) {
-        if (!contacts.rolling_contacts.empty())
-            return false;  // what they gave had another direction
+        if (!contacts.rolling_contacts.empty()) return false;  // their direction has changed
         if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
             return false;
         find_jointed(input.joints, input.strips);
@@ -189,7 +189,7 @@ struct alignas(line_size) SoftStep {
     }
 };
 
-/// Passes over the first block, with all that the others do not have.
+/// Passes over the first block, which has joints and serial contacts too.
 struct alignas(line_size) FirstBlock {
     SoftStep& step;
     const JointStep& joint_step;
@@ -329,7 +329,7 @@ void solve_softly(const SolverInput& input, const JointStep& joint_step,
     const int at_a_time = input.threads != nullptr && whole > 1 ? input.threads->threads() : 1;
     if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));
     solve_first_block(step, joint_step);
-    // The few that are large are solved one by one, by all threads together.
+    // The few large blocks are solved one after the other, each by all threads.
     for (uint32_t i = 1; i <= whole; ++i) {
         if (blocks[i].cut) step.solve_block(blocks[i], wide_blocks[0]);
     }

@@ -7,7 +7,7 @@
 #include <utility>
 
 // Lists of the members of a struct that the compiler checks: a member that is not listed is an
-// error. One list serves all who walk the members: writing, reading, counting memory, releasing it.
+// error. One list serves writing, reading, counting memory and releasing it.
 
 namespace fettle::physics::detail {
 

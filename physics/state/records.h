@@ -37,7 +37,7 @@ struct ListEdge {
     uint32_t previous = none, next = none;  ///< edges: index << 1 | side
 };
 
-/// What somebody gave in place of what follows from the shapes; NaN: nobody.
+/// A value that was given in place of the one that follows from the shapes; NaN: none was given.
 inline constexpr float not_given = std::numeric_limits<float>::quiet_NaN();
 inline bool is_given(float value) {
     return !std::isnan(value);
@@ -63,7 +63,7 @@ struct BodyRecord {
         0.0f;  ///< least half width of the shapes, m: moving farther in a step is fast
     float sleep_time = 0.0f;    ///< s under the sleep speed
     uint32_t solver_index = 0;  ///< 1 + place among the awake; 0: fixed or asleep
-    // In one byte: whoever writes asks for both at once.
+    // In one byte: both are written with one access.
     Mobility mobility : 4 = Mobility::fixed;
     uint8_t listed : 4 = 0;  ///< in the list of bodies to refresh
     BodyType type = BodyType::dynamic_body;
@@ -78,9 +78,9 @@ struct BodyRecord {
     uint32_t first_shape = none, last_shape = none;
     uint32_t first_contact = none;  ///< edge: contact << 1 | side
     uint32_t contact_count = 0;
-    uint32_t touching = 0;        ///< contacts, sensors not counted
-    uint32_t island = none;       ///< among the sleeping islands
-    uint32_t next = none;         ///< who sleeps in the same island; of a free slot: the next one
+    uint32_t touching = 0;   ///< contacts, sensors not counted
+    uint32_t island = none;  ///< among the sleeping islands
+    uint32_t next = none;    ///< body in the same sleeping island; of a free slot: the next one
     uint32_t first_joint = none;  ///< edge: joint << 1 | side
     uint32_t joint_count = 0;
 
@@ -110,8 +110,7 @@ struct ShapeForm {
     bool is_small_polygon() const { return kind == FormKind::convex && (count == 3 || count == 4); }
 };
 
-/// Circle, Box, Segment or Ellipse: the type of the shape tells which, so that all of them share
-/// the memory of the largest.
+/// Circle, Box, Segment or Ellipse, as the type of the shape says. All use the same memory.
 class Figure {
   public:
     template <class Kind>
@@ -168,8 +167,7 @@ struct ShapeRecord {
 };
 
 static_assert(sizeof(ShapeForm) == 24);
-// A world has one of each for every body: whoever adds a member pays for it a hundred thousand
-// times.
+// A world may have a hundred thousand of each: every member costs that many times its size.
 static_assert(sizeof(BodyRecord) <= 168 && sizeof(ShapeRecord) <= 144);
 
 /// Both plain convex.
@@ -177,7 +175,7 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
     return (uint8_t(a.kind) | uint8_t(b.kind)) == 0;
 }
 
-/// A pair of shapes whose fat boxes overlap. Lives in a slot; the awake ones are listed by slot.
+/// A pair of shapes whose fat boxes overlap. It has a slot; the slots of awake contacts are listed.
 struct alignas(64) ContactRecord {
     uint32_t shape_a = none, shape_b = none;  ///< shape_a < shape_b
     uint32_t body_a = none, body_b = none;
@@ -200,7 +198,7 @@ struct alignas(64) ContactRecord {
 };
 static_assert(sizeof(ContactRecord) == 128);
 
-/// What steps do not ask of a contact.
+/// The part of a contact that few stages of a step read.
 struct ContactLinks {
     ListEdge edges[2];   ///< in the contact lists of body a and b; of a free slot: the next one
     uint32_t began = 0;  ///< the last digits of the step in which it began to touch
@@ -211,7 +209,7 @@ struct JointRecord {
     JointType type = JointType::mouse;
     bool enabled = true;
     bool collide = false;         ///< the two bodies, with each other
-    bool broken = false;          ///< acts no more, until somebody mends it
+    bool broken = false;          ///< it does not act until it is repaired
     uint32_t awake_index = none;  ///< in the list of the awake ones of its type
     uint32_t place = none;        ///< in the list of its type
     uint32_t bodies[2] = {0, 0};  ///< 0: the world
@@ -229,7 +227,7 @@ struct JointRecord {
 
 struct FieldRecord {
     FieldDef def;
-    uint32_t generation = 0;  ///< 0: nobody lives here
+    uint32_t generation = 0;  ///< 0: the slot is free
     uint32_t next_free = none;
 };
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// What a step notes down of bodies and joints on its way, and forgets.
+// Notes of one stage of a step for a later stage.
 
 namespace fettle::physics::detail {
 
@@ -17,10 +17,10 @@ struct FastBody {
     float turn = 0.0f;
 };
 
-/// What the manifolds of some contacts ask for besides: slots, in the order of the list.
+/// What is left to do for some contacts after their manifolds: slots, in the order of the list.
 struct CollidedPiece {
-    std::vector<uint32_t> over;  ///< no pairs any more
-    std::vector<uint32_t> more;  ///< a touch ends, or somebody asleep is about to be hit
+    std::vector<uint32_t> over;  ///< pairs that end
+    std::vector<uint32_t> more;  ///< a touch ends, or a sleeping body is about to be hit
 
     void clear() {
         over.clear();
@@ -32,10 +32,10 @@ struct CollidedPiece {
     }
 };
 
-/// What is to do for some bodies that have moved.
+/// What is left to do for some bodies that have moved.
 struct FinishedPiece {
     std::vector<int32_t> placed;  ///< leaves of the shapes that left their fat boxes
-    std::vector<uint32_t> moved;  ///< those of the shapes that were not yet listed as moved
+    std::vector<uint32_t> moved;  ///< those of these shapes that were not listed as moved
     std::vector<FastBody> fast;
     uint32_t sleep_candidates = 0;
 
@@ -54,7 +54,7 @@ struct FinishedPiece {
 /// A list that is put into the order of the strips.
 struct Reordering {
     std::vector<uint32_t> list;
-    std::vector<StripNode> strips;  ///< of what is in it, as it was
+    std::vector<StripNode> strips;  ///< of the entries, in their old order
 
     template <class Io, class Self>
     static void scratch(Io& io, Self& self) {

@@ -81,19 +81,19 @@ struct JointScratch {
     }
 };
 
-/// The contacts that act: those in lanes, and the serial ones, which are solved one at a time.
+/// The contacts that act: those in lanes, and the serial contacts, which are solved one at a time.
 struct ContactScratch {
     std::vector<ActingContact> acting;
     std::vector<ActingPiece> acting_pieces;
-    size_t colored_count = 0;             ///< of the acting ones, those in groups
-    std::vector<uint32_t> lane_contacts;  ///< by lane: which of the acting ones
+    size_t colored_count = 0;             ///< acting contacts in groups
+    std::vector<uint32_t> lane_contacts;  ///< by lane: place of the acting contact
     std::vector<uint32_t> spare_lanes;
-    std::vector<GroupNews> news;                     ///< of each group
-    std::vector<uint64_t> told;                      ///< a bit for each acting contact
+    std::vector<GroupNews> news;  ///< of each group
+    std::vector<uint64_t> told;   ///< a bit for each acting contact: it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
-    std::vector<uint32_t> serial_acting;             ///< which of the acting ones
-    std::vector<uint32_t> serial_contacts;           ///< the same ones
-    std::vector<ContactConstraint> constraints;      ///< of the serial ones
+    std::vector<uint32_t> serial_acting;             ///< places of acting contacts
+    std::vector<uint32_t> serial_contacts;           ///< the slots of the same
+    std::vector<ContactConstraint> constraints;      ///< of the serial contacts
     std::vector<ContactExtra> extras;
     std::vector<RollingContact> rolling_contacts;
     NodeRanges serial_nodes;  ///< of `constraints`
@@ -108,17 +108,17 @@ struct ContactScratch {
     }
 };
 
-/// What is solved together, and in which order.
+/// Which constraints are solved together, and in which order.
 struct ScheduleScratch {
     SolverBlocks blocks;
     Hubs hubs;
     Reordering reordering;                  ///< of a list, into the order of the strips
     Sections whole_sections, cut_sections;  ///< of blocks that are whole, of those that are cut
-    std::vector<uint32_t> color_begin;      ///< lanes, by who counts them, section and color
+    std::vector<uint32_t> color_begin;      ///< lanes, by counting thread, section and color
     std::vector<uint32_t> first_groups;     ///< of each section of each block, and the end
-    std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting ones
+    std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting contacts
     std::vector<uint64_t> colors_of_body;              ///< by solver index, a bit a color
-    std::vector<WideBlock> wide_blocks;                ///< for each that is solved at a time
+    std::vector<WideBlock> wide_blocks;  ///< one for each block that is solved at the same time
 
     const Sections& sections_of(const SolverBlock& block) const {
         return block.cut ? cut_sections : whole_sections;

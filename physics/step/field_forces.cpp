@@ -166,7 +166,7 @@ bool concerns(const ObjectState& objects, std::span<const Box4> boxes, uint32_t 
     return any;
 }
 
-/// Resistance changes a velocity by no more than what it is against its surroundings.
+/// A resistance takes no more velocity than the body has relative to its surroundings.
 V2 limited(V2 force, float mass, float dt, V2 against) {
     const float most = mass * length(against) / dt, size = length(force);
     return size > most && size > 0.0f ? (most / size) * force : force;

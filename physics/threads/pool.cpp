@@ -139,7 +139,7 @@ void ThreadPool::work_until_done(uint64_t turn, uint32_t goal, size_t self) {
 }
 
 void ThreadPool::share_out(uint32_t count, Function function, void* context) {
-    // All blocks of the last round are done: nobody reads these.
+    // All blocks of the last round are done: no thread reads these.
     function_.store(function, std::memory_order_relaxed);
     context_.store(context, std::memory_order_relaxed);
     const uint32_t goal = goal_.load(std::memory_order_relaxed) + count;

@@ -10,7 +10,7 @@
 
 namespace fettle::physics::detail {
 
-/// As many as the system tells of; very many where it does not tell.
+/// How many the system reports; a large number where it reports none.
 int processors();
 
 /// Threads that share out the blocks of a loop. Whoever calls works too and returns when all is
@@ -61,7 +61,7 @@ class ThreadPool {
     void serve(std::size_t self);
     void stop();
 
-    // What is told to all, read by all: round and number of blocks in one word.
+    // Written by the caller, read by all: round and number of blocks in one word.
     alignas(64) std::atomic<uint64_t> turn_ = 0;
     std::atomic<Function> function_ = nullptr;
     std::atomic<void*> context_ = nullptr;

@@ -51,8 +51,8 @@ void World::save(std::vector<std::byte>& out) const {
     size(header);
     const WorldState& state = *data_;
     size(state);
-    // And room for the contacts of all that still falls, for who saves into the same memory the
-    // next time: what is reserved and not written to costs nothing.
+    // With room for later saves into the same memory, when there may be more contacts: reserved
+    // memory costs nothing until it is written.
     if (needed > out.capacity()) out.reserve(needed / 2 * 5);
     ArchiveWriter write(out);
     write(header);

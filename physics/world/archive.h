@@ -24,8 +24,8 @@ concept ListsMembers = requires(Io& io, T& value) {
     std::remove_const_t<T>::members(io, value);
 };
 
-/// What may be copied byte by byte. Not `is_trivially_copyable`, which Eigen's vectors are not;
-/// whoever owns memory has a destructor that does something.
+/// What may be copied byte by byte. Not `is_trivially_copyable`, which Eigen's vectors are not:
+/// a type that owns memory has a destructor that is not trivial.
 template <class T>
 inline constexpr bool bytewise = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
 

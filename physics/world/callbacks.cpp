@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-// What callers have to say about contacts, and what they want to hear of those that last.
+// The callbacks of the user.
 
 namespace fettle::physics {
 
@@ -16,7 +16,7 @@ using namespace detail;
 
 namespace detail {
 
-/// A filter that throws says nothing: yes.
+/// True also if the filter throws.
 bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
     if (!self.filter) return true;
     bool agrees = true;
@@ -60,8 +60,8 @@ UserFilter WorldData::user_filter() const {
 
 namespace {
 
-/// Asks about the contacts of a step: serially and in their order, so that equal inputs have equal
-/// outcomes.
+/// Calls the callbacks for the contacts of a step, one after the other in their order, so that
+/// equal inputs have equal results.
 class Consultation {
   public:
     explicit Consultation(WorldData& world) : world_(world) {}
@@ -79,8 +79,8 @@ class Consultation {
         }
     }
 
-    /// Two shapes are one contact for who is asked, however many parts of them touch: what is said
-    /// where the first of the parts is holds for all.
+    /// For the callback two shapes are one contact, however many of their parts touch. It is called
+    /// in the place of the first part, and its changes hold for all.
     void before_solve_all() {
         if (!world_.self.before_solve) return;
         list_parts();
@@ -144,8 +144,8 @@ class Consultation {
         return edit;
     }
 
-    /// Of several parts, only what was changed: each has been mixed for itself. What has no meaning
-    /// is taken as the nearest that has, and NaN as no change: a step does not throw.
+    /// With several parts, only what the callback changed: each part has its own mixture. A value
+    /// out of range becomes the nearest valid one, and NaN means no change: a step does not throw.
     static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
         const auto given = [&](float ContactEdit::*field) {
             const float now = edit.*field;
@@ -160,7 +160,7 @@ class Consultation {
         c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
     }
 
-    /// Told of the deepest of the parts, with the impulse of all.
+    /// Describes the deepest of the parts, with the impulse of all.
     void ask(std::span<const Part> parts) {
         ContactEdit edit = edit_of(record(parts.front()));
         float impulse = edit.impulse;

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <type_traits>
 
-// What a world has on the heap. Slots grow by a fifth (geometry/growth.h); what a step makes anew
-// starts over when most of what was awake sleeps, so that a world at rest holds what it is and
-// little more.
+// The memory of a world on the heap. Slots grow by a fifth (geometry/growth.h). The scratch of a
+// step is released when most of what was awake sleeps, so that a world at rest holds little more
+// than its state.
 
 namespace fettle::physics {
 
@@ -90,8 +90,8 @@ struct MemoryRelease {
 
 }  // namespace
 
-/// Where three quarters of the bodies that a step once solved sleep now, or so many shapes were
-/// made or moved by edits.
+/// Releases scratch when three quarters of the bodies that a step once solved sleep now, or when
+/// edits made or moved that many shapes.
 void WorldData::trim() {
     const size_t once = std::max(solver_bodies.capacity(), moved_shapes.capacity());
     if ((awake_bodies.size() + 1) * 4 > once) return;

@@ -14,12 +14,12 @@
 
 namespace fettle::physics::detail {
 
-/// A world: its state, what its step makes anew, and what it is besides. The member functions are
+/// A world: its state, the scratch of its step, and what it has besides. Member functions are
 /// grouped by the file that defines them.
 struct WorldData : WorldState, StepScratch {
     int most_lanes = lanes;  ///< tests compare instruction sets
     bool stepping = false;
-    WorldSelf self;                 ///< of the world, not of its state
+    WorldSelf self;                 ///< callbacks, owner, threads: not part of the state
     ThreadPool* threads = nullptr;  ///< of `self`
 
     Events& event_sink() { return stepping ? events : pending; }

@@ -28,7 +28,7 @@ struct WorldSelf {
     PairFilter filter;
     ContactCallback mix, before_solve;
     RefreshCallback refresh;
-    const Owner* owner = nullptr;  ///< who alone makes and ends objects; null: anybody
+    const Owner* owner = nullptr;  ///< only it may make and destroy objects; null: everybody may
     std::unique_ptr<ThreadPool> pool;
 
     WorldSelf();
