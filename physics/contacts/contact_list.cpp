@@ -70,12 +70,8 @@ void create_contact(const ContactList& list, const WorldDef& settings, uint32_t 
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = objects.bodies[owners[side]];
-        const uint32_t edge = slot << 1 | side;
-        contact_links[slot].edges[side] = {none, body.first_contact};
-        if (body.first_contact != none) {
-            contact_links[body.first_contact >> 1].edges[body.first_contact & 1].previous = edge;
-        }
-        body.first_contact = edge;
+        link_edge(body.first_contact, slot << 1 | side,
+                  [&](uint32_t edge) -> ListEdge& { return objects.contact_edge(edge); });
         ++body.contact_count;
     }
     list.pairs.insert(shape_a, shape_b, slot);
@@ -92,13 +88,8 @@ void destroy_contact(const ContactList& list, uint32_t slot) {
     const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = objects.bodies[owners[side]];
-        const ListEdge edge = contact_links[slot].edges[side];
-        if (edge.previous != none)
-            contact_links[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
-        else
-            body.first_contact = edge.next;
-        if (edge.next != none)
-            contact_links[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
+        unlink_edge(body.first_contact, slot << 1 | side,
+                    [&](uint32_t edge) -> ListEdge& { return objects.contact_edge(edge); });
         --body.contact_count;
     }
     list.pairs.erase(c.shape_a, c.shape_b);

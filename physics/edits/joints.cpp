@@ -10,25 +10,16 @@ namespace fettle::physics::detail {
 namespace {
 
 void link_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
-    JointRecord& record = objects.joints[joint];
-    BodyRecord& body = objects.bodies[record.bodies[side]];
-    record.edges[side] = {none, body.first_joint};
-    if (body.first_joint != none)
-        objects.joints[body.first_joint >> 1].edges[body.first_joint & 1].previous =
-            joint << 1 | side;
-    body.first_joint = joint << 1 | side;
+    BodyRecord& body = objects.bodies[objects.joints[joint].bodies[side]];
+    link_edge(body.first_joint, joint << 1 | side,
+              [&](uint32_t edge) -> ListEdge& { return objects.joint_edge(edge); });
     ++body.joint_count;
 }
 
 void unlink_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
     BodyRecord& body = objects.bodies[objects.joints[joint].bodies[side]];
-    const ListEdge edge = objects.joints[joint].edges[side];
-    if (edge.previous != none)
-        objects.joints[edge.previous >> 1].edges[edge.previous & 1].next = edge.next;
-    else
-        body.first_joint = edge.next;
-    if (edge.next != none)
-        objects.joints[edge.next >> 1].edges[edge.next & 1].previous = edge.previous;
+    unlink_edge(body.first_joint, joint << 1 | side,
+                [&](uint32_t edge) -> ListEdge& { return objects.joint_edge(edge); });
     --body.joint_count;
 }
 

@@ -37,6 +37,20 @@ struct ListEdge {
     uint32_t previous = none, next = none;  ///< edges: index << 1 | side
 };
 
+/// Puts an edge at the front of the list that begins with `first`; `at(edge)` is its place.
+template <class At>
+void link_edge(uint32_t& first, uint32_t edge, At&& at) {
+    at(edge) = {none, first};
+    if (first != none) at(first).previous = edge;
+    first = edge;
+}
+template <class At>
+void unlink_edge(uint32_t& first, uint32_t edge, At&& at) {
+    const auto [previous, next] = at(edge);
+    (previous != none ? at(previous).next : first) = next;
+    if (next != none) at(next).previous = previous;
+}
+
 /// A value that was given in place of the one that follows from the shapes; NaN: none was given.
 inline constexpr float not_given = std::numeric_limits<float>::quiet_NaN();
 inline bool is_given(float value) {

@@ -68,6 +68,8 @@ struct ObjectState {
         }
     }
 
+    ListEdge& contact_edge(uint32_t edge) { return contact_links[edge >> 1].edges[edge & 1]; }
+    ListEdge& joint_edge(uint32_t edge) { return joints[edge >> 1].edges[edge & 1]; }
     template <typename Visit>
     void for_each_joint(uint32_t body, Visit&& visit) const {
         for (uint32_t edge = bodies[body].first_joint; edge != none;) {

@@ -120,6 +120,7 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
         sleep_candidates += piece.sleep_candidates;
     }
     follow_placed(in);
+    stop_fast_bodies(in);
     return sleep_candidates;
 }
 

@@ -30,11 +30,11 @@ struct FinishInput {
 
 /// Returns how many bodies rested long enough to sleep.
 uint32_t finish_bodies(const FinishInput& input, float dt);
-/// Bodies that had to wait until the others were finished.
+
+// Parts of it.
+
+/// Bodies that have to wait until the others are finished.
 void stop_fast_bodies(const FinishInput& input);
-
-// Parts of both.
-
 /// Places the shapes of a body, and gives new fat boxes to those that left theirs.
 void finish_shapes(const FinishInput& input, uint32_t body, Rotation q, FinishedPiece& piece);
 /// A body that moved far for its thickness. Only fixed shapes stop most bodies, so any thread may

@@ -96,21 +96,10 @@ void WorldData::step(float dt) {
         report_persisting(objects, columns, active, uint32_t(steps), settings.substeps, events);
     statistics.solve_ms = clock.lap();
 
-    const FinishInput finish = {objects,
-                                columns,
-                                broad_phase,
-                                active,
-                                settings,
-                                body_scratch,
-                                *this,
-                                pair_scratch,
-                                contact_list(),
-                                user_filter(),
-                                self.see_contacts(),
-                                statistics,
-                                threads};
-    sleep_candidates = finish_bodies(finish, dt);
-    stop_fast_bodies(finish);
+    sleep_candidates = finish_bodies(
+        {objects, columns, broad_phase, active, settings, body_scratch, *this, pair_scratch,
+         contact_list(), user_filter(), self.see_contacts(), statistics, threads},
+        dt);
     report_parted(touching());
     order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
     statistics.finish_ms = clock.lap();
