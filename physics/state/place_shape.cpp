@@ -7,8 +7,10 @@ namespace fettle::physics::detail {
 namespace {
 
 /// In the pool, the vertices of a large polygon are centered on the body's center of mass but not
-/// rotated. They change with an edit only, and a step costs them a bounding box.
-Box4 place_large(ObjectState& objects, uint32_t shape, V2 local_center, Rotation q) {
+/// rotated. They change with an edit only, and a step costs them a bounding box. Not inlined: that
+/// would take registers from the loop over the vertices of all other shapes.
+[[gnu::noinline]] Box4 place_large(ObjectState& objects, uint32_t shape, V2 local_center,
+                                   Rotation q) {
     const ShapeForm& form = objects.forms[shape];
     VertexPool& pool = objects.pool;
     const V2 first = pool.local[form.begin] - local_center;
@@ -39,9 +41,9 @@ void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Ro
         center = objects.bodies[form.body].center;
         local_center = objects.bodies[form.body].local_center;
     }
-    form.center = center;
     if (form.kind == FormKind::large) {
         const Box4 box = place_large(objects, shape, local_center, q);
+        form.center = center;
         boxes[shape] = grow({center + box.low, center + box.high}, form.radius);
         return;
     }
@@ -55,6 +57,7 @@ void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Ro
         high = i == form.begin ? v : V2{max(high.x, v.x), max(high.y, v.y)};
     }
     if (form.count == 3) pool.pad_triangle(form.begin);
+    form.center = center;
     if (form.kind == FormKind::ellipse) {
         const V2 half = half_box(ellipse_of(objects.convex(shape)));
         low = low - half;
