@@ -144,9 +144,11 @@ class History {
         Handle instance;
         Symbol property;
         CellState state;
+        bool told = false;
     };
     std::vector<Unresolved> unresolved_;
     void resolve(UndoResult& result);
+    void write_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
     std::size_t script_edits_ = 0;  // how many of them that is true of

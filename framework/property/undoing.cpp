@@ -79,19 +79,32 @@ UndoResult History::run(Transaction& transaction, bool back) {
     return result;
 }
 
+/// Cells whose references lead somewhere again. The others are empty until then.
 void History::resolve(UndoResult& result) {
-    for (Unresolved& each : std::exchange(unresolved_, {}))
-        if (!tree_.alive(each.instance))
-            continue;
-        else if (names_deleted(tree_, each.state.value))
-            unresolved_.push_back(std::move(each));
-        else
-            set_cell(each.instance, each.property, each.state, result);
+    for (Unresolved& each : std::exchange(unresolved_, {})) {
+        const Property* property =
+            tree_.alive(each.instance) ? tree_.find(each.instance, each.property) : nullptr;
+        if (property == nullptr) continue;
+        const bool resolved = !names_deleted(tree_, each.state.value);
+        if (resolved || !each.told) {
+            const CellState found = capture(each.instance, *property);
+            write_cell(each.instance, each.property, each.state, result);
+            if (observer_ != nullptr) observer_->edited(each.instance, *property, found);
+        }
+        each.told = true;
+        if (!resolved) unresolved_.push_back(std::move(each));
+    }
 }
 
 void History::set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
     references_.erase({instance.index, name});
-    if (names_deleted(tree_, state.value)) unresolved_.push_back({instance, name, state});
+    if (names_deleted(tree_, state.value) && tree_.find(instance, name) != nullptr)
+        unresolved_.push_back({instance, name, state});  // the same step may bring that back
+    else
+        write_cell(instance, name, state, result);
+}
+
+void History::write_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
     try {
         const Property* property = tree_.find(instance, name);
         if (!state.present) {

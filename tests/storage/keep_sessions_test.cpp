@@ -68,7 +68,7 @@ struct Session : Run {
         if (all.empty()) return;
         const Handle note = all[below(all.size())];
         try {
-            switch (below(10)) {
+            switch (below(11)) {
                 case 0:
                 case 1:
                 case 2:
@@ -89,6 +89,14 @@ struct Session : Run {
                     if (below(3) == 0) tree.set(made, "target", note);
                     tree.move(made, above, name);
                     said = "made " + tree.path(made);
+                    break;
+                }
+                case 10: {
+                    const Handle above = tree.parent(note);
+                    const std::string name = tree.name(note);
+                    said = "replaced " + tree.path(note);
+                    tree.destroy(note);
+                    tree.set(add("Note", above, name), "text", std::to_string(below(5)));
                     break;
                 }
                 case 6:
@@ -140,9 +148,19 @@ struct Session : Run {
                 said = "keep";
                 break;
             default:
-                tree.begin_edit("edit");
-                person([&] { edit(); });
-                tree.end_edit();
+                // A command edits one thing or several.
+                std::string all;
+                {
+                    const Tree::CauseScope scope(tree, Writer::console);
+                    tree.begin_edit("edit");
+                    for (std::size_t edits = below(3) == 0 ? 3 : 1; edits > 0; --edits) {
+                        said.clear();
+                        edit();
+                        if (!said.empty()) all += (all.empty() ? "" : "; ") + said;
+                    }
+                    tree.end_edit();
+                }
+                said = all;
         }
         barrier();
         if (!said.empty()) done += said + "\n";

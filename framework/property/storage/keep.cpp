@@ -45,8 +45,9 @@ class Keeping {
         std::stable_sort(rows.begin(), rows.end(), comes_before);
         for (JournalRow* row : rows) {
             const fs::path file = scene_file(*row);
-            // A scene that goes as a whole is loaded by somebody: a script.
-            const bool whole = row->kind == Kind::deleted && row->inside.empty();
+            // A scene that goes as a whole, or comes back, is loaded by a script.
+            const bool whole =
+                row->inside.empty() && (row->kind == Kind::deleted || row->kind == Kind::restored);
             if (!file.empty() && !whole)
                 scenes_[file].push_back(row);
             else
@@ -216,10 +217,15 @@ class Keeping {
     void keep_by_path(const Rows& rows) {
         const std::size_t told_before = report_.problems.size();
         Rows done;
-        for (JournalRow* row : rows)
-            if (rows_.tried(*row, [&] { into_kept(*row); })) done.push_back(row);
         try {
+            for (JournalRow* row : rows)
+                if (row->kind == Kind::deleted &&
+                    rows_.tried(*row, [&] { require_nothing_moved_out(paths_, *row); }))
+                    done.push_back(row);
             take_out(done, &KeptTweaks::remove);
+            for (JournalRow* row : rows)
+                if (row->kind != Kind::deleted && rows_.tried(*row, [&] { into_kept(*row); }))
+                    done.push_back(row);
             if (write(state_.kept.file(), done, [&] { state_.kept.write(); })) now_described(done);
         } catch (const SceneError& error) {
             state_.kept.read_again();
@@ -256,11 +262,9 @@ class Keeping {
                 check_made(state_, paths_, row);
                 require_free(home);
                 return state_.kept.add(home, paths_.home_scene(row));
-            case Kind::deleted:
-                require_nothing_moved_out(paths_, row);
-                return;
             case Kind::restored:
                 return state_.kept.put_back(home, row.was);
+            case Kind::deleted:
             case Kind::moved:
                 return;
         }

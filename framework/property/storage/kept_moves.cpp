@@ -32,11 +32,7 @@ void KeptTweaks::move(const std::vector<MoveStep>& moves) {
         const Node& node = *member("created", key);
         SceneEdit edit(tree_, std::string(document_->raw(node)), "its scene");
         for (const MoveStep& step : in_order(parts[key])) {
-            SceneSteps steps;
-            const std::vector<Segment> names = parse_path(step.from);
-            for (std::size_t i = parse_path(key).size(); i < names.size(); ++i)
-                steps.push_back({std::get<std::string>(names[i].key), no_place});
-            edit.rename(steps, split_path(step.to).second);
+            edit.rename(steps_between(key, step.from), split_path(step.to).second);
         }
         if (split_path(now).second != split_path(key).second)
             edit.rename({}, split_path(now).second);
@@ -48,6 +44,14 @@ void KeptTweaks::move(const std::vector<MoveStep>& moves) {
     rename_values(now_at);
     fold();
     rename_in_references(now_at);
+}
+
+SceneSteps KeptTweaks::steps_between(const std::string& top, const std::string& path) {
+    SceneSteps steps;
+    const std::vector<Segment> names = parse_path(path);
+    for (std::size_t i = parse_path(top).size(); i < names.size(); ++i)
+        steps.push_back({std::get<std::string>(names[i].key), no_place});
+    return steps;
 }
 
 /// The path of the instance that the file makes there, or above that; "": it makes none.

@@ -4,14 +4,18 @@
 #include <unordered_set>
 
 #include "kept_tweaks.h"
+#include "scene_edit.h"
 
 namespace fettle::property {
 
 std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& paths) {
     const std::unordered_set<std::string> created = created_;
     std::vector<std::string> before = forget_below(paths);
+    fold();
+    const PathSet set(paths);
     for (const std::string& path : paths) {
-        if (created.contains(path)) continue;
+        const bool below_another = set.above(path).size() > 1;
+        if (created.contains(path) || part_removed(path) || below_another) continue;
         std::string quoted;
         append_quoted(quoted, path);
         put("deleted", path, quoted);
@@ -19,14 +23,32 @@ std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& path
     return before;
 }
 
+/// Of an instance that the file makes: a part of its scene goes.
+bool KeptTweaks::part_removed(const std::string& path) {
+    const std::string made = made_above(path);
+    if (made.empty()) return false;
+    const Node& node = *member("created", made);
+    try {
+        SceneEdit edit(tree_, std::string(document_->raw(node)), "its scene");
+        (void)edit.remove(steps_between(made, path));
+        put("created", made, without_indent(edit.text(), *document_, node));
+        fold();
+        return true;
+    } catch (const Error&) {  // a script makes it there
+        return false;
+    }
+}
+
 std::vector<std::string> KeptTweaks::forget_below(const std::vector<std::string>& paths) {
     fold();
     const PathSet set(paths);
-    std::vector<std::string> before = about(set);
-    before.resize(paths.size());
+    std::vector<std::string> before = about(set, paths);
     for (const auto& [section, key] : all_keys())
         if (!set.above(section == "values" ? split_path(key).first : key).empty())
             drop(section, key);
+    for (const std::string& path : contents_.deleted)
+        for (const std::size_t each : set.above(path))
+            if (paths[each] != path) drop("deleted", path);
     fold();
     rename_in_references([&](const std::string& named) -> std::optional<std::string> {
         if (!set.above(named).empty()) return std::string();
@@ -36,30 +58,44 @@ std::vector<std::string> KeptTweaks::forget_below(const std::vector<std::string>
 }
 
 /// For each path what the file says of the instance and of what is below it, and what names these.
-std::vector<std::string> KeptTweaks::about(const PathSet& paths) const {
-    std::vector<std::array<std::string, 2>> lists(paths.size());  // values, created
+std::vector<std::string> KeptTweaks::about(const PathSet& set,
+                                           const std::vector<std::string>& paths) const {
+    std::vector<std::array<std::string, 3>> lists(paths.size());  // values, created, deleted
+    const auto append = [&](std::string& list, const std::string& section, const std::string& key) {
+        const Node& node = *member(section, key);
+        list += list.empty() ? "" : ", ";
+        append_quoted(list, key);
+        list += ": " + without_indent(std::string(document_->raw(node)), *document_, node);
+    };
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (const std::string made = made_above(paths[i]); !made.empty() && made != paths[i])
+            append(lists[i][1], "created", made);
     for (const auto& [section, key] : all_keys()) {
         const bool value = section == "values";
         std::unordered_set<std::size_t> meant;
         const auto note = [&, &all = meant](const std::string& path) {
-            for (const std::size_t each : paths.above(path)) all.insert(each);
+            for (const std::size_t each : set.above(path)) all.insert(each);
         };
         note(value ? split_path(key).first : key);
         (void)with_paths(section, key, [&](const std::string& named) {
             note(named);
             return std::optional<std::string>();
         });
-        for (const std::size_t each : meant) {
-            const Node& node = *member(section, key);
-            std::string& list = lists[each][value ? 0 : 1];
-            list += list.empty() ? "" : ", ";
-            append_quoted(list, key);
-            list += ": " + without_indent(std::string(document_->raw(node)), *document_, node);
-        }
+        for (const std::size_t each : meant)
+            if (value || made_above(paths[each]) != key || key == paths[each])
+                append(lists[each][value ? 0 : 1], section, key);
     }
+    for (const std::string& path : contents_.deleted)
+        for (const std::size_t each : set.above(path))
+            if (paths[each] != path) {
+                std::string& list = lists[each][2];
+                list += list.empty() ? "" : ", ";
+                append_quoted(list, path);
+            }
     std::vector<std::string> texts;
-    for (const auto& [values, created] : lists)
-        texts.push_back("{\"values\": {" + values + "}, \"created\": {" + created + "}}");
+    for (const auto& [values, created, deleted] : lists)
+        texts.push_back("{\"values\": {" + values + "}, \"created\": {" + created +
+                        "}, \"deleted\": [" + deleted + "]}");
     return texts;
 }
 
@@ -67,6 +103,9 @@ void KeptTweaks::put_back(const std::string& path, const std::string& taken_out)
     drop("deleted", path);
     if (taken_out.empty()) return;
     const Document document(taken_out, "journal");
+    if (const Node* all = document.member(document.root(), "deleted"))
+        for (const Node* node = document.first(*all); node; node = document.next(*node))
+            put("deleted", document.text(*node), std::string(document.raw(*node)));
     for (const char* section : {"values", "created"})
         if (const Node* all = document.member(document.root(), section))
             for (const Node* node = document.first(*all); node; node = document.next(*node))

@@ -27,6 +27,7 @@
 #include "image.h"
 #include "instance_moves.h"
 #include "json_edit.h"
+#include "scene_origins.h"
 
 namespace fettle::property {
 
@@ -110,7 +111,9 @@ class KeptTweaks {
     void fold();
     std::string made_above(const std::string& path) const;
     void rename_values(const NewPath& now_at);
-    std::vector<std::string> about(const PathSet& paths) const;
+    std::vector<std::string> about(const PathSet& set, const std::vector<std::string>& paths) const;
+    bool part_removed(const std::string& path);
+    static SceneSteps steps_between(const std::string& top, const std::string& path);
     void rename_in_references(const NewPath& now_at);
     /// The text of a value or of a new instance with other paths; nothing where it names none.
     std::optional<std::string> with_paths(const std::string& section, const std::string& key,

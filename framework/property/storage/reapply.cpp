@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 #include "row_paths.h"
 #include "scene_keeping.h"
 #include "scene_load.h"
-#include "scene_names.h"
+#include "scene_value.h"
 #include "tweaks_state.h"
 
 namespace fettle::property {
@@ -36,11 +37,14 @@ class Reapplying {
 
     void reapply(const Rows& rows) {
         for (JournalRow* row : rows)
-            if (row->kind != Kind::value) waiting_.push_back(row);
+            if (row->kind == Kind::deleted) waiting_.push_back(row);
+        for (JournalRow* row : rows)  // what takes the place of something comes after it
+            if (row->kind != Kind::value && row->kind != Kind::deleted) waiting_.push_back(row);
         find_instances();
         while (!waiting_.empty() && (make_some() || make_room())) {
         }
         for (JournalRow* row : std::exchange(waiting_, {})) make(*row);  // tells what is wrong
+        set_open_references();
         for (JournalRow* row : rows)
             if (row->kind == Kind::value) make(*row);
     }
@@ -134,8 +138,26 @@ class Reapplying {
         const Handle above = at(parent);
         if (tree_.child(above, name))
             throw Error(ErrorKind::bad_name, "there is something of this name already");
-        const Document scene(paths_.live_scene(row), "journal");
-        return make_scene(tree_, scene, above, name);
+        const auto scene = std::make_shared<const Document>(paths_.live_scene(row), "journal");
+        std::vector<OpenReference> open;
+        const Handle made = make_scene(tree_, *scene, above, name, open);
+        for (OpenReference& each : open) open_.push_back({&row, scene, std::move(each)});
+        return made;
+    }
+
+    /// References of new instances to what came after them.
+    void set_open_references() {
+        for (const auto& [row, scene, open] : open_) try {
+                const Property* declared = tree_.find(open.instance, open.property);
+                const ReferenceResolver resolve =
+                    [this](const std::string& path, const Document::Node&) { return at(path); };
+                tree_.set_or_add(
+                    open.instance, open.property,
+                    read_value(*scene, *open.node, declared ? declared_type(*declared) : Type::nil,
+                               declared ? declared->element : Type::nil, resolve));
+            } catch (const Error& error) {
+                report_.problems.push_back(path_of(*row) + ": " + error.what());
+            }
     }
 
     Handle destroy(const JournalRow& row) {
@@ -163,6 +185,12 @@ class Reapplying {
     Rows waiting_;
     std::map<const JournalRow*, Handle> instances_;
     std::vector<std::pair<JournalRow*, Handle>> made_;
+    struct Open {
+        const JournalRow* row;
+        std::shared_ptr<const Document> scene;
+        OpenReference reference;
+    };
+    std::vector<Open> open_;
     int in_between_ = 0;
 };
 

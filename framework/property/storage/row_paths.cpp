@@ -42,6 +42,14 @@ std::string RowPaths::home_of_top(const JournalRow& row) const {
     return joined_path(names, names.size() - std::min(names.size(), read_steps(row.inside).size()));
 }
 
+std::string RowPaths::moved_out_of(const JournalRow& deletion) const {
+    for (const JournalRow& row : state_->earlier)
+        if (row.kind == Kind::moved && row.state == RowState::open &&
+            row.instance != deletion.instance && is_at_or_below(row.instance, deletion.instance))
+            return row.now;
+    return now_.moved_out_of(deletion.instance);
+}
+
 std::string RowPaths::said(const JournalRow& row, const std::string& home) const {
     return row.kind == Kind::value || row.kind == Kind::created ? moves_of(row).now(home) : home;
 }
@@ -54,19 +62,25 @@ Handle RowPaths::instance(const std::string& home) const {
     return instance_or_none(state_->tree, now_.now(home));
 }
 
+std::string RowPaths::live(const JournalRow& row, const std::string& path) const {
+    const std::string at_home = home(row, path);
+    // What was there has moved away, so it is something new in its place.
+    if (at_home == path && moves_of(row).now(path) != path) return path;
+    return now_.now(at_home);
+}
+
 Image RowPaths::live_image(const JournalRow& row) const {
     Image image = read_image(row.now);
     if (image.kind == Image::Kind::value && !image.not_saved.empty())
         throw Error(ErrorKind::rejected, image.not_saved);
-    image.value = value_with_paths(image.value, [&](const std::string& path) {
-        return std::optional(now_.now(home(row, path)));
-    });
+    image.value = value_with_paths(
+        image.value, [&](const std::string& path) { return std::optional(live(row, path)); });
     return image;
 }
 
 std::string RowPaths::live_scene(const JournalRow& row) const {
     return scene_with_paths(state_->tree, row.now, [&](const std::string& path) {
-        return std::optional(now_.now(home(row, path)));
+        return std::optional(live(row, path));
     });
 }
 

@@ -30,8 +30,10 @@ class RowPaths {
     std::string home_of_live(const std::string& path) const;
     /// Where the instance of that home path is now, if that is another path; else "".
     std::string moved_from(const std::string& home) const { return now_.moved_from(home); }
-    /// Where something is now whose home is below `home`; "": nothing has moved out of it.
-    std::string moved_out_of(const std::string& home) const { return now_.moved_out_of(home); }
+    /// Where something is that has moved out of a deleted instance; "": nothing has.
+    std::string moved_out_of(const JournalRow& deletion) const;
+    /// Where what a row calls `path` is now.
+    std::string live(const JournalRow& row, const std::string& path) const;
     /// The instance of that home path; null where there is none now.
     Handle instance(const std::string& home) const;
 

@@ -30,7 +30,7 @@ void check_made(const Tweaks::State& state, const RowPaths& paths, const Journal
 }
 
 void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row) {
-    if (const std::string path = paths.moved_out_of(row.instance); !path.empty())
+    if (const std::string path = paths.moved_out_of(row); !path.empty())
         throw Error(ErrorKind::rejected,
                     "what is " + path + " now is a part of it in the file, and would go with it");
 }

@@ -340,8 +340,9 @@ Handle load_scene_document(Tree& tree, const Document& document, Handle parent,
     return SceneLoader(tree, document, parent, name, nullptr, nullptr, &open).run();
 }
 
-Handle make_scene(Tree& tree, const Document& document, Handle parent, std::string_view name) {
-    return SceneLoader(tree, document, parent, name, nullptr, nullptr, nullptr, tree.cause().writer)
+Handle make_scene(Tree& tree, const Document& document, Handle parent, std::string_view name,
+                  std::vector<OpenReference>& open) {
+    return SceneLoader(tree, document, parent, name, nullptr, nullptr, &open, tree.cause().writer)
         .run();
 }
 

@@ -22,7 +22,8 @@ struct OpenReference {
 Handle load_scene_document(Tree& tree, const Document& document, Handle parent,
                            std::string_view name, std::vector<OpenReference>& open);
 
-/// As `load_scene_text`, but as an edit of whoever writes now, so that it can be undone.
-Handle make_scene(Tree& tree, const Document& document, Handle parent, std::string_view name);
+/// The same as an edit of the writer of this moment, so that it can be undone.
+Handle make_scene(Tree& tree, const Document& document, Handle parent, std::string_view name,
+                  std::vector<OpenReference>& open);
 
 }  // namespace fettle::property

@@ -139,15 +139,24 @@ Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
 Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instance,
                                            const std::string& property, Handle handle) {
     Entry*& found = by_key[key_of(kind, instance, property)];
-    if (found == nullptr) {
-        found = entries.emplace_back(std::make_unique<Entry>()).get();
-        found->row.kind = kind;
-        found->row.number = ++last_number;
-        found->row.instance = instance;
+    // One that a deletion has made void waits for its own instance, not for the next of that path.
+    if (found == nullptr || (found->deletion != nullptr && found->handle != handle)) {
+        found = &add_entry(kind, instance, handle);
         found->row.property = property;
     }
     found->handle = handle;
     return *found;
+}
+
+/// One that is not found by its path: there may be another of the same path.
+Tweaks::State::Entry& Tweaks::State::add_entry(Kind kind, const std::string& instance,
+                                               Handle handle) {
+    Entry& its = *entries.emplace_back(std::make_unique<Entry>());
+    its.row.kind = kind;
+    its.row.number = ++last_number;
+    its.row.instance = instance;
+    its.handle = handle;
+    return its;
 }
 
 void Tweaks::State::touch(Entry& entry) {
@@ -168,7 +177,9 @@ void Tweaks::State::tell_origin(Entry& entry, Handle instance) const {
 }
 
 void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {
-    if (property.transient || !attached(instance) || is_fresh(instance)) return;
+    if (property.transient || !attached(instance)) return;
+    if (is_fresh(instance)) return edited_again(instance, property);
+    if (!deleted.empty()) back_in_time(instance);
     if (Entry* creation = created_above(instance)) {
         creation->inside.emplace_back(instance, property.symbol);
         return touch(*creation);
@@ -187,13 +198,30 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
     touch(its);
 }
 
+/// Undo brings an instance back, and then what was edited before it was deleted.
+void Tweaks::State::edited_again(Handle instance, const Property& property) {
+    if (tree.cause().writer != Writer::undo) return;
+    for (const auto& each : entries)
+        if (each->row.kind == Kind::value && each->handle == instance &&
+            each->property == property.symbol && each->deletion != nullptr)
+            each->now = image_now(tree, instance, property.symbol, false);
+}
+
+/// What is edited is not deleted: the game has gone back in time, or has loaded a save.
+void Tweaks::State::back_in_time(Handle instance) {
+    for (Handle at = instance; at; at = tree.parent(at))
+        if (const auto found = deleted.find(key(at));
+            found != deleted.end() && !found->second->gone)
+            (void)undelete(*found->second);
+}
+
 /// A reference to what a person has deleted before: when that is back, the value is this one.
 void Tweaks::State::name_deleted(Image& image, const Value& value) const {
     if (!value.is(Type::reference) || !value.reference() || tree.alive(value.reference())) return;
     const auto found = deleted.find(key(value.reference()));
     if (found == deleted.end()) return;
     std::string text = "{\"reference\": ";
-    append_quoted(text, found->second->row.now);
+    append_quoted(text, path_of_deleted(value.reference()));
     image.value = text + "}";
 }
 
@@ -208,19 +236,20 @@ void Tweaks::State::dying(Handle instance) {
         if (is_in_fresh.empty()) fresh.clear();  // else those that went are passed over later
         if (!created.contains(key(instance))) return;
     }
+    if (is_fresh(instance) && !created.contains(key(instance))) return;
     if (attached(instance)) bury(instance, tree.parent(instance), tree.path(instance));
 }
 
 /// Whatever was done to it is void, unless the deletion is undone.
 void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path) {
-    touch_mentions(path);
+    rename_mentions(path, path_of_deleted(instance));
     if (const auto made = created.find(key(instance));
         made != created.end() && made->second->row.state == RowState::open) {
         make_void(path, {}, *made->second);
         made->second->gone = true;
         return touch(*made->second);
     }
-    if (taken_out_of_creation(instance, parent)) return;
+    if (taken_out_of_creation(split_path(path).second, parent)) return;
     const auto moved_before = moved_entries.find(key(instance));
     const std::string home = moved_before != moved_entries.end() && !moved_before->second->gone
                                  ? home_of(instance)
@@ -238,7 +267,12 @@ void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path
 
 Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::string& path,
                                                   const std::string& home) {
-    Entry& deletion = entry(Kind::deleted, home, {}, instance);
+    // What an edit has made may be in the place of what a script makes, which is deleted, too.
+    const auto known = deleted.find(key(instance));
+    Entry& deletion = known != deleted.end()            ? *known->second
+                      : created.contains(key(instance)) ? add_entry(Kind::deleted, home, instance)
+                                                        : entry(Kind::deleted, home, {}, instance);
+    deletion.row.instance = home;
     deletion.row.now = path;
     deletion.row.was_text = "a " + tree.class_of(instance).name();
     deletion.row.now_text = "deleted";
@@ -251,13 +285,13 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
 }
 
 /// What came with an instance that an edit has made leaves the scene of that tweak.
-bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
+bool Tweaks::State::taken_out_of_creation(const std::string& name, Handle parent) {
     Entry* above = created_above(parent);
     if (above == nullptr) return false;
     refresh_created(*above);
     try {
         SceneSteps steps = steps_below(parent, above->handle);
-        steps.push_back({tree.name(instance), no_place});
+        steps.push_back({name, no_place});
         SceneEdit edit(tree, above->scene, "journal");
         (void)edit.remove(steps);
         above->scene = edit.text();
@@ -281,7 +315,8 @@ void Tweaks::State::make_void(const std::string& path, const std::string& home, 
         if (!is_at_or_below(path_now(its.row), path)) continue;
         // The files have it elsewhere: there it goes by itself.
         const bool elsewhere = home.empty() || !is_at_or_below(its.row.instance, home);
-        if (its.row.kind == Kind::deleted && elsewhere) continue;
+        const bool in_its_place = its.row.now == path;  // another one, which was deleted before
+        if (its.row.kind == Kind::deleted && (elsewhere || in_its_place)) continue;
         its.gone = true;
         its.deletion = &deletion;
         touch(its);
@@ -303,6 +338,7 @@ void Tweaks::State::revive(const Entry& deletion) {
         if (its.gone && its.deletion == &deletion) {
             its.gone = false;
             its.deletion = nullptr;
+            find_again(its);
             touch(its);
         }
         if (!its.gone && its.with == &deletion) {

@@ -53,21 +53,16 @@ void Tweaks::State::settle_fresh() {
         bool inside = false;
         for (Handle at = tree.parent(instance); at && !inside; at = tree.parent(at))
             inside = is_in_fresh.contains(key(at));
-        if (!inside) settle_one(instance);
+        const bool was_there = deleted.contains(key(instance)) || created.contains(key(instance));
+        if (!inside || was_there) settle_one(instance);
     }
     is_in_fresh.clear();
 }
 
 void Tweaks::State::settle_one(Handle instance) {
     const std::string path = tree.path(instance);
-    touch_mentions(path);
+    rename_mentions(path_of_deleted(instance), path);
     if (settle_undeleted(instance)) return;
-    if (const auto known = created.find(key(instance));
-        known != created.end() && known->second->row.state == RowState::open) {
-        known->second->gone = false;  // its deletion, or its creation, was undone and done again
-        revive(*known->second);
-        return touch(*known->second);
-    }
     std::vector<std::string> warnings;
     std::string text;
     try {
@@ -76,14 +71,19 @@ void Tweaks::State::settle_one(Handle instance) {
         return warn(path + " is new, but cannot be journaled: " + error.what());
     }
     for (const std::string& warning : warnings) warn(warning);
-    Entry& its = entry(Kind::created, path, {}, instance);
+    const auto known = created.find(key(instance));
+    Entry& its = known != created.end() ? *known->second : add_entry(Kind::created, path, instance);
+    its.row.instance = path;
     its.scene = text;
     its.row.was_text = "nothing";
     its.row.now_text = "new " + tree.class_of(instance).name();
     its.gone = false;
     its.inside.clear();
     created[key(instance)] = &its;
+    its.row.file.clear();
+    its.row.inside.clear();
     tell_origin(its, tree.parent(instance));
+    revive(its);  // where its deletion, or its creation, was undone and done again
     touch(its);
 }
 
@@ -173,40 +173,17 @@ void Tweaks::State::refresh_created(Entry& entry) {
 // --- Rows ----------------------------------------------------------------------------------------
 
 /// What a person has deleted since is named by nothing; undo may bring it back, so the entry itself
-/// keeps its path.
+/// keeps a path of it.
 template <class WithPaths>
 std::string Tweaks::State::without_deleted(const std::string& text, WithPaths with_paths) const {
     if (deleted.empty() && created.empty()) return text;
     try {
         return with_paths([this](const std::string& path) -> std::optional<std::string> {
-            if (is_deleted(path)) return std::string();
+            if (path.starts_with(deleted_name)) return std::string();
             return std::nullopt;
         });
     } catch (const Error&) {  // what is wrong with it is told when it is kept
         return text;
-    }
-}
-
-bool Tweaks::State::is_deleted(const std::string& path) const {
-    const auto is_its = [&path](const Entry& entry) {
-        if (entry.row.kind == Kind::deleted)
-            return !entry.gone && is_at_or_below(path, entry.row.now);
-        return entry.row.kind == Kind::created && entry.gone &&
-               is_at_or_below(path, entry.row.instance);
-    };
-    const bool was_there = std::any_of(entries.begin(), entries.end(),
-                                       [&](const auto& each) { return is_its(*each); });
-    return was_there && !instance_or_none(tree, path);  // else another one has its name now
-}
-
-/// Tweaks that name what is at the path or below it: that is gone, or back.
-void Tweaks::State::touch_mentions(const std::string& path) {
-    const std::string quoted = mention_of(path);
-    for (const auto& each : entries) {
-        const std::string& text = each->row.kind == Kind::value ? each->now.value : each->scene;
-        if (each->row.state == RowState::open && !each->gone &&
-            text.find(quoted) != std::string::npos)
-            touch(*each);
     }
 }
 

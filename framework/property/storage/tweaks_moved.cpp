@@ -36,11 +36,31 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     move.row.was_text = move.row.instance;
     move.row.now_text = "moved to " + move.row.now;
     touch(move);
-    move.gone = false;
-    move.gone =
-        path_below(home_of(tree.parent(instance)), tree.name(instance)) == move.row.instance;
-    if (Entry* above = into_new ? created_above(instance) : nullptr)
+    move.gone = is_home(move);
+    if (Entry* above = into_new ? created_above(tree.parent(instance)) : nullptr)
         above->scene = scene_of_new(above->handle, nullptr);
+}
+
+bool Tweaks::State::is_home(const Entry& move) const {
+    return path_below(home_of(tree.parent(move.handle)), tree.name(move.handle)) ==
+           move.row.instance;
+}
+
+/// After its deletion was undone: its instance may have got its earlier name again by then.
+void Tweaks::State::find_again(Entry& its) {
+    if (!tree.alive(its.handle) || !attached(its.handle)) return;
+    const std::string path = tree.path(its.handle);
+    if (its.row.kind == Kind::moved) {
+        its.row.now = path;
+        its.row.now_text = "moved to " + path;
+        its.gone = is_home(its);
+    } else if (its.row.kind == Kind::value || its.row.kind == Kind::created) {
+        its.row.instance = path;
+        if (its.row.kind == Kind::value)
+            by_key[key_of(Kind::value, path, its.row.property)] = &its;
+        else
+            (void)rename_scene(its);
+    }
 }
 
 /// The home path of an instance.
@@ -58,6 +78,18 @@ std::string Tweaks::State::home_of(Handle instance) const {
     }
     for (auto name = names.rbegin(); name != names.rend(); ++name) home = path_below(home, *name);
     return home;
+}
+
+/// Of a new instance: its name now. False for a name that no file can hold.
+bool Tweaks::State::rename_scene(Entry& made) const {
+    try {
+        SceneEdit edit(tree, made.scene, "journal");
+        edit.rename({}, tree.name(made.handle));
+        made.scene = edit.text();
+        return true;
+    } catch (const Error&) {  // told when it is kept
+        return false;
+    }
 }
 
 InstanceMoves Tweaks::State::moves() const {
@@ -98,9 +130,9 @@ void Tweaks::State::file_says(const JournalRow& row) {
 
 /// The entry is found by the other path from now on.
 void Tweaks::State::rekey(Entry& its, const std::string& path) {
-    if (const auto found = by_key.find(key_of(its.row.kind, its.row.instance, its.row.property));
-        found != by_key.end() && found->second == &its)
-        by_key.erase(found);
+    const auto found = by_key.find(key_of(its.row.kind, its.row.instance, its.row.property));
+    if (found == by_key.end() || found->second != &its) return;
+    by_key.erase(found);
     by_key[key_of(its.row.kind, path, its.row.property)] = &its;
 }
 
@@ -112,13 +144,7 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
     if (known != created.end()) {
         Entry& made = *known->second;
         if (made.gone || made.row.state != RowState::open) return false;
-        try {
-            SceneEdit edit(tree, made.scene, "journal");
-            edit.rename({}, tree.name(instance));
-            made.scene = edit.text();
-        } catch (const Error&) {  // a name that no file can hold: told when it is kept
-            return false;
-        }
+        if (!rename_scene(made)) return false;
         repath(instance, old_path);
         made.row.file.clear();
         made.row.inside.clear();
@@ -127,7 +153,12 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
         return true;
     }
     Entry* above = created_above(old_parent);
-    if (above == nullptr || created_above(tree.parent(instance)) != above) return false;
+    if (above == nullptr) return false;
+    if (created_above(tree.parent(instance)) != above) {
+        if (!taken_out_of_creation(old_name, old_parent)) return false;
+        born(instance);  // it is new by itself from now on
+        return true;
+    }
     refresh_created(*above);  // what was edited so far has the old names
     try {
         if (tree.parent(instance) != old_parent)
@@ -152,7 +183,6 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
 /// Tweaks of what is at the instance or below it, and those that name it, say where it is now.
 void Tweaks::State::repath(Handle instance, const std::string& old_path) {
     const NewPath now_at = moved_path(old_path, tree.path(instance));
-    const std::string quoted = mention_of(old_path);
     for (const auto& each : entries) {
         Entry& its = *each;
         if (its.row.state == RowState::kept && its.row.kind != Kind::value) continue;
@@ -172,6 +202,16 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
             its.row.instance = *now;
             if (open) touch(its);
         }
+    }
+    rename_mentions(old_path, tree.path(instance));
+}
+
+void Tweaks::State::rename_mentions(const std::string& from, const std::string& to) {
+    const NewPath now_at = moved_path(from, to);
+    const std::string quoted = mention_of(from);
+    for (const auto& each : entries) {
+        Entry& its = *each;
+        const bool open = its.row.state == RowState::open && !its.gone;
         bool renamed = false;
         const auto rename_in = [&](std::string& text, auto with_paths) {
             if (text.find(quoted) == std::string::npos) return;
@@ -184,13 +224,17 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
                     rename_in(image->value, [&](const std::string& value) {
                         return value_with_paths(value, now_at);
                     });
-            else if (open)
+            else
                 rename_in(its.scene, [&](const std::string& scene) {
                     return scene_with_paths(tree, scene, now_at);
                 });
         } catch (const Error&) {  // what is wrong with it is told when it is kept
         }
-        if (renamed && open) touch(its);
+        // It was kept as a reference to nothing, while what it names was deleted.
+        const bool back = its.row.state == RowState::kept && from.starts_with(deleted_name) &&
+                          its.row.kind == Kind::value && !its.gone;
+        if (renamed && back) its.was.value = "null";
+        if (renamed && (open || back)) touch(its);
     }
 }
 

@@ -67,10 +67,13 @@ struct Tweaks::State : EditObserver {
     Entry* created_above(Handle instance) const;
     Entry& entry(Kind kind, const std::string& instance, const std::string& property,
                  Handle handle);
+    Entry& add_entry(Kind kind, const std::string& instance, Handle handle);
     void touch(Entry& entry);
     void name_deleted(Image& image, const Value& value) const;
     void bury(Handle instance, Handle parent, const std::string& path);
-    bool taken_out_of_creation(Handle instance, Handle parent);
+    bool taken_out_of_creation(const std::string& name, Handle parent);
+    void edited_again(Handle instance, const Property& property);
+    void back_in_time(Handle instance);
     Entry& add_deletion(Handle instance, const std::string& path, const std::string& home);
     void make_void(const std::string& path, const std::string& home, Entry& deletion);
     void revive(const Entry& deletion);
@@ -83,6 +86,9 @@ struct Tweaks::State : EditObserver {
     /// Moves of this run that are in no file.
     InstanceMoves moves() const;
     std::string home_of(Handle instance) const;
+    bool is_home(const Entry& move) const;
+    void find_again(Entry& its);
+    bool rename_scene(Entry& made) const;
     /// Files call instances otherwise now.
     void homes_changed(const NewPath& now_at);
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
@@ -104,8 +110,13 @@ struct Tweaks::State : EditObserver {
     bool visible(const Entry& entry) const;
     template <class WithPaths>
     std::string without_deleted(const std::string& text, WithPaths with_paths) const;
-    bool is_deleted(const std::string& path) const;
-    void touch_mentions(const std::string& path);
+    /// In the texts of tweaks, of an instance that was deleted: another one may get its path.
+    static constexpr std::string_view deleted_name = "_deleted_";
+    static std::string path_of_deleted(Handle instance) {
+        return std::string(deleted_name) + std::to_string(key(instance));
+    }
+    /// In what tweaks name, one path in the place of another.
+    void rename_mentions(const std::string& from, const std::string& to);
     void commit();
     void tell_lost() const;
 
