@@ -214,4 +214,60 @@ TEST_CASE("what is made below an instance that was kept in a scene is kept in th
     CHECK(outcome.err.empty());
 }
 
+TEST_CASE("a scene that was deleted as a whole comes back") {
+    const Level folder;
+    run(folder, {"2:world.lvl:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+    CHECK(next(folder, print({"world.lvl.d.y", "world.lvl.e.y"})) == "1 2\n");
+}
+
+TEST_CASE("what takes the place of something twice is kept as it is in the end") {
+    const Script folder;
+    run(folder, {"2:world.a=Object{y=8}", "3:world.a=Object{y=9}", "4:undo()", "5:keep(\"**\")"});
+    CHECK(next(folder, print({"world.a.y"})) == "8\n");
+    // Also where it was kept before it was taken back.
+    for (const char* place : {"world.n", "world.lvl.d"}) {
+        const Level other;
+        other.write("main.lua", std::string(loads) + " world.n = Object { y = 1 }");
+        const std::string name = place;
+        run(other, {"2:" + name + "=Object{y=9}", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+        CHECK(next(other, print({name + ".y"})) == "1\n");
+        CHECK(other.text("lvl.json") == level);
+    }
+}
+
+TEST_CASE("a command that makes, edits and names things is undone and done again as a whole") {
+    const Script named;
+    run(named, {"2:world.a=Object{} world.a.name=\"w\"", "3:undo()", "4:redo()", "5:keep(\"**\")"});
+    CHECK(next(named, print({"world.w", "world.a"})) == "world.w -\n");
+    const Script filled;
+    run(filled, {"2:world.a=Object{y=1} world.a.b=Object{y=2} world.a.y=11 world.a.b.y=12",
+                 "3:undo()", "4:redo()", "5:keep(\"**\")"});
+    CHECK(next(filled, print({"world.a.y", "world.a.b.y"})) == "11 12\n");
+    const Script deleted;
+    const Outcome kept = run(deleted, {"2:world.n.y=5 world.n.k.y=6 world.n:delete()", "3:undo()",
+                                       "4:tweaks()", "5:keep(\"**\")"});
+    CHECK(contains(kept.out, "nothing was tweaked"));
+    CHECK(next(deleted, print({"world.n.y", "world.n.k.y"})) == "1 2\n");
+}
+
+TEST_CASE("a later run does not delete what an earlier one has moved out") {
+    const Level folder;
+    folder.write("main.lua", std::string(loads) + " world.n = Object {}");
+    run(folder, {"2:world.lvl.d.part=Object{y=3}", "3:keep(\"**\")"});
+    const std::string before = folder.text("lvl.json");
+    run(folder, {"2:world.lvl.d.part:move(world.n)", "3:world.lvl.d:delete()"});
+    const Outcome kept = run(folder, {"2:keep(\"**\")"});
+    INFO(kept.out);
+    CHECK(contains(kept.out, "is a part of it in the file, and would go with it"));
+    CHECK(folder.text("lvl.json") == before);
+}
+
+TEST_CASE("what is edited after the game has gone back in time is not deleted") {
+    const Level folder;
+    const Outcome kept = run(folder, {"4:world.lvl.d:delete()", "5:rewind(0.04)",
+                                      "6:world.lvl.d.y=5", "7:keep(\"**\")"});
+    INFO(kept.out << kept.err);
+    CHECK(next(folder, print({"world.lvl.d.y", "world.lvl.e.y"})) == "5 2\n");
+}
+
 }  // namespace keep_again_test
