@@ -119,7 +119,7 @@ class Keeping {
         if (!target) return true;  // the scene is not loaded, or the check of the scene will tell
         if (const auto origin = state_.origins.find(target))
             return paths_.home_of_live(state_.tree.path(origin->top)) == top;
-        // A script made it, unless somebody made it who keeps it in the same file.
+        // A script made it, unless it is a new instance that is kept in the same file.
         const auto rows = scenes_.find(file);
         for (Handle at = target; at; at = state_.tree.parent(at))
             if (const auto made = state_.created.find(Tweaks::State::key(at));
@@ -383,8 +383,8 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
     rest = 0;
     barrier();  // whatever was edited just now counts as well
     try {
-        // What other runs of the game have kept meanwhile stays: nobody writes between reading and
-        // writing.
+        // What other runs of the game have kept meanwhile stays: the lock keeps others from writing
+        // between reading and writing.
         const std::shared_ptr<void> locked = files.lock();
         refresh_earlier();
         Keeping(*this, report).keep(matching(pattern, false));
