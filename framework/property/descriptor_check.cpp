@@ -11,8 +11,6 @@
 namespace fettle::property {
 namespace {
 
-/// Of a row: with any row below 2³² an address is still one.
-
 std::string in_quotes(std::string_view name) {
     return "\"" + std::string(name) + "\"";
 }

@@ -1,6 +1,8 @@
 #include "instance_moves.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <unordered_set>
 #include <utility>
 

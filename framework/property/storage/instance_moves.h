@@ -3,8 +3,6 @@
 // path that those give is the *home path* of an instance.
 
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -18,7 +16,6 @@ namespace fettle::property {
 class InstanceMoves {
   public:
     void add(const std::string& home, const std::string& now);
-    bool empty() const { return homes_.empty(); }
     /// Where the game makes what is at `now`; the same path where nothing was moved.
     std::string home(const std::string& now) const;
     /// The path now of something whose home is below `home`; "": of nothing.

@@ -372,7 +372,7 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
     rest = 0;
     if (row.run == JournalRow::elsewhere) return;
     if (row.run != 0) return changed.push_back(&row);
-    Entry& its = *entries[static_cast<std::size_t>(row.number) - 1];
+    Entry& its = entry_of(row);
     if (its.dirty) return;
     its.dirty = true;
     dirty.push_back(&its);

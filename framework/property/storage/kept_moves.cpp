@@ -71,18 +71,14 @@ void KeptTweaks::rename(const NewPath& now_at) {
     rename_values(now_at);
     for (const std::string& key : contents_.created)
         if (const auto now = now_at(key)) {
-            const Node& node = *member("created", key);
             drop("created", key);
-            put("created", *now,
-                without_indent(std::string(document_->raw(node)), *document_, node));
+            put("created", *now, text_of("created", key));
         }
     for (const std::string& path : contents_.deleted) {
         const auto [parent, name] = split_path(path);
         if (const auto above = now_at(parent)) {
-            std::string quoted;
-            append_quoted(quoted, path_below(*above, name));
             drop("deleted", path);
-            put("deleted", path_below(*above, name), quoted);
+            put_deleted(path_below(*above, name));
         }
     }
     fold();
@@ -95,10 +91,8 @@ void KeptTweaks::rename_values(const NewPath& now_at) {
         if (const auto now = now_at(instance))
             for (const Kept& kept : values) {
                 drop("values", kept.key);
-                const Node& node = *member("values", kept.key);
-                renamed.emplace_back(
-                    *now + path_suffix(kept.property),
-                    without_indent(std::string(document_->raw(node)), *document_, node));
+                renamed.emplace_back(*now + path_suffix(kept.property),
+                                     text_of("values", kept.key));
             }
     for (const auto& [key, value] : renamed) put("values", key, value);
 }
@@ -114,8 +108,7 @@ std::vector<std::pair<std::string, std::string>> KeptTweaks::all_keys() const {
 std::optional<std::string> KeptTweaks::with_paths(const std::string& section,
                                                   const std::string& key,
                                                   const NewPath& now_at) const {
-    const Node& node = *member(section, key);
-    const std::string text = without_indent(std::string(document_->raw(node)), *document_, node);
+    const std::string text = text_of(section, key);
     std::string now;
     try {
         if (section == "created") {

@@ -16,9 +16,7 @@ std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& path
     for (const std::string& path : paths) {
         const bool below_another = set.above(path).size() > 1;
         if (created.contains(path) || part_removed(path) || below_another) continue;
-        std::string quoted;
-        append_quoted(quoted, path);
-        put("deleted", path, quoted);
+        put_deleted(path);
     }
     return before;
 }
@@ -62,10 +60,9 @@ std::vector<std::string> KeptTweaks::about(const PathSet& set,
                                            const std::vector<std::string>& paths) const {
     std::vector<std::array<std::string, 3>> lists(paths.size());  // values, created, deleted
     const auto append = [&](std::string& list, const std::string& section, const std::string& key) {
-        const Node& node = *member(section, key);
         list += list.empty() ? "" : ", ";
         append_quoted(list, key);
-        list += ": " + without_indent(std::string(document_->raw(node)), *document_, node);
+        list += ": " + text_of(section, key);
     };
     for (std::size_t i = 0; i < paths.size(); ++i)
         if (const std::string made = made_above(paths[i]); !made.empty() && made != paths[i])

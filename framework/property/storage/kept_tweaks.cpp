@@ -126,6 +126,17 @@ void KeptTweaks::put(const std::string& section, const std::string& key, const s
     change(section, key, value);
 }
 
+void KeptTweaks::put_deleted(const std::string& path) {
+    std::string quoted;
+    append_quoted(quoted, path);
+    put("deleted", path, quoted);
+}
+
+std::string KeptTweaks::text_of(const std::string& section, const std::string& key) const {
+    const Node& node = *member(section, key);
+    return without_indent(std::string(document_->raw(node)), *document_, node);
+}
+
 void KeptTweaks::drop(const std::string& section, const std::string& key) {
     change(section, key, std::nullopt);
 }

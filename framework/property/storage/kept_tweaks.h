@@ -100,14 +100,6 @@ class KeptTweaks {
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
     void create_all();
-    /// `visit` gets the path of each instance at `path` or below it that has values, and these.
-    template <class Visit>
-    void each_value_below(const std::string& path, Visit visit) const {
-        for (auto its = contents_.values.lower_bound(path);
-             its != contents_.values.end() && its->first.starts_with(path); ++its)
-            if (is_at_or_below(its->first, path))
-                for (const Kept& kept : its->second) visit(its->first, kept);
-    }
     void fold();
     std::string made_above(const std::string& path) const;
     void rename_values(const NewPath& now_at);
@@ -127,9 +119,12 @@ class KeptTweaks {
     void warn(const Document& document, std::size_t offset, const std::string& reason);
     void tell(const SceneError& error);
     const Node* member(std::string_view section, const std::string& key) const;
+    /// What the file has for a key, as if it began in column 1.
+    std::string text_of(const std::string& section, const std::string& key) const;
     /// What is to be in the file; it is written with all others.
     void put(const std::string& section, const std::string& key, const std::string& value);
     void drop(const std::string& section, const std::string& key);
+    void put_deleted(const std::string& path);
     struct Change {
         std::string key;
         std::optional<std::string> value;  // none: it goes

@@ -22,11 +22,10 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     if (moved_with_creation(instance, old_parent, old_name, old_path)) return;
     Entry*& known = moved_entries[key(instance)];
     const bool first = known == nullptr;
-    if (first) known = &entry(Kind::moved, old_path, std::to_string(last_number + 1), instance);
+    if (first) known = &add_entry(Kind::moved, old_path, instance);
     Entry& move = *known;
     if (first) move.gone = true;                      // until it says where it was
     if (first || move.row.state == RowState::kept) {  // its home is what the files say now
-        move.row.property.clear();
         move.row.instance = path_below(home_of(old_parent), old_name);
         move.row.now = old_path;
         tell_origin(move, instance);
