@@ -50,7 +50,6 @@ void History::end() {
 
 void History::close() {
     if (open_.steps.empty() && !open_.too_large) return;
-    unresolved_.clear();
     clear(lists_.undone);
     put(lists_.done, std::exchange(open_, {}));
     trim();
@@ -104,6 +103,12 @@ History::CellState History::capture(Handle instance, const Property& property) c
     return state;
 }
 
+/// Of an ad-hoc property that is not there: one that is not present.
+History::CellState History::capture(Handle instance, Symbol name) const {
+    const Property* property = tree_.find(instance, name);
+    return property == nullptr ? CellState{} : capture(instance, *property);
+}
+
 History::Position History::position(Handle instance) const {
     const Tree::State& s = tree_.state();
     const Node& node = s.nodes[instance.index];
@@ -119,8 +124,7 @@ History::Position History::position(Handle instance) const {
 void History::edited(Handle instance, const Property& property, CellState before) {
     if (observer_ != nullptr) observer_->edited(instance, property, before);
     references_.erase({instance.index, property.symbol});
-    CellState after;
-    if (tree_.find(instance, property.symbol) != nullptr) after = capture(instance, property);
+    CellState after = capture(instance, property.symbol);
     // A drag is many edits of one cell: only its ends are kept.
     const Cell cell{instance.index, property.symbol};
     if (const auto step = written_.find(cell); depth_ > 0 && step != written_.end()) {
@@ -209,7 +213,8 @@ void History::note_references() {
 /// The cell of who is about to be deleted: it refers to whom it did before they were.
 History::CellState History::before_deletion(Handle instance, const Property& property) const {
     for (const Unresolved& each : unresolved_)
-        if (each.instance == instance && each.property == property.symbol) return each.state;
+        if (each.instance == instance && each.property == property.symbol && may_resolve(each))
+            return each.state;
     CellState state = capture(instance, property);
     if (property.type != Type::reference || state.formula || references_.empty()) return state;
     const auto known = references_.find({instance.index, property.symbol});

@@ -136,18 +136,18 @@ class History {
     std::unordered_map<Cell, Handle, CellHash> references_;
     bool wants_references_ = false;
     bool has_references_ = false;
-    // Cells of those who were brought back, and refer to some who are not yet.
-    std::vector<std::pair<Handle, std::vector<std::pair<Symbol, CellState>>>> waiting_;
-    /// A cell of an instance that was brought back, and that referred to what is still deleted:
-    /// undoing goes on until that is there again, or until something else is edited.
+    /// A cell that is to name an instance that is deleted: it gets its state when that instance
+    /// is there again, unless something else has written the cell meanwhile.
     struct Unresolved {
         Handle instance;
         Symbol property;
         CellState state;
-        bool told = false;
+        std::optional<CellState> meanwhile{};  // what the cell holds until then
     };
     std::vector<Unresolved> unresolved_;
     void resolve(UndoResult& result);
+    bool may_resolve(const Unresolved& cell) const;
+    CellState capture(Handle instance, Symbol name) const;
     void write_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
     int depth_ = 0;
     std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it

@@ -72,33 +72,42 @@ UndoResult History::run(Transaction& transaction, bool back) {
             one(*step);
     else
         for (EditStep& step : transaction.steps) one(step);
-    for (const auto& [instance, cells] : std::exchange(waiting_, {}))
-        if (tree_.alive(instance))
-            for (const auto& [symbol, state] : cells) set_cell(instance, symbol, state, result);
     resolve(result);
     return result;
 }
 
-/// Cells whose references lead somewhere again. The others are empty until then.
+/// Cells whose references lead somewhere again. The others hold until then what they can.
 void History::resolve(UndoResult& result) {
     for (Unresolved& each : std::exchange(unresolved_, {})) {
-        const Property* property =
-            tree_.alive(each.instance) ? tree_.find(each.instance, each.property) : nullptr;
-        if (property == nullptr) continue;
+        if (!may_resolve(each)) continue;
         const bool resolved = !names_deleted(tree_, each.state.value);
-        if (resolved || !each.told) {
-            const CellState found = capture(each.instance, *property);
+        if (resolved || !each.meanwhile) {
+            const CellState found = capture(each.instance, each.property);
             write_cell(each.instance, each.property, each.state, result);
-            if (observer_ != nullptr) observer_->edited(each.instance, *property, found);
+            const Property* property = tree_.find(each.instance, each.property);
+            if (observer_ != nullptr && property != nullptr)
+                observer_->edited(each.instance, *property, found);
+            each.meanwhile = capture(each.instance, each.property);
         }
-        each.told = true;
         if (!resolved) unresolved_.push_back(std::move(each));
     }
 }
 
+bool History::may_resolve(const Unresolved& cell) const {
+    if (!tree_.alive(cell.instance)) return false;
+    if (!cell.meanwhile) return true;
+    const CellState now = capture(cell.instance, cell.property);
+    return now.present == cell.meanwhile->present && now.overridden == cell.meanwhile->overridden &&
+           now.formula.has_value() == cell.meanwhile->formula.has_value() &&
+           now.value == cell.meanwhile->value;
+}
+
 void History::set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
     references_.erase({instance.index, name});
-    if (names_deleted(tree_, state.value) && tree_.find(instance, name) != nullptr)
+    std::erase_if(unresolved_, [&](const Unresolved& each) {
+        return each.instance == instance && each.property == name;
+    });
+    if (names_deleted(tree_, state.value))
         unresolved_.push_back({instance, name, state});  // the same step may bring that back
     else
         write_cell(instance, name, state, result);
@@ -136,9 +145,8 @@ void History::apply(CellEdit& edit, bool back, UndoResult& result) {
                                "\" is void: its instance was deleted since");
         return;
     }
+    const CellState found = capture(edit.instance, edit.property);
     const Property* property = tree_.find(edit.instance, edit.property);
-    CellState found;
-    if (property != nullptr) found = capture(edit.instance, *property);
     set_cell(edit.instance, edit.property, back ? edit.before : edit.after, result);
     if (property == nullptr) property = tree_.find(edit.instance, edit.property);
     if (observer_ != nullptr && property != nullptr)
@@ -238,16 +246,9 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
         }
     }
     // Values when all are there, so that references find whom they mean.
-    for (const Buried& buried : existence.buried) {
-        const bool waits = std::ranges::any_of(buried.cells, [&](const auto& cell) {
-            return names_deleted(tree_, cell.second.value);
-        });
-        if (waits)  // for whom the same step may bring back after it
-            waiting_.emplace_back(buried.handle, buried.cells);
-        else
-            for (const auto& [symbol, state] : buried.cells)
-                set_cell(buried.handle, symbol, state, result);
-    }
+    for (const Buried& buried : existence.buried)
+        for (const auto& [symbol, state] : buried.cells)
+            set_cell(buried.handle, symbol, state, result);
     place(existence.top, existence.buried.front().position, result);
     if (observer_ != nullptr) observer_->born(existence.top);
     // Whoever buries them next knows better what they are, and the slots to give back.

@@ -219,8 +219,8 @@ TEST_CASE("after random sessions of edits and keeps the next run begins where th
             INFO((next.told.empty() ? std::string() : next.told.front()));
             if (!all_kept) break;
             ++compared;
-            REQUIRE(text(next.state()) == ended);
-            REQUIRE(next.told.empty());
+            CHECK(text(next.state()) == ended);
+            CHECK(next.told.empty());
         }
     }
     CHECK(compared > sessions / 4);
@@ -255,7 +255,7 @@ TEST_CASE("tweaks of a random session that are made again lead where it ended") 
         for (const std::string& line : next.lines()) lines += line + "\n";
         INFO("seed " << seed << "\n" << done << problems << lines);
         CHECK(problems.empty());
-        REQUIRE(text(next.state()) == ended);
+        CHECK(text(next.state()) == ended);
         ++compared;
         if (report.count == 0) continue;
         // All of it is one step of undo, and nothing is forgotten.
@@ -264,13 +264,13 @@ TEST_CASE("tweaks of a random session that are made again lead where it ended") 
             if (began != ended) (void)next.tree.undo();
         }
         next.barrier();
-        REQUIRE(text(next.state()) == began);
+        CHECK(text(next.state()) == began);
         bool undone = true;  // a value that named what was deleted before is one that differs
         for (const Tweak& tweak : next.tweaks->list()) undone = undone && tweak.earlier;
         if (!undone) continue;
         reapply();
         next.barrier();
-        REQUIRE(text(next.state()) == ended);
+        CHECK(text(next.state()) == ended);
     }
     CHECK(compared == sessions);
 }

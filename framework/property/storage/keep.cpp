@@ -179,7 +179,7 @@ class Keeping {
             if (row->kind == Kind::value)
                 state_.kept.forget_value(paths_.home(*row), row->property);
             else if (row->kind == Kind::restored)
-                state_.kept.put_back(row->instance, row->was);
+                state_.kept.put_back(row->instance, row->was, paths_.home_scene(*row));
         take_out(rows, &KeptTweaks::forget_below);
         state_.kept.write();
     }
@@ -263,7 +263,7 @@ class Keeping {
                 require_free(home);
                 return state_.kept.add(home, paths_.home_scene(row));
             case Kind::restored:
-                return state_.kept.put_back(home, row.was);
+                return state_.kept.put_back(home, row.was, paths_.home_scene(row));
             case Kind::deleted:
             case Kind::moved:
                 return;

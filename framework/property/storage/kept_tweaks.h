@@ -59,8 +59,9 @@ class KeptTweaks {
     void add(const std::string& path, const std::string& scene);
     /// For each of the paths, what the file told of it, for `put_back`.
     std::vector<std::string> remove(const std::vector<std::string>& paths);
-    /// `taken_out`: what `remove` has given; "" where it is not known.
-    void put_back(const std::string& path, const std::string& taken_out);
+    /// `taken_out`: what `remove` has given; "" where it is not known. `scene`: of the
+    /// instance as it is now, since what it named may have gone or have got another name meanwhile.
+    void put_back(const std::string& path, const std::string& taken_out, const std::string& scene);
     bool makes(const std::string& path) const;
     /// Instances that the file makes get other paths: all of them at once. Throws Error for one
     /// that it makes as a part of another one and that is to leave it.
@@ -104,6 +105,8 @@ class KeptTweaks {
     std::string made_above(const std::string& path) const;
     void rename_values(const NewPath& now_at);
     std::vector<std::string> about(const PathSet& set, const std::vector<std::string>& paths) const;
+    std::vector<std::string> remove_beside(const std::vector<std::string>& paths);
+    void name_as_in(const std::string& path, const std::string& scene);
     bool part_removed(const std::string& path);
     static SceneSteps steps_between(const std::string& top, const std::string& path);
     void rename_in_references(const NewPath& now_at);

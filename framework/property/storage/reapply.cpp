@@ -38,6 +38,11 @@ class Reapplying {
     void reapply(const Rows& rows) {
         for (JournalRow* row : rows)
             if (row->kind == Kind::deleted) waiting_.push_back(row);
+        // What is deleted below something else goes before that.
+        std::stable_sort(waiting_.begin(), waiting_.end(),
+                         [](const JournalRow* a, const JournalRow* b) {
+                             return a->instance.size() > b->instance.size();
+                         });
         for (JournalRow* row : rows)  // what takes the place of something comes after it
             if (row->kind != Kind::value && row->kind != Kind::deleted) waiting_.push_back(row);
         find_instances();

@@ -31,17 +31,24 @@ const SceneEdit::Node* SceneEdit::child(const Node& instance, const SceneStep& s
     return at_place;
 }
 
-const SceneEdit::Node& SceneEdit::find(const SceneSteps& steps) const {
+const SceneEdit::Node* SceneEdit::find_or_none(const SceneSteps& steps) const {
     const Node* at = &document().root();
+    for (const SceneStep& step : steps)
+        if (at = child(*at, step); at == nullptr) return nullptr;
+    return at;
+}
+
+const SceneEdit::Node& SceneEdit::find(const SceneSteps& steps) const {
+    if (const Node* found = find_or_none(steps)) return *found;
     std::string path;
+    SceneSteps above;
     for (const SceneStep& step : steps) {
+        above.push_back(step);
         path += path_suffix(step.name);
-        at = child(*at, step);
-        if (at == nullptr)
-            throw Error(ErrorKind::unknown_name,
-                        document().file_name() + ": it has no instance " + path + " any more");
+        if (find_or_none(above) == nullptr) break;
     }
-    return *at;
+    throw Error(ErrorKind::unknown_name,
+                document().file_name() + ": it has no instance " + path + " any more");
 }
 
 void SceneEdit::set(const SceneSteps& steps, const std::string& property, const Image& image,
@@ -153,15 +160,9 @@ std::string SceneEdit::remove(const SceneSteps& steps) {
     return taken_out + ", \"references\": [" + forget_references(path) + "]}";
 }
 
-/// What names the instance at that path from the top names nothing. Gives what it was: for each
-/// the steps to its instance, its section, its key and its text.
-std::string SceneEdit::forget_references(const std::string& path) {
-    const NewPath none = [&](const std::string& named) -> std::optional<std::string> {
-        if (is_at_or_below(named, path)) return std::string();
-        return std::nullopt;
-    };
-    std::string before;
-    std::vector<std::pair<const Node*, std::string>> replaced;
+/// Every value in which `path` changes the name of an instance.
+std::vector<SceneEdit::NamingValue> SceneEdit::naming_values(const NewPath& path) const {
+    std::vector<NamingValue> found;
     const ScenePlan plan(*tree_, document(), {}, {});
     const auto steps_to = [&](std::size_t index) {
         SceneSteps steps;
@@ -182,21 +183,60 @@ std::string SceneEdit::forget_references(const std::string& path) {
                 const std::string raw(document().raw(*node));
                 std::string now =
                     property == nullptr
-                        ? value_with_paths(raw, none)
-                        : value_with_paths(raw, none, declared_type(*property), property->element);
-                if (now == raw) continue;
-                const std::string steps = steps_text(steps_to(i));
-                before += before.empty() ? "[" : ", [";
-                before += steps.empty() ? "[]" : steps;
-                before += ", ";
-                append_quoted(before, document().key(*section));
-                before += ", ";
-                append_quoted(before, document().key(*node));
-                before += ", " + raw + "]";
-                replaced.emplace_back(node, std::move(now));
+                        ? value_with_paths(raw, path)
+                        : value_with_paths(raw, path, declared_type(*property), property->element);
+                if (now != raw) found.push_back({steps_to(i), section, node, std::move(now)});
             }
+    return found;
+}
+
+/// What names the instance at that path from the top names nothing. Gives what it was: for each
+/// the steps to its instance, its section, its key and its text.
+std::string SceneEdit::forget_references(const std::string& path) {
+    std::string before;
+    std::vector<std::pair<const Node*, std::string>> replaced;
+    for (NamingValue& each :
+         naming_values([&](const std::string& named) -> std::optional<std::string> {
+             if (is_at_or_below(named, path)) return std::string();
+             return std::nullopt;
+         })) {
+        const std::string steps = steps_text(each.steps);
+        before += before.empty() ? "[" : ", [";
+        before += steps.empty() ? "[]" : steps;
+        before += ", ";
+        append_quoted(before, document().key(*each.section));
+        before += ", ";
+        append_quoted(before, document().key(*each.node));
+        before += ", " + std::string(document().raw(*each.node)) + "]";
+        replaced.emplace_back(each.node, std::move(each.forgotten));
+    }
     json_.replace(replaced);
     return before;
+}
+
+void SceneEdit::name_as_in(const SceneSteps& steps, const SceneEdit& other,
+                           const SceneSteps& other_steps) {
+    const Node& top = find(steps);
+    std::vector<std::pair<const Node*, std::string>> replaced;
+    for (const NamingValue& each :
+         naming_values([](const std::string&) { return std::optional(std::string()); })) {
+        if (each.node->begin < top.begin || each.node->begin >= top.end) continue;
+        SceneSteps there = other_steps;
+        there.insert(there.end(), each.steps.begin() + static_cast<std::ptrdiff_t>(steps.size()),
+                     each.steps.end());
+        replaced.emplace_back(each.node, other.value(there, document().key(*each.node)));
+    }
+    json_.replace(replaced);
+}
+
+std::string SceneEdit::value(const SceneSteps& steps, const std::string& property) const {
+    const Node* instance = find_or_none(steps);
+    if (instance == nullptr) return "null";
+    for (const std::string_view section : {"properties", "ad_hoc"})
+        if (const Node* its = document().member(*instance, section))
+            if (const Node* value = document().member(*its, property))
+                return std::string(document().raw(*value));
+    return "null";
 }
 
 /// Behind the child behind which it was.

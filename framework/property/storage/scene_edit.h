@@ -2,6 +2,7 @@
 // Changes of a scene file that leave the rest of it as somebody wrote it.
 
 #include <string>
+#include <vector>
 
 #include <fettle/property/tree.h>
 
@@ -30,12 +31,23 @@ class SceneEdit {
     /// What it was in the file, for `put_back`.
     std::string remove(const SceneSteps& steps);
     void put_back(const SceneSteps& steps, const std::string& taken_out);
+    /// What the instance and those below it name is what they name in another scene.
+    void name_as_in(const SceneSteps& steps, const SceneEdit& other, const SceneSteps& other_steps);
+    /// The text of a value; "null" where it says none.
+    std::string value(const SceneSteps& steps, const std::string& property) const;
     void rename(const SceneSteps& steps, const std::string& name);
 
   private:
     using Node = Document::Node;
+    const Node* find_or_none(const SceneSteps& steps) const;
     const Node& find(const SceneSteps& steps) const;
     const Node* child(const Node& instance, const SceneStep& step) const;
+    struct NamingValue {
+        SceneSteps steps;
+        const Node *section, *node;  // of the value
+        std::string forgotten;       // the value with nothing in the place of what it names
+    };
+    std::vector<NamingValue> naming_values(const NewPath& path) const;
     std::string forget_references(const std::string& path);
     void put_reference_back(const Document& before, const Node& reference);
     void add_first_child(const Node& parent, std::string text);

@@ -138,7 +138,9 @@ void SceneKeeping::edit_scene(const JournalRow& row) {
             require_nothing_moved_out(paths_, row);
             return taken_out(state_, row, edit_.remove(steps));
         case Kind::restored:
-            return edit_.put_back(steps, row.was);
+            edit_.put_back(steps, row.was);
+            return edit_.name_as_in(
+                steps, SceneEdit(state_.tree, paths_.home_scene(row, in_file), "its scene"), {});
         case Kind::moved:
             return;
     }

@@ -226,11 +226,13 @@ void Tweaks::State::name_deleted(Image& image, const Value& value) const {
 }
 
 void Tweaks::State::born(Handle instance) {
+    if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
     if (is_in_fresh.insert(key(instance)).second) fresh.push_back(instance);
     rest = 0;
 }
 
 void Tweaks::State::dying(Handle instance) {
+    if (attached(instance)) rename_mentions(tree.path(instance), path_of_deleted(instance));
     // What was created just now leaves no trace.
     if (is_in_fresh.erase(key(instance)) != 0) {
         if (is_in_fresh.empty()) fresh.clear();  // else those that went are passed over later
@@ -242,7 +244,6 @@ void Tweaks::State::dying(Handle instance) {
 
 /// Whatever was done to it is void, unless the deletion is undone.
 void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path) {
-    rename_mentions(path, path_of_deleted(instance));
     if (const auto made = created.find(key(instance));
         made != created.end() && made->second->row.state == RowState::open) {
         make_void(path, {}, *made->second);

@@ -61,7 +61,6 @@ void Tweaks::State::settle_fresh() {
 
 void Tweaks::State::settle_one(Handle instance) {
     const std::string path = tree.path(instance);
-    rename_mentions(path_of_deleted(instance), path);
     if (settle_undeleted(instance)) return;
     std::vector<std::string> warnings;
     std::string text;

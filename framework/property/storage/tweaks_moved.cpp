@@ -10,14 +10,15 @@
 namespace fettle::property {
 
 void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string& old_name) {
+    const bool was = old_parent && tree.alive(old_parent) && attached(old_parent);
+    const bool is = attached(instance);
+    const std::string old_path = was ? path_below(tree.path(old_parent), old_name) : std::string();
+    if (was) rename_mentions(old_path, is ? tree.path(instance) : path_of_deleted(instance));
     if (is_in_fresh.contains(key(instance)) || (old_parent && is_fresh(old_parent))) return;
     const bool into_new = is_fresh(instance);
     if (into_new) settle_fresh();
-    const bool was = old_parent && tree.alive(old_parent) && attached(old_parent);
-    const bool is = attached(instance);
     if (!was && is) return born(instance);
     if (!was) return;
-    const std::string old_path = path_below(tree.path(old_parent), old_name);
     if (!is) return bury(instance, old_parent, old_path);
     if (moved_with_creation(instance, old_parent, old_name, old_path)) return;
     Entry*& known = moved_entries[key(instance)];
@@ -202,7 +203,6 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
             if (open) touch(its);
         }
     }
-    rename_mentions(old_path, tree.path(instance));
 }
 
 void Tweaks::State::rename_mentions(const std::string& from, const std::string& to) {
