@@ -270,4 +270,83 @@ TEST_CASE("what is edited after the game has gone back in time is not deleted") 
     CHECK(next(folder, print({"world.lvl.d.y", "world.lvl.e.y"})) == "5 2\n");
 }
 
+TEST_CASE("what was deleted before something above it stays deleted when only that is back") {
+    const Script folder;
+    run(folder, {"2:world.n.k:delete()", "3:world.n:delete()", "4:keep(\"**\")", "5:undo()",
+                 "6:keep(\"**\")"});
+    CHECK(next(folder, print({"world.n.y", "world.n.k"})) == "1 -\n");
+    // A script's instance in whose place there is a kept one.
+    const Script replaced;
+    run(replaced, {"2:world.n=Object{y=3}", "3:keep(\"**\")"});
+    run(replaced, {"2:world.n:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+    CHECK(next(replaced, print({"world.n.y", "world.n.k"})) == "3 -\n");
+}
+
+TEST_CASE("what is back names what it names now, whatever the file said when it went") {
+    const char* const names =
+        "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", \"children\": [\n"
+        "{\"class\": \"DistanceJoint\", \"name\": \"j\", \"properties\": {\"body_a\": \".d\"}},\n"
+        "{\"class\": \"Body\", \"name\": \"d\"}, {\"class\": \"Body\", \"name\": \"e\"}]}\n";
+    const auto named_after = [&](const std::vector<std::string>& between) {
+        const Level folder;
+        folder.write("lvl.json", names);
+        std::vector<std::string> all = {"1:world.lvl.j:delete()", "2:keep(\"**\")"};
+        all.insert(all.end(), between.begin(), between.end());
+        all.emplace_back("8:keep(\"**\")");
+        run(folder, all);
+        return next(folder, print({"world.lvl.j.body_a", "world.lvl.d", "world.lvl.x"}));
+    };
+    CHECK(named_after({"3:undo()", "4:world.lvl.d.name=\"x\""}) == "world.lvl.x - world.lvl.x\n");
+    CHECK(named_after({"3:undo()", "4:world.lvl.d:delete()"}) == "nil - -\n");
+    CHECK(named_after({"3:undo()", "4:world.lvl.d=Body{}"}) == "nil world.lvl.d -\n");
+}
+
+TEST_CASE("a value below what has moved elsewhere is kept under the name that the file has then") {
+    const Level folder;
+    folder.write("main.lua", std::string(loads) + " world.s = Object {}");
+    run(folder, {"1:world.lvl.d.k=Object{}", "2:keep(\"**\")"});
+    const Outcome kept =
+        run(folder, {"1:world.lvl.d.name=\"n\"", "2:world.lvl.n.k:move(world.lvl.e)",
+                     "3:world.lvl.e.k.y=world.s", "4:keep(\"**\")"});
+    CHECK(contains(kept.out, "another parent cannot be kept"));
+    CHECK(run(folder, {}, print({"world.lvl.n.k.y"})).out == "world.s\n");
+}
+
+TEST_CASE("a new instance in the place of one that has moved away is another one") {
+    const std::string all = print({"world.n.i.y", "world.n.k.y", "world.n.k.z", "world.n.k.b.y"});
+    const Script folder;
+    run(folder, {"2:world.n.k.name=\"i\"", "3:world.n.k=Object{y=7}", "4:world.n.k.b=Object{y=8}",
+                 "5:world.n.k.z=world.n.k.b"});
+    const Outcome again = run(folder, {"2:reapply_tweaks(\"**\")", "3:" + all});
+    INFO(again.out);
+    CHECK(contains(again.out, "2 7 world.n.k.b 8"));
+    const Outcome kept = run(folder, {"2:keep(\"**\")"});
+    CHECK(contains(kept.out, "change the script"));
+    CHECK(run(folder, {}, print({"world.n.k.y", "world.n.i"})).out == "2 -\n");
+    // In a scene all of it can be kept.
+    const Level scene;
+    run(scene, {"2:world.lvl.d.name=\"i\"", "3:world.lvl.d=Object{y=7}",
+                "4:world.lvl.e.z=world.lvl.d", "5:world.lvl.e.w=world.lvl.i", "6:keep(\"**\")"});
+    CHECK(next(scene, print({"world.lvl.i.y", "world.lvl.d.y", "world.lvl.e.z",
+                             "world.lvl.e.w"})) == "1 7 world.lvl.d world.lvl.i\n");
+}
+
+TEST_CASE("deletions are made again whatever their order was") {
+    const Script folder;
+    run(folder, {"2:world.n.k:move(world)", "3:world.n:delete()", "4:world.k:delete()"});
+    const Outcome again =
+        run(folder, {"2:reapply_tweaks(\"**\")", "3:" + print({"world.n", "world.k"})});
+    INFO(again.out << again.err);
+    CHECK(contains(again.out, "- -"));
+    CHECK(contains(again.out, "made again 2 tweaks"));
+    // What was made below something new, which was deleted and came back.
+    const Script made;
+    run(made, {"2:world.m=Object{}", "3:world.m.c=Object{y=4}", "4:world.m:delete()", "5:undo()"});
+    const Outcome made_again =
+        run(made, {"2:reapply_tweaks(\"**\")", "3:" + print({"world.m.c.y"})});
+    INFO(made_again.out);
+    CHECK(contains(made_again.out, "4\n"));
+    CHECK_FALSE(contains(made_again.out, "already"));
+}
+
 }  // namespace keep_again_test

@@ -402,4 +402,28 @@ TEST_CASE_METHOD(Fixture, "no child is given the name of a property") {
     CHECK_NOTHROW(tree.check(saved));
 }
 
+TEST_CASE_METHOD(Fixture, "what names something deleted names it when undo brings that back") {
+    const Handle other = tree.create(*module.type, world, "other");
+    const Handle third = tree.create(*module.type, world, "third");
+    console([&] { tree.set_or_add(other, "target", ball); });
+    console([&] { tree.set_or_add(other, "all", Value(List{ball, third})); });
+    console([&] { tree.destroy(ball); });
+    console([&] { tree.destroy(other); });
+    tree.undo();  // `other` is back; what it names is not
+    CHECK(tree.alive(other));
+    SECTION("whatever else was edited meanwhile") {
+        console([&] { tree.rename(third, "fourth"); });
+        tree.undo();
+        tree.undo();
+        CHECK(tree.get(other, "target").reference() == ball);
+        CHECK(tree.text(tree.get(other, "all")) == "{world.ball, world.third}");
+    }
+    SECTION("but not where something has written it since") {
+        tree.set_or_add(other, "target", third);
+        tree.undo();
+        CHECK(tree.get(other, "target").reference() == third);
+        CHECK(tree.text(tree.get(other, "all")) == "{world.ball, world.third}");
+    }
+}
+
 }  // namespace history_test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 
@@ -10,16 +11,22 @@ namespace fettle::property {
 
 namespace {
 
+constexpr std::string_view new_mark = "_new_";
+
+struct Replaced {
+    std::string beginning, rest;
+};
+
 /// `path` with the beginning that `paths` has for the longest of its beginnings.
-std::string replaced(const std::unordered_map<std::string, std::string>& paths,
-                     const std::string& path) {
-    if (paths.empty()) return path;
+Replaced replaced(const std::unordered_map<std::string, std::string>& paths,
+                  const std::string& path) {
+    if (paths.empty()) return {{}, path};
     for (std::size_t end = path.size(); end > 0; --end) {
         if (end < path.size() && path[end] != '.' && path[end] != '[') continue;
         if (const auto found = paths.find(path.substr(0, end)); found != paths.end())
-            return found->second + path.substr(end);
+            return {found->second, path.substr(end)};
     }
-    return path;
+    return {{}, path};
 }
 
 }  // namespace
@@ -30,11 +37,30 @@ void InstanceMoves::add(const std::string& home, const std::string& now) {
 }
 
 std::string InstanceMoves::home(const std::string& now) const {
-    return replaced(homes_, now);
+    const auto [beginning, rest] = replaced(homes_, now);
+    const std::string home = beginning + rest;
+    for (std::size_t end = beginning.size() + 1; !nows_.empty() && end <= home.size(); ++end) {
+        if (end < home.size() && home[end] != '.' && home[end] != '[') continue;
+        if (!nows_.contains(home.substr(0, end))) continue;
+        const auto [parent, name] = split_path(home.substr(0, end));
+        return path_below(parent, std::string(new_mark) + name) + home.substr(end);
+    }
+    return home;
+}
+
+bool is_marked(const std::string& home) {
+    return home.find(new_mark) != std::string::npos;
+}
+
+std::string without_marks(std::string home) {
+    for (std::size_t at; (at = home.find(new_mark)) != std::string::npos;)
+        home.erase(at, new_mark.size());
+    return home;
 }
 
 std::string InstanceMoves::now(const std::string& home) const {
-    return replaced(nows_, home);
+    const auto [beginning, rest] = replaced(nows_, home);
+    return beginning + rest;
 }
 
 std::string InstanceMoves::moved_from(const std::string& home) const {

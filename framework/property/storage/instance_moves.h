@@ -1,6 +1,8 @@
 #pragma once
 // Instances that have other names or parents now than the game's files and scripts give them. The
-// path that those give is the *home path* of an instance.
+// path that those give is the *home path* of an instance. Something new may have the path of what
+// has moved away, which is at home there; the home path of the new one is marked:
+// `world._new_ball`.
 
 #include <cstddef>
 #include <string>
@@ -16,7 +18,8 @@ namespace fettle::property {
 class InstanceMoves {
   public:
     void add(const std::string& home, const std::string& now);
-    /// Where the game makes what is at `now`; the same path where nothing was moved.
+    /// Where the game makes what is at `now`; the same path where nothing was moved, marked where
+    /// that is the home of something else.
     std::string home(const std::string& now) const;
     /// The path now of something whose home is below `home`; "": of nothing.
     std::string moved_out_of(const std::string& home) const;
@@ -29,6 +32,10 @@ class InstanceMoves {
     std::unordered_map<std::string, std::string> homes_;  // by the path now
     std::unordered_map<std::string, std::string> nows_;   // by the home path
 };
+
+/// Whether the path is the marked one of something new, or of something below that.
+bool is_marked(const std::string& home);
+std::string without_marks(std::string home);
 
 /// One move among several: of the instance number `which`.
 struct MoveStep {

@@ -203,11 +203,14 @@ class Keeping {
     /// What rows call the instances that the files call otherwise now.
     InstanceMoves homes_changed(const std::vector<MoveStep>& moves) {
         const InstanceMoves all = whole_moves(moves);
-        const RowPaths before = std::exchange(paths_, RowPaths(state_));
+        std::vector<std::pair<JournalRow*, std::string>> homes;
         for (JournalRow& row : state_.earlier)
-            if (row.state == RowState::open)
-                row.instance = paths_.said(row, all.now(before.home(row)));
+            if (row.state == RowState::open) homes.emplace_back(&row, all.now(paths_.home(row)));
         state_.homes_changed([&](const std::string& home) { return all.now(home); });
+        for (const auto& [row, home] : homes)
+            if (row->kind == Kind::moved) row->instance = home;
+        paths_ = RowPaths(state_);  // the moves have their new homes
+        for (const auto& [row, home] : homes) row->instance = paths_.said(*row, home);
         return all;
     }
 
@@ -255,15 +258,16 @@ class Keeping {
         const std::string home = paths_.home(row);
         switch (row.kind) {
             case Kind::value:
-                return state_.kept.set(
-                    home, row.property, declared(home, row.property), rows_.told(row, paths_),
-                    [&](const std::string& path) { return paths_.home_of_live(path); });
+                return state_.kept.set(unmarked(home), row.property, declared(home, row.property),
+                                       rows_.told(row, paths_), [&](const std::string& path) {
+                                           return unmarked(paths_.home_of_live(path));
+                                       });
             case Kind::created:
                 check_made(state_, paths_, row);
                 require_free(home);
-                return state_.kept.add(home, paths_.home_scene(row));
+                return state_.kept.add(home, unmarked_scene(row));
             case Kind::restored:
-                return state_.kept.put_back(home, row.was, paths_.home_scene(row));
+                return state_.kept.put_back(home, row.was, unmarked_scene(row));
             case Kind::deleted:
             case Kind::moved:
                 return;
@@ -272,9 +276,21 @@ class Keeping {
 
     /// A script makes something at that path that has another one now: it would be in the way.
     void require_free(const std::string& home) const {
-        if (const std::string other = paths_.moved_from(home); !other.empty())
+        if (const std::string other = paths_.moved_from(without_marks(home)); !other.empty())
             throw Error(ErrorKind::rejected,
                         "a script gives this name to what is " + other + " now: change the script");
+    }
+
+    /// The file cannot say which of two instances of the same home path is meant.
+    std::string unmarked(std::string home) const {
+        if (!is_marked(home)) return home;
+        const std::string path = without_marks(home);
+        throw Error(ErrorKind::rejected, path + " is new and has a name that a script gives to " +
+                                             paths_.moved_from(path) + ": change the script");
+    }
+
+    std::string unmarked_scene(const JournalRow& row) const {
+        return paths_.home_scene(row, [&](const std::string& home) { return unmarked(home); });
     }
 
     const Property* declared(const std::string& home, const std::string& property) const {

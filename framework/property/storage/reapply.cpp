@@ -7,6 +7,7 @@
 #include "row_paths.h"
 #include "scene_keeping.h"
 #include "scene_load.h"
+#include "scene_names.h"
 #include "scene_value.h"
 #include "tweaks_state.h"
 
@@ -58,10 +59,18 @@ class Reapplying {
 
   private:
     Handle at(const std::string& home) const {
-        return instance_at(tree_, state_.moves().now(home));
+        if (const Handle instance = at_or_none(home)) return instance;
+        return instance_at(tree_, path_now(home));  // throws what is wrong
     }
     Handle at_or_none(const std::string& home) const {
-        return instance_or_none(tree_, state_.moves().now(home));
+        // Until it is made again, another instance may have its path.
+        const bool there = !is_marked(home) || std::ranges::any_of(new_homes_, [&](const auto& at) {
+            return is_at_or_below(home, at);
+        });
+        return there ? instance_or_none(tree_, path_now(home)) : Handle{};
+    }
+    std::string path_now(const std::string& home) const {
+        return without_marks(state_.moves().now(home));
     }
 
     /// What is to be moved or deleted has its home path until then.
@@ -75,7 +84,7 @@ class Reapplying {
     std::pair<std::string, std::string> place_of(const JournalRow& row) const {
         if (row.kind == Kind::moved)
             return {paths_.home_of_new_parent(row), split_path(row.now).second};
-        return split_path(paths_.home(row));
+        return {split_path(paths_.home(row)).first, split_path(row.instance).second};
     }
 
     bool is_ready(const JournalRow& row) const {
@@ -88,14 +97,18 @@ class Reapplying {
         return above && !tree_.child(above, name);
     }
 
+    /// New instances come when nothing else can be done: they may name what comes or goes.
     bool make_some() {
         const Rows before = waiting_;
-        for (JournalRow* row : before)
-            if (is_ready(*row)) {
-                std::erase(waiting_, row);
-                make(*row);
-            }
-        return waiting_.size() < before.size();
+        for (const bool created : {false, true}) {
+            for (JournalRow* row : before)
+                if ((row->kind == Kind::created) == created && is_ready(*row)) {
+                    std::erase(waiting_, row);
+                    make(*row);
+                }
+            if (waiting_.size() < before.size()) return true;
+        }
+        return false;
     }
 
     /// Where instances change places, one of them gets a free name in between.
@@ -143,19 +156,36 @@ class Reapplying {
         const Handle above = at(parent);
         if (tree_.child(above, name))
             throw Error(ErrorKind::bad_name, "there is something of this name already");
-        const auto scene = std::make_shared<const Document>(paths_.live_scene(row), "journal");
+        const auto scene = std::make_shared<const Document>(scene_to_make(row), "journal");
         std::vector<OpenReference> open;
         const Handle made = make_scene(tree_, *scene, above, name, open);
+        if (const std::string home = paths_.home(row); is_marked(home)) new_homes_.push_back(home);
         for (OpenReference& each : open) open_.push_back({&row, scene, std::move(each)});
         return made;
+    }
+
+    /// It names by their paths what is there, and by its home path what has still to come; what is
+    /// below itself from its top.
+    std::string scene_to_make(const JournalRow& row) const {
+        return scene_with_paths(tree_, row.now, [&](const std::string& path) {
+            if (path == row.instance) return std::optional<std::string>(".");
+            if (is_at_or_below(path, row.instance))
+                return std::optional(path.substr(row.instance.size()));
+            const std::string home = paths_.home(row, path);
+            const Handle there = at_or_none(home);
+            return std::optional(there ? tree_.path(there) : home);
+        });
     }
 
     /// References of new instances to what came after them.
     void set_open_references() {
         for (const auto& [row, scene, open] : open_) try {
                 const Property* declared = tree_.find(open.instance, open.property);
-                const ReferenceResolver resolve =
-                    [this](const std::string& path, const Document::Node&) { return at(path); };
+                const std::string top = paths_.home(*row);
+                const ReferenceResolver resolve = [&](const std::string& path,
+                                                      const Document::Node&) {
+                    return at(path.starts_with('.') || path.starts_with('[') ? top + path : path);
+                };
                 tree_.set_or_add(
                     open.instance, open.property,
                     read_value(*scene, *open.node, declared ? declared_type(*declared) : Type::nil,
@@ -196,6 +226,7 @@ class Reapplying {
         OpenReference reference;
     };
     std::vector<Open> open_;
+    std::vector<std::string> new_homes_;  // marked ones of what is there again
     int in_between_ = 0;
 };
 

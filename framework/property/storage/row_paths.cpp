@@ -51,7 +51,9 @@ std::string RowPaths::moved_out_of(const JournalRow& deletion) const {
 }
 
 std::string RowPaths::said(const JournalRow& row, const std::string& home) const {
-    return row.kind == Kind::value || row.kind == Kind::created ? moves_of(row).now(home) : home;
+    return row.kind == Kind::value || row.kind == Kind::created
+               ? without_marks(moves_of(row).now(home))
+               : home;
 }
 
 std::string RowPaths::home_of_live(const std::string& path) const {
@@ -59,14 +61,11 @@ std::string RowPaths::home_of_live(const std::string& path) const {
 }
 
 Handle RowPaths::instance(const std::string& home) const {
-    return instance_or_none(state_->tree, now_.now(home));
+    return instance_or_none(state_->tree, without_marks(now_.now(home)));
 }
 
 std::string RowPaths::live(const JournalRow& row, const std::string& path) const {
-    const std::string at_home = home(row, path);
-    // What was there has moved away, so it is something new in its place.
-    if (at_home == path && moves_of(row).now(path) != path) return path;
-    return now_.now(at_home);
+    return without_marks(now_.now(home(row, path)));
 }
 
 Image RowPaths::live_image(const JournalRow& row) const {

@@ -24,9 +24,8 @@ Rows moves_in(const Rows& rows) {
 }
 
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row) {
-    const auto [parent, name] = split_path(paths.home(row));
-    check_scene(state.tree, Document(paths.live_scene(row), "its scene"), paths.instance(parent),
-                name);
+    check_scene(state.tree, Document(paths.live_scene(row), "its scene"),
+                paths.instance(split_path(paths.home(row)).first), split_path(row.instance).second);
 }
 
 void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row) {
@@ -99,7 +98,10 @@ Rows SceneKeeping::edited(const Rows& rows, bool each) {
             }))
             done.push_back(row);
     const Rows moves = moves_in(rows);
-    if (moves.empty()) return done;
+    if (moves.empty()) {
+        take_marks_away();
+        return done;
+    }
     const std::string before = text();
     try {
         rename(moves, each);
@@ -140,10 +142,22 @@ void SceneKeeping::edit_scene(const JournalRow& row) {
         case Kind::restored:
             edit_.put_back(steps, row.was);
             return edit_.name_as_in(
-                steps, SceneEdit(state_.tree, paths_.home_scene(row, in_file), "its scene"), {});
+                steps,
+                SceneEdit(state_.tree, paths_.home_scene(row, named_in_file(row)), "its scene"),
+                {});
         case Kind::moved:
             return;
     }
+}
+
+/// What a scene may name: what is loaded with it. A tweak says the rest.
+NewPath SceneKeeping::named_in_file(const JournalRow& row) const {
+    return [this, in_file = from_top(paths_.home_of_top(row))](const std::string& home) {
+        const Handle target = paths_.instance(home);
+        const bool by_script =
+            target && !state_.origins.find(target) && state_.created_above(target) == nullptr;
+        return std::optional(by_script ? std::string() : in_file(home).value_or(std::string()));
+    };
 }
 
 /// The new names, in every reference inside the scene as well.
@@ -173,7 +187,16 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
     set_text(scene_with_paths(state_.tree, text(), [&](const std::string& path) {
         return std::optional(in_file.now(path));
     }));
+    take_marks_away();
     if (check) check_scene(state_.tree, edit_.document());
+}
+
+/// What has moved away has its new name in the file, so the other may have the old one.
+void SceneKeeping::take_marks_away() {
+    if (!is_marked(text())) return;
+    set_text(scene_with_paths(state_.tree, text(), [](const std::string& path) {
+        return std::optional(without_marks(path));
+    }));
 }
 
 /// Whether it is the file that names the topmost instance of the scene, and not a script.

@@ -42,6 +42,8 @@ class SceneKeeping {
     template <class Edit>
     bool edited_or_as_before(const JournalRow& row, Edit edit);
     void edit_scene(const JournalRow& row);
+    NewPath named_in_file(const JournalRow& row) const;
+    void take_marks_away();
     void rename(const Rows& rows, bool check);
     void require_named_by_file(const JournalRow& row) const;
     void set_text(std::string text);

@@ -62,6 +62,10 @@ void Tweaks::State::settle_fresh() {
 void Tweaks::State::settle_one(Handle instance) {
     const std::string path = tree.path(instance);
     if (settle_undeleted(instance)) return;
+    const auto known = created.find(key(instance));
+    // Where its deletion, or its creation, was undone and done again: what was made below it since
+    // has tweaks of its own again, and is no part of its scene.
+    if (known != created.end()) revive(*known->second);
     std::vector<std::string> warnings;
     std::string text;
     try {
@@ -70,7 +74,6 @@ void Tweaks::State::settle_one(Handle instance) {
         return warn(path + " is new, but cannot be journaled: " + error.what());
     }
     for (const std::string& warning : warnings) warn(warning);
-    const auto known = created.find(key(instance));
     Entry& its = known != created.end() ? *known->second : add_entry(Kind::created, path, instance);
     its.row.instance = path;
     its.scene = text;
@@ -82,7 +85,6 @@ void Tweaks::State::settle_one(Handle instance) {
     its.row.file.clear();
     its.row.inside.clear();
     tell_origin(its, tree.parent(instance));
-    revive(its);  // where its deletion, or its creation, was undone and done again
     touch(its);
 }
 
