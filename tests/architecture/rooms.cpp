@@ -7,79 +7,122 @@
 namespace fettle::architecture {
 namespace {
 
-/// A room: a folder of physics, and which other rooms it may include.
+/// A room: a folder of a part, and which other rooms of that part it may include.
 struct Room {
     std::string_view name;
     std::set<std::string_view> may_know;
 };
 
-// From the bottom to the top: a room knows only rooms above it in this table, so no two rooms know
-// each other. The public headers and the module of physics lie in no room.
-const std::vector<Room>& rooms() {
-    static const std::vector<Room> table = {
-        {"geometry", {}},
-        {"threads", {}},
-        {"simd", {}},
-        {"broad_phase", {"geometry", "threads", "simd"}},
-        {"collision", {"geometry", "simd"}},
-        {"constraints", {"geometry", "simd", "collision"}},
-        {"partition", {"geometry", "threads", "constraints"}},
-        {"joints", {"geometry", "constraints", "partition"}},
-        {"wide", {"simd", "broad_phase", "collision", "constraints"}},
-        {"state",
-         {"geometry", "threads", "broad_phase", "collision", "constraints", "partition", "joints"}},
-        {"checks", {"geometry", "collision", "state"}},
-        {"sleep", {"geometry", "partition", "state"}},
-        {"contacts", {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep"}},
-        {"edits", {"geometry", "collision", "state", "sleep", "contacts"}},
-        {"schedule", {"geometry", "threads", "constraints", "partition", "state"}},
-        {"solver",
-         {"geometry", "threads", "constraints", "partition", "joints", "wide", "state", "contacts",
-          "schedule"}},
-        {"step",
-         {"geometry", "threads", "broad_phase", "collision", "constraints", "state", "contacts",
-          "schedule"}},
-        {"world",
-         {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep", "contacts",
-          "edits", "schedule", "solver", "step", "checks"}},
+/// A part that is divided into rooms. From the bottom to the top: a room knows only rooms above it
+/// in this table, so no two rooms know each other.
+struct DividedPart {
+    std::string_view name;
+    std::string_view folder;            // ends in a slash
+    std::set<std::string_view> beside;  // folders in it that are no rooms
+    std::vector<Room> rooms;
+
+    const Room* room_named(std::string_view wanted) const {
+        const auto found = std::ranges::find(rooms, wanted, &Room::name);
+        return found == rooms.end() ? nullptr : &*found;
+    }
+    /// The name of the room that `path` lies in; empty where there are no rooms.
+    std::string_view room_of(std::string_view path) const {
+        if (!path.starts_with(folder)) return {};
+        path.remove_prefix(folder.size());
+        const std::string_view first = path.substr(0, path.find('/'));
+        return first == path || beside.contains(first) ? std::string_view() : first;
+    }
+};
+
+const std::vector<DividedPart>& divided_parts() {
+    static const std::vector<DividedPart> table = {
+        // Headers of the public interface and the module of physics lie in no room.
+        {"physics",
+         "physics/",
+         {"include", "module"},
+         {
+             {"geometry", {}},
+             {"threads", {}},
+             {"simd", {}},
+             {"broad_phase", {"geometry", "threads", "simd"}},
+             {"collision", {"geometry", "simd"}},
+             {"constraints", {"geometry", "simd", "collision"}},
+             {"partition", {"geometry", "threads", "constraints"}},
+             {"joints", {"geometry", "constraints", "partition"}},
+             {"wide", {"simd", "broad_phase", "collision", "constraints"}},
+             {"state",
+              {"geometry", "threads", "broad_phase", "collision", "constraints", "partition",
+               "joints"}},
+             {"checks", {"geometry", "collision", "state"}},
+             {"sleep", {"geometry", "partition", "state"}},
+             {"contacts",
+              {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep"}},
+             {"edits", {"geometry", "collision", "state", "sleep", "contacts"}},
+             {"schedule", {"geometry", "threads", "constraints", "partition", "state"}},
+             {"solver",
+              {"geometry", "threads", "constraints", "partition", "joints", "wide", "state",
+               "contacts", "schedule"}},
+             {"step",
+              {"geometry", "threads", "broad_phase", "collision", "constraints", "state",
+               "contacts", "schedule"}},
+             {"world",
+              {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep",
+               "contacts", "edits", "schedule", "solver", "step", "checks"}},
+         }},
+        {"script",
+         "framework/script/",
+         {},
+         {
+             {"text", {}},
+             {"reference", {"text"}},
+             {"lua", {}},
+             {"values", {"text", "reference", "lua"}},
+             {"calls", {"text", "lua", "values"}},
+             {"handlers", {"text", "lua", "values", "calls"}},
+             {"objects", {"text", "reference", "lua", "values", "calls", "handlers"}},
+             {"library", {"text", "reference", "lua", "values", "calls", "handlers", "objects"}},
+             {"console",
+              {"text", "reference", "lua", "values", "calls", "handlers", "objects", "library"}},
+             {"runtime", {"lua", "values", "calls", "handlers", "objects", "library", "console"}},
+         }},
     };
     return table;
 }
 
-/// The name of the room that `path` lies in; empty where there are no rooms.
-std::string_view room_of(std::string_view path) {
-    constexpr std::string_view part = "physics/";
-    if (!path.starts_with(part)) return {};
-    path.remove_prefix(part.size());
-    const std::string_view name = path.substr(0, path.find('/'));
-    return name == path || name == "include" || name == "module" ? std::string_view() : name;
+void check_order(const DividedPart& part, Violations& found) {
+    std::set<std::string_view> above;
+    for (const Room& room : part.rooms) {
+        if (!std::ranges::includes(above, room.may_know))
+            found.push_back(std::string(room.name) + " knows a room that does not stand above it");
+        above.insert(room.name);
+    }
+}
+
+void check_file(const SourceTree& tree, const SourceFile& file, const DividedPart& part,
+                Violations& found) {
+    const std::string_view name = part.room_of(file.path);
+    if (name.empty()) return;
+    const Room* room = part.room_named(name);
+    if (room == nullptr) {
+        found.push_back(file.path + ": lies in no room of " + std::string(part.name));
+        return;
+    }
+    for (const Include& include : file.includes()) {
+        const std::string target = tree.resolve(file, include);
+        const std::string_view other = part.room_of(target);
+        if (!other.empty() && other != name && !room->may_know.contains(other))
+            found.push_back(file.path + ":" + std::to_string(include.line) + ": " +
+                            std::string(name) + " may not include " + target);
+    }
 }
 
 }  // namespace
 
 Violations forbidden_rooms(const SourceTree& tree) {
     Violations found;
-    std::set<std::string_view> above;
-    for (const Room& room : rooms()) {
-        if (!std::ranges::includes(above, room.may_know))
-            found.push_back(std::string(room.name) + " knows a room that does not stand above it");
-        above.insert(room.name);
-    }
-    for (const auto& [path, file] : tree.files()) {
-        const std::string_view name = room_of(path);
-        if (name.empty()) continue;
-        const auto room = std::ranges::find(rooms(), name, &Room::name);
-        if (room == rooms().end()) {
-            found.push_back(path + ": lies in no room of physics");
-            continue;
-        }
-        for (const Include& include : file.includes()) {
-            const std::string target = tree.resolve(file, include);
-            const std::string_view other = room_of(target);
-            if (!other.empty() && other != name && !room->may_know.contains(other))
-                found.push_back(path + ":" + std::to_string(include.line) + ": " +
-                                std::string(name) + " may not include " + target);
-        }
+    for (const DividedPart& part : divided_parts()) {
+        check_order(part, found);
+        for (const auto& [path, file] : tree.files()) check_file(tree, file, part, found);
     }
     return found;
 }

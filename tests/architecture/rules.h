@@ -18,7 +18,8 @@ Violations unknown_places(const SourceTree& tree);
 /// framework/script the only place with Lua, framework/app with SFML, console with ImGui.
 Violations forbidden_includes(const SourceTree& tree);
 
-/// Within physics, a room includes only the rooms that it may know, none of which knows it.
+/// Within a part that is divided into rooms, a room includes only the rooms that it may know, none
+/// of which knows it.
 Violations forbidden_rooms(const SourceTree& tree);
 
 /// A part links only the targets of parts and libraries that it may know.

@@ -39,7 +39,7 @@ TEST_CASE("a part includes only the parts and libraries that it may know") {
     CHECK(listed(forbidden_includes(project())) == "");
 }
 
-TEST_CASE("a room of physics includes only the rooms that it may know") {
+TEST_CASE("a room of a part includes only the rooms that it may know") {
     CHECK(listed(forbidden_rooms(project())) == "");
 }
 

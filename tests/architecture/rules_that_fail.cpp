@@ -16,10 +16,12 @@ const std::string script_runtime = "framework/include/fettle/script/runtime.h";
 /// The violations of `rule` in a tree of a few well-behaved headers and `path` with `text`.
 Violations of(Violations (*rule)(const SourceTree&), const std::string& path,
               const std::string& text) {
-    std::map<std::string, std::string> texts = {{property_tree, "#pragma once\n"},
-                                                {physics_world, "#pragma once\n"},
-                                                {script_runtime, "#pragma once\n"},
-                                                {"physics/solver/island.h", "#pragma once\n"}};
+    std::map<std::string, std::string> texts = {
+        {property_tree, "#pragma once\n"},
+        {physics_world, "#pragma once\n"},
+        {script_runtime, "#pragma once\n"},
+        {"physics/solver/island.h", "#pragma once\n"},
+        {"framework/script/objects/instance.h", "#pragma once\n"}};
     texts[path] = text;
     return rule(SourceTree(texts));
 }
@@ -44,6 +46,10 @@ TEST_CASE("a room that includes a room above it is named with file and line") {
                               "physics/solver/island.h"});
     CHECK(verdict("physics/attic/hull.cpp", "vector") ==
           Violations{"physics/attic/hull.cpp: lies in no room of physics"});
+    CHECK(verdict("framework/script/lua/budget.cpp", "../objects/instance.h") ==
+          Violations{"framework/script/lua/budget.cpp:1: lua may not include "
+                     "framework/script/objects/instance.h"});
+    CHECK(verdict("framework/script/objects/instance.cpp", "../lua/budget.h").empty());
     CHECK(verdict("console/panel.cpp", "vector").empty());
 }
 
@@ -61,8 +67,8 @@ TEST_CASE("one part includes Lua and one SFML and one ImGui") {
     const auto verdict = [](const char* path, const char* header) {
         return of(forbidden_includes, path, "#include <" + std::string(header) + ">\n").size();
     };
-    CHECK(verdict("framework/script/runtime.cpp", "lua.h") == 0);
-    CHECK(verdict("framework/script/runtime.cpp", "lua5.4/lauxlib.h") == 0);
+    CHECK(verdict("framework/script/runtime/runtime.cpp", "lua.h") == 0);
+    CHECK(verdict("framework/script/runtime/runtime.cpp", "lua5.4/lauxlib.h") == 0);
     CHECK(verdict("framework/app/window.cpp", "lua.h") == 1);
     CHECK(verdict("console/panel.cpp", "lauxlib.h") == 1);
     CHECK(verdict("framework/app/window.cpp", "SFML/Graphics.hpp") == 0);

@@ -1,0 +1,76 @@
+#include <cctype>
+#include <charconv>
+
+#include <fettle/script/runtime.h>
+
+#include <calls/error_place.h>
+#include <text/columns.h>
+#include <text/words.h>
+
+namespace fettle::script {
+
+void place_from_message(ScriptError& error) {
+    const std::string& text = error.message;
+    for (std::size_t colon = text.find(':'); colon != std::string::npos;
+         colon = text.find(':', colon + 1)) {
+        std::size_t end = colon + 1;
+        while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+        if (end == colon + 1 || end >= text.size() || text[end] != ':') continue;
+        error.file = text.substr(0, colon);
+        std::from_chars(text.data() + colon + 1, text.data() + end, error.line);
+        return;
+    }
+}
+
+namespace {
+
+int column_of(const std::string& line, const std::string& word) {
+    if (word.empty()) return 0;
+    for (std::size_t at = line.find(word); at != std::string::npos; at = line.find(word, at + 1)) {
+        const bool starts = at == 0 || !is_word(line[at - 1]) || !is_word(word.front());
+        const std::size_t end = at + word.size();
+        const bool ends = end >= line.size() || !is_word(line[end]) || !is_word(word.back());
+        if (starts && ends) return static_cast<int>(shown_width(line.substr(0, at))) + 1;
+    }
+    return 0;
+}
+
+}  // namespace
+
+int guess_column(const ScriptError& error) {
+    const std::string& text = error.message;
+    for (std::size_t open = text.find('\''); open != std::string::npos;) {
+        const std::size_t close = text.find('\'', open + 1);
+        if (close == std::string::npos) break;
+        if (const int column =
+                column_of(error.source_line, text.substr(open + 1, close - open - 1)))
+            return column;
+        open = text.find('\'', close + 1);
+    }
+    // "main.lua:12: world.ball.mas: no such name"
+    std::size_t start = error.file.size();
+    start = text.find(": ", start);
+    if (start == std::string::npos) return 0;
+    start += 2;
+    const std::size_t end = text.find(": ", start);
+    if (end == std::string::npos) return 0;
+    std::string path = text.substr(start, end - start);
+    std::size_t word = path.find_last_of(".:[]\" ");
+    return column_of(error.source_line, word == std::string::npos ? path : path.substr(word + 1));
+}
+
+std::vector<std::string> error_lines(const ScriptError& error) {
+    std::vector<std::string> lines = {error.message};
+    if (!error.source_line.empty()) {
+        std::string line = error.source_line;
+        for (char& c : line)
+            if (c == '\t') c = ' ';
+        lines.push_back("  " + line);
+        if (error.column > 0)
+            lines.push_back("  " + std::string(static_cast<std::size_t>(error.column) - 1, ' ') +
+                            "^");
+    }
+    return lines;
+}
+
+}  // namespace fettle::script

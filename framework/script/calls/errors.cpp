@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+
+#include <fettle/script/runtime.h>
+
+#include <calls/error_place.h>
+#include <calls/errors.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/stack.h>
+#include <values/short_text.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+namespace {
+
+constexpr int most_frames = 40;
+constexpr int most_locals = 40;
+
+std::string frame_name(const lua_Debug& frame) {
+    if (frame.name && *frame.name) {
+        const std::string name = frame.name;
+        if (std::string_view(frame.namewhat) == "metamethod") return "metamethod " + name;
+        return "function " + name;
+    }
+    if (frame.what[0] == 'm') return "main chunk";
+    return "function at line " + std::to_string(frame.linedefined);
+}
+
+std::string traceback_of(lua_State* L, int level) {
+    std::string text;
+    lua_Debug frame;
+    int shown = 0;
+    for (; lua_getstack(L, level, &frame); ++level) {
+        lua_getinfo(L, "Slnt", &frame);
+        if (frame.what[0] == 'C' && (!frame.name || !*frame.name)) continue;  // our own entry
+        if (++shown > most_frames) {
+            text += "  ...\n";
+            break;
+        }
+        text += "  ";
+        if (frame.currentline > 0)
+            text += std::string(frame.short_src) + ":" + std::to_string(frame.currentline) + ": ";
+        text += "in " + frame_name(frame) + "\n";
+        if (frame.istailcall) text += "  (tail calls)\n";
+    }
+    return text;
+}
+
+std::string locals_of(lua_State* L, lua_Debug& frame) {
+    std::string text;
+    if (!lua_checkstack(L, 8)) return text;
+    for (int n = 1; n <= most_locals; ++n) {
+        const char* name = lua_getlocal(L, &frame, n);
+        if (!name) break;
+        if (name[0] != '(') text += std::string(name) + " = " + short_text(L, -1) + "\n";
+        lua_pop(L, 1);
+    }
+    return text;
+}
+
+// The innermost frame of a script, at `level` or above.
+bool script_frame(lua_State* L, int level, lua_Debug& frame) {
+    for (; lua_getstack(L, level, &frame); ++level) {
+        lua_getinfo(L, "Sl", &frame);
+        if (frame.currentline > 0) return true;
+    }
+    return false;
+}
+
+// Lua's own message says neither where memory was refused nor which limit did so.
+std::string with_refusal(Budget& budget, std::string message) {
+    if (message != "not enough memory") return message;
+    std::string refusal = budget.take_refusal();
+    return refusal.empty() ? message : refusal;
+}
+
+// What the error says of itself, if it is an object that can. Its `__tostring` may raise as well,
+// and it may take only so long.
+std::optional<std::string> own_text(lua_State* L, int index) {
+    if (machine_of(L).budget.stopping() || luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
+        return std::nullopt;
+    lua_pushvalue(L, index < 0 ? index - 1 : index);
+    std::optional<std::string> text;
+    const Budget::Scope budget(machine_of(L).budget, {.instructions = 100'000, .memory = 1 << 20});
+    machine_of(L).budget.enter(L);
+    if (lua_pcall(L, 1, 1, 0) == LUA_OK && lua_type(L, -1) == LUA_TSTRING) text = string_at(L, -1);
+    lua_pop(L, 1);
+    return text;
+}
+
+// A screen, a terminal or a log would end the text at a zero byte, and obey other ones.
+std::string without_control_characters(std::string_view text) {
+    std::string shown;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        if ((c >= 0x20 && c != 0x7f) || c == '\n' || c == '\t')
+            shown += text[i];
+        else if (c != '\r')
+            shown += "\\" + std::to_string(c);
+    }
+    return shown;
+}
+
+}  // namespace
+
+std::string error_text(lua_State* L, int index) {
+    constexpr std::size_t longest = 4000;
+    if (lua_type(L, index) == LUA_TSTRING || lua_type(L, index) == LUA_TNUMBER) {
+        lua_pushvalue(L, index);
+        const std::string text = string_at(L, -1);
+        lua_pop(L, 1);
+        return without_control_characters(std::string_view(text).substr(0, longest));
+    }
+    if (lua_isnil(L, index)) return "error() was called with nil in place of a message";
+    if (const auto text = own_text(L, index))
+        return without_control_characters(std::string_view(*text).substr(0, longest));
+    return without_control_characters("the error is not a text but " + describe_type(L, index) +
+                                      ": " + short_text(L, index));
+}
+
+void add_missing_position(lua_State* L, lua_State* from, int level) {
+    if (lua_type(from, -1) != LUA_TSTRING) return;
+    lua_Debug frame;
+    if (!lua_getstack(L, level, &frame) || !lua_checkstack(L, 4)) return;
+    lua_getinfo(L, "f", &frame);
+    const lua_CFunction raiser = lua_tocfunction(L, -1);
+    lua_pop(L, 1);
+    if (raiser == nullptr) return;
+    const auto& told = machine_of(L).errors.raise_as_told;
+    if (std::find(told.begin(), told.end(), raiser) != told.end()) return;
+    ScriptError error;
+    error.message = string_at(from, -1);
+    place_from_message(error);
+    if (error.line > 0) return;
+    std::string placed = with_refusal(machine_of(L).budget, error.message);
+    if (placed == error.message) placed.insert(0, position(L));
+    lua_pop(from, 1);
+    push_text(from, placed);
+}
+
+int placing_handler(lua_State* L) {
+    if (!machine_of(L).budget.stopping()) add_missing_position(L, L, 1);
+    return 1;
+}
+
+ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State* from, int index) {
+    ScriptError error;
+    lua_checkstack(from, 8);
+    error.message = error_text(from, index);
+    error.message = with_refusal(machine.budget, std::move(error.message));
+    if (machine.errors.thread_error && machine.errors.thread_error->message == error.message) {
+        // It rose out of a coroutine, where it was described already.
+        error = std::move(*machine.errors.thread_error);
+        machine.errors.thread_error.reset();
+        // A timer's coroutine was started by nobody in a script.
+        if (const std::string outside = traceback_of(L, level); !outside.empty())
+            error.traceback += "  (coroutine started from)\n" + outside;
+        return error;
+    }
+    lua_Debug frame;
+    const bool found = script_frame(L, level, frame);
+    if (lua_type(from, index) == LUA_TSTRING) place_from_message(error);
+    if (error.line == 0 && found) {
+        error.file = frame.short_src;
+        error.line = frame.currentline;
+        if (lua_type(from, index) != LUA_TSTRING)
+            error.message = error.file + ":" + std::to_string(error.line) + ": " + error.message;
+    }
+    error.source_line = machine.sources.line(error.file, error.line);
+    error.column = guess_column(error);
+    error.traceback = traceback_of(L, level);
+    if (found) error.locals = locals_of(L, frame);
+    return error;
+}
+
+ScriptError bare_error(Machine& machine, std::string message) {
+    ScriptError error;
+    error.message = with_refusal(machine.budget, std::move(message));
+    place_from_message(error);
+    error.source_line = machine.sources.line(error.file, error.line);
+    return error;
+}
+
+ScriptError describe_place(Machine& machine, lua_State* L) {
+    ScriptError place;
+    lua_Debug frame;
+    if (script_frame(L, 0, frame)) {
+        place.file = frame.short_src;
+        place.line = frame.currentline;
+        place.source_line = machine.sources.line(place.file, place.line);
+        place.locals = locals_of(L, frame);
+    }
+    place.traceback = traceback_of(L, 0);
+    return place;
+}
+
+int describing_handler(lua_State* L) {
+    Machine& machine = machine_of(L);
+    try {
+        lua_settop(L, 1);
+        add_missing_position(L, L, 1);
+        machine.errors.caught = describe_error(machine, L, 1, L, 1);
+    } catch (const std::exception&) {
+        machine.errors.caught.reset();
+    }
+    lua_settop(L, 1);
+    return 1;
+}
+
+}  // namespace fettle::script

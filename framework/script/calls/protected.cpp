@@ -1,0 +1,123 @@
+#include <cstdio>
+
+#include <fettle/script/runtime.h>
+
+#include <calls/errors.h>
+#include <calls/protected.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/host.h>
+#include <lua/interpreter.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/watchdog.h>
+#include <values/recording.h>
+
+namespace fettle::script {
+
+namespace {
+
+/// A sink may run scripts, which may be in error: that ends before the stack does.
+void report(Machine& machine, ScriptError error) {
+    constexpr int deepest = 16;
+    if (machine.errors.reports == deepest) {
+        std::fprintf(stderr, "an error while errors were told, %d deep: %s\n", deepest,
+                     error.message.c_str());
+        return;
+    }
+    struct Depth {
+        int& of;
+        explicit Depth(int& reports) : of(reports) { ++of; }
+        ~Depth() { --of; }
+    } depth(machine.errors.reports);
+    if (const auto sink = machine.host.on_error) sink(error);  // it may be replaced meanwhile
+}
+
+}  // namespace
+
+std::string Context::text(Machine& machine) const {
+    if (!about) return what;
+    const bool alive = machine.tree.alive(about);
+    if (property)
+        return what + " of " +
+               (alive ? machine.tree.path(about, *property) : "(deleted)." + property->name);
+    return what + " of " + (alive ? machine.tree.path(about) : "(deleted)");
+}
+
+namespace {
+
+/// Tells the tree who writes while the host has called into Lua; the place is found only when it is
+/// asked for.
+class ScriptCause {
+  public:
+    explicit ScriptCause(Machine& machine)
+        : locate_([&lua = machine.lua] {
+              std::string text = position(lua.running ? lua.running : lua.main);
+              if (text.size() > 2) text.resize(text.size() - 2);
+              return text;
+          }),
+          scope_(machine.tree, machine.recording.writer, &locate_) {}
+
+  private:
+    std::function<std::string()> locate_;
+    property::Tree::CauseScope scope_;
+};
+
+void tell_where_stopped(Machine& machine, ScriptError& error) {
+    error.message = machine.budget.reason();
+    error.file = machine.budget.file();
+    error.line = machine.budget.line();
+    error.source_line = machine.sources.line(error.file, error.line);
+    error.column = 0;
+}
+
+}  // namespace
+
+bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
+                   void* body, bool report_error) {
+    if (!machine.life.in_tree) return false;  // its runtime was destroyed: only what runs ends yet
+    const Life::Use use(machine.life);
+    const Watchdog::Call call(machine.watchdog);
+    lua_State* L = machine.lua.main;
+    lua_State* outer = machine.lua.running;
+    machine.lua.running = L;
+    machine.errors.caught.reset();
+    const int top = lua_gettop(L);
+    int status = LUA_ERRMEM;
+    if (lua_checkstack(L, 4)) {
+        lua_pushcfunction(L, describing_handler);
+        lua_pushcfunction(L, trampoline);
+        lua_pushlightuserdata(L, body);
+        const ScriptCause cause(machine);
+        status = lua_pcall(L, 1, 0, top + 1);
+    }
+    machine.lua.running = outer;
+    // A pcall that ends what runs may have caught the end of the budget.
+    const bool stopped = machine.budget.stopping();
+    if (status == LUA_OK && !stopped) {
+        lua_settop(L, top);
+        return true;
+    }
+    if (!machine.errors.caught) {
+        // Out of memory, or an error while describing one: there is a message and no more.
+        machine.errors.caught =
+            bare_error(machine, status == LUA_OK                 ? machine.budget.reason()
+                                : lua_type(L, -1) == LUA_TSTRING ? error_text(L, -1)
+                                : status == LUA_ERRMEM           ? "not enough memory"
+                                                       : "an error that cannot be described");
+    }
+    lua_settop(L, top);
+    // Where it was stopped, whatever the script made of that error.
+    if (stopped) tell_where_stopped(machine, *machine.errors.caught);
+    machine.errors.thread_error.reset();
+    machine.errors.caught->context = context.text(machine);
+    if (report_error) {
+        ScriptError error = std::move(*machine.errors.caught);
+        machine.errors.caught.reset();
+        report(machine, std::move(error));
+    }
+    return false;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,387 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include <fettle/property/path.h>
+#include <fettle/script/fuzzy.h>
+#include <fettle/script/runtime.h>
+
+#include <calls/errors.h>
+#include <calls/protected.h>
+#include <console/complete.h>
+#include <console/expression.h>
+#include <library/globals.h>
+#include <lua/environment.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/instance_set.h>
+#include <objects/script_classes.h>
+#include <reference/language.h>
+#include <reference/reference_facts.h>
+#include <reference/signature.h>
+#include <text/columns.h>
+#include <values/description.h>
+#include <values/members.h>
+#include <values/short_text.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Class;
+using property::Handle;
+using property::Property;
+
+namespace {
+
+constexpr std::size_t most_candidates = 200;
+
+// Groups in a list without anything typed: what an instance holds, then what it can do.
+enum class Group : int { value, function, other };
+
+class Candidates {
+  public:
+    Candidates(std::string_view typed, std::size_t replace_from)
+        : typed_(typed), replace_from_(replace_from) {}
+
+    void add(const std::string& label, std::string detail, std::string doc, Group group) {
+        add_as(label, label, replace_from_, std::move(detail), std::move(doc), group);
+    }
+    void add_as(const std::string& label, const std::string& text, std::size_t from,
+                std::string detail, std::string doc, Group group) {
+        const auto match = fuzzy_match(typed_, label);
+        if (!match) return;
+        int score = match->score;
+        if (expected_) score += 10'000;
+        if (entries_.size() >= most_collected || !labels_.insert(label).second) return;
+        entries_.push_back({score, group, {text, label, std::move(detail), std::move(doc), from}});
+    }
+    /// What is added until the next call is what belongs here, ahead of everything else.
+    void expect(bool expected) { expected_ = expected; }
+    std::size_t replace_from() const { return replace_from_; }
+
+    std::vector<Completion> take() {
+        std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+            if (a.score != b.score) return a.score > b.score;
+            if (a.group != b.group) return a.group < b.group;
+            return a.completion.label < b.completion.label;
+        });
+        if (entries_.size() > most_candidates) entries_.resize(most_candidates);
+        std::vector<Completion> result;
+        for (Entry& entry : entries_) result.push_back(std::move(entry.completion));
+        return result;
+    }
+
+  private:
+    struct Entry {
+        int score;
+        Group group;
+        Completion completion;
+    };
+    std::string_view typed_;
+    std::size_t replace_from_;
+    // A world may have a hundred thousand children.
+    static constexpr std::size_t most_collected = 20'000;
+    std::vector<Entry> entries_;
+    std::unordered_set<std::string> labels_;
+    bool expected_ = false;
+};
+
+// --- Candidates
+
+std::string facts_with_value(const Machine& machine, Handle instance, const Property& property) {
+    return cut(with_unit(machine.tree, machine.tree.get(instance, property), property), 40) +
+           " · " + property_facts(machine.tree, property);
+}
+
+void add_functions(Machine& machine, const Class& of, Candidates& out) {
+    for (const property::Method* method : of.methods())
+        out.add(method->name, signature(*method), method->doc, Group::function);
+    std::vector<std::string> functions;
+    machine.classes.add_function_names(of, functions);
+    for (const std::string& name : functions)
+        out.add(name, "function of " + of.name(), {}, Group::function);
+    for (const GlobalDoc& method : instance_docs())
+        out.add(method.name, plain_signatures(method.signature), method.doc, Group::function);
+}
+
+void add_instance(Machine& machine, Handle instance, bool methods_only, std::size_t separator,
+                  Candidates& out) {
+    const property::Tree& tree = machine.tree;
+    if (!methods_only) {
+        for (Handle child = tree.first_child(instance); child; child = tree.next_sibling(child)) {
+            const std::string name = tree.name(child);
+            const std::string& of = tree.class_of(child).name();
+            if (property::is_identifier(name))
+                out.add(name, of, tree.class_of(child).doc(), Group::value);
+            else
+                out.add_as(name, property::path_suffix(name), separator, of,
+                           tree.class_of(child).doc(), Group::value);
+        }
+        for (const Property* property : tree.properties(instance)) {
+            if (property->hidden) continue;
+            out.add(property->name, facts_with_value(machine, instance, *property), property->doc,
+                    Group::value);
+        }
+    }
+    add_functions(machine, tree.class_of(instance), out);
+}
+
+void add_table(lua_State* L, int index, std::size_t separator, Candidates& out) {
+    index = lua_absindex(L, index);
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING) continue;
+        const std::string name = string_at(L, -2);
+        const Group group = lua_isfunction(L, -1) ? Group::function : Group::value;
+        if (property::is_identifier(name))
+            out.add(name, cut(short_text(L, -1), 50), {}, group);
+        else
+            out.add_as(name, property::path_suffix(name), separator, cut(short_text(L, -1), 50), {},
+                       group);
+    }
+}
+
+// Members of a value that is no instance.
+void add_members_of_type(const TypeDoc& type, bool methods_only, Candidates& out) {
+    for (const MemberDoc& member : type.members) {
+        const bool function = member.is_function();
+        if (member.name[0] == '[' || (methods_only && !function)) continue;
+        out.add(member.name, function ? plain_signatures(member.signature) : member.signature,
+                member.doc, function ? Group::function : Group::value);
+    }
+}
+
+// Entries of a library such as `math`, and of the game's own tables.
+void add_documented(const std::string& library, Candidates& out) {
+    const std::string prefix = library + ".";
+    for (const auto* docs : {&global_docs(), &library_docs()})
+        for (const GlobalDoc& doc : *docs)
+            if (std::string_view(doc.name).starts_with(prefix))
+                out.add(std::string(doc.name).substr(prefix.size()), shown_name(doc), doc.doc,
+                        Group::function);
+}
+
+// What a list of descriptions has under names, or the fields of one of them.
+void add_description(lua_State* L, const DescriptionKind& kind, Candidates& out) {
+    push_described(L, -1);
+    const int table = lua_gettop(L);
+    if (is_description_list(kind)) {
+        for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+            if (lua_type(L, -2) != LUA_TSTRING) continue;
+            std::string doc;
+            if (push_described(L, -1)) {
+                lua_getfield(L, -1, "doc");
+                if (lua_type(L, -1) == LUA_TSTRING) doc = string_at(L, -1);
+                lua_pop(L, 2);
+            }
+            out.add(string_at(L, -2), cut(short_text(L, -1), 50), doc, Group::value);
+        }
+    }
+    for (const std::string& field : kind.fields) {
+        lua_getfield(L, table, field.c_str());
+        out.add(field, cut(short_text(L, -1), 50), {}, Group::value);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+}
+
+// The kind of the value on top, where it is neither an instance nor a table of the game's.
+const TypeDoc* type_of(lua_State* L) {
+    if (vec_at(L, -1)) return type_doc("vec");
+    if (color_at(L, -1)) return type_doc("color");
+    if (class_object_at(L, -1)) return type_doc("Class");
+    if (is_set(L, -1)) return type_doc("Set");
+    if (lua_type(L, -1) != LUA_TUSERDATA || luaL_getmetafield(L, -1, "__name") != LUA_TSTRING)
+        return nullptr;
+    const std::string name = string_at(L, -1);
+    lua_pop(L, 1);
+    return name == "connection" ? type_doc("Connection")
+           : name == "pen"      ? type_doc("Pen")
+                                : nullptr;
+}
+
+// Members of the value on top, which `path` led to.
+void add_members(lua_State* L, Machine& machine, std::string_view path, bool methods_only,
+                 std::size_t separator, Candidates& out) {
+    if (const auto* box = instance_at(L, -1)) {
+        if (machine.tree.alive(box->handle))
+            add_instance(machine, box->handle, methods_only, separator, out);
+    } else if (const DescriptionKind* kind = description_kind(L, -1)) {
+        add_description(L, *kind, out);
+    } else if (const TypeDoc* type = type_of(L)) {
+        add_members_of_type(*type, methods_only, out);
+        if (const Class* of = class_object_at(L, -1)) {
+            std::vector<std::string> names;
+            machine.classes.add_function_names(*of, names);
+            for (const std::string& name : names)
+                out.add(name, "function of " + of->name(), {}, Group::function);
+        }
+    } else if (lua_type(L, -1) == LUA_TSTRING) {
+        add_documented("string", out);
+    } else if (lua_type(L, -1) == LUA_TTABLE) {
+        add_documented(std::string(path), out);
+        add_table(L, -1, separator, out);
+    }
+}
+
+void add_globals(lua_State* L, Machine& machine, Candidates& out) {
+    for (const std::string& name : global_names(machine)) {
+        std::string detail, text_doc;
+        if (const GlobalDoc* doc = global_doc(name)) {
+            detail = shown_name(*doc);
+            text_doc = doc->doc;
+        } else if (const Class* of = machine.tree.find_class(name)) {
+            detail = "class";
+            text_doc = of->doc();
+        } else {
+            const Property* read = nullptr;
+            const int top = lua_gettop(L);
+            if (push_path(L, machine, name, &read)) detail = cut(short_text(L, -1), 50);
+            lua_settop(L, top);
+        }
+        const Group group = machine.tree.child(machine.tree.root(), name) || name == "game"
+                                ? Group::value
+                                : Group::other;
+        if (name != "_G" && name != "_VERSION")
+            out.add(name, std::move(detail), std::move(text_doc), group);
+    }
+    if (machine.tree.alive(machine.globals.it))
+        out.add("it", machine.tree.path(machine.globals.it), "what is selected", Group::value);
+    for (const char* word : {"and", "break",    "do",     "else", "elseif", "end",   "false",
+                             "for", "function", "if",     "in",   "local",  "nil",   "not",
+                             "or",  "repeat",   "return", "then", "true",   "until", "while"})
+        out.add(word, {}, {}, Group::other);
+}
+
+void add_keys(Machine& machine, const Class& of, Candidates& out) {
+    for (const Property* property : of.properties())
+        if (!property->hidden && !property->read_only)
+            out.add(property->name, property_facts(machine.tree, *property), property->doc,
+                    Group::value);
+}
+
+// The class whose constructor the cursor is in, at a place where a key may stand.
+const Class* constructor_at(Machine& machine, std::string_view before, const Scan& scanned,
+                            std::size_t token) {
+    if (scanned.braces.empty() || before[scanned.braces.back()] != '{') return nullptr;
+    const std::size_t previous = skip_blanks_back(before, token);
+    if (previous == 0 ||
+        (before[previous - 1] != '{' && before[previous - 1] != ',' && before[previous - 1] != ';'))
+        return nullptr;
+    std::size_t end = skip_blanks_back(before, scanned.braces.back());
+    if (end > 0 && before[end - 1] == '(') end = skip_blanks_back(before, end - 1);
+    return machine.tree.find_class(
+        before.substr(word_start(before, end), end - word_start(before, end)));
+}
+
+// The property that a value at `end` would be assigned to or compared with: `path =`, or a key in a
+// constructor.
+const Property* assigned_property(lua_State* L, Machine& machine, std::string_view before,
+                                  const Scan& scanned, std::size_t end) {
+    end = skip_blanks_back(before, end);
+    std::size_t signs = end;
+    while (signs > 0 && (before[signs - 1] == '=' || before[signs - 1] == '~')) --signs;
+    if (signs == end) return nullptr;
+    const std::size_t path_end = skip_blanks_back(before, signs);
+    const std::size_t start = path_start(before, path_end);
+    const std::string_view path = before.substr(start, path_end - start);
+    if (path.empty()) return nullptr;
+    const Property* read = nullptr;
+    const int top = lua_gettop(L);
+    const bool found = push_path(L, machine, path, &read);
+    lua_settop(L, top);
+    if (found && read) return read;
+    if (const Class* of = constructor_at(machine, before, scanned, start))
+        return of->property(path);
+    return nullptr;
+}
+
+void add_enumerators(const Property& property, bool quoted, Candidates& out) {
+    const auto add = [&](const std::string& word) {
+        out.add_as(word, quoted ? word : "\"" + word + "\"", out.replace_from(), property.name, {},
+                   Group::value);
+    };
+    for (const std::string& word : property.enumerators) add(word);
+    if (property.type == property::Type::color && quoted)
+        for (const std::string& name : property::color_names()) add(name);
+    if (property.type == property::Type::boolean && !quoted)
+        for (const char* word : {"true", "false"}) out.add(word, property.name, {}, Group::value);
+}
+
+// Inside quotes: what the function or property before them takes.
+void add_in_string(lua_State* L, Machine& machine, std::string_view before, const Scan& scanned,
+                   Candidates& out) {
+    const std::size_t quote = scanned.string_start - 1;
+    if (const Property* property = assigned_property(L, machine, before, scanned, quote)) {
+        add_enumerators(*property, true, out);
+        return;
+    }
+    std::size_t end = skip_blanks_back(before, quote);
+    if (end == 0 || before[end - 1] != '(') return;
+    end = skip_blanks_back(before, end - 1);
+    const std::size_t name_at = word_start(before, end);
+    const std::string_view function = before.substr(name_at, end - name_at);
+    if (function == "color") {
+        for (const std::string& name : property::color_names()) out.add(name, {}, {}, Group::value);
+        return;
+    }
+    if (name_at == 0 || before[name_at - 1] != ':') return;
+    const std::size_t start = path_start(before, name_at - 1);
+    const Property* read = nullptr;
+    const int top = lua_gettop(L);
+    if (push_path(L, machine, before.substr(start, name_at - 1 - start), &read)) {
+        const Class* of = class_object_at(L, -1);
+        const auto* box = instance_at(L, -1);
+        if (box && machine.tree.alive(box->handle)) of = &machine.tree.class_of(box->handle);
+        if (of && function == "on")
+            for (const property::Event* event : of->events())
+                out.add(event->name, "event", event->doc, Group::value);
+        if (of && (function == "watch" || function == "has"))
+            for (const Property* property : of->properties())
+                out.add(property->name, property_facts(machine.tree, *property), property->doc,
+                        Group::value);
+        if (function == "find" || function == "all" || function == "each" || function == "is_a" ||
+            function == "children")
+            for (const Class* each : machine.tree.classes())
+                out.add(each->name(), "class", each->doc(), Group::value);
+    }
+    lua_settop(L, top);
+}
+
+}  // namespace
+
+std::vector<Completion> complete(Machine& machine, std::string_view input, std::size_t cursor) {
+    const std::string_view before = input.substr(0, std::min(cursor, input.size()));
+    const Scan scanned = scan(before);
+    const std::size_t token =
+        scanned.in_string ? scanned.string_start : word_start(before, before.size());
+    Candidates out(before.substr(token), token);
+    protected_run(
+        machine, "completion",
+        [&](lua_State* L) {
+            if (scanned.in_string) {
+                add_in_string(L, machine, before, scanned, out);
+                return;
+            }
+            const char separator = token > 0 ? before[token - 1] : '\0';
+            const bool concatenation = separator == '.' && token > 1 && before[token - 2] == '.';
+            if ((separator == '.' && !concatenation) || separator == ':') {
+                const std::size_t start = path_start(before, token - 1);
+                const Property* read = nullptr;
+                const std::string_view path = before.substr(start, token - 1 - start);
+                if (push_path(L, machine, path, &read))
+                    add_members(L, machine, path, separator == ':', token - 1, out);
+                return;
+            }
+            out.expect(true);
+            if (const Property* property = assigned_property(L, machine, before, scanned, token))
+                add_enumerators(*property, false, out);
+            if (const Class* of = constructor_at(machine, before, scanned, token))
+                add_keys(machine, *of, out);
+            out.expect(false);
+            add_globals(L, machine, out);
+        },
+        false);
+    machine.errors.caught.reset();
+    return out.take();
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,328 @@
+// One console command: compiled as an expression, else as statements; run under a budget; its
+// results, and what it changed in the tree, become lines.
+
+#include <cctype>
+
+#include <fettle/property/error.h>
+#include <fettle/property/observer.h>
+#include <fettle/script/runtime.h>
+
+#include <calls/errors.h>
+#include <calls/protected.h>
+#include <console/evaluate.h>
+#include <console/help.h>
+#include <console/long_text.h>
+#include <handlers/formulas.h>
+#include <handlers/function_source.h>
+#include <lua/budget.h>
+#include <lua/environment.h>
+#include <lua/host.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/stack.h>
+#include <objects/script_classes.h>
+#include <text/columns.h>
+#include <text/words.h>
+#include <values/recording.h>
+#include <values/short_text.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Property;
+
+namespace {
+
+constexpr std::size_t most_echoes = 20;
+constexpr int most_results = 20;
+constexpr const char* chunk_name = "=console";
+
+// `a.b["c"].d`: names, dots and brackets only, so that its value is the property read last. The
+// last name goes to `last`.
+bool is_plain_path(std::string_view text, std::string& last) {
+    std::size_t i = 0;
+    last.clear();
+    while (i < text.size()) {
+        const char c = text[i];
+        if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') {
+            const std::size_t start = i;
+            while (i < text.size() &&
+                   (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_'))
+                ++i;
+            last = std::string(text.substr(start, i - start));
+        } else if (c == '.') {
+            ++i;
+        } else if (c == '[') {
+            const std::size_t end = text.find(']', i);
+            if (end == std::string_view::npos) return false;
+            i = end + 1;
+        } else {
+            return false;
+        }
+    }
+    return !last.empty();
+}
+
+// The unit that belongs to a number which is, or is a component of, the property read last.
+std::string unit_of(const Machine& machine, std::string_view command) {
+    const Property* read = machine.recording.last_read;
+    std::string last;
+    if (!read || read->unit.empty() || !is_plain_path(command, last)) return {};
+    if (last == read->name) return read->unit;
+    const bool component = read->type == property::Type::vec2 && (last == "x" || last == "y");
+    return component ? read->unit : std::string();
+}
+
+// Lines for the results on the stack from index 1.
+void add_results(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+    const int count = lua_gettop(L);
+    if (count == 0) return;
+    if (count == 1) {
+        const bool number = lua_type(L, 1) == LUA_TNUMBER;
+        if (number || vec_at(L, 1)) {
+            const std::string unit = unit_of(machine, command);
+            std::string text;
+            if (!unit.empty() && machine.recording.last_read)
+                text = machine.tree.text(to_value(L, 1), machine.recording.last_read->precision());
+            else
+                text = short_text(L, 1);
+            evaluation.lines.push_back(unit.empty() ? text : text + " " + unit);
+        } else {
+            for (std::string& line : long_text(L, 1)) evaluation.lines.push_back(std::move(line));
+        }
+    } else {
+        std::string line;
+        for (int i = 1; i <= count && i <= most_results; ++i)
+            line += (i > 1 ? "  " : "") + short_text(L, i);
+        if (count > most_results) line += "  … " + std::to_string(count - most_results) + " more";
+        evaluation.lines.push_back(std::move(line));
+    }
+    push_registry(L, machine.globals.last_result);
+    lua_pushvalue(L, 1);
+    lua_rawseti(L, -2, 1);
+    lua_pop(L, 1);
+    try {
+        evaluation.result = to_value(L, 1);
+    } catch (const property::Error&) {
+        // a function, a table with names: no value of the tree
+    }
+}
+
+void add_echoes(Machine& machine, Evaluation& evaluation) {
+    auto& edits = machine.recording.edits;
+    std::size_t shown = 0, changed = 0;
+    for (const auto& edit : edits) {
+        const bool same = edit.note.empty() && edit.before == edit.after && !edit.replaced;
+        if (same && edits.size() > 1) continue;
+        ++changed;
+        if (shown >= most_echoes) continue;
+        ++shown;
+        if (!edit.note.empty()) {
+            evaluation.lines.push_back(edit.path + ": " + edit.note);
+            continue;
+        }
+        std::string line = edit.path + ": ";
+        if (!same) line += cut(machine.tree.text(edit.before, edit.precision), 60) + " → ";
+        line += cut(machine.tree.text(edit.after, edit.precision), 60);
+        if (!edit.unit.empty()) line += " " + edit.unit;
+        if (edit.replaced)
+            line += " (replaces its formula)";
+        else if (same)
+            line += " (unchanged)";
+        evaluation.lines.push_back(std::move(line));
+    }
+    changed += machine.recording.dropped;
+    if (changed > shown)
+        evaluation.lines.push_back("… " + std::to_string(changed - shown) + " more changes");
+}
+
+enum class Compiled { expression, statements, incomplete, wrong };
+
+bool ends_early(lua_State* L) {
+    std::size_t length = 0;
+    const char* message = lua_tolstring(L, -1, &length);
+    return message && std::string_view(message, length).ends_with("<eof>");
+}
+
+// Leaves the function, or the message, on the stack.
+Compiled compile(lua_State* L, std::string_view command) {
+    const std::string expression = "return " + std::string(command);
+    if (luaL_loadbufferx(L, expression.data(), expression.size(), chunk_name, "t") == LUA_OK)
+        return Compiled::expression;
+    lua_pop(L, 1);
+    if (luaL_loadbufferx(L, command.data(), command.size(), chunk_name, "t") == LUA_OK)
+        return Compiled::statements;
+    return ends_early(L) ? Compiled::incomplete : Compiled::wrong;
+}
+
+// `a.b is expr`: the formula whose text is the expression becomes the value of `b` of `a`. False
+// when it is not of that form.
+bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
+    const std::size_t at = command.find(" is ");
+    std::string name;
+    if (at == std::string_view::npos) return false;
+    const std::string_view path = trimmed(command.substr(0, at));
+    const std::string source(trimmed(command.substr(at + 4)));
+    if (!is_plain_path(path, name) || source.empty()) return false;
+    if (!path.ends_with("." + name))
+        throw property::Error(
+            property::ErrorKind::bad_path,
+            "a formula is the value of a property: write it as instance.property is ...");
+    if (compile(L, path.substr(0, path.size() - name.size() - 1)) != Compiled::expression)
+        lua_error(L);
+    lua_call(L, 0, 1);
+    const property::Handle instance = check_instance(L, -1, "is");
+    if (luaL_loadbufferx(L, ("return " + source).data(), source.size() + 7, chunk_name, "t") !=
+        LUA_OK)
+        lua_error(L);
+    if (is_function_text(source)) lua_call(L, 0, 1);
+    push_formula(L, {source, ""});
+    define_formula(L, machine, lua_gettop(L), instance, name);
+    lua_settop(L, 0);
+    return true;
+}
+
+// `x?`
+bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+    if (command.size() < 2 || command.back() != '?') return false;
+    const std::string asked(trimmed(command.substr(0, command.size() - 1)));
+    evaluation.lines = help_for(machine, asked);
+    if (!evaluation.lines.empty()) return true;
+    if (compile(L, asked) != Compiled::expression) {
+        lua_settop(L, 0);
+        return false;
+    }
+    lua_call(L, 0, 1);
+    evaluation.lines = help_lines(L, 1);
+    lua_settop(L, 0);
+    return true;
+}
+
+/// Functions without arguments that people type as words.
+bool is_bare_command(std::string_view command) {
+    return command == "undo" || command == "redo" || command == "history" || command == "tweaks";
+}
+
+void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+    if (add_help(L, machine, command, evaluation)) return;
+    if (is_bare_command(command)) {
+        lua_getglobal(L, std::string(command).c_str());
+        lua_call(L, 0, 0);
+        evaluation.lines = std::move(machine.recording.lines);
+        machine.recording.lines.clear();
+        return;
+    }
+    switch (compile(L, command)) {
+        case Compiled::incomplete:
+            evaluation.incomplete = true;
+            return;
+        case Compiled::wrong:
+            if (add_formula(L, machine, command)) return;
+            lua_error(L);
+            return;
+        default:
+            break;
+    }
+    lua_call(L, 0, LUA_MULTRET);
+    machine.budget.check(L);  // before the results of a command that was stopped are printed
+    evaluation.lines = std::move(machine.recording.lines);
+    machine.recording.lines.clear();
+    add_results(L, machine, command, evaluation);
+}
+
+/// What a command makes. One that is stopped because it made too much leaves none of it: a game may
+/// be unable to bear a hundred thousand bodies at one place.
+class Made : public property::Observer {
+  public:
+    explicit Made(Machine& machine) : machine_(machine) { machine.tree.observe(*this); }
+    ~Made() override {
+        if (!machine_.life.tree.expired()) machine_.tree.unobserve(*this);
+    }
+    Made(const Made&) = delete;
+    void created(property::Handle instance) override { all_.push_back(instance); }
+    /// How many went.
+    std::size_t destroy() {
+        const std::vector<property::Handle> all = std::move(all_);
+        std::size_t count = 0;
+        for (const property::Handle instance : all) {
+            if (!machine_.tree.alive(instance)) continue;
+            machine_.tree.each_below(instance, [&](property::Handle) { ++count; });
+            machine_.tree.destroy(instance);
+        }
+        return count;
+    }
+
+  private:
+    Machine& machine_;
+    std::vector<property::Handle> all_;
+};
+
+// Everything that must be undone however the command ends.
+class Session {
+  public:
+    Session(Machine& machine, std::string_view command)
+        : machine_(machine), edits_(machine.tree.changeable()) {
+        if (edits_) {
+            const property::Tree::CauseScope scope(machine.tree, property::Writer::console);
+            machine.tree.begin_edit(std::string(command.substr(0, 80)));
+        }
+        machine.recording = {};
+        record(machine, true);
+        machine.recording.writer = property::Writer::console;
+    }
+    ~Session() {
+        machine_.recording.writer = property::Writer::script;
+        record(machine_, false);
+        if (edits_) machine_.tree.end_edit();
+    }
+    Session(const Session&) = delete;
+
+  private:
+    Machine& machine_;
+    const bool edits_;  // nothing can be changed inside of a formula and of a question
+};
+
+Limits limits(const Machine& machine) {
+    const auto memory = machine.host.command_memory;  // it may put another in its place
+    return {.instructions = machine.options.console_budget,
+            .memory = memory ? memory() : machine.options.console_memory,
+            .raised_by = machine.host.memory_property};
+}
+
+}  // namespace
+
+Evaluation evaluate(Machine& machine, std::string_view command) {
+    Evaluation evaluation;
+    command = trimmed(command);
+    if (command.empty()) {
+        evaluation.ok = true;
+        return evaluation;
+    }
+    if (command.front() == '=') command.remove_prefix(1);
+    machine.sources.texts["console"] = std::string(command);
+    {
+        const Session session(machine, command);
+        Made made(machine);
+        const Budget::Scope budget(machine.budget, limits(machine));
+        const bool ok = protected_run(
+            machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);
+        if (!ok) {
+            evaluation.error = std::move(machine.errors.caught);
+            machine.errors.caught.reset();
+            if (machine.life.in_tree && machine.budget.out_of_room())
+                if (const std::size_t count = made.destroy(); count > 0)
+                    evaluation.error->message +=
+                        "; these " + std::to_string(count) + " instances are deleted again";
+            // What it printed before it failed is worth reading.
+            evaluation.lines = std::move(machine.recording.lines);
+        }
+        evaluation.ok = ok && !evaluation.incomplete;
+        if (!evaluation.incomplete) add_echoes(machine, evaluation);
+    }
+    if (evaluation.ok) machine.classes.deliver_ready();
+    return evaluation;
+}
+
+}  // namespace fettle::script

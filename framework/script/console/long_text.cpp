@@ -1,0 +1,240 @@
+#include <algorithm>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+
+#include <console/long_text.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/instance_set.h>
+#include <reference/reference_facts.h>
+#include <text/columns.h>
+#include <values/description.h>
+#include <values/short_text.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Handle;
+using property::Property;
+using property::Type;
+using property::Value;
+
+namespace {
+
+constexpr std::size_t most_rows = 30;
+constexpr std::size_t most_columns = 6;
+
+void add_count(std::vector<std::string>& lines, std::size_t total, const char* what) {
+    if (total > most_rows)
+        lines.push_back("… " + std::to_string(total - most_rows) + " more (" +
+                        std::to_string(total) + " " + what + ")");
+}
+
+// What stands for the value in a listing: a formula that is in error spoils its own line only.
+std::string listed_value(const Machine& machine, Handle handle, const Property& property,
+                         bool unit) {
+    try {
+        const Value value = machine.tree.get(handle, property);
+        return unit ? with_unit(machine.tree, value, property)
+                    : machine.tree.text(value, property.precision());
+    } catch (const property::Error&) {
+        return "in error (why(path) tells more)";
+    }
+}
+
+// name  value with unit, in order of name; then what hangs below.
+std::vector<std::string> instance_lines(Machine& machine, Handle handle) {
+    const property::Tree& tree = machine.tree;
+    std::vector<std::string> lines = {tree.path(handle) + " · " + tree.class_of(handle).name()};
+    std::vector<std::vector<std::string>> rows;
+    for (const Property* property : tree.properties(handle)) {
+        if (property->hidden) continue;
+        rows.push_back({"  " + property->name,
+                        cut(listed_value(machine, handle, *property, true), 60),
+                        property->read_only ? "(read-only)" : ""});
+    }
+    std::sort(rows.begin(), rows.end());
+    for (std::string& line : columns(rows)) lines.push_back(std::move(line));
+    std::vector<std::vector<std::string>> children;
+    for (Handle child = tree.first_child(handle); child && children.size() < most_rows;
+         child = tree.next_sibling(child))
+        children.push_back({"  ." + tree.name(child), tree.class_of(child).name()});
+    for (std::string& line : columns(children)) lines.push_back(std::move(line));
+    add_count(lines, tree.child_count(handle), "children");
+    return lines;
+}
+
+bool worth_a_column(const Property& property) {
+    return !property.hidden && property.type != Type::list && property.type != Type::reference;
+}
+
+// One row an instance: its path and the properties that all have, those first that differ from
+// their defaults somewhere.
+std::vector<std::string> set_lines(Machine& machine, std::vector<Handle> handles) {
+    const property::Tree& tree = machine.tree;
+    std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
+    if (handles.empty()) return {"no instances"};
+    std::vector<std::pair<std::string, Handle>> sorted;
+    sorted.reserve(handles.size());
+    for (const Handle handle : handles) sorted.emplace_back(tree.path(handle), handle);
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    const std::size_t total = sorted.size();
+    if (sorted.size() > most_rows) sorted.resize(most_rows);
+
+    std::vector<const Property*> shared;
+    for (const Property* property : tree.class_of(sorted.front().second).properties()) {
+        if (!worth_a_column(*property)) continue;
+        bool everywhere = true, special = false;
+        for (const auto& [path, handle] : sorted) {
+            const Property* same = tree.find(handle, property->symbol);
+            everywhere &= same == property;
+            special |= same == property && !property->read_only && tree.overridden(handle, *same);
+        }
+        if (everywhere && special) shared.push_back(property);
+        if (shared.size() >= most_columns) break;
+    }
+    std::vector<std::vector<std::string>> rows;
+    std::vector<std::string> head = {"path", "class"};
+    for (const Property* property : shared)
+        head.push_back(property->unit.empty() ? property->name
+                                              : property->name + " [" + property->unit + "]");
+    rows.push_back(head);
+    for (const auto& [path, handle] : sorted) {
+        std::vector<std::string> row = {path, tree.class_of(handle).name()};
+        for (const Property* property : shared)
+            row.push_back(cut(listed_value(machine, handle, *property, false), 28));
+        rows.push_back(std::move(row));
+    }
+    std::vector<std::string> lines = columns(rows);
+    add_count(lines, total, "instances");
+    return lines;
+}
+
+// The instances of a table 1..n of nothing else.
+std::vector<Handle> only_instances(lua_State* L, int index) {
+    std::vector<Handle> handles;
+    index = lua_absindex(L, index);
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        const auto* box = instance_at(L, -1);
+        if (!box) {
+            lua_pop(L, 2);
+            return {};
+        }
+        handles.push_back(box->handle);
+    }
+    return handles;
+}
+
+// The unit of a value in a table whose keys are paths, as `query` returns.
+std::string entry_text(lua_State* L, Machine& machine, const std::string& key) {
+    try {
+        const property::Place place = property::resolve(machine.tree, key);
+        if (place.property && place.part.empty()) {
+            const Value value = to_value(L, -1);
+            return cut(with_unit(machine.tree, value, *place.property), line_width);
+        }
+    } catch (const property::Error&) {
+        // an ordinary key
+    }
+    return short_text(L, -1);
+}
+
+std::vector<std::string> table_lines(lua_State* L, int index) {
+    Machine& machine = machine_of(L);
+    index = lua_absindex(L, index);
+    if (const auto handles = only_instances(L, index); !handles.empty())
+        return set_lines(machine, handles);
+    if (is_set(L, index)) return {"no instances"};
+    std::string line = short_text(L, index);
+    if (shown_width(line) <= 76 && line.find("…") == std::string::npos) return {line};
+
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
+    std::vector<std::vector<std::string>> rows;
+    for (lua_Integer i = 1; i <= length && rows.size() < most_rows; ++i) {
+        lua_rawgeti(L, index, i);
+        rows.push_back({"  " + std::to_string(i), short_text(L, -1)});
+        lua_pop(L, 1);
+    }
+    std::vector<std::vector<std::string>> named;
+    std::size_t total = static_cast<std::size_t>(length);
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= length)
+            continue;
+        ++total;
+        if (named.size() >= 10'000) continue;
+        const std::string text = lua_type(L, -2) == LUA_TSTRING
+                                     ? entry_text(L, machine, string_at(L, -2))
+                                     : short_text(L, -1);
+        const std::string key =
+            lua_type(L, -2) == LUA_TSTRING ? cut(string_at(L, -2), 40) : key_text(L, -2);
+        named.push_back({"  " + key, text});
+    }
+    std::sort(named.begin(), named.end());
+    for (auto& row : named)
+        if (rows.size() < most_rows) rows.push_back(std::move(row));
+    std::vector<std::string> lines = columns(rows);
+    add_count(lines, total, "entries");
+    return lines;
+}
+
+// `name  value` a line; a list of records one line each, under the names of their fields.
+std::vector<std::string> description_lines(lua_State* L, int index, const DescriptionKind& kind) {
+    push_described(L, index);
+    const int table = lua_gettop(L);
+    std::vector<std::vector<std::string>> rows;
+    const auto cell = [&](int record, const std::string& field) {
+        lua_getfield(L, record, field.c_str());
+        const bool plain = lua_type(L, -1) == LUA_TSTRING;
+        std::string text = lua_isnil(L, -1) ? ""
+                           : plain          ? cut(string_at(L, -1), line_width)
+                                            : short_text(L, -1);
+        lua_pop(L, 1);
+        return text;
+    };
+    if (!is_description_list(kind)) {
+        rows.reserve(kind.fields.size());
+        for (const std::string& field : kind.fields)
+            rows.push_back({"  " + field, cell(table, field)});
+    } else {
+        const auto length = static_cast<lua_Integer>(lua_rawlen(L, table));
+        for (lua_Integer i = 1; i <= length; ++i) {
+            lua_rawgeti(L, table, i);
+            if (push_described(L, -1)) {
+                const int record = lua_gettop(L);
+                rows.push_back({"  " + cell(record, "name"), cell(record, "type"),
+                                cell(record, "unit"), cut(cell(record, "doc"), 70)});
+                lua_pop(L, 1);
+            } else {
+                rows.push_back({"  " + short_text(L, -1)});
+            }
+            lua_pop(L, 1);
+        }
+    }
+    lua_pop(L, 1);
+    return columns(rows);
+}
+
+}  // namespace
+
+std::vector<std::string> long_text(lua_State* L, int index) {
+    Machine& machine = machine_of(L);
+    if (const auto* box = instance_at(L, index)) {
+        if (!machine.tree.alive(box->handle)) return {short_text(L, index)};
+        return instance_lines(machine, box->handle);
+    }
+    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index);
+    if (const DescriptionKind* kind = description_kind(L, index))
+        return description_lines(L, index, *kind);
+    if (lua_type(L, index) == LUA_TSTRING) {
+        std::size_t length = 0;
+        const char* text = lua_tolstring(L, index, &length);
+        return {cut(property::value_text(
+                        Value(std::string_view(text, std::min<std::size_t>(length, 4000)))),
+                    2000)};
+    }
+    return {short_text(L, index)};
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,178 @@
+#include <fettle/property/error.h>
+
+#include <calls/errors.h>
+#include <handlers/coroutines.h>
+#include <handlers/timers.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+
+namespace {
+
+// Runs the thread; the status of lua_resume, results or error object on its stack.
+int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
+    Machine& machine = machine_of(L);
+    machine.budget.enter(thread);
+    machine.budget.check(L);
+    lua_State* outer = machine.lua.running;
+    machine.lua.running = thread;
+    const int status = lua_resume(thread, L, arguments, &results);
+    machine.lua.running = outer;
+    if (status > LUA_YIELD && machine.budget.stopping()) {
+        // Its hooks may be off for good; nothing of it may run again, not even __close.
+        push_registry(L, machine.lua.killed);
+        lua_pushthread(thread);
+        lua_xmove(thread, L, 1);
+        lua_pushboolean(L, 1);
+        lua_rawset(L, -3);
+        lua_pop(L, 1);
+    }
+    machine.budget.check(L);
+    return status;
+}
+
+lua_State* thread_at(lua_State* L, int index, const char* what) {
+    lua_State* thread = lua_tothread(L, index);
+    if (!thread)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a coroutine, not " + describe_type(L, index));
+    return thread;
+}
+
+// Why the thread cannot be resumed, or nullptr.
+const char* not_resumable(lua_State* L, lua_State* thread) {
+    if (machine_of(L).timers.waiting(thread)) return "cannot resume a coroutine that waits";
+    if (thread == L || lua_status(thread) == LUA_OK) {
+        lua_Debug frame;
+        if (thread == L || lua_getstack(thread, 0, &frame))
+            return "cannot resume non-suspended coroutine";
+        if (lua_gettop(thread) == 0) return "cannot resume dead coroutine";
+        return nullptr;
+    }
+    return lua_status(thread) == LUA_YIELD ? nullptr : "cannot resume dead coroutine";
+}
+
+int create(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    "coroutine.create: needs a function, not " + describe_type(L, 1));
+    machine_of(L).budget.charge(L, 100);
+    lua_State* thread = lua_newthread(L);
+    lua_pushvalue(L, 1);
+    lua_xmove(L, thread, 1);
+    return 1;
+}
+
+int resume(lua_State* L) {
+    lua_State* thread = thread_at(L, 1, "coroutine.resume");
+    const int arguments = lua_gettop(L) - 1;
+    if (const char* why = not_resumable(L, thread)) {
+        lua_pushboolean(L, 0);
+        lua_pushstring(L, why);
+        return 2;
+    }
+    if (!lua_checkstack(thread, arguments))
+        throw Error(ErrorKind::rejected, "coroutine.resume: too many arguments");
+    lua_xmove(L, thread, arguments);
+    int results = 0;
+    const int status = run_thread(L, thread, arguments, results);
+    if (status > LUA_YIELD) {
+        add_missing_position(thread, thread, 0);
+        lua_pushboolean(L, 0);
+        lua_xmove(thread, L, 1);
+        return 2;
+    }
+    lua_pushboolean(L, 1);
+    luaL_checkstack(L, results, "too many results to resume");
+    lua_xmove(thread, L, results);
+    return results + 1;
+}
+
+// Upvalue: the thread.
+int call_wrapped(lua_State* L) {
+    lua_State* thread = lua_tothread(L, lua_upvalueindex(1));
+    if (const char* why = not_resumable(L, thread)) throw Error(ErrorKind::rejected, why);
+    const int arguments = lua_gettop(L);
+    if (!lua_checkstack(thread, arguments))
+        throw Error(ErrorKind::rejected, "coroutine: too many arguments");
+    lua_xmove(L, thread, arguments);
+    const int results = resume_thread(L, thread, arguments);
+    luaL_checkstack(L, results, "too many results of a coroutine");
+    lua_xmove(thread, L, results);
+    return results;
+}
+
+int wrap(lua_State* L) {
+    create(L);
+    lua_pushcclosure(L, guarded<call_wrapped>, 1);
+    return 1;
+}
+
+int close(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_State* thread = thread_at(L, 1, "coroutine.close");
+    push_registry(L, machine.lua.killed);
+    lua_pushvalue(L, 1);
+    const bool killed = lua_rawget(L, -2) != LUA_TNIL;
+    lua_Debug frame;
+    if (thread == L || (lua_status(thread) == LUA_OK && lua_getstack(thread, 0, &frame)))
+        throw Error(ErrorKind::rejected, "cannot close a running coroutine");
+    if (machine.timers.waiting(thread))
+        throw Error(ErrorKind::rejected, "cannot close a coroutine that waits");
+    if (killed) {
+        lua_pushboolean(L, 1);
+        return 1;
+    }
+    machine.budget.enter(thread);
+    machine.budget.check(L);
+    lua_State* outer = machine.lua.running;
+    machine.lua.running = thread;
+    const int status = lua_resetthread(thread);
+    machine.lua.running = outer;
+    machine.budget.check(L);
+    if (status == LUA_OK) {
+        lua_pushboolean(L, 1);
+        return 1;
+    }
+    lua_pushboolean(L, 0);
+    lua_xmove(thread, L, 1);
+    return 2;
+}
+
+}  // namespace
+
+int resume_thread(lua_State* L, lua_State* thread, int arguments) {
+    Machine& machine = machine_of(L);
+    int results = 0;
+    const int status = run_thread(L, thread, arguments, results);
+    if (status <= LUA_YIELD) return results;
+    add_missing_position(thread, thread, 0);
+    machine.errors.thread_error = describe_error(machine, thread, 0, thread, -1);
+    lua_xmove(thread, L, 1);
+    // Raised as described, so that the outer handler knows it again.
+    if (lua_type(L, -1) == LUA_TSTRING) {
+        const std::string& message = machine.errors.thread_error->message;
+        lua_pushlstring(L, message.data(), message.size());
+    }
+    return lua_error(L);
+}
+
+void open_coroutines(lua_State* L) {
+    machine_of(L).errors.raise_as_told.push_back(guarded<call_wrapped>);
+    lua_getfield(L, -1, "coroutine");
+    add_pure<create>(L, "create");
+    add_pure<resume>(L, "resume");
+    add_pure<wrap>(L, "wrap");
+    add_pure<close>(L, "close");
+    lua_pop(L, 1);
+}
+
+}  // namespace fettle::script

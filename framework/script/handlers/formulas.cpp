@@ -1,0 +1,185 @@
+#include <memory>
+#include <optional>
+
+#include <fettle/property/error.h>
+#include <fettle/script/runtime.h>
+
+#include <calls/errors.h>
+#include <calls/function_ref.h>
+#include <calls/held_memory.h>
+#include <calls/protected.h>
+#include <handlers/formulas.h>
+#include <handlers/function_source.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/interpreter.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <text/words.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Tree;
+using property::Value;
+
+namespace {
+
+// User values: 1 the function, 2 its text, 3 why the text is not all of it.
+struct FormulaBox {
+    Tag tag;
+};
+
+// A formula keeps a count of instructions, like a console command, and whatever it raises becomes
+// the error of its property: it is not reported to the game.
+class ScriptFormula {
+  public:
+    ScriptFormula(Machine& machine, std::shared_ptr<FunctionRef> function)
+        : machine_(&machine), alive_(machine.lua.alive), function_(std::move(function)) {}
+
+    Value operator()(const Tree&) const {
+        if (*alive_ == nullptr || !machine_->life.in_tree)
+            throw std::runtime_error("its script has ended");
+        Machine& machine = *machine_;
+        const Life::Use use(machine.life);
+        std::optional<Budget::Scope> counted;
+        if (!machine.budget.counting())
+            counted.emplace(machine.budget, Limits{.instructions = machine.options.console_budget,
+                                                   .memory = machine.options.console_memory,
+                                                   .who = "a formula"});
+        Value result;
+        const bool ok = protected_run(
+            machine, "formula",
+            [&](lua_State* L) {
+                function_->push(L);
+                lua_call(L, 0, 1);
+                result = to_value(L, -1);
+            },
+            false);
+        if (ok) return result;
+        const std::string message =
+            machine.errors.caught ? machine.errors.caught->message : "failed";
+        machine.errors.caught.reset();
+        throw std::runtime_error(message);
+    }
+    const std::shared_ptr<FunctionRef>& function() const { return function_; }
+
+  private:
+    Machine* machine_;
+    std::shared_ptr<lua_State*> alive_;
+    std::shared_ptr<FunctionRef> function_;
+};
+
+int formula(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    "formula: needs a function that returns the value, not " + describe_type(L, 1));
+    lua_settop(L, 1);
+    push_formula(L, function_source(L, machine_of(L), 1));
+    return 1;
+}
+
+}  // namespace
+
+bool is_formula(lua_State* L, int index) {
+    return box_at<FormulaBox>(L, index, Tag::formula) != nullptr;
+}
+
+void push_formula(lua_State* L, const FunctionSource& source) {
+    auto* box = static_cast<FormulaBox*>(lua_newuserdatauv(L, sizeof(FormulaBox), 3));
+    box->tag = Tag::formula;
+    lua_insert(L, -2);
+    lua_setiuservalue(L, -2, 1);
+    lua_pushlstring(L, source.text.data(), source.text.size());
+    lua_setiuservalue(L, -2, 2);
+    lua_pushlstring(L, source.not_saved.data(), source.not_saved.size());
+    lua_setiuservalue(L, -2, 3);
+    lua_newtable(L);
+    name_metatable(L, "formula");
+    lua_setmetatable(L, -2);
+}
+
+namespace {
+
+std::string text_at(lua_State* L, int index, int user_value) {
+    lua_getiuservalue(L, index, user_value);
+    std::size_t size = 0;
+    const char* chars = lua_tolstring(L, -1, &size);
+    std::string text(chars, size);
+    lua_pop(L, 1);
+    return text;
+}
+
+// A text of several lines tells which of them is meant; "formula" is the name of the chunk.
+std::string what_is_wrong(std::string message) {
+    if (message.starts_with("formula:1: "))
+        message.erase(0, 11);
+    else if (message.starts_with("formula:"))
+        message.replace(0, 8, "line ");
+    return "the formula does not compile: " + message;
+}
+
+}  // namespace
+
+void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
+                    std::string_view name) {
+    const std::string source = text_at(L, index, 2), not_saved = text_at(L, index, 3);
+    lua_getiuservalue(L, index, 1);
+    const std::size_t holds = held_memory(L, machine, -1);
+    const auto function = std::make_shared<FunctionRef>(L, machine);
+    write_formula(machine, instance, name,
+                  {ScriptFormula(machine, function), source, not_saved, holds});
+}
+
+property::Formula compile_formula(Machine& machine, const std::string& source) {
+    if (one_line(source).empty()) throw Error(ErrorKind::formula, "the formula has no text");
+    const Life::Use use(machine.life);
+    const std::string chunk = "return " + source;
+    std::shared_ptr<FunctionRef> function;
+    std::string wrong;
+    const bool ok = protected_run(
+        machine, "formula",
+        [&](lua_State* L) {
+            if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "=formula", "t") != LUA_OK) {
+                wrong = string_at(L, -1);
+                return;
+            }
+            // The text of a function makes the function, and nothing of it runs by that.
+            if (is_function_text(source)) {
+                lua_pushvalue(L, -1);
+                lua_call(L, 0, 1);
+                if (lua_type(L, -1) != LUA_TFUNCTION) lua_pop(L, 1);
+            }
+            function = std::make_shared<FunctionRef>(L, machine);
+        },
+        false);
+    if (!ok) wrong = machine.errors.caught ? machine.errors.caught->message : "failed";
+    machine.errors.caught.reset();
+    if (!wrong.empty()) throw Error(ErrorKind::formula, what_is_wrong(std::move(wrong)));
+    return {ScriptFormula(machine, function), source};
+}
+
+void push_formula_function(lua_State* L, Machine& machine, Handle instance,
+                           const Property& property) {
+    const property::Formula* found = machine.tree.formula(instance, property);
+    const auto* ours = found != nullptr ? found->function.target<ScriptFormula>() : nullptr;
+    if (ours != nullptr)
+        ours->function()->push(L);
+    else
+        lua_pushnil(L);
+}
+
+void open_formulas(lua_State* L) {
+    Machine& machine = machine_of(L);
+    machine.tree.compile_formulas_with(
+        [&machine](const std::string& source) { return compile_formula(machine, source); });
+    add_pure<formula>(L, "formula");
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,265 @@
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/question.h>
+#include <fettle/property/spelling.h>
+#include <fettle/script/runtime.h>
+
+#include <calls/function_ref.h>
+#include <calls/protected.h>
+#include <handlers/connections.h>
+#include <handlers/subscriptions.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <values/records.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Change;
+using property::Class;
+using property::Connection;
+using property::Error;
+using property::ErrorKind;
+using property::Event;
+using property::Existence;
+using property::Handle;
+using property::Occurrence;
+using property::Property;
+using property::WatchOptions;
+
+// --- What handlers are told
+
+namespace {
+
+void set_text(lua_State* L, const char* field, const std::string& text) {
+    lua_pushlstring(L, text.data(), text.size());
+    lua_setfield(L, -2, field);
+}
+
+std::string path_if_alive(Machine& machine, Handle instance, const Property& property) {
+    if (!machine.tree.alive(instance)) return "(deleted)" + property::path_suffix(property.name);
+    return machine.tree.path(instance, property);
+}
+
+void push_change(lua_State* L, const Change& change) {
+    Machine& machine = machine_of(L);
+    lua_createtable(L, 0, 7);
+    push_instance(L, change.instance);
+    lua_setfield(L, -2, "instance");
+    set_text(L, "property", change.property->name);
+    set_text(L, "path", path_if_alive(machine, change.instance, *change.property));
+    set_text(L, "cause", change.cause.text());
+    lua_pushinteger(L, static_cast<lua_Integer>(change.cause.step));
+    lua_setfield(L, -2, "step");
+    seal_record(L, machine);
+}
+
+}  // namespace
+
+void push_occurrence(lua_State* L, const Occurrence& occurrence) {
+    push_record(L, occurrence.record);
+    lua_pushstring(L, "instance");
+    push_instance(L, occurrence.instance);
+    lua_rawset(L, -3);
+    lua_pushstring(L, "step");
+    lua_pushinteger(L, static_cast<lua_Integer>(occurrence.step));
+    lua_rawset(L, -3);
+}
+
+/// Of the record on top of the stack, which the handler below it was called with.
+void take_answer(lua_State* L, property::Question& question) {
+    const auto& fields = question.event().fields;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        lua_pushlstring(L, fields[i].name.data(), fields[i].name.size());
+        lua_rawget(L, -2);
+        question.answer(i, to_value(L, lua_gettop(L)));
+        lua_pop(L, 1);
+    }
+}
+
+void push_existence(lua_State* L, const Existence& existence) {
+    lua_createtable(L, 0, 5);
+    push_instance(L, existence.instance);
+    lua_setfield(L, -2, "instance");
+    set_text(L, "path", existence.path);
+    set_text(L, "cause", existence.cause.text());
+    lua_pushinteger(L, static_cast<lua_Integer>(existence.cause.step));
+    lua_setfield(L, -2, "step");
+    lua_newtable(L);
+    for (const auto& [property, value] : existence.last_values) {
+        lua_pushlstring(L, property->name.data(), property->name.size());
+        push_value(L, value);
+        lua_rawset(L, -3);
+    }
+    lua_setfield(L, -2, "last");
+    seal_record(L, machine_of(L));
+}
+
+// --- Subscribing
+
+namespace {
+
+// The function at `index`, or an error.
+std::shared_ptr<FunctionRef> function_at(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a function, not " + describe_type(L, index));
+    lua_pushvalue(L, index);
+    return std::make_shared<FunctionRef>(L, machine_of(L));
+}
+
+WatchOptions options_here(lua_State* L) {
+    WatchOptions options;
+    options.label = position(L);
+    if (options.label.size() > 2) options.label.resize(options.label.size() - 2);
+    return options;
+}
+
+property::ChangeHandler change_handler(Machine& machine, std::shared_ptr<FunctionRef> function) {
+    return [&machine, function](const Change& change) {
+        protected_run(machine, Context("watcher", change.instance, change.property),
+                      [&](lua_State* L) {
+                          function->push(L);
+                          push_value(L, change.new_value);
+                          push_value(L, change.old_value);
+                          push_change(L, change);
+                          lua_call(L, 3, 0);
+                      });
+    };
+}
+
+property::ExistenceHandler existence_handler(Machine& machine, const char* name,
+                                             std::shared_ptr<FunctionRef> function) {
+    return [&machine, function, name](const Existence& existence) {
+        protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
+                      [&](lua_State* L) {
+                          function->push(L);
+                          push_existence(L, existence);
+                          lua_call(L, 1, 0);
+                      });
+    };
+}
+
+const Event& event_of(const Class& of, const std::string& name) {
+    if (const Event* event = of.event(name)) return *event;
+    std::vector<std::string> names = {"created"};
+    for (const Event* event : of.events()) names.push_back(event->name);
+    throw Error(ErrorKind::unknown_name,
+                of.name() + ": no event \"" + name + "\"" + property::suggestion(name, names));
+}
+
+}  // namespace
+
+// The handler function is on top of the stack.
+Connection connect_event(lua_State* L, Machine& machine, Handle instance, const Class& of,
+                         const std::string& name, bool whole_class) {
+    const WatchOptions options = options_here(L);
+    const auto function = function_at(L, lua_gettop(L), "on");
+    property::Tree& tree = machine.tree;
+    if (name == "deleted") {
+        auto handler = existence_handler(machine, "deleted", function);
+        return whole_class ? tree.watch_deleted(of, handler, options)
+                           : tree.watch_deleted(instance, handler, options);
+    }
+    if (name == "created" && whole_class)
+        return tree.watch_created(of, existence_handler(machine, "created", function), options);
+    const Event& event = event_of(of, name);
+    auto handler = [&machine, function, &event](const Occurrence& occurrence) {
+        const Context context("handler of " + event.name, occurrence.instance);
+        protected_run(machine, context, [&](lua_State* M) {
+            push_occurrence(M, occurrence);
+            function->push(M);
+            lua_pushvalue(M, -2);
+            lua_call(M, 1, 0);
+            property::Question* asked = property::Question::current();
+            if (asked == nullptr) return;
+            try {
+                take_answer(M, *asked);
+            } catch (const Error& refused) {
+                // No line of the script runs: the place is that of the handler.
+                function->push(M);
+                throw Error(refused.kind(), definition(M) + refused.what());
+            }
+        });
+    };
+    return whole_class ? tree.on(of, event, handler, options)
+                       : tree.on(instance, event, handler, options);
+}
+
+int subscribe_event(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 3);
+    const Class* whole = class_object_at(L, 1);
+    const Handle self = whole ? Handle{} : check_instance(L, 1, "on");
+    if (lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    "on: needs the name of an event, not " + describe_type(L, 2));
+    const std::string name = string_at(L, 2);
+    const Class& of = whole ? *whole : machine.tree.class_of(self);
+    machine.connections.push(L, connect_event(L, machine, self, of, name, whole != nullptr));
+    return 1;
+}
+
+int subscribe_property(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const Class* whole = class_object_at(L, 1);
+    const Handle self = whole ? Handle{} : check_instance(L, 1, "watch");
+    const int last = lua_gettop(L) >= 3 ? 3 : 2;
+    const WatchOptions options = options_here(L);
+    auto handler = change_handler(machine, function_at(L, last, "watch"));
+    if (last == 2) {
+        machine.connections.push(L, whole ? machine.tree.watch(*whole, nullptr, handler, options)
+                                          : machine.tree.watch(self, handler, options));
+        return 1;
+    }
+    if (lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    "watch: needs the name of a property, not " + describe_type(L, 2));
+    const std::string name = string_at(L, 2);
+    if (!whole) {
+        machine.connections.push(L, machine.tree.watch(self, name, handler, options));
+        return 1;
+    }
+    const Property* property = whole->property(name);
+    if (!property)
+        throw Error(ErrorKind::unknown_name, whole->name() + "." + name + ": no such property" +
+                                                 property::suggestion(name, whole->member_names()));
+    machine.connections.push(L, machine.tree.watch(*whole, property, handler, options));
+    return 1;
+}
+
+namespace {
+
+// watch("world.*.velocity", fn)
+int watch_pattern(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 2);
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(
+            ErrorKind::wrong_type,
+            "watch: needs a pattern such as \"world.*.velocity\", not " + describe_type(L, 1));
+    const std::string pattern = string_at(L, 1);
+    if (pattern.find('*') == std::string::npos) {
+        // Without a wildcard it names one thing; a slip in it must not go unnoticed.
+        const property::Place place = property::resolve(machine.tree, pattern);
+        auto handler = change_handler(machine, function_at(L, 2, "watch"));
+        machine.connections.push(
+            L, place.property
+                   ? machine.tree.watch(place.instance, *place.property, handler, options_here(L))
+                   : machine.tree.watch(place.instance, handler, options_here(L)));
+        return 1;
+    }
+    machine.connections.push(
+        L, machine.tree.watch_pattern(pattern, change_handler(machine, function_at(L, 2, "watch")),
+                                      options_here(L)));
+    return 1;
+}
+
+}  // namespace
+
+void open_watch(lua_State* L) {
+    add_function<watch_pattern>(L, "watch");
+}
+
+}  // namespace fettle::script

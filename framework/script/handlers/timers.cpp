@@ -1,0 +1,272 @@
+#include <cmath>
+#include <utility>
+
+#include <fettle/property/error.h>
+
+#include <calls/function_ref.h>
+#include <calls/held_memory.h>
+#include <calls/protected.h>
+#include <handlers/connections.h>
+#include <handlers/coroutines.h>
+#include <handlers/timers.h>
+#include <lua/guard.h>
+#include <lua/interpreter.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <lua/watchdog.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+
+namespace {
+
+// Sums of steps are not exact; what is due within this of a step's end is due in it. Seconds.
+constexpr double tolerance = 1e-9;
+// A shorter interval would fire many hundred times a step.
+constexpr double shortest_interval = 1e-4;
+constexpr std::int64_t weight_of_timer = 300;  // bytes, about
+
+}  // namespace
+
+void Timers::note(Change change) {
+    if (!noting_ || changes_.all) return;
+    changes_.list.push_back(std::move(change));
+    // Nobody has asked for long, or the whole is shorter than what happened to it.
+    if (changes_.list.size() > 64 + 2 * queue_.size()) {
+        changes_.all = true;
+        changes_.list.clear();
+    }
+}
+
+void Timers::insert(const Key& key, Timer timer) {
+    if (timer.function) note({key, timer});
+    machine_.tree.add_weight(weight_of_timer);
+    due_[key.second] = key.first;
+    queue_.emplace(key, std::move(timer));
+}
+
+void Timers::erase(Queue::iterator entry) {
+    if (entry->second.function) note({entry->first, std::nullopt});
+    machine_.tree.add_weight(-weight_of_timer);
+    due_.erase(entry->first.second);
+    queue_.erase(entry);
+}
+
+std::uint64_t Timers::add(lua_State* L, double due, double interval) {
+    const std::uint64_t id = next_id_++;
+    const std::size_t holds = noting_ ? held_memory(L, machine_, -1) : 0;
+    const auto function = std::make_shared<FunctionRef>(L, machine_);
+    function->set_holds(holds);
+    insert({due, id}, {.interval = interval, .function = function, .thread = LUA_NOREF});
+    return id;
+}
+
+void Timers::wait(lua_State* L, double due) {
+    lua_pushthread(L);
+    const std::uint64_t id = next_id_++;
+    insert({due, id}, {.interval = -1, .function = {}, .thread = luaL_ref(L, LUA_REGISTRYINDEX)});
+    waiting_[L] = id;
+}
+
+void Timers::stop(std::uint64_t id) {
+    const auto found = due_.find(id);
+    if (found == due_.end()) return;
+    const auto entry = queue_.find(Key{found->second, id});
+    if (!entry->second.function)
+        luaL_unref(machine_.lua.main, LUA_REGISTRYINDEX, entry->second.thread);
+    erase(entry);
+}
+
+void Timers::clear() {
+    for (const auto& [key, timer] : queue_)
+        if (!timer.function) luaL_unref(machine_.lua.main, LUA_REGISTRYINDEX, timer.thread);
+    if (!machine_.life.tree.expired())
+        machine_.tree.add_weight(-weight_of_timer * static_cast<std::int64_t>(queue_.size()));
+    queue_.clear();
+    due_.clear();
+    waiting_.clear();
+    changes_ = {.all = noting_, .queue = {}, .list = {}};
+}
+
+bool Timers::run() {
+    bool ok = true;
+    const double end = now;
+    // What is added meanwhile and due at once waits for the next step, or it could go on forever.
+    const std::uint64_t newest = next_id_;
+    for (auto entry = queue_.begin();
+         entry != queue_.end() && entry->first.first <= end + tolerance;) {
+        const auto [due, id] = entry->first;
+        if (id >= newest) {
+            ++entry;
+            continue;
+        }
+        const Timer timer = entry->second;
+        erase(entry);
+        if (timer.interval >= 0) {
+            // From the moment it was due, so that intervals do not drift; 0 is every step.
+            const double next = timer.interval > 0 ? due + timer.interval : end + 2 * tolerance;
+            insert({next, id}, timer);
+        }
+        ok &= fire(timer);
+        if (machine_.watchdog.stopped()) break;
+        entry = queue_.begin();
+    }
+    return ok;
+}
+
+// --- Snapshots
+
+Timers::Queue Timers::image() const {
+    Queue functions;
+    for (const auto& [key, timer] : queue_)
+        if (timer.function) functions.emplace_hint(functions.end(), key, timer);
+    return functions;
+}
+
+void Timers::restore(const Queue& image, double later) {
+    Queue threads;
+    for (const auto& [key, timer] : queue_)
+        if (!timer.function) threads.emplace(Key{key.first + later, key.second}, timer);
+    queue_ = image;
+    queue_.merge(threads);
+    due_.clear();
+    for (const auto& [key, timer] : queue_) due_.emplace(key.second, key.first);
+    changes_ = {.all = noting_, .queue = {}, .list = {}};
+}
+
+namespace {
+// A node of a map, and what the system keeps beside it.
+constexpr std::size_t of_timer = sizeof(Timers::Queue::value_type) + 48;
+}  // namespace
+
+std::size_t Timers::bytes_of(const Queue& image) {
+    return image.size() * of_timer;
+}
+
+std::size_t Timers::bytes_of(const Changes& changes) {
+    std::size_t sum = bytes_of(changes.queue) + changes.list.capacity() * sizeof(Change);
+    for (const Change& change : changes.list)
+        if (change.added) sum += change.added->function->holds();
+    return sum;
+}
+
+Timers::Changes Timers::take_changes() {
+    Changes taken = std::exchange(changes_, {});
+    if (taken.all || !noting_) {
+        taken.all = true;
+        taken.queue = image();
+    }
+    noting_ = true;
+    return taken;
+}
+
+void Timers::redo(const Changes& changes) {
+    if (changes.all) return restore(changes.queue, 0);
+    for (const Change& change : changes.list) {
+        if (change.added)
+            insert(change.key, *change.added);
+        else if (const auto entry = queue_.find(change.key); entry != queue_.end())
+            erase(entry);
+    }
+}
+
+int Timers::take_thread() {
+    if (!idle_.empty()) {
+        const int reference = idle_.back();
+        idle_.pop_back();
+        return reference;
+    }
+    lua_newthread(machine_.lua.main);
+    return luaL_ref(machine_.lua.main, LUA_REGISTRYINDEX);
+}
+
+// Functions run as coroutines, so that they can wait.
+bool Timers::fire(const Timer& timer) {
+    return protected_run(machine_, timer.function ? "timer" : "coroutine", [&](lua_State* L) {
+        if (!timer.function) {
+            push_registry(L, timer.thread);
+            lua_State* thread = lua_tothread(L, -1);
+            luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
+            waiting_.erase(thread);
+            resume_thread(L, thread, 0);
+            return;
+        }
+        const int reference = take_thread();
+        push_registry(L, reference);
+        lua_State* thread = lua_tothread(L, -1);
+        timer.function->push(L);
+        lua_xmove(L, thread, 1);
+        // A thread that waits or failed is left to the collector; one that finished is used again.
+        try {
+            resume_thread(L, thread, 0);
+        } catch (...) {
+            luaL_unref(L, LUA_REGISTRYINDEX, reference);
+            throw;
+        }
+        if (lua_status(thread) == LUA_OK) {
+            lua_settop(thread, 0);
+            idle_.push_back(reference);
+        } else {
+            luaL_unref(L, LUA_REGISTRYINDEX, reference);
+        }
+    });
+}
+
+namespace {
+
+double seconds_at(lua_State* L, const char* what) {
+    const double seconds = check_number(L, 1, what);
+    if (!(seconds >= 0) || std::isinf(seconds))
+        throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
+                                                 property::number_text(seconds) +
+                                                 " s; a time is finite and not negative");
+    return seconds;
+}
+
+int timer(lua_State* L, const char* what, bool repeated) {
+    const double seconds = seconds_at(L, what);
+    if (repeated && seconds > 0 && seconds < shortest_interval)
+        throw Error(ErrorKind::out_of_range,
+                    "every: " + property::number_text(seconds) +
+                        " s is shorter than 0.0001 s; every(0, ...) is each step");
+    if (lua_type(L, 2) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a function, not " + describe_type(L, 2));
+    lua_settop(L, 2);
+    Machine& machine = machine_of(L);
+    push_timer_connection(
+        L, machine.timers.add(L, machine.timers.now + seconds, repeated ? seconds : -1));
+    return 1;
+}
+
+int after(lua_State* L) {
+    return timer(L, "after", false);
+}
+int every(lua_State* L) {
+    return timer(L, "every", true);
+}
+
+int wait(lua_State* L) {
+    const double seconds = lua_gettop(L) == 0 ? 0 : seconds_at(L, "wait");
+    if (!lua_isyieldable(L))
+        throw Error(ErrorKind::bad_structure,
+                    "wait: works inside a coroutine or a function given to after; here, use "
+                    "after(seconds, function)");
+    Machine& machine = machine_of(L);
+    machine.timers.wait(L, machine.timers.now + seconds);
+    return lua_yield(L, 0);
+}
+
+}  // namespace
+
+void open_timers(lua_State* L) {
+    add_function<after>(L, "after");
+    add_function<every>(L, "every");
+    add_function<wait>(L, "wait");
+}
+
+}  // namespace fettle::script

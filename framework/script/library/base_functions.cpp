@@ -1,0 +1,445 @@
+// The basic functions whose originals would let a script out, hang, or make runs differ.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fettle/property/error.h>
+#include <fettle/property/pinned.h>
+#include <fettle/script/runtime.h>
+
+#include <calls/errors.h>
+#include <library/sandbox.h>
+#include <lua/arena.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/host.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <text/columns.h>
+#include <values/recording.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+
+// --- tostring, print
+
+void push_tostring(lua_State* L, int index) {
+    index = lua_absindex(L, index);
+    luaL_checkstack(L, 4, "text");
+    if (luaL_getmetafield(L, index, "__tostring") != LUA_TNIL) {
+        lua_pushvalue(L, index);
+        lua_call(L, 1, 1);
+        if (lua_type(L, -1) != LUA_TSTRING)
+            throw Error(ErrorKind::wrong_type, "__tostring must return a text");
+        return;
+    }
+    switch (lua_type(L, index)) {
+        case LUA_TSTRING:
+            lua_pushvalue(L, index);
+            return;
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, index)) {
+                lua_pushvalue(L, index);
+                lua_tolstring(L, -1, nullptr);
+            } else {
+                const std::string text = number_for_people(lua_tonumber(L, index));
+                lua_pushlstring(L, text.data(), text.size());
+            }
+            return;
+        case LUA_TBOOLEAN:
+            lua_pushstring(L, lua_toboolean(L, index) ? "true" : "false");
+            return;
+        case LUA_TNIL:
+            lua_pushstring(L, "nil");
+            return;
+        case LUA_TTABLE:
+            if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return;
+            lua_pushstring(L, "table");
+            return;
+        default:
+            if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return;
+            lua_pushstring(L, luaL_typename(L, index));
+            return;
+    }
+}
+
+bool tell_of_replay(Machine& machine, const std::string& what) {
+    if (machine.options.replay.empty()) return false;
+    print_line(machine,
+               what + ": nothing is written, since this is a replay of " + machine.options.replay);
+    return true;
+}
+
+void print_line(Machine& machine, std::string text) {
+    constexpr std::size_t most_lines = 2000;
+    if (!machine.recording.active) {
+        const property::Pinned pinned(machine.tree, "the function given to on_print");
+        if (const auto sink = machine.host.on_print) sink(text);  // it may be replaced meanwhile
+        return;
+    }
+    // Console: a line a line, however many the text has.
+    std::size_t start = 0;
+    do {
+        const std::size_t end = text.find('\n', start);
+        if (machine.recording.lines.size() >= most_lines) {
+            ++machine.recording.dropped;
+        } else {
+            machine.recording.lines.push_back(
+                cut(std::string_view(text).substr(
+                        start, end == std::string::npos ? std::string::npos : end - start),
+                    4000));
+        }
+        start = end == std::string::npos ? end : end + 1;
+    } while (start != std::string::npos);
+}
+
+namespace {
+
+int to_text(lua_State* L) {
+    luaL_checkany(L, 1);
+    push_tostring(L, 1);
+    return 1;
+}
+
+int print(lua_State* L) {
+    std::string line;
+    const int given = lua_gettop(L);
+    for (int i = 1; i <= given; ++i) {
+        push_tostring(L, i);
+        std::size_t length = 0;
+        const char* text = lua_tolstring(L, -1, &length);
+        if (i > 1) line += '\t';
+        line.append(text, length);
+        lua_pop(L, 1);
+    }
+    Machine& machine = machine_of(L);
+    machine.budget.charge(L, 100 + line.size() / 8);
+    print_line(machine, std::move(line));
+    return 0;
+}
+
+// --- pairs
+
+// Upvalues: table, sorted keys, position. Keys gone since are passed over.
+int next_sorted(lua_State* L) {
+    for (;;) {
+        const lua_Integer position = lua_tointeger(L, lua_upvalueindex(3)) + 1;
+        lua_pushinteger(L, position);
+        lua_copy(L, -1, lua_upvalueindex(3));
+        lua_pop(L, 1);
+        if (lua_rawgeti(L, lua_upvalueindex(2), position) == LUA_TNIL) return 1;
+        lua_pushvalue(L, -1);
+        if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 2;
+        lua_pop(L, 2);
+    }
+}
+
+struct Key {
+    enum Kind : int { number, text, instance, other } kind = other;
+    double order = 0;          // of a number
+    std::int64_t integer = 0;  // where doubles are too coarse; of an instance, its handle
+    const char* chars = nullptr;
+    std::size_t length = 0;
+    lua_Integer place = 0;  // in the table of keys
+};
+
+bool before(const Key& a, const Key& b) {
+    if (a.kind != b.kind) return a.kind < b.kind;
+    if (a.kind == Key::number || a.kind == Key::instance)
+        return a.order != b.order ? a.order < b.order : a.integer < b.integer;
+    if (a.kind == Key::text) {
+        const int order = std::memcmp(a.chars, b.chars, std::min(a.length, b.length));
+        return order != 0 ? order < 0 : a.length < b.length;
+    }
+    return false;  // other keys stay as Lua gives them
+}
+
+int sorted_pairs(lua_State* L) {
+    luaL_checkany(L, 1);
+    if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL) {
+        lua_pushvalue(L, 1);
+        lua_call(L, 1, 3);
+        return 3;
+    }
+    if (lua_type(L, 1) != LUA_TTABLE)
+        throw Error(ErrorKind::wrong_type, "pairs: needs a table, not " + describe_type(L, 1));
+    lua_newtable(L);  // 2: keys as found, which also keeps the texts alive
+    std::vector<Key> keys;
+    for (lua_pushnil(L); lua_next(L, 1) != 0;) {
+        lua_pop(L, 1);
+        Key key;
+        key.place = static_cast<lua_Integer>(keys.size()) + 1;
+        if (lua_type(L, -1) == LUA_TNUMBER) {
+            key.kind = Key::number;
+            key.order = lua_tonumber(L, -1);
+            key.integer = lua_tointeger(L, -1);
+        } else if (lua_type(L, -1) == LUA_TSTRING) {
+            key.kind = Key::text;
+            key.chars = lua_tolstring(L, -1, &key.length);
+        } else if (const InstanceBox* box = instance_at(L, -1)) {
+            // Lua has them in the order of their addresses, which no replay repeats.
+            key.kind = Key::instance;
+            key.integer = std::int64_t{box->handle.index} << 32 | box->handle.generation;
+        }
+        keys.push_back(key);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, 2, key.place);
+    }
+    machine_of(L).budget.charge(L, keys.size());
+    std::stable_sort(keys.begin(), keys.end(), before);
+    lua_pushvalue(L, 1);
+    lua_createtable(L, static_cast<int>(keys.size()), 0);
+    lua_Integer n = 0;
+    for (const Key& key : keys) {
+        lua_rawgeti(L, 2, key.place);
+        lua_rawseti(L, -2, ++n);
+    }
+    lua_pushinteger(L, 0);
+    lua_pushcclosure(L, guarded<next_sorted>, 3);
+    lua_pushvalue(L, 1);
+    lua_pushnil(L);
+    return 3;
+}
+
+// Lua's own, upvalue 1, begins with what cannot have elements as well, and complains about it later
+// and elsewhere.
+int ipairs(lua_State* L) {
+    luaL_checkany(L, 1);
+    const int type = lua_type(L, 1);
+    if (type != LUA_TTABLE &&
+        (type == LUA_TSTRING || luaL_getmetafield(L, 1, "__index") == LUA_TNIL))
+        throw Error(ErrorKind::wrong_type, "ipairs: needs a list, not " + describe_type(L, 1));
+    lua_settop(L, 1);
+    return call_original(L);
+}
+
+// --- Metatables
+
+int set_metatable(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TTABLE)
+        throw Error(ErrorKind::wrong_type,
+                    "setmetatable: needs a table, not " + describe_type(L, 1));
+    if (!lua_isnoneornil(L, 2) && lua_type(L, 2) != LUA_TTABLE)
+        throw Error(
+            ErrorKind::wrong_type,
+            "setmetatable: the second argument is a table or nil, not " + describe_type(L, 2));
+    lua_settop(L, 2);
+    if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL)
+        throw Error(ErrorKind::rejected, "cannot change a protected metatable");
+    if (lua_istable(L, 2)) {
+        lua_pushliteral(L, "__gc");
+        // No budget reaches a finalizer, and when it runs depends on the collector's mood.
+        if (lua_rawget(L, 2) != LUA_TNIL)
+            throw Error(ErrorKind::rejected,
+                        "setmetatable: finalizers (__gc) are not available; use <close> variables");
+        lua_pop(L, 1);
+    }
+    lua_settop(L, 2);
+    lua_setmetatable(L, 1);
+    return 1;
+}
+
+int get_metatable(lua_State* L) {
+    luaL_checkany(L, 1);
+    if (!lua_getmetatable(L, 1)) {
+        lua_pushnil(L);
+        return 1;
+    }
+    lua_pushliteral(L, "__metatable");
+    if (lua_rawget(L, -2) == LUA_TNIL) lua_pop(L, 1);
+    return 1;
+}
+
+// --- Chunks
+
+struct Pieces {
+    bool done = false;
+};
+
+const char* read_piece(lua_State* L, void* data, std::size_t* size) {
+    auto& pieces = *static_cast<Pieces*>(data);
+    if (pieces.done) {
+        *size = 0;
+        return nullptr;
+    }
+    luaL_checkstack(L, 2, "too many nested functions");
+    lua_pushvalue(L, 1);
+    lua_call(L, 0, 1);
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        *size = 0;
+        return nullptr;
+    }
+    if (lua_type(L, -1) != LUA_TSTRING) luaL_error(L, "reader function must return a string");
+    lua_replace(L, 5);  // keeps the piece while it is read
+    const char* text = lua_tolstring(L, 5, size);
+    machine_of(L).budget.charge(L, *size);
+    return text;
+}
+
+// load(chunk [, name [, mode [, env]]]): text only, whatever the mode says.
+int load_chunk(lua_State* L) {
+    const bool own_environment = lua_gettop(L) >= 4;
+    const bool text = lua_type(L, 1) == LUA_TSTRING;
+    if (!text && lua_type(L, 1) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    "load: needs a text or a function, not " + describe_type(L, 1));
+    const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : "=(load)";
+    lua_settop(L, 4);
+    lua_pushnil(L);  // 5
+    int status;
+    if (text) {
+        std::size_t length = 0;
+        const char* chunk = lua_tolstring(L, 1, &length);
+        machine_of(L).budget.charge(L, length);
+        status = luaL_loadbufferx(L, chunk, length, name.c_str(), "t");
+    } else {
+        Pieces pieces;
+        status = lua_load(L, read_piece, &pieces, name.c_str(), "t");
+    }
+    machine_of(L).budget.check(L);
+    if (status != LUA_OK) {
+        lua_pushnil(L);
+        lua_insert(L, -2);
+        return 2;
+    }
+    if (own_environment) {
+        lua_pushvalue(L, 4);
+        if (!lua_setupvalue(L, -2, 1)) lua_pop(L, 1);
+    }
+    return 1;
+}
+
+// --- pcall, xpcall
+
+// Upvalue: the script's handler. While a command is being stopped it is not asked.
+int call_handler(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (machine.budget.stopping()) return 1;
+    lua_settop(L, 1);
+    add_missing_position(L, L, 1);
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_insert(L, 1);
+    lua_call(L, 1, 1);
+    return 1;
+}
+
+// Raising an error costs as much as some hundred instructions.
+constexpr std::uint64_t cost_of_error = 300;
+
+// Lua's own error says neither where nor which limit; it is on top of the stack.
+void tell_refusal(lua_State* L, int status) {
+    if (status != LUA_ERRMEM) return;
+    if (const std::string told = machine_of(L).budget.take_refusal(); !told.empty()) {
+        lua_pop(L, 1);
+        lua_pushlstring(L, told.data(), told.size());
+    }
+}
+
+int finish_pcall(lua_State* L, int status, lua_KContext) {
+    if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L) - 1;  // all but the handler
+    machine_of(L).budget.charge(L, cost_of_error);
+    tell_refusal(L, status);
+    lua_pushboolean(L, 0);
+    lua_insert(L, -2);
+    return 2;
+}
+
+int protected_call(lua_State* L) {
+    luaL_checkany(L, 1);
+    lua_pushcfunction(L, placing_handler);
+    lua_pushboolean(L, 1);  // first result when all goes well
+    lua_rotate(L, 1, 2);
+    const int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, 0, finish_pcall);
+    return finish_pcall(L, status, 0);
+}
+
+int finish_xpcall(lua_State* L, int status, lua_KContext) {
+    const bool failed = status != LUA_OK && status != LUA_YIELD;
+    tell_refusal(L, status);
+    lua_pushboolean(L, !failed);
+    if (failed) {
+        machine_of(L).budget.charge(L, cost_of_error);
+        lua_insert(L, -2);
+        return 2;
+    }
+    lua_replace(L, 1);  // over the handler's place; results follow
+    return lua_gettop(L);
+}
+
+int protected_call_with_handler(lua_State* L) {
+    if (lua_type(L, 2) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    "xpcall: the second argument is a function, not " + describe_type(L, 2));
+    const int arguments = lua_gettop(L) - 2;
+    lua_pushvalue(L, 2);
+    lua_pushcclosure(L, guarded<call_handler>, 1);  // handler
+    lua_pushvalue(L, 1);                            // function
+    lua_rotate(L, 1, 2);  // handler, function, then both originals and the arguments
+    lua_remove(L, 3);
+    lua_remove(L, 3);
+    const int status = lua_pcallk(L, arguments, LUA_MULTRET, 1, 0, finish_xpcall);
+    return finish_xpcall(L, status, 0);
+}
+
+// --- The collector
+
+int collect_garbage(lua_State* L) {
+    const char* option = luaL_optstring(L, 1, "collect");
+    Machine& machine = machine_of(L);
+    const std::string_view what = option;
+    if (what == "count") {
+        lua_pushnumber(L, static_cast<double>(machine.arena.bytes()) / 1024.0);
+    } else if (what == "collect" || what == "step") {
+        machine.budget.charge(L, 1000 + machine.arena.bytes() / 16);
+        lua_gc(L, LUA_GCCOLLECT);
+        lua_pushinteger(L, 0);
+    } else {
+        throw Error(ErrorKind::rejected, std::string("collectgarbage: \"") + option +
+                                             "\" is not available, only \"collect\", \"step\" and "
+                                             "\"count\"");
+    }
+    return 1;
+}
+
+int quit(lua_State* L) {
+    std::int64_t status = 0;
+    if (lua_isboolean(L, 1)) {
+        status = lua_toboolean(L, 1) ? 0 : 1;
+    } else if (!lua_isnoneornil(L, 1)) {
+        int whole = 0;
+        status = lua_tointegerx(L, 1, &whole);
+        if (!whole || status < 0 || status > 255)
+            throw Error(ErrorKind::out_of_range, "quit: a status is a whole number from 0 to 255");
+    }
+    machine_of(L).host.quit_status = static_cast<int>(status);
+    return 0;
+}
+
+int degrees(lua_State* L) {
+    lua_pushnumber(L, check_number(L, 1, "deg") * (3.14159265358979323846 / 180.0));
+    return 1;
+}
+
+}  // namespace
+
+void open_base(lua_State* L) {
+    add_pure<to_text>(L, "tostring");
+    add_pure<print>(L, "print");
+    add_pure<sorted_pairs>(L, "pairs");
+    wrap_pure<ipairs>(L, "_G", "ipairs");
+    add_pure<set_metatable>(L, "setmetatable");
+    add_pure<get_metatable>(L, "getmetatable");
+    add_pure<load_chunk>(L, "load");
+    add_pure<protected_call>(L, "pcall");
+    add_pure<protected_call_with_handler>(L, "xpcall");
+    add_pure<collect_garbage>(L, "collectgarbage");
+    add_function<quit>(L, "quit");
+    add_pure<degrees>(L, "deg");
+}
+
+}  // namespace fettle::script

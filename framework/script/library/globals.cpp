@@ -1,0 +1,170 @@
+// Global names: what the game assigns, the children of the root, classes; anything else is a slip.
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+
+#include <library/globals.h>
+#include <lua/environment.h>
+#include <lua/guard.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/reflection.h>
+#include <objects/script_classes.h>
+#include <reference/language.h>
+#include <values/recording.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+
+std::vector<std::string> global_names(Machine& machine) {
+    lua_State* L = machine.lua.main;
+    std::vector<std::string> names;
+    push_registry(L, machine.globals.table);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
+    lua_pop(L, 1);
+    names.emplace_back("game");
+    names.emplace_back("classes");
+    const property::Tree& tree = machine.tree;
+    for (property::Handle child = tree.first_child(tree.root()); child;
+         child = tree.next_sibling(child))
+        names.push_back(tree.name(child));
+    for (const property::Class* of : tree.classes()) names.push_back(of->name());
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+void push_last_result(lua_State* L, Machine& machine) {
+    push_registry(L, machine.globals.last_result);
+    lua_rawgeti(L, -1, 1);
+    lua_remove(L, -2);
+}
+
+bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
+    if (name == "game") {
+        push_instance(L, machine.tree.root());
+        return true;
+    }
+    if (const property::Handle child = machine.tree.child(machine.tree.root(), name)) {
+        push_instance(L, child);
+        return true;
+    }
+    if (const property::Class* of = machine.tree.find_class(name)) {
+        machine.classes.push(L, *of);
+        return true;
+    }
+    if (name == "classes") {
+        push_classes(L, machine);
+        return true;
+    }
+    if (name == "it" && machine.tree.alive(machine.globals.it)) {
+        push_instance(L, machine.globals.it);
+        return true;
+    }
+    if (name == "_" && machine.recording.active) {
+        push_last_result(L, machine);
+        return true;
+    }
+    return false;
+}
+
+namespace {
+
+// Where several names are as near, one in the same letter case is meant.
+std::string suggest(Machine& machine, std::string_view name) {
+    std::vector<std::string> names = global_names(machine);
+    const auto capital = [](const std::string& text) {
+        return !text.empty() && text[0] >= 'A' && text[0] <= 'Z';
+    };
+    const bool wanted = capital(std::string(name));
+    std::stable_partition(names.begin(), names.end(),
+                          [&](const std::string& each) { return capital(each) == wanted; });
+    return property::suggestion(name, names);
+}
+
+int read_global(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 2) != LUA_TSTRING) {
+        lua_pushnil(L);
+        return 1;
+    }
+    std::size_t length = 0;
+    const char* key = lua_tolstring(L, 2, &length);
+    const std::string_view name(key, length);
+    if (push_known_global(L, machine, name)) return 1;
+    push_registry(L, machine.globals.declared);
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL) {
+        lua_pushnil(L);
+        return 1;
+    }
+    if (name == "it") throw Error(ErrorKind::unknown_name, "it: nothing is selected");
+    const auto& later = later_names();
+    if (std::find(later.begin(), later.end(), name) != later.end())
+        throw Error(ErrorKind::unknown_name, std::string(name) + " is not available yet");
+    // A callback the game does not define is not worth an error: a game may ask for it.
+    const auto& callbacks = callback_names();
+    if (std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end()) {
+        lua_pushnil(L);
+        return 1;
+    }
+    throw Error(ErrorKind::unknown_name,
+                std::string(name) + ": no such name" + suggest(machine, name));
+}
+
+int write_global(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        std::size_t length = 0;
+        const char* key = lua_tolstring(L, 2, &length);
+        const std::string_view name(key, length);
+        if (name == "game" || machine.tree.child(machine.tree.root(), name))
+            throw Error(
+                ErrorKind::bad_name,
+                std::string(name) + ": is part of the tree; " +
+                    (name == "game" ? std::string("it cannot be replaced")
+                                    : "assign game." + std::string(name) + " to replace it"));
+        // `function keypressed(key)` would never be called.
+        if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {
+            const auto& callbacks = callback_names();
+            if (std::find(callbacks.begin(), callbacks.end(), name) == callbacks.end())
+                for (const std::string& callback : callbacks)
+                    if (property::near_miss(name, callback))
+                        throw Error(ErrorKind::near_miss,
+                                    std::string(name) + ": would never be called (did you mean \"" +
+                                        callback + "\"?)");
+        }
+        push_registry(L, machine.globals.declared);
+        lua_pushvalue(L, 2);
+        if (lua_rawget(L, 4) == LUA_TNIL) machine.globals.assigned.emplace_back(name);
+        lua_pushvalue(L, 2);
+        lua_pushboolean(L, 1);
+        lua_rawset(L, 4);
+        lua_settop(L, 3);
+    }
+    lua_rawset(L, 1);
+    return 0;
+}
+
+}  // namespace
+
+void open_globals(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    machine.globals.declared = luaL_ref(L, LUA_REGISTRYINDEX);
+    lua_newtable(L);
+    add_pure<read_global>(L, "__index");
+    add_pure<write_global>(L, "__newindex");
+    name_metatable(L, "globals");
+    lua_setmetatable(L, -2);
+    lua_pushvalue(L, -1);
+    machine.globals.table = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,119 @@
+// What people edited, and where values come from:
+//   undo()  redo()  history()  edit(name, function)  who(path)  why(path)
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+
+#include <library/sandbox.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <text/words.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Explanation;
+using property::Place;
+
+namespace {
+
+void tell(Machine& machine, const char* what, const property::UndoResult& result) {
+    if (!result.done) return print_line(machine, std::string("nothing to ") + what);
+    print_line(machine, std::string(what) + ": " + result.name);
+    for (const std::string& note : result.notes) print_line(machine, "  " + note);
+}
+
+int undo(lua_State* L) {
+    Machine& machine = machine_of(L);
+    tell(machine, "undo", machine.tree.undo());
+    return 0;
+}
+
+int redo(lua_State* L) {
+    Machine& machine = machine_of(L);
+    tell(machine, "redo", machine.tree.redo());
+    return 0;
+}
+
+int history(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const auto entries = machine.tree.history();
+    for (const property::HistoryEntry& entry : entries)
+        print_line(machine, (entry.undone ? "  (undone) " : "  ") + entry.name + "   " +
+                                entry.cause.text() +
+                                (entry.too_large ? "   (too large to be undone)" : ""));
+    if (entries.empty()) print_line(machine, "nothing was edited");
+    return 0;
+}
+
+int edit(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TSTRING || lua_type(L, 2) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type, "edit: needs a name and a function");
+    Machine& machine = machine_of(L);
+    machine.tree.begin_edit(string_at(L, 1));
+    struct End {
+        property::Tree& tree;
+        ~End() { tree.end_edit(); }
+    } end{machine.tree};
+    lua_settop(L, 2);
+    lua_call(L, 0, 0);
+    return 0;
+}
+
+Place property_at(lua_State* L, const char* what) {
+    Machine& machine = machine_of(L);
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type, std::string(what) +
+                                               ": needs a path like \"world.ball.mass\", not " +
+                                               describe_type(L, 1));
+    Place place = property::resolve(machine.tree, string_at(L, 1));
+    if (place.property == nullptr)
+        throw Error(ErrorKind::wrong_type, std::string(what) + ": " +
+                                               machine.tree.path(place.instance) +
+                                               " is an instance; name one of its properties");
+    return place;
+}
+
+int who(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const Place place = property_at(L, "who");
+    const property::Provenance written = machine.tree.who(place.instance, *place.property);
+    print_line(machine,
+               machine.tree.path(place.instance, *place.property) + ": " +
+                   (written.known ? written.cause.text() : "nobody has written it lately"));
+    return 0;
+}
+
+void explain(Machine& machine, const Explanation& why, const std::string& indent) {
+    std::string line = indent + why.path + " = " + why.value;
+    if (!why.source.empty()) line += "   is " + one_line(why.source);
+    if (!why.problem.empty()) line += "   in error: " + why.problem;
+    if (why.repeated) line += "   (see above)";
+    print_line(machine, line);
+    for (const Explanation& source : why.from) explain(machine, source, indent + "  ");
+}
+
+int why(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const Place place = property_at(L, "why");
+    const Explanation explanation = machine.tree.why(place.instance, *place.property);
+    explain(machine, explanation, "");
+    if (explanation.source.empty()) who(L);
+    return 0;
+}
+
+}  // namespace
+
+void open_history(lua_State* L) {
+    add_function<undo>(L, "undo");
+    add_function<redo>(L, "redo");
+    add_function<history>(L, "history");
+    add_function<edit>(L, "edit");
+    add_function<who>(L, "who");
+    add_function<why>(L, "why");
+}
+
+}  // namespace fettle::script

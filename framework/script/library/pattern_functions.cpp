@@ -1,0 +1,257 @@
+// string.find, match, gmatch and gsub over PatternMatcher.
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include <fettle/property/error.h>
+
+#include <library/sandbox.h>
+#include <lua/arena.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <text/patterns.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+
+namespace {
+
+std::string_view text_at(lua_State* L, int index) {
+    std::size_t length = 0;
+    const char* text = luaL_checklstring(L, index, &length);
+    return {text, length};
+}
+
+void pay(void* L, std::uint64_t steps) {
+    auto* state = static_cast<lua_State*>(L);
+    machine_of(state).budget.charge(state, steps);
+}
+
+// Start position, from 0; may lie behind the end.
+std::size_t start_at(lua_State* L, int index, std::size_t length) {
+    const lua_Integer start = luaL_optinteger(L, index, 1);
+    if (start > 0) return static_cast<std::size_t>(start) - 1;
+    if (start == 0 || start < -static_cast<lua_Integer>(length)) return 0;
+    return length - static_cast<std::size_t>(-start);
+}
+
+void push_capture(lua_State* L, const PatternMatcher& matcher, std::string_view subject,
+                  std::size_t i) {
+    const auto& capture = matcher.capture(i);
+    if (capture.kind == PatternMatcher::Capture::open)
+        throw Error(ErrorKind::rejected, "unfinished capture");
+    if (capture.kind == PatternMatcher::Capture::place)
+        lua_pushinteger(L, static_cast<lua_Integer>(capture.start) + 1);
+    else
+        lua_pushlstring(L, subject.data() + capture.start, capture.length);
+}
+
+int push_captures(lua_State* L, const PatternMatcher& matcher, std::string_view subject,
+                  std::size_t start, std::size_t end, bool whole_if_none) {
+    const std::size_t count = matcher.capture_count();
+    if (count == 0 && whole_if_none) {
+        lua_pushlstring(L, subject.data() + start, end - start);
+        return 1;
+    }
+    luaL_checkstack(L, static_cast<int>(count), "too many captures");
+    for (std::size_t i = 0; i < count; ++i) push_capture(L, matcher, subject, i);
+    return static_cast<int>(count);
+}
+
+int search(lua_State* L, bool find) {
+    const std::string_view subject = text_at(L, 1), pattern = text_at(L, 2);
+    std::size_t start = start_at(L, 3, subject.size());
+    if (start > subject.size()) {
+        lua_pushnil(L);
+        return 1;
+    }
+    if (find &&
+        (lua_toboolean(L, 4) || pattern.find_first_of("^$*+?.([%-") == std::string_view::npos)) {
+        machine_of(L).budget.charge(L, (subject.size() - start) / 8);
+        const std::size_t at = subject.find(pattern, start);
+        if (at == std::string_view::npos) {
+            lua_pushnil(L);
+            return 1;
+        }
+        const auto before = static_cast<lua_Integer>(at);
+        lua_pushinteger(L, before + 1);
+        lua_pushinteger(L, before + static_cast<lua_Integer>(pattern.size()));
+        return 2;
+    }
+    const bool anchored = !pattern.empty() && pattern.front() == '^';
+    PatternMatcher matcher(subject, pattern, pay, L);
+    do {
+        const std::size_t end = matcher.match(start, anchored ? 1 : 0);
+        if (end == PatternMatcher::failed) continue;
+        if (!find) return push_captures(L, matcher, subject, start, end, true);
+        lua_pushinteger(L, static_cast<lua_Integer>(start) + 1);
+        lua_pushinteger(L, static_cast<lua_Integer>(end));
+        return 2 + push_captures(L, matcher, subject, start, end, false);
+    } while (!anchored && ++start <= subject.size());
+    lua_pushnil(L);
+    return 1;
+}
+
+int find(lua_State* L) {
+    return search(L, true);
+}
+int match(lua_State* L) {
+    return search(L, false);
+}
+
+// Upvalues: subject, pattern, next start, end of the last match (-1 before any).
+int next_match(lua_State* L) {
+    const std::string_view subject = text_at(L, lua_upvalueindex(1));
+    const std::string_view pattern = text_at(L, lua_upvalueindex(2));
+    const lua_Integer last = lua_tointeger(L, lua_upvalueindex(4));
+    PatternMatcher matcher(subject, pattern, pay, L);
+    for (auto start = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(3)));
+         start <= subject.size(); ++start) {
+        const std::size_t end = matcher.match(start);
+        // An empty match right behind the last one is that one again.
+        if (end == PatternMatcher::failed || static_cast<lua_Integer>(end) == last) continue;
+        lua_pushinteger(L, static_cast<lua_Integer>(end));
+        lua_copy(L, -1, lua_upvalueindex(3));
+        lua_copy(L, -1, lua_upvalueindex(4));
+        lua_pop(L, 1);
+        return push_captures(L, matcher, subject, start, end, true);
+    }
+    return 0;
+}
+
+int gmatch(lua_State* L) {
+    const std::string_view subject = text_at(L, 1);
+    text_at(L, 2);
+    const std::size_t start = std::min(start_at(L, 3, subject.size()), subject.size() + 1);
+    lua_settop(L, 2);
+    lua_pushinteger(L, static_cast<lua_Integer>(start));
+    lua_pushinteger(L, -1);
+    lua_pushcclosure(L, guarded<next_match>, 4);
+    return 1;
+}
+
+// %0 the whole match, %1 to %9 a capture, %% a percent sign.
+void add_template(lua_State* L, std::string& out, std::string_view text,
+                  const PatternMatcher& matcher, std::string_view subject, std::size_t start,
+                  std::size_t end) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '%') {
+            out += text[i];
+            continue;
+        }
+        const char c = ++i < text.size() ? text[i] : '\0';
+        if (c == '%') {
+            out += '%';
+        } else if (c == '0' || (c == '1' && matcher.capture_count() == 0)) {
+            out.append(subject.substr(start, end - start));
+        } else if (c >= '1' && c <= '9') {
+            const auto capture = static_cast<std::size_t>(c - '1');
+            if (capture >= matcher.capture_count())
+                throw Error(ErrorKind::rejected,
+                            std::string("invalid capture index %") + c + " in replacement string");
+            push_capture(L, matcher, subject, capture);
+            std::size_t length = 0;
+            const char* value = lua_tolstring(L, -1, &length);
+            out.append(value, length);
+            lua_pop(L, 1);
+        } else {
+            throw Error(ErrorKind::rejected, "invalid use of '%' in replacement string");
+        }
+    }
+}
+
+// What replaces one match; nil and false keep it.
+void add_replacement(lua_State* L, std::string& out, const PatternMatcher& matcher,
+                     std::string_view subject, std::size_t start, std::size_t end) {
+    switch (lua_type(L, 3)) {
+        case LUA_TFUNCTION: {
+            lua_pushvalue(L, 3);
+            const int n = push_captures(L, matcher, subject, start, end, true);
+            lua_call(L, n, 1);
+            break;
+        }
+        case LUA_TTABLE:
+            if (matcher.capture_count() == 0)
+                lua_pushlstring(L, subject.data() + start, end - start);
+            else
+                push_capture(L, matcher, subject, 0);
+            lua_gettable(L, 3);
+            break;
+        default:
+            add_template(L, out, text_at(L, 3), matcher, subject, start, end);
+            return;
+    }
+    if (!lua_toboolean(L, -1)) {
+        out.append(subject.substr(start, end - start));
+    } else if (lua_isstring(L, -1)) {
+        std::size_t length = 0;
+        const char* value = lua_tolstring(L, -1, &length);
+        out.append(value, length);
+    } else {
+        throw Error(ErrorKind::wrong_type,
+                    "invalid replacement value (" + describe_type(L, -1) + ")");
+    }
+    lua_pop(L, 1);
+}
+
+// The result grows outside Lua's memory until it is done: it is held to the same limit.
+void check_size(lua_State* L, const std::string& out) {
+    const Arena& arena = machine_of(L).arena;
+    if (out.size() > arena.limit() - std::min(arena.limit(), arena.bytes())) {
+        const Arena::Refusal refusal{.size = out.size(), .final = true};
+        machine_of(L).budget.memory_refused(refusal);
+        throw Error(ErrorKind::rejected, machine_of(L).budget.out_of_memory(refusal));
+    }
+}
+
+int gsub(lua_State* L) {
+    const std::string_view subject = text_at(L, 1);
+    std::string_view pattern = text_at(L, 2);
+    const int kind = lua_type(L, 3);
+    if (kind != LUA_TNUMBER && kind != LUA_TSTRING && kind != LUA_TTABLE && kind != LUA_TFUNCTION)
+        throw Error(
+            ErrorKind::wrong_type,
+            "gsub: the replacement is a text, a table or a function, not " + describe_type(L, 3));
+    const lua_Integer most = luaL_optinteger(L, 4, static_cast<lua_Integer>(subject.size()) + 1);
+    const bool anchored = !pattern.empty() && pattern.front() == '^';
+    PatternMatcher matcher(subject, pattern, pay, L);
+    std::string out;
+    lua_Integer count = 0;
+    std::size_t start = 0, last = PatternMatcher::failed;
+    while (count < most) {
+        const std::size_t end = matcher.match(start, anchored ? 1 : 0);
+        if (end != PatternMatcher::failed && end != last) {
+            ++count;
+            add_replacement(L, out, matcher, subject, start, end);
+            start = last = end;
+        } else if (start < subject.size()) {
+            out += subject[start++];
+        } else {
+            break;
+        }
+        if (start > subject.size() || anchored) break;
+        if (out.size() > 4096) check_size(L, out);
+    }
+    if (start < subject.size()) out.append(subject.substr(start));
+    lua_pushlstring(L, out.data(), out.size());
+    lua_pushinteger(L, count);
+    return 2;
+}
+
+}  // namespace
+
+void open_patterns(lua_State* L) {
+    lua_getfield(L, -1, "string");
+    add_pure<find>(L, "find");
+    add_pure<match>(L, "match");
+    add_pure<gmatch>(L, "gmatch");
+    add_pure<gsub>(L, "gsub");
+    lua_pop(L, 1);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,83 @@
+// The environment of games and console: names that are allowed, nothing else.
+
+#include <calls/errors.h>
+#include <library/sandbox.h>
+#include <lua/machine.h>
+
+namespace fettle::script {
+
+namespace {
+
+// Copies fields of the library table `from` (a global) into a new table.
+void copy_library(lua_State* L, const char* from, std::initializer_list<const char*> names) {
+    lua_getglobal(L, from);
+    lua_newtable(L);
+    for (const char* name : names) {
+        lua_getfield(L, -2, name);
+        lua_setfield(L, -2, name);
+    }
+    lua_remove(L, -2);
+}
+
+// Into the environment on top.
+void allow(lua_State* L) {
+    for (const char* name : {"assert", "error", "next", "rawequal", "rawget", "rawlen", "rawset",
+                             "select", "tonumber", "type"}) {
+        lua_getglobal(L, name);
+        lua_setfield(L, -2, name);
+    }
+    for (const char* name : {"assert", "error"}) {
+        lua_getglobal(L, name);
+        machine_of(L).errors.raise_as_told.push_back(lua_tocfunction(L, -1));
+        lua_pop(L, 1);
+    }
+    lua_pushstring(L, LUA_VERSION);
+    lua_setfield(L, -2, "_VERSION");
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -2, "_G");
+    const struct {
+        const char* library;
+        std::initializer_list<const char*> names;
+    } libraries[] = {
+        {"math",
+         {"abs",  "acos", "asin", "atan", "ceil",       "cos",  "deg",        "exp",  "floor",
+          "fmod", "huge", "log",  "max",  "maxinteger", "min",  "mininteger", "modf", "pi",
+          "rad",  "sin",  "sqrt", "tan",  "tointeger",  "type", "ult"}},
+        {"string",
+         {"byte", "char", "len", "lower", "pack", "packsize", "rep", "reverse", "sub", "unpack",
+          "upper"}},
+        {"table", {"pack"}},
+        {"coroutine", {"isyieldable", "running", "status", "yield"}},
+        {"utf8", {"char", "charpattern", "codepoint", "codes", "len", "offset"}},
+        {"os", {"clock", "date", "difftime", "time"}},
+    };
+    for (const auto& [library, names] : libraries) {
+        copy_library(L, library, names);
+        lua_setfield(L, -2, library);
+    }
+}
+
+// Texts share one metatable; scripts must not reach it.
+void protect_texts(lua_State* L) {
+    lua_pushliteral(L, "");
+    lua_getmetatable(L, -1);
+    lua_getfield(L, -3, "string");
+    lua_setfield(L, -2, "__index");
+    lua_pushliteral(L, "text");
+    lua_setfield(L, -2, "__metatable");
+    lua_pop(L, 2);
+}
+
+}  // namespace
+
+void open_sandbox(lua_State* L) {
+    lua_newtable(L);
+    allow(L);
+    open_base(L);
+    open_table_guards(L);
+    open_strings(L);
+    open_patterns(L);
+    protect_texts(L);
+}
+
+}  // namespace fettle::script

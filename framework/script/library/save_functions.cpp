@@ -1,0 +1,92 @@
+// Saved games:
+//   save_game(slot)  load_game(slot)  saves()  delete_save(slot)
+
+#include <fettle/property/error.h>
+#include <fettle/property/storage/game_saves.h>
+#include <fettle/script/runtime.h>
+
+#include <library/sandbox.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::GameSaves;
+using property::SaveInfo;
+
+namespace {
+
+GameSaves& saves_of(Machine& machine, const char* what) {
+    if (machine.options.saves != nullptr) return *machine.options.saves;
+    throw Error(ErrorKind::rejected, std::string(what) + ": this game has no place for saves");
+}
+
+std::string slot_at(lua_State* L, const char* what) {
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type, std::string(what) +
+                                               ": needs the name of a slot like \"first\", not " +
+                                               describe_type(L, 1));
+    std::size_t size = 0;
+    const char* chars = lua_tolstring(L, 1, &size);
+    return {chars, size};
+}
+
+int save_game(lua_State* L) {
+    Machine& machine = machine_of(L);
+    saves_of(machine, "save_game").save(slot_at(L, "save_game"));
+    return 0;
+}
+
+int load_game(lua_State* L) {
+    Machine& machine = machine_of(L);
+    saves_of(machine, "load_game").load(slot_at(L, "load_game"));
+    return 0;
+}
+
+int delete_save(lua_State* L) {
+    Machine& machine = machine_of(L);
+    GameSaves& saves = saves_of(machine, "delete_save");
+    const std::string slot = slot_at(L, "delete_save");
+    if (!tell_of_replay(machine, "delete_save")) saves.remove(slot);
+    return 0;
+}
+
+// A list of tables: slot, step, time (as os.time tells it), picture (whether it has one), problem
+// (nil when it can be loaded).
+int saves(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::vector<SaveInfo> all = saves_of(machine, "saves").list();
+    lua_createtable(L, static_cast<int>(all.size()), 0);
+    lua_Integer place = 0;
+    for (const SaveInfo& save : all) {
+        lua_createtable(L, 0, 5);
+        lua_pushlstring(L, save.slot.data(), save.slot.size());
+        lua_setfield(L, -2, "slot");
+        lua_pushinteger(L, static_cast<lua_Integer>(save.step));
+        lua_setfield(L, -2, "step");
+        lua_pushinteger(L, save.time);
+        lua_setfield(L, -2, "time");
+        lua_pushboolean(L, save.thumbnail ? 1 : 0);
+        lua_setfield(L, -2, "picture");
+        if (!save.problem.empty()) {
+            lua_pushlstring(L, save.problem.data(), save.problem.size());
+            lua_setfield(L, -2, "problem");
+        }
+        lua_rawseti(L, -2, ++place);
+    }
+    return 1;
+}
+
+}  // namespace
+
+void open_saves(lua_State* L) {
+    add_function<save_game>(L, "save_game");
+    add_function<load_game>(L, "load_game");
+    add_pure<saves>(L, "saves");
+    add_function<delete_save>(L, "delete_save");
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,121 @@
+// `scene`: files of instances, for scripts.
+//   scene.load(file [, parent [, name]])   the instance that was loaded; detached without a parent
+//   scene.save(file, instance)
+// Files lie in the game's folder; what is not there is looked for among Fettle's own assets, which
+// are read only.
+
+#include <filesystem>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+#include <fettle/property/storage/scene.h>
+#include <fettle/property/storage/tweaks.h>
+#include <fettle/script/runtime.h>
+
+#include <library/sandbox.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/stack.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+namespace fs = std::filesystem;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+
+namespace {
+
+std::string file_name(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a file name, not " + describe_type(L, index));
+    std::size_t length = 0;
+    const char* chars = lua_tolstring(L, index, &length);
+    std::string name(chars, length);
+    const fs::path path(name);
+    bool leaves = path.is_absolute() || name.empty() || name.find('\0') != std::string::npos;
+    for (const fs::path& part : path) leaves = leaves || part == "..";
+    if (leaves)
+        throw Error(ErrorKind::rejected, std::string(what) + ": \"" + name.substr(0, 80) +
+                                             "\" is no file below the game's folder");
+    return name;
+}
+
+std::vector<std::string> scenes_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code code;
+    for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end;
+         it.increment(code)) {
+        if (names.size() > 1000 || it.depth() > 4) break;
+        if (it->path().extension() == ".json")
+            names.push_back(it->path().lexically_relative(folder).generic_string());
+    }
+    return names;
+}
+
+int load(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string file = file_name(L, 1, "scene.load");
+    const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "scene.load");
+    std::string name;
+    if (!lua_isnoneornil(L, 3)) {
+        if (lua_type(L, 3) != LUA_TSTRING)
+            throw Error(ErrorKind::wrong_type,
+                        "scene.load: needs a name, not " + describe_type(L, 3));
+        name = string_at(L, 3);
+    }
+    const auto found = [&](const fs::path& folder) {
+        return !folder.empty() && machine.sources.files.exists(folder / file);
+    };
+    const bool own = found(machine.sources.folder);
+    if (!own && !found(machine.options.assets)) {
+        std::vector<std::string> names = scenes_in(machine.sources.folder);
+        for (std::string& each : scenes_in(machine.options.assets))
+            names.push_back(std::move(each));
+        throw Error(ErrorKind::unknown_name, "scene.load: there is no file \"" + file + "\"" +
+                                                 property::suggestion(file, names));
+    }
+    const fs::path named = (own ? machine.sources.folder : machine.options.assets) / file;
+    const std::string text = machine.sources.files.read(named);
+    // The same whatever folder a later run, which keeps tweaks of this one, is started in.
+    const fs::path path = fs::weakly_canonical(named);
+    std::vector<std::string> warnings;
+    std::vector<property::SceneInstance> instances;
+    const Handle loaded = property::load_scene_text(machine.tree, text, path.string(), parent, name,
+                                                    &warnings, &instances);
+    if (property::Tweaks* tweaks = machine.options.tweaks) {
+        tweaks->scene_loaded(path, instances, !name.empty());
+        tweaks->placed(loaded);
+    }
+    for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
+    push_instance(L, loaded);
+    return 1;
+}
+
+int save(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string file = file_name(L, 1, "scene.save");
+    const Handle node = check_instance(L, 2, "scene.save");
+    if (machine.sources.folder.empty())
+        throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
+    tell_of_replay(machine, "scene.save");
+    std::vector<std::string> warnings;
+    machine.sources.files.write_scene(machine.sources.folder / file,
+                                      property::scene_text(machine.tree, node, &warnings));
+    for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
+    return 0;
+}
+
+}  // namespace
+
+void open_scenes(lua_State* L) {
+    lua_newtable(L);
+    add_function<load>(L, "load");
+    add_function<save>(L, "save");
+    lua_setfield(L, -2, "scene");
+}
+
+}  // namespace fettle::script

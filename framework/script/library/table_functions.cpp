@@ -1,0 +1,156 @@
+// The table library. A length can be claimed by a metamethod and elements come from one, so each
+// function charges for its loop before it starts. On a list of a property, a change is one change.
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+
+#include <library/sandbox.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::List;
+using property::Value;
+
+namespace {
+
+// A loop longer than this is a slip or an attack, also in a game.
+constexpr lua_Integer longest_loop = 200'000'000;
+
+void charge(lua_State* L, const char* what, lua_Integer from, lua_Integer to) {
+    if (to < from) return;
+    const auto count = static_cast<lua_Unsigned>(to) - static_cast<lua_Unsigned>(from);
+    if (count >= static_cast<lua_Unsigned>(longest_loop))
+        throw Error(ErrorKind::out_of_range, std::string(what) + ": too many elements");
+    machine_of(L).budget.charge(L, count);
+}
+
+// What has elements; else an error as Lua's own functions raise it, before anything is done with
+// it.
+void check_list(lua_State* L) {
+    if (lua_type(L, 1) == LUA_TTABLE || list_at(L, 1) != nullptr) return;
+    if (luaL_getmetafield(L, 1, "__index") == LUA_TNIL || lua_type(L, 1) == LUA_TSTRING)
+        luaL_checktype(L, 1, LUA_TTABLE);
+    lua_pop(L, 1);
+}
+
+// --- Lists of properties
+
+Value list_value(lua_State* L, const ListBox& box) {
+    Value value = origin_read(machine_of(L), box.origin);
+    if (!value.is(property::Type::list))
+        throw Error(ErrorKind::wrong_type,
+                    origin_path(machine_of(L), box.origin) + ": is a list no longer");
+    return value;
+}
+
+void write_list(lua_State* L, const ListBox& box, const List& list) {
+    Machine& machine = machine_of(L);
+    if (box.origin.depth == 0)
+        write_property(machine, box.origin.instance, origin_property(machine, box.origin), list);
+    else
+        origin_write(machine, box.origin, nullptr, list);
+}
+
+std::size_t position(lua_State* L, int index, std::size_t most, const char* what) {
+    const lua_Integer place = luaL_checkinteger(L, index);
+    if (place < 1 || static_cast<std::size_t>(place) > most)
+        throw Error(ErrorKind::out_of_range, std::string(what) + ": position " +
+                                                 std::to_string(place) + " is not between 1 and " +
+                                                 std::to_string(most));
+    return static_cast<std::size_t>(place);
+}
+
+int insert(lua_State* L) {
+    check_list(L);
+    if (const auto* box = list_at(L, 1)) {
+        List list = list_value(L, *box).list();
+        const bool placed = lua_gettop(L) >= 3;
+        const std::size_t place =
+            placed ? position(L, 2, list.size() + 1, "table.insert") : list.size() + 1;
+        list.insert(list.begin() + static_cast<std::ptrdiff_t>(place - 1),
+                    to_value(L, placed ? 3 : 2));
+        write_list(L, *box, list);
+        return 0;
+    }
+    if (lua_gettop(L) >= 3 && lua_isinteger(L, 2))
+        charge(L, "table.insert", lua_tointeger(L, 2), luaL_len(L, 1));
+    return call_original(L);
+}
+
+int remove(lua_State* L) {
+    check_list(L);
+    if (const auto* box = list_at(L, 1)) {
+        List list = list_value(L, *box).list();
+        if (list.empty()) {
+            lua_pushnil(L);
+            return 1;
+        }
+        const std::size_t place =
+            lua_isnoneornil(L, 2) ? list.size() : position(L, 2, list.size(), "table.remove");
+        push_value(L, list[place - 1]);
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(place - 1));
+        write_list(L, *box, list);
+        return 1;
+    }
+    if (lua_isinteger(L, 2)) charge(L, "table.remove", lua_tointeger(L, 2), luaL_len(L, 1));
+    return call_original(L);
+}
+
+int concat(lua_State* L) {
+    check_list(L);
+    const lua_Integer from = luaL_optinteger(L, 3, 1);
+    const lua_Integer to = lua_isnoneornil(L, 4) ? luaL_len(L, 1) : luaL_checkinteger(L, 4);
+    charge(L, "table.concat", from, to);
+    return call_original(L);
+}
+
+int move(lua_State* L) {
+    charge(L, "table.move", luaL_checkinteger(L, 2), luaL_checkinteger(L, 3));
+    return call_original(L);
+}
+
+int unpack(lua_State* L) {
+    check_list(L);
+    const lua_Integer from = luaL_optinteger(L, 2, 1);
+    const lua_Integer to = lua_isnoneornil(L, 3) ? luaL_len(L, 1) : luaL_checkinteger(L, 3);
+    charge(L, "table.unpack", from, to);
+    return call_original(L);
+}
+
+// n log n, roughly.
+int sort(lua_State* L) {
+    check_list(L);
+    const lua_Integer length = luaL_len(L, 1);
+    charge(L, "table.sort", 1, length);
+    std::uint64_t rounds = 0;
+    for (lua_Integer n = length; n > 1; n /= 2) ++rounds;
+    machine_of(L).budget.charge(
+        L, rounds * static_cast<std::uint64_t>(std::max<lua_Integer>(length, 0)));
+    if (list_at(L, 1))
+        throw Error(ErrorKind::rejected,
+                    "table.sort: sort a table of your own and assign it to the property");
+    return call_original(L);
+}
+
+}  // namespace
+
+void open_table_guards(lua_State* L) {
+    lua_getfield(L, -1, "table");
+    wrap_pure<insert>(L, "table", "insert");
+    wrap_pure<remove>(L, "table", "remove");
+    wrap_pure<concat>(L, "table", "concat");
+    wrap_pure<move>(L, "table", "move");
+    wrap_pure<unpack>(L, "table", "unpack");
+    wrap_pure<sort>(L, "table", "sort");
+    lua_pop(L, 1);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,161 @@
+// snapshot()  restore(s)  rewind(seconds): all three act at the next barrier between steps, in the
+// order they were called. The tree is the state; variables of Lua are not part of it.
+
+#include <cmath>
+#include <memory>
+#include <new>
+
+#include <fettle/property/error.h>
+#include <fettle/property/snapshot.h>
+#include <fettle/script/runtime.h>
+
+#include <library/time_functions.h>
+#include <lua/guard.h>
+#include <lua/host.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Snapshot;
+
+namespace {
+
+// A snapshot holds a whole game; what a script forgets to let go of must not fill the memory.
+constexpr std::size_t most_snapshots = 64;
+
+// Each costs as much as some steps: a barrier comes back from any number that a game may mean.
+constexpr std::size_t most_travels = 100;
+
+/// At the next barrier, one after the other.
+void travel(Machine& machine, const char* what, std::function<void()> go) {
+    if (machine.snapshots.travels >= most_travels)
+        throw Error(ErrorKind::rejected, std::string(what) + ": " + std::to_string(most_travels) +
+                                             " restores and rewinds wait for the next barrier "
+                                             "already");
+    machine.tree.at_barrier([&machine, alive = machine.lua.alive, go = std::move(go)] {
+        if (*alive == nullptr) return;
+        --machine.snapshots.travels;
+        go();
+    });
+    ++machine.snapshots.travels;
+}
+
+/// For so many more, as large as the last was.
+void require_room(const Machine& machine, std::size_t more) {
+    if (machine.snapshots.bytes + more * machine.snapshots.last_size <=
+        machine.options.memory_limit)
+        return;
+    throw Error(ErrorKind::rejected, "snapshot: those that scripts hold already take " +
+                                         std::to_string(machine.snapshots.bytes >> 20) + " of " +
+                                         std::to_string(machine.options.memory_limit >> 20) +
+                                         " MB; let go of some");
+}
+
+struct HeldSnapshot {
+    Snapshot snapshot;  // empty until the barrier
+    std::size_t bytes = 0;
+    std::shared_ptr<lua_State*> alive;
+    Machine* machine;
+
+    explicit HeldSnapshot(Machine& of) : alive(of.lua.alive), machine(&of) { ++of.snapshots.count; }
+    ~HeldSnapshot() {
+        if (*alive == nullptr) return;
+        --machine->snapshots.count;
+        machine->snapshots.bytes -= bytes;
+    }
+    /// At the barrier.
+    void take() {
+        require_room(*machine, 1);
+        snapshot = machine->tree.snapshot();
+        bytes = machine->snapshots.last_size = snapshot.payload().size();
+        machine->snapshots.bytes += bytes;
+    }
+    HeldSnapshot(const HeldSnapshot&) = delete;
+};
+
+struct SnapshotBox {
+    Tag tag;
+    std::shared_ptr<HeldSnapshot>* held;
+};
+
+int release(lua_State* L) {
+    auto* box = static_cast<SnapshotBox*>(lua_touserdata(L, 1));
+    if (box != nullptr && box->tag == Tag::snapshot) delete std::exchange(box->held, nullptr);
+    return 0;
+}
+
+int describe(lua_State* L) {
+    const auto* box = box_at<SnapshotBox>(L, 1, Tag::snapshot);
+    if (box == nullptr || box->held == nullptr) return 0;
+    const Snapshot& taken = (*box->held)->snapshot;
+    const std::string text =
+        taken.empty() ? std::string("snapshot (taken at the next barrier)")
+                      : "snapshot of step " + std::to_string(taken.step()) + ", " +
+                            std::to_string((taken.payload().size() + 1023) / 1024) + " KiB";
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+int snapshot(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (machine.snapshots.count >= most_snapshots) lua_gc(L, LUA_GCCOLLECT);
+    if (machine.snapshots.count >= most_snapshots)
+        throw Error(ErrorKind::rejected, "snapshot: " + std::to_string(most_snapshots) +
+                                             " are held already; let go of some");
+    require_room(machine, 1);
+    auto* box = static_cast<SnapshotBox*>(lua_newuserdatauv(L, sizeof(SnapshotBox), 0));
+    *box = {Tag::snapshot, nullptr};
+    push_registry(L, machine.boxes.snapshot);
+    lua_setmetatable(L, -2);
+    box->held = new std::shared_ptr<HeldSnapshot>(std::make_shared<HeldSnapshot>(machine));
+    machine.tree.at_barrier([held = std::weak_ptr<HeldSnapshot>(*box->held)] {
+        if (const auto wanted = held.lock()) wanted->take();
+    });
+    return 1;
+}
+
+int restore(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const auto* box = box_at<SnapshotBox>(L, 1, Tag::snapshot);
+    if (box == nullptr)
+        throw Error(ErrorKind::wrong_type,
+                    "restore: needs what snapshot() returned, not " + describe_type(L, 1));
+    travel(machine, "restore",
+           [&tree = machine.tree, held = *box->held] { tree.restore(held->snapshot); });
+    return 0;
+}
+
+int rewind(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const double seconds = check_number(L, 1, "rewind");
+    if (!(seconds >= 0) || std::isinf(seconds))
+        throw Error(ErrorKind::out_of_range, "rewind: " + property::number_text(seconds) +
+                                                 " s; a time is finite and not negative");
+    if (!machine.host.on_rewind)
+        throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
+    travel(machine, "rewind", [&machine, seconds] {
+        if (const auto go = machine.host.on_rewind) go(seconds);  // it may end the runtime
+    });
+    return 0;
+}
+
+}  // namespace
+
+void open_time(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_newtable(L);
+    add_pure<release>(L, "__gc");
+    add_pure<describe>(L, "__tostring");
+    name_metatable(L, "snapshot");
+    machine.boxes.snapshot = luaL_ref(L, LUA_REGISTRYINDEX);
+    add_function<snapshot>(L, "snapshot");
+    add_function<restore>(L, "restore");
+    add_function<rewind>(L, "rewind");
+}
+
+}  // namespace fettle::script

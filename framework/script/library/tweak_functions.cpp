@@ -1,0 +1,122 @@
+// What people tweaked:
+//   tweaks()  keep(pattern)  reapply_tweaks(pattern)  drop_tweaks(pattern)
+
+#include <ctime>
+#include <filesystem>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/storage/tweaks.h>
+#include <fettle/script/runtime.h>
+
+#include <library/sandbox.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Tweak;
+using property::TweakReport;
+
+namespace {
+
+property::Tweaks& tweaks_of(Machine& machine, const char* what) {
+    if (machine.options.tweaks != nullptr) return *machine.options.tweaks;
+    throw Error(ErrorKind::rejected, std::string(what) + ": this game has no journal of tweaks");
+}
+
+std::string pattern_at(lua_State* L, const char* what) {
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type, std::string(what) +
+                                               ": needs a pattern like \"world.ball.*\", not " +
+                                               describe_type(L, 1));
+    std::size_t size = 0;
+    const char* chars = lua_tolstring(L, 1, &size);
+    return property::Pattern(std::string_view(chars, size)).text();
+}
+
+std::string clock_text(std::int64_t seconds, const char* form) {
+    const auto time = static_cast<std::time_t>(seconds);
+    std::tm parts{};
+    if (localtime_r(&time, &parts) == nullptr) return "?";
+    char text[32];
+    return {text, std::strftime(text, sizeof text, form, &parts)};
+}
+
+std::string line_of(const Tweak& tweak) {
+    std::string line = "  " + tweak.path + ": ";
+    if (tweak.value) line += tweak.was + " → ";
+    line += tweak.now + "   step " + std::to_string(tweak.step) + ", " +
+            clock_text(tweak.time, tweak.earlier ? "%F %R" : "%T");
+    if (tweak.kept) line += "   kept in " + tweak.kept_in;
+    if (!tweak.committed) line += "   not journaled yet";
+    return line;
+}
+
+int tweaks(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::vector<Tweak> all = tweaks_of(machine, "tweaks").list();
+    if (all.empty()) {
+        print_line(machine, "nothing was tweaked");
+        return 0;
+    }
+    const char* heading = "";
+    for (const Tweak& tweak : all) {
+        const char* its = tweak.earlier
+                              ? "earlier, and not kept: keep, reapply_tweaks or drop_tweaks"
+                              : "in this run";
+        if (its != heading) print_line(machine, its);
+        heading = its;
+        print_line(machine, line_of(tweak));
+    }
+    return 0;
+}
+
+void tell(Machine& machine, const char* done, const std::string& pattern,
+          const TweakReport& report) {
+    std::string line = std::string(done) + " " + std::to_string(report.count) +
+                       (report.count == 1 ? " tweak" : " tweaks");
+    if (report.count == 0 && report.problems.empty())
+        line = "no open tweak matches \"" + pattern + "\"";
+    for (std::size_t i = 0; i < report.files.size(); ++i)
+        line +=
+            (i == 0 ? " in " : ", ") + std::filesystem::path(report.files[i]).filename().string();
+    print_line(machine, line);
+    for (const std::string& problem : report.problems) print_line(machine, "  " + problem);
+}
+
+int keep(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string pattern = pattern_at(L, "keep");
+    tell_of_replay(machine, "keep");
+    tell(machine, "kept", pattern, tweaks_of(machine, "keep").keep(pattern));
+    return 0;
+}
+
+int reapply_tweaks(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string pattern = pattern_at(L, "reapply_tweaks");
+    tell(machine, "made again", pattern, tweaks_of(machine, "reapply_tweaks").reapply(pattern));
+    return 0;
+}
+
+int drop_tweaks(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string pattern = pattern_at(L, "drop_tweaks");
+    tell(machine, "dropped", pattern, tweaks_of(machine, "drop_tweaks").drop(pattern));
+    return 0;
+}
+
+}  // namespace
+
+void open_tweaks(lua_State* L) {
+    add_function<tweaks>(L, "tweaks");
+    add_function<keep>(L, "keep");
+    add_function<reapply_tweaks>(L, "reapply_tweaks");
+    add_function<drop_tweaks>(L, "drop_tweaks");
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,113 @@
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include <lua/arena.h>
+
+namespace fettle::script {
+
+void* Arena::take(std::size_t size) {
+    if (size > small) return std::malloc(size);
+    const std::size_t list = list_of(size);
+    if (Free* block = lists_[list]) {
+        lists_[list] = block->next;
+        return block;
+    }
+    const std::size_t rounded = list * granule;
+    if (fresh_left_ < rounded) {
+        // What is left of the old chunk still serves smaller blocks.
+        if (fresh_left_ >= granule) {
+            give(fresh_, fresh_left_ / granule * granule);
+            fresh_left_ = 0;
+        }
+        try {
+            chunks_.push_back(std::make_unique<std::byte[]>(chunk_bytes));
+        } catch (const std::bad_alloc&) {
+            return nullptr;
+        }
+        fresh_ = chunks_.back().get();
+        fresh_left_ = chunk_bytes;
+    }
+    void* block = fresh_;
+    fresh_ += rounded;
+    fresh_left_ -= rounded;
+    return block;
+}
+
+void Arena::give(void* block, std::size_t size) {
+    if (size > small) {
+        std::free(block);
+        return;
+    }
+    give_small(block, size);
+}
+
+bool Arena::refuse(std::size_t growth, std::size_t size) {
+    if (growth <= limit_ && bytes_ <= limit_ - growth) return false;
+    return tell_refusal(size, false);
+}
+
+// Lua answers a refusal with a full collection and asks once more for the same; only the second
+// refusal is final.
+bool Arena::tell_refusal(std::size_t size, bool by_system) {
+    const bool final = refused_ == size;
+    refused_ = final ? 0 : size;
+    if (on_refusal) on_refusal({.size = size, .by_system = by_system, .final = final});
+    return true;
+}
+
+void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t new_size) {
+    auto& arena = *static_cast<Arena*>(user);
+    // The common cases first: a new small object, a small one swept.
+    if (!block) {
+        if (new_size - 1 < small && arena.bytes_ + new_size <= arena.limit_) {
+            Free*& head = arena.lists_[list_of(new_size)];
+            if (Free* taken = head) {
+                head = taken->next;
+                arena.bytes_ += new_size;
+                arena.refused_ = 0;
+                return taken;
+            }
+        }
+        old_size = 0;  // Lua then passes the kind of object, not a size
+    } else if (new_size == 0 && old_size <= small) {
+        arena.give_small(block, old_size);
+        arena.bytes_ -= old_size;
+        return nullptr;
+    }
+    if (new_size == 0) {
+        if (block) arena.give(block, old_size);
+        arena.bytes_ -= old_size;
+        return nullptr;
+    }
+    if (new_size > old_size) {
+        if (arena.refuse(new_size - old_size, new_size)) return nullptr;
+        if (new_size >= large && arena.on_large) arena.on_large(new_size);
+    }
+    void* result;
+    if (block && old_size > small && new_size > small) {
+        result = std::realloc(block, new_size);
+        if (!result && new_size <= old_size) return block;
+        if (!result && arena.tell_refusal(new_size, true)) return nullptr;
+    } else if (block && list_of(old_size) == list_of(new_size) && new_size <= small) {
+        result = block;
+    } else {
+        result = arena.take(new_size);
+        if (!result) {
+            // Lua relies on shrinking never to fail.
+            if (block && new_size <= old_size) return block;
+            arena.tell_refusal(new_size, true);
+            return nullptr;
+        }
+        if (block) {
+            std::memcpy(result, block, old_size < new_size ? old_size : new_size);
+            arena.give(block, old_size);
+        }
+    }
+    arena.bytes_ += new_size;
+    arena.bytes_ -= old_size;
+    if (new_size > old_size) arena.refused_ = 0;  // a collection may shrink tables meanwhile
+    return result;
+}
+
+}  // namespace fettle::script

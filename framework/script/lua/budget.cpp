@@ -1,0 +1,265 @@
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fettle/script/runtime.h>
+
+#include <lua/arena.h>
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/interpreter.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/watchdog.h>
+
+namespace fettle::script {
+
+namespace {
+
+// The tree tells of its growth each time it is so many bytes heavier.
+constexpr std::int64_t growth_slice = 256 * 1024;
+
+std::size_t added(std::size_t now, std::size_t before) {
+    return now - std::min(now, before);
+}
+
+std::string megabytes(std::size_t bytes) {
+    return std::to_string((bytes + (std::size_t{1} << 19)) >> 20) + " MB";
+}
+
+}  // namespace
+
+Budget::Scope::Scope(Budget& budget, const Limits& limits)
+    : budget_(budget), outer_(std::exchange(budget.now_, {})) {
+    Machine& machine = budget.machine_;
+    Account& now = budget.now_;
+    now.active = true;
+    now.counting = limits.instructions > 0;
+    now.instructions = limits.instructions;
+    now.left = static_cast<std::int64_t>(
+        std::min<std::uint64_t>(limits.instructions, std::uint64_t{1} << 62));
+    now.deadline = std::chrono::steady_clock::now() + longest;
+    now.outer_limit = machine.arena.limit();
+    now.memory = std::min(limits.memory, now.outer_limit);
+    now.who = limits.who;
+    now.raised_by = limits.raised_by;
+    now.lua_before = machine.arena.bytes();
+    now.weight_before = machine.tree.weight();
+    now.instances_before = machine.tree.size();
+    now.watchers_before = machine.tree.watcher_count();
+    machine.arena.set_limit(std::min(now.outer_limit, now.lua_before + now.memory));
+    budget.mark_next();
+    if (now.counting) lua_sethook(machine.lua.main, hook, LUA_MASKCOUNT, interval);
+}
+
+Budget::Scope::~Scope() {
+    Machine& machine = budget_.machine_;
+    machine.arena.set_limit(budget_.now_.outer_limit);
+    budget_.now_ = std::move(outer_);
+    if (budget_.now_.active)
+        budget_.mark_next();
+    else if (machine.life.has_tree())
+        machine.tree.mark_weight(INT64_MAX, {});
+    if (budget_.interrupted()) {
+        arm(machine.lua.main);
+        return;
+    }
+    lua_sethook(machine.lua.main, budget_.now_.counting ? hook : nullptr,
+                budget_.now_.counting ? LUA_MASKCOUNT : 0, budget_.now_.counting ? interval : 0);
+}
+
+void Budget::hook(lua_State* L, lua_Debug*) {
+    Machine& machine = machine_of(L);
+    Budget& budget = machine.budget;
+    Account& now = budget.now_;
+    budget.stop_if_interrupted(L);
+    if (!now.counting && !now.stopping) {
+        // A coroutine that outlived the command it was made in, or a call that takes long.
+        lua_sethook(L, nullptr, 0, 0);
+        guard(L, [&] { machine.watchdog.look(L); });
+        if (!now.stopping) return;
+    }
+    if (!now.stopping && lua_gethookcount(L) != interval) {
+        // One inside of this one was stopped.
+        lua_sethook(L, hook, LUA_MASKCOUNT, interval);
+        return;
+    }
+    if (!now.stopping) {
+        now.left -= interval;
+        const bool late = std::chrono::steady_clock::now() > now.deadline;
+        if (now.left >= 0 && !late) return;
+        budget.stop(L, late ? "stopped: it ran for " + std::to_string(longest.count()) + " seconds"
+                            : "stopped: it ran past its budget of " +
+                                  std::to_string(now.instructions) + " instructions");
+    }
+    lua_sethook(L, hook, LUA_MASKCOUNT, 1);
+    budget.raise_stop(L);
+}
+
+void Budget::stop(lua_State* L, const std::string& why) {
+    if (now_.stopping) return;
+    now_.stopping = true;
+    lua_Debug frame;
+    for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+        lua_getinfo(L, "Sl", &frame);
+        if (frame.currentline <= 0) continue;
+        now_.file = frame.short_src;
+        now_.line = frame.currentline;
+        break;
+    }
+    now_.reason =
+        (now_.line > 0 ? now_.file + ":" + std::to_string(now_.line) + ": " : std::string()) + why;
+    arm(machine_.lua.running);
+}
+
+void Budget::call_ended() {
+    if (!now_.stopping || now_.active || interrupted()) return;
+    now_ = {};
+    lua_sethook(machine_.lua.main, nullptr, 0, 0);
+}
+
+void Budget::interrupt() noexcept {
+    interrupted_ = 1;
+    if (machine_.lua.running != nullptr) arm(machine_.lua.running);
+}
+
+void Budget::go_on() {
+    interrupted_ = 0;
+    if (now_.active) return;
+    now_ = {};
+    lua_sethook(machine_.lua.main, nullptr, 0, 0);
+}
+
+void Budget::arm(lua_State* running) noexcept {
+    lua_sethook(running, hook, LUA_MASKCOUNT, 1);
+}
+
+void Budget::raise_stop(lua_State* L) {
+    lua_pushlstring(L, now_.reason.data(), now_.reason.size());
+    lua_error(L);
+    std::terminate();  // not reached
+}
+
+void Budget::charge(lua_State* L, std::uint64_t instructions) {
+    stop_if_interrupted(L);
+    if (!now_.counting && !now_.stopping) {
+        machine_.watchdog.look(L);
+        check(L);
+        return;
+    }
+    charge_quietly(instructions);
+    check(L);
+}
+
+void Budget::charge_quietly(std::uint64_t instructions) {
+    if (!now_.counting || now_.stopping) return;
+    now_.left -=
+        static_cast<std::int64_t>(std::min<std::uint64_t>(instructions, std::uint64_t{1} << 61));
+    if (now_.left >= 0) return;
+    stop(machine_.lua.running, "stopped: it ran past its budget of " +
+                                   std::to_string(now_.instructions) + " instructions");
+}
+
+// --- Memory
+
+std::string Budget::out_of_memory(const Refused& refused) {
+    return "not enough memory: " + std::to_string(refused.what.size) +
+           " bytes more were asked for, and " +
+           (refused.what.by_system ? std::string("the system has none to give")
+                                   : refused.who + std::string(" may use ") +
+                                         std::to_string(refused.limit >> 20) + " MB");
+}
+
+/// Takes no memory.
+Budget::Refused Budget::refused_here(const Arena::Refusal& refusal) const {
+    const bool whole = machine_.arena.limit() >= machine_.options.memory_limit;
+    Refused refused = {.what = refusal,
+                       .limit = whole ? machine_.options.memory_limit : now_.memory,
+                       .who = whole ? "the scripts of a game" : now_.who};
+    lua_Debug frame;
+    for (int level = 0; lua_getstack(machine_.lua.running, level, &frame); ++level) {
+        lua_getinfo(machine_.lua.running, "Sl", &frame);
+        if (frame.currentline <= 0) continue;
+        std::copy(std::begin(frame.short_src), std::end(frame.short_src), refused.file);
+        refused.line = frame.currentline;
+        break;
+    }
+    return refused;
+}
+
+// Lua's own error says neither where nor why, and calls no handler that could find out. Where the
+// limit is not that of the whole game, nothing goes on: what runs could catch the error for ever.
+void Budget::memory_refused(const Arena::Refusal& refusal) {
+    if (now_.stopping) return;
+    refused_ = refused_here(refusal);
+    const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
+    if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return;
+    stop(machine_.lua.running,
+         refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
+    now_.out_of_room = true;
+}
+
+std::string Budget::take_refusal() {
+    const Refused refused = std::exchange(refused_, {});
+    if (refused.what.size == 0) return {};
+    const std::string place =
+        refused.line > 0 ? std::string(refused.file) + ":" + std::to_string(refused.line) + ": "
+                         : "";
+    return place + out_of_memory(refused);
+}
+
+// What instances and their like take is taken from what Lua may use, so that it is one limit.
+void Budget::notice_growth() {
+    if (!now_.active || now_.stopping) return;
+    Arena& arena = machine_.arena;
+    const auto grown = static_cast<std::size_t>(
+        std::max<std::int64_t>(0, machine_.tree.weight() - now_.weight_before));
+    if (grown + added(arena.bytes(), now_.lua_before) > now_.memory) {
+        stop(machine_.lua.running, too_much_memory());
+        now_.out_of_room = true;
+        return;
+    }
+    arena.set_limit(std::min(now_.outer_limit, now_.lua_before + now_.memory - grown));
+    mark_next();
+}
+
+void Budget::mark_next() {
+    if (!machine_.life.has_tree()) return;
+    machine_.tree.mark_weight(machine_.tree.weight() + growth_slice, [this] { notice_growth(); });
+}
+
+std::string Budget::too_much_memory() const {
+    std::string text = "stopped: it needs more memory than " + std::string(now_.who) +
+                       " may use, " + megabytes(now_.memory);
+    if (!machine_.life.has_tree()) return text;
+    const property::Tree& tree = machine_.tree;
+    std::string made;
+    const auto tell = [&made](std::size_t count, const char* what) {
+        if (count > 0) made += (made.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+    };
+    tell(added(tree.size(), now_.instances_before), "instances");
+    tell(added(tree.watcher_count(), now_.watchers_before), "watchers");
+    const std::int64_t grown = tree.weight() - now_.weight_before;
+    if (grown > 0)
+        made += (made.empty() ? "" : ", ") + megabytes(static_cast<std::size_t>(grown)) +
+                " in the tree";
+    made += (made.empty() ? "" : ", ") + megabytes(added(machine_.arena.bytes(), now_.lua_before)) +
+            " of Lua";
+    text += "; it made " + made;
+    if (!now_.raised_by.empty()) text += " (" + now_.raised_by + " raises the limit)";
+    return text;
+}
+
+// --- Coroutines
+
+void Budget::enter(lua_State* thread) {
+    if (!now_.counting && !now_.stopping && !interrupted()) return;
+    charge_quietly(500);
+    lua_sethook(thread, hook, LUA_MASKCOUNT, now_.stopping || interrupted() ? 1 : interval);
+}
+
+void Budget::check(lua_State* L) {
+    if (now_.stopping) raise_stop(L);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,95 @@
+#include <fettle/property/exception_text.h>
+
+#include <lua/guard.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+
+namespace fettle::script {
+
+std::string position(lua_State* L) {
+    lua_Debug frame;
+    for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+        lua_getinfo(L, "Sl", &frame);
+        if (frame.currentline > 0)
+            return std::string(frame.short_src) + ":" + std::to_string(frame.currentline) + ": ";
+    }
+    return {};
+}
+
+std::string definition(lua_State* L) {
+    lua_pushvalue(L, -1);
+    lua_Debug frame;
+    lua_getinfo(L, ">S", &frame);
+    return std::string(frame.short_src) + ":" + std::to_string(frame.linedefined) + ": ";
+}
+
+void raise(lua_State* L, const std::string& message) {
+    raise_text(L, message.c_str());
+}
+
+void raise_exception(lua_State* L, const std::exception& error) {
+    luaL_checkstack(L, 4, "error message");
+    {
+        const std::string text = position(L) + property::exception_text(error);
+        lua_pushlstring(L, text.data(), text.size());
+    }
+    lua_error(L);
+    std::terminate();  // not reached
+}
+
+void raise_text(lua_State* L, const char* message) {
+    luaL_checkstack(L, 4, "error message");
+    {
+        const std::string text = position(L) + message;
+        lua_pushlstring(L, text.data(), text.size());
+    }
+    lua_error(L);
+    std::terminate();  // not reached
+}
+
+namespace {
+
+std::string running_function(lua_State* L) {
+    lua_Debug frame;
+    if (lua_getstack(L, 0, &frame) == 0) return "this";
+    luaL_checkstack(L, 4, "name of a function");
+    lua_getinfo(L, "nf", &frame);
+    const lua_CFunction function = lua_tocfunction(L, -1);
+    lua_pop(L, 1);
+    const auto& names = machine_of(L).lua.function_names;
+    if (const auto noted = names.find(function); noted != names.end()) return noted->second;
+    return frame.name != nullptr ? frame.name : "this";
+}
+
+void note_names_of(lua_State* L, const std::string& library) {
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING) continue;
+        const std::string name = string_at(L, -2);
+        if (const lua_CFunction function = lua_tocfunction(L, -1))
+            machine_of(L).lua.function_names.insert_or_assign(function, library + name);
+        else if (lua_istable(L, -1) && library.empty() && name != "_G")
+            note_names_of(L, name + ".");
+    }
+}
+
+}  // namespace
+
+void note_name(lua_State* L, lua_CFunction function, const std::string& name) {
+    machine_of(L).lua.function_names.emplace(function, name);
+}
+
+void note_names(lua_State* L) {
+    note_names_of(L, {});
+}
+
+void require_changeable(lua_State* L) {
+    const property::Tree& tree = machine_of(L).tree;
+    if (!tree.changeable()) tree.require_changeable("call " + running_function(L));
+}
+
+void require_no_formula(lua_State* L) {
+    if (machine_of(L).tree.in_formula()) require_changeable(L);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,26 @@
+#pragma once
+// Files of a game, and the texts that were compiled.
+
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+
+#include <fettle/property/storage/game_files.h>
+
+#include <lua/lua_api.h>
+
+namespace fettle::script {
+
+struct Sources {
+    property::GameFiles& files;
+    std::filesystem::path folder;                        // of the game; empty: there is none
+    std::unordered_map<std::string, std::string> texts;  // by the name of the chunk
+
+    /// Compiles a text and keeps it for error messages under `name`. A status of Lua; the function
+    /// or the message is on top.
+    int load(lua_State* L, const std::string& text, const std::string& name);
+    /// A line of a chunk, counted from 1; "" when it is not known.
+    std::string line(const std::string& file, int line) const;
+};
+
+}  // namespace fettle::script

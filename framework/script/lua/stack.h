@@ -1,0 +1,39 @@
+#pragma once
+// Texts and tables on Lua's stack.
+
+#include <string>
+#include <string_view>
+
+#include <lua/lua_api.h>
+
+namespace fettle::script {
+
+inline void push_registry(lua_State* L, int reference) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
+}
+
+inline void push_text(lua_State* L, std::string_view text) {
+    lua_pushlstring(L, text.data(), text.size());
+}
+
+/// The text at `index`, which is one; it may hold zero bytes. It lives as long as Lua's.
+inline std::string_view view_at(lua_State* L, int index) {
+    std::size_t size = 0;
+    const char* chars = lua_tolstring(L, index, &size);
+    return {chars, size};
+}
+
+inline std::string string_at(lua_State* L, int index) {
+    return std::string(view_at(L, index));
+}
+
+/// Pushes a table that does not keep its keys ("k") or its values ("v") alive.
+inline void push_weak_table(lua_State* L, const char* mode) {
+    lua_newtable(L);
+    lua_newtable(L);
+    lua_pushstring(L, mode);
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,159 @@
+#include <pthread.h>
+#include <signal.h>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include <lua/budget.h>
+#include <lua/interpreter.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/watchdog.h>
+
+namespace fettle::script {
+
+namespace {
+
+constexpr std::chrono::milliseconds tick{100};
+
+// Ignored by whoever does not ask for it, and used by hardly anybody.
+constexpr int signal_number = SIGURG;
+
+// The machine that is in a call on this thread, for the handler of the signal.
+thread_local Machine* volatile in_call = nullptr;
+
+void on_signal(int) {
+    Machine* const machine = in_call;
+    if (machine == nullptr || machine->budget.counting()) return;
+    Budget::arm(machine->lua.running);
+}
+
+}  // namespace
+
+/// Looks at the watchdog's counters from a thread of its own.
+struct Watchdog::Thread {
+    explicit Thread(Watchdog& of)
+        : watchdog(of), patience(of.patience_), runner([this] { run(); }) {}
+    ~Thread() {
+        {
+            const std::lock_guard lock(mutex);
+            ends = true;
+        }
+        wake.notify_one();
+        runner.join();
+    }
+
+    // Time that this thread did not see (the computer slept, somebody debugs) does not count.
+    void run() {
+        std::uint64_t seen = 0;
+        double lasted = 0;
+        std::unique_lock lock(mutex);
+        while (!wake.wait_for(lock, tick, [this] { return ends; })) {
+            const std::uint64_t now = watchdog.serial_.load(std::memory_order_acquire);
+            lasted = now == seen && now % 2 == 1
+                         ? lasted + std::chrono::duration<double>(tick).count()
+                         : 0;
+            seen = now;
+            if (lasted < patience || now % 2 == 0) continue;
+            watchdog.seconds_.store(lasted, std::memory_order_relaxed);
+            watchdog.due_.store(true, std::memory_order_relaxed);
+            pthread_kill(watchdog.host_.load(std::memory_order_relaxed), signal_number);
+        }
+    }
+
+    Watchdog& watchdog;
+    const double patience;
+    std::mutex mutex;
+    std::condition_variable wake;
+    bool ends = false;
+    std::thread runner;  // last: it uses the others
+};
+
+Watchdog::Watchdog(Machine& machine) : machine_(machine) {}
+
+Watchdog::~Watchdog() = default;
+
+void Watchdog::limit(double seconds, Question go_on) {
+    thread_.reset();
+    due_.store(false, std::memory_order_relaxed);
+    go_on_ = std::move(go_on);
+    patience_ = seconds > 0 ? seconds : 0;
+    if (watched_ && patience_ > 0) start();
+}
+
+void Watchdog::start() {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal_number, &action, nullptr);
+    try {
+        thread_ = std::make_unique<Thread>(*this);
+    } catch (const std::system_error&) {
+        patience_ = 0;  // the system has no thread to give: calls are not limited
+    }
+}
+
+void Watchdog::begin_outermost() {
+    if (thread_ == nullptr && patience_ > 0) [[unlikely]]
+        start();
+    host_.store(pthread_self(), std::memory_order_relaxed);
+    count_call();
+    watched_ = true;
+    outer_ = in_call;
+    in_call = &machine_;
+}
+
+void Watchdog::end_outermost() {
+    watched_ = false;
+    count_call();
+    in_call = outer_;
+    due_.store(false, std::memory_order_relaxed);
+    machine_.budget.call_ended();
+}
+
+// What is asked may run Lua as well (a console): on a thread of its own, since no hook runs on one
+// that is inside a hook.
+void Watchdog::ask(lua_State* L) {
+    due_.store(false, std::memory_order_relaxed);
+    if (asking_ || depth_ == 0 || thread_ == nullptr || machine_.budget.counting() ||
+        machine_.budget.stopping())
+        return;
+    const double lasted = seconds_.load(std::memory_order_relaxed);
+    bool goes_on = false;
+    if (go_on_) {
+        asking_ = true;
+        struct Aside {
+            Machine& machine;
+            Watchdog& watchdog;
+            lua_State* const main;
+            lua_State* const running;
+            int reference;
+            Aside(Machine& m, Watchdog& w, lua_State* at)
+                : machine(m), watchdog(w), main(m.lua.main), running(m.lua.running) {
+                machine.lua.main = machine.lua.running = lua_newthread(at);
+                lua_sethook(machine.lua.main, nullptr, 0, 0);
+                reference = luaL_ref(at, LUA_REGISTRYINDEX);
+            }
+            ~Aside() {
+                machine.lua.main = main;
+                machine.lua.running = running;
+                luaL_unref(main, LUA_REGISTRYINDEX, reference);
+                watchdog.asking_ = false;
+            }
+        } aside(machine_, *this, L);
+        const auto go_on = go_on_;  // it may put another in its place
+        goes_on = go_on(L, lasted);
+    }
+    // Without a runtime nobody is left who could end it.
+    if (goes_on && machine_.life.orphan == nullptr) return;
+    char text[80];
+    std::snprintf(text, sizeof text, "stopped: it ran for %.1f seconds and did not come back",
+                  lasted);
+    stopped_ = true;
+    machine_.budget.stop(L, text);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,237 @@
+// `Ball = class("Ball", Body) { ... }` defines a class.
+
+#include <algorithm>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include <handlers/formulas.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/class_object.h>
+#include <objects/script_classes.h>
+#include <reference/language.h>
+#include <values/short_text.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Class;
+using property::Error;
+using property::ErrorKind;
+using property::Property;
+using property::Type;
+using property::Value;
+
+namespace {
+
+// The default that `name = value` in a class gives; the value is on top of the stack.
+Value default_of(lua_State* L, const std::string& class_name, const std::string& name) {
+    if (is_formula(L, -1))
+        throw Error(ErrorKind::wrong_type,
+                    class_name + "." + name +
+                        ": a formula is no default, since each instance has formulas of its own; "
+                        "give a plain value here and the formula to the instance, in function " +
+                        class_name + ":ready() or in the constructor");
+    try {
+        return to_value(L, -1);
+    } catch (const Error& error) {
+        throw Error(error.kind(), class_name + "." + name + ": " + error.what());
+    }
+}
+
+// The property that `name = value` in a class declares; the value is on top of the stack.
+Property declared(lua_State* L, const std::string& class_name, const std::string& name) {
+    Property property;
+    property.name = name;
+    property.infinity = true;
+    if (const Class* of = class_object_at(L, -1)) {
+        property.type = Type::reference;
+        property.reference_class = of->name();
+        property.nullable = true;
+        return property;
+    }
+    property.default_value = default_of(L, class_name, name);
+    property.type = property.default_value.type();
+    if (property.type == Type::reference) property.nullable = true;
+    return property;
+}
+
+std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int table,
+                                                               std::string& class_doc) {
+    std::vector<std::pair<std::string, std::string>> docs;
+    lua_pushstring(L, "doc");
+    lua_rawget(L, table);
+    if (lua_type(L, -1) == LUA_TSTRING) {
+        class_doc = string_at(L, -1);
+    } else if (!lua_isnil(L, -1) && !lua_istable(L, -1)) {
+        throw Error(ErrorKind::wrong_type,
+                    "doc: expected a text, or a table of texts by the names of properties, got " +
+                        describe_type(L, -1));
+    }
+    if (lua_istable(L, -1)) {
+        const int doc = lua_gettop(L);
+        for (const std::string& key : sorted_keys(L, doc, "doc")) {
+            lua_pushlstring(L, key.data(), key.size());
+            if (lua_rawget(L, doc) != LUA_TSTRING)
+                throw Error(ErrorKind::wrong_type,
+                            "doc." + key + ": expected a text, got " + describe_type(L, -1));
+            docs.emplace_back(key, string_at(L, -1));
+            lua_pop(L, 1);
+        }
+        if (lua_rawgeti(L, doc, 1) == LUA_TSTRING) class_doc = string_at(L, -1);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return docs;
+}
+
+// Near misses of what the framework declares are slips; what the game declares itself it may name
+// as it likes.
+void refuse_slips(const ScriptClasses& classes, const Class& base, const std::string& class_name,
+                  const std::string& name) {
+    if (base.method(name))
+        throw Error(ErrorKind::bad_name,
+                    class_name + "." + name + ": is a method of " + base.name());
+    if (std::find(generic_names().begin(), generic_names().end(), name) != generic_names().end())
+        throw Error(ErrorKind::bad_name, class_name + "." + name + ": every instance has that");
+    const auto refuse = [&](const std::string& known) {
+        if (property::near_miss(name, known))
+            throw Error(ErrorKind::near_miss, class_name + "." + name + ": " + base.name() +
+                                                  " has no such property (did you mean \"" + known +
+                                                  "\"?)");
+    };
+    for (const Property* declared : base.properties())
+        if (!classes.scripted(*declared->owner)) refuse(declared->name);
+    for (const property::Method* method : base.methods()) refuse(method->name);
+}
+
+// What stands in a constructor as a child is nothing in a class.
+void refuse_elements(lua_State* L, const std::string& class_name) {
+    for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+        if (lua_type(L, -2) != LUA_TSTRING)
+            throw Error(ErrorKind::bad_name,
+                        class_name + ": [" + short_text(L, -2) + "] has no name; a class has " +
+                            "properties and functions, and its children are made in " + class_name +
+                            ":ready()");
+}
+
+void check_documented(const ScriptClasses::Definition& definition,
+                      const std::vector<std::pair<std::string, std::string>>& docs) {
+    std::vector<std::string> names;
+    for (const Property& property : definition.properties) names.push_back(property.name);
+    for (const auto& [name, doc] : docs)
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            throw Error(ErrorKind::unknown_name,
+                        definition.name + ".doc: the class declares no property \"" + name + "\"" +
+                            property::suggestion(name, names));
+}
+
+// Upvalue: name.
+int not_defined_yet(lua_State* L) {
+    const std::string name = string_at(L, lua_upvalueindex(1));
+    throw Error(ErrorKind::bad_structure, name +
+                                              ": is no class yet; braces with its properties "
+                                              "are missing, as in " +
+                                              name + " = class(\"" + name + "\", Body) { }");
+}
+
+// Upvalues: name, base.
+int define_class(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_remove(L, 1);  // what class(...) returned
+    ScriptClasses::Definition definition;
+    definition.name = string_at(L, lua_upvalueindex(1));
+    definition.base = class_object_at(L, lua_upvalueindex(2));
+    lua_settop(L, 1);
+    if (!lua_istable(L, 1))
+        throw Error(ErrorKind::wrong_type, "class: needs a table of properties, as in class(\"" +
+                                               definition.name + "\", Body) { lives = 3 }");
+    refuse_elements(L, definition.name);
+    const auto docs = documentation(L, 1, definition.doc);
+    std::vector<std::string> functions;
+    for (const std::string& key : sorted_keys(L, 1, definition.name)) {
+        if (key == "doc") continue;
+        lua_pushlstring(L, key.data(), key.size());
+        if (lua_rawget(L, 1) == LUA_TFUNCTION) {
+            functions.push_back(key);
+        } else if (const Property* inherited = definition.base->property(key)) {
+            // The same property with another default; the rest stays as inherited.
+            Property again;
+            again.name = key;
+            again.type = inherited->type;
+            again.default_value = default_of(L, definition.name, key);
+            for (const auto& [name, doc] : docs)
+                if (name == key) again.doc = doc;
+            definition.properties.push_back(std::move(again));
+        } else {
+            refuse_slips(machine.classes, *definition.base, definition.name, key);
+            Property property = declared(L, definition.name, key);
+            for (const auto& [name, doc] : docs)
+                if (name == key) property.doc = doc;
+            definition.properties.push_back(std::move(property));
+        }
+        lua_pop(L, 1);
+    }
+    check_documented(definition, docs);
+    const Class& made = machine.classes.define(std::move(definition));
+    for (const std::string& function : functions) {
+        lua_pushlstring(L, function.data(), function.size());
+        lua_rawget(L, 1);
+        machine.classes.set_function(L, made, function);
+    }
+    machine.classes.push(L, made);
+    return 1;
+}
+
+int class_function(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 2);
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(
+            ErrorKind::wrong_type,
+            "class: needs a name, as in class(\"Ball\", Body) { }, not " + describe_type(L, 1));
+    const std::string name = string_at(L, 1);
+    if (!property::is_identifier(name))
+        throw Error(ErrorKind::bad_name, "class: \"" + name + "\" is no name for a class");
+    if (lua_isnil(L, 2)) {
+        machine.classes.push(L, machine.tree.object_class());
+        lua_replace(L, 2);
+    } else if (lua_type(L, 2) == LUA_TSTRING) {
+        machine.classes.push(L, machine.tree.class_named(string_at(L, 2)));
+        lua_replace(L, 2);
+    } else if (!class_object_at(L, 2)) {
+        throw Error(ErrorKind::wrong_type,
+                    "class: the base is a class or its name, not " + describe_type(L, 2));
+    }
+    const Class* base = class_object_at(L, 2);
+    if (!base->creatable())
+        throw Error(ErrorKind::bad_structure, name + ": no class can derive from " + base->name() +
+                                                  "; " + why_not_creatable(machine.tree, *base));
+    // What comes of it can be called, and says what is missing to whoever takes it for the class.
+    lua_newuserdatauv(L, 0, 0);
+    lua_newtable(L);
+    lua_pushvalue(L, 1);
+    lua_pushvalue(L, 2);
+    lua_pushcclosure(L, guarded<effect<define_class>>, 2);
+    lua_setfield(L, -2, "__call");
+    for (const char* use : {"__index", "__newindex"}) {
+        lua_pushvalue(L, 1);
+        lua_pushcclosure(L, guarded<not_defined_yet>, 1);
+        lua_setfield(L, -2, use);
+    }
+    name_metatable(L, "class without properties");
+    lua_setmetatable(L, -2);
+    return 1;
+}
+
+}  // namespace
+
+void open_class_function(lua_State* L) {
+    add_function<class_function>(L, "class");
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,306 @@
+// Class objects: `Body { ... }` constructs, `function Ball:step(dt)` adds a function.
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+#include <fettle/property/spelling.h>
+
+#include <handlers/formulas.h>
+#include <handlers/subscriptions.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/class_object.h>
+#include <objects/instance.h>
+#include <objects/reflection.h>
+#include <objects/script_classes.h>
+#include <values/recording.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Class;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Type;
+using property::Value;
+
+namespace {
+constexpr std::size_t most_kinds = 8;  // that a message names
+}  // namespace
+
+std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what) {
+    std::vector<std::string> keys;
+    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) == LUA_TSTRING) {
+            std::size_t length = 0;
+            const char* key = lua_tolstring(L, -2, &length);
+            keys.emplace_back(key, length);
+        } else if (!lua_isinteger(L, -2)) {
+            const std::string type = describe_type(L, -2);
+            lua_pop(L, 2);
+            throw Error(ErrorKind::bad_name, what + ": a name is a text, not " + type);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+std::string why_not_creatable(const property::Tree& tree, const Class& of) {
+    std::string made_of;
+    std::size_t kinds = 0;
+    for (const Class* each : tree.classes())
+        if (each != &of && each->is_a(of) && each->creatable() && ++kinds <= most_kinds)
+            made_of += (kinds == 1 ? "" : ", ") + each->name();
+    if (kinds > most_kinds) made_of += " ...";
+    if (kinds > 0) return "it is what these have in common: " + made_of;
+    std::vector<std::string> paths;
+    tree.each_below(tree.root(), [&](Handle handle) {
+        if (&tree.class_of(handle) == &of) paths.push_back(tree.path(handle));
+    });
+    if (paths.size() == 1) return "the framework makes the one there is, " + paths.front();
+    return "only the framework makes them";
+}
+
+namespace {
+
+// --- Constructing
+
+bool is_orphan(lua_State* L, Machine& machine, int index) {
+    const auto* box = instance_at(L, index);
+    return box && machine.tree.alive(box->handle) && box->handle != machine.tree.root() &&
+           !machine.tree.parent(box->handle);
+}
+
+// Pushes key `name` of the table at 2.
+int push_key(lua_State* L, const std::string& name) {
+    lua_pushlstring(L, name.data(), name.size());
+    return lua_rawget(L, 2);
+}
+
+/// An instance that is being made. Unless it is finished it never was, and the children it was
+/// given are as they were before.
+class Construction {
+  public:
+    Construction(Machine& machine, const Class& to_make)
+        : of(to_make), made(machine.classes.create(to_make)), machine_(machine) {}
+    ~Construction() {
+        if (finished_) return;
+        for (auto back = ways_back_.rbegin(); back != ways_back_.rend(); ++back) (*back)();
+        if (machine_.tree.alive(made)) machine_.tree.destroy(made);
+    }
+    Construction(const Construction&) = delete;
+
+    /// Before `child` gets its place below.
+    void adopts(Handle child) { ways_back_.push_back(machine_.tree.way_back(child)); }
+    void finish() { finished_ = true; }
+
+    const Class& of;
+    const Handle made;
+
+  private:
+    Machine& machine_;
+    std::vector<std::function<void()>> ways_back_;
+    bool finished_ = false;
+};
+
+void adopt_unnamed(lua_State* L, Machine& machine, Construction& now) {
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, 2));
+    for (lua_Integer i = 1; i <= length; ++i) {
+        lua_rawgeti(L, 2, i);
+        const auto* box = instance_at(L, -1);
+        if (!box)
+            throw Error(ErrorKind::wrong_type, now.of.name() + ": element " + std::to_string(i) +
+                                                   " is " + describe_type(L, -1) +
+                                                   "; what has no name becomes a child, so it "
+                                                   "must be an instance");
+        machine.tree.require(box->handle);
+        if (!is_orphan(L, machine, -1))
+            throw Error(
+                ErrorKind::bad_structure,
+                now.of.name() + ": " + machine.tree.path(box->handle) + " has its place already");
+        now.adopts(box->handle);
+        place(machine, box->handle, now.made, {}, true);
+        lua_pop(L, 1);
+    }
+}
+
+void set_declared(lua_State* L, Machine& machine, Handle made, const Property& property) {
+    if (is_formula(L, 3)) return define_formula(L, machine, 3, made, property.name);
+    const Value value = to_value(L, 3);
+    machine.classes.explain_integer(property, value);
+    machine.tree.set(made, property, value);
+}
+
+// Named children come first, so that unnamed ones are numbered around them; then unnamed ones; then
+// properties, which may depend on what hangs below. Names in order, so that runs are the same;
+// declared properties in the order of their declaration, since what one may be can depend on those
+// before it (whether a chain is closed on its points).
+void fill(lua_State* L, Machine& machine, Construction& now) {
+    const Class& of = now.of;
+    std::vector<std::pair<std::size_t, const Property*>> declared;
+    std::vector<std::string> others;
+    for (const std::string& key : sorted_keys(L, 2, of.name())) {
+        if (const Property* property = of.property(key)) {
+            const auto& all = of.properties();
+            declared.emplace_back(std::find(all.begin(), all.end(), property) - all.begin(),
+                                  property);
+            continue;
+        }
+        push_key(L, key);
+        lua_replace(L, 3);
+        if (is_orphan(L, machine, 3)) {
+            now.adopts(instance_at(L, 3)->handle);
+            write_member(L, machine, now.made, of, key);
+        } else {
+            others.push_back(key);
+        }
+    }
+    adopt_unnamed(L, machine, now);
+    std::sort(declared.begin(), declared.end());
+    for (const auto& [place, property] : declared) {
+        push_key(L, property->name);
+        lua_replace(L, 3);
+        set_declared(L, machine, now.made, *property);
+    }
+    for (const std::string& key : others) {
+        push_key(L, key);
+        lua_replace(L, 3);
+        if (is_formula(L, 3))
+            define_formula(L, machine, 3, now.made, key);
+        else
+            write_member(L, machine, now.made, of, key);
+    }
+}
+
+// "(detached ball).mass: ..." reads better as "Ball.mass: ..." while it is being made.
+std::string named_by_class(const std::string& message, const std::string& path, const Class& of) {
+    const std::size_t at = message.find(path);
+    if (at != std::string::npos) {
+        std::string text = message;
+        return text.replace(at, path.size(), of.name());
+    }
+    return message.starts_with(of.name()) ? message : of.name() + ": " + message;
+}
+
+/// What happens meanwhile is not noted for the console.
+class Unrecorded {
+  public:
+    explicit Unrecorded(Machine& machine) : machine_(machine), before_(machine.recording.active) {
+        record(machine_, false);
+    }
+    ~Unrecorded() { record(machine_, before_); }
+    Unrecorded(const Unrecorded&) = delete;
+
+  private:
+    Machine& machine_;
+    bool before_;
+};
+
+int construct(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    if (!of) throw Error(ErrorKind::wrong_type, "needs a class");
+    Machine& machine = machine_of(L);
+    if (!of->creatable())
+        throw Error(ErrorKind::bad_structure,
+                    of->name() + ": cannot be made; " + why_not_creatable(machine.tree, *of));
+    if (lua_gettop(L) >= 2 && !lua_istable(L, 2))
+        throw Error(ErrorKind::wrong_type, of->name() + ": needs a table, as in " + of->name() +
+                                               " { }, not " + describe_type(L, 2));
+    lua_settop(L, 3);
+    // Else the children would be echoed one by one.
+    const Unrecorded quiet(machine);
+    Construction now(machine, *of);
+    try {
+        if (lua_istable(L, 2)) fill(L, machine, now);
+    } catch (const std::exception& error) {
+        std::string message = property::exception_text(error);
+        if (machine.tree.alive(now.made))
+            message = named_by_class(message, machine.tree.path(now.made), *of);
+        throw Error(ErrorKind::rejected, message);
+    }
+    now.finish();
+    push_instance(L, now.made);
+    return 1;
+}
+
+// --- Class objects
+
+[[noreturn]] void unknown_class_member(Machine& machine, const Class& of, const std::string& name) {
+    std::vector<std::string> names = class_fields();
+    machine.classes.add_function_names(of, names);
+    throw Error(ErrorKind::unknown_name,
+                of.name() + "." + name + ": no such name" + property::suggestion(name, names));
+}
+
+int class_index(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    Machine& machine = machine_of(L);
+    if (!of || lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::bad_name, "a class has functions by name");
+    const std::string name = string_at(L, 2);
+    if (machine.classes.push_function(L, *of)) return 1;
+    if (push_class_field(L, machine, *of, name)) return 1;
+    if (name == "on") {
+        lua_pushcfunction(L, guarded<effect<subscribe_event>>);
+    } else if (name == "watch") {
+        lua_pushcfunction(L, guarded<effect<subscribe_property>>);
+    } else {
+        unknown_class_member(machine, *of, name);
+    }
+    return 1;
+}
+
+int class_newindex(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    if (!of || lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::bad_name, "a class has functions by name");
+    const std::string name = string_at(L, 2);
+    machine_of(L).tree.require_changeable("define " + of->name() + "." + name);
+    if (lua_type(L, 3) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    of->name() + "." + name + ": a class takes functions, not " +
+                        describe_type(L, 3) + "; properties are declared in class(...) { }");
+    lua_settop(L, 3);
+    Machine& machine = machine_of(L);
+    machine.classes.set_function(L, *of, name);
+    return 0;
+}
+
+int class_tostring(lua_State* L) {
+    const Class* of = class_object_at(L, 1);
+    lua_pushstring(L, of ? of->name().c_str() : "class");
+    return 1;
+}
+
+}  // namespace
+
+void ScriptClasses::push(lua_State* L, const Class& of) {
+    Info& own = info(of);
+    if (own.object == LUA_NOREF) {
+        auto* box = static_cast<ClassBox*>(lua_newuserdatauv(L, sizeof(ClassBox), 0));
+        *box = {Tag::class_object, &of};
+        push_registry(L, machine_.boxes.class_object);
+        lua_setmetatable(L, -2);
+        own.object = luaL_ref(L, LUA_REGISTRYINDEX);
+    }
+    push_registry(L, own.object);
+}
+
+void open_classes(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_pure<construct>(L, "__call");
+    add_pure<class_index>(L, "__index");
+    add_pure<class_newindex>(L, "__newindex");
+    add_pure<class_tostring>(L, "__tostring");
+    name_metatable(L, "class");
+    machine.boxes.class_object = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

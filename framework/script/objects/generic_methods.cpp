@@ -1,0 +1,357 @@
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include <fettle/property/error.h>
+
+#include <handlers/formulas.h>
+#include <handlers/subscriptions.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/class_object.h>
+#include <objects/generic_methods.h>
+#include <objects/instance_set.h>
+#include <objects/reflection.h>
+#include <objects/unplaced.h>
+#include <values/members.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Class;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Value;
+
+namespace {
+
+// A class given by name or as itself; nullptr where nothing is given.
+const Class* class_at(lua_State* L, Machine& machine, int index, const char* what) {
+    if (lua_isnoneornil(L, index)) return nullptr;
+    if (const Class* found = class_object_at(L, index)) return found;
+    if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(string_at(L, index));
+    throw Error(ErrorKind::wrong_type,
+                std::string(what) + ": needs a class or its name, not " + describe_type(L, index));
+}
+
+std::string text_at(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a text, not " + describe_type(L, index));
+    std::size_t length = 0;
+    const char* text = lua_tolstring(L, index, &length);
+    return {text, length};
+}
+
+std::vector<Handle> below(Machine& machine, Handle top, const Class* of) {
+    std::vector<Handle> found;
+    machine.tree.each_below(top, [&](Handle handle) {
+        if (handle == top) return;
+        if (!of || machine.tree.class_of(handle).is_a(*of)) found.push_back(handle);
+    });
+    return found;
+}
+
+int delete_instance(lua_State* L) {
+    const Handle self = check_instance(L, 1, "delete");
+    Machine& machine = machine_of(L);
+    if (self == machine.tree.root())
+        throw Error(ErrorKind::bad_structure, "game: cannot be deleted");
+    destroy(machine, self);
+    return 0;
+}
+
+int has(lua_State* L) {
+    const Handle self = check_instance(L, 1, "has");
+    Machine& machine = machine_of(L);
+    const std::string name = text_at(L, 2, "has");
+    lua_pushboolean(L, machine.tree.find(self, name) || machine.tree.child(self, name));
+    return 1;
+}
+
+const Property& property_at(lua_State* L, Machine& machine, Handle self, const char* what) {
+    return machine.tree.property(self, text_at(L, 2, what));
+}
+
+int problem(lua_State* L) {
+    const Handle self = check_instance(L, 1, "problem");
+    Machine& machine = machine_of(L);
+    const std::string text = machine.tree.problem(self, property_at(L, machine, self, "problem"));
+    if (text.empty())
+        lua_pushnil(L);
+    else
+        lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+int formula_of(lua_State* L) {
+    const Handle self = check_instance(L, 1, "formula");
+    Machine& machine = machine_of(L);
+    push_formula_function(L, machine, self, property_at(L, machine, self, "formula"));
+    return 1;
+}
+
+int alive(lua_State* L) {
+    const auto* box = instance_at(L, 1);
+    if (!box) check_instance(L, 1, "alive");
+    lua_pushboolean(L, machine_of(L).tree.alive(box->handle));
+    return 1;
+}
+
+// What was deleted is still told apart: an event may name it.
+int is_a(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const auto* box = instance_at(L, 1);
+    const auto remains = box ? machine.tree.remains(box->handle) : std::nullopt;
+    const Class& is = remains ? remains->of : machine.tree.class_of(check_instance(L, 1, "is_a"));
+    const Class* of = class_at(L, machine, 2, "is_a");
+    if (!of) throw Error(ErrorKind::wrong_type, "is_a: needs a class or its name");
+    lua_pushboolean(L, is.is_a(*of));
+    return 1;
+}
+
+int add(lua_State* L) {
+    const Handle self = check_instance(L, 1, "add");
+    const Handle child = check_instance(L, 2, "add");
+    Machine& machine = machine_of(L);
+    if (machine.tree.parent(child) || child == machine.tree.root())
+        throw Error(ErrorKind::bad_structure,
+                    machine.tree.path(child) + ": has its place already; use :move(parent)");
+    place(machine, child, self, lua_isnoneornil(L, 3) ? std::string() : text_at(L, 3, "add"),
+          false);
+    lua_settop(L, 2);
+    return 1;
+}
+
+int move_instance(lua_State* L) {
+    const Handle self = check_instance(L, 1, "move");
+    Machine& machine = machine_of(L);
+    const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "move");
+    if (self == machine.tree.root()) throw Error(ErrorKind::bad_structure, "game: cannot be moved");
+    machine.tree.move(self, parent, lua_isnoneornil(L, 3) ? std::string() : text_at(L, 3, "move"));
+    if (!parent) machine.unplaced.handles.push_back(self);
+    lua_settop(L, 1);
+    return 1;
+}
+
+int children(lua_State* L) {
+    const Handle self = check_instance(L, 1, "children");
+    Machine& machine = machine_of(L);
+    const Class* of = class_at(L, machine, 2, "children");
+    std::vector<Handle> found = machine.tree.children(self);
+    if (of) std::erase_if(found, [&](Handle h) { return !machine.tree.class_of(h).is_a(*of); });
+    push_set(L, found);
+    return 1;
+}
+
+int all(lua_State* L) {
+    const Handle self = check_instance(L, 1, "all");
+    Machine& machine = machine_of(L);
+    push_set(L, below(machine, self, class_at(L, machine, 2, "all")));
+    return 1;
+}
+
+int find_below(lua_State* L) {
+    const Handle self = check_instance(L, 1, "find");
+    Machine& machine = machine_of(L);
+    lua_settop(L, 3);
+    const bool filtered = !lua_isnil(L, 3);
+    if (filtered) check_function(L, 3, "find");
+    const std::vector<Handle> all_found = below(machine, self, class_at(L, machine, 2, "find"));
+    std::vector<Handle> found;
+    for (const Handle handle : all_found) {
+        if (filtered) {
+            if (!machine.tree.alive(handle)) continue;
+            lua_pushvalue(L, 3);
+            push_instance(L, handle);
+            lua_call(L, 1, 1);
+            const bool wanted = lua_toboolean(L, -1) != 0;
+            lua_pop(L, 1);
+            if (!wanted) continue;
+        }
+        found.push_back(handle);
+    }
+    push_set(L, found);
+    return 1;
+}
+
+int each(lua_State* L) {
+    const Handle self = check_instance(L, 1, "each");
+    Machine& machine = machine_of(L);
+    const int function = lua_gettop(L);
+    check_function(L, function, "each");
+    const Class* of = function > 2 ? class_at(L, machine, 2, "each") : nullptr;
+    for (const Handle handle : below(machine, self, of)) {
+        if (!machine.tree.alive(handle)) continue;
+        lua_pushvalue(L, function);
+        push_instance(L, handle);
+        lua_call(L, 1, 0);
+    }
+    return 0;
+}
+
+// --- Copies
+
+struct Copies {
+    std::vector<std::pair<Handle, Handle>> in_order;
+    std::unordered_map<std::uint64_t, Handle> of;
+
+    static std::uint64_t key(Handle h) { return std::uint64_t{h.generation} << 32 | h.index; }
+    void add(Handle from, Handle to) {
+        in_order.emplace_back(from, to);
+        of.emplace(key(from), to);
+    }
+};
+
+void require_creatable(Machine& machine, Handle original) {
+    const Class& of = machine.tree.class_of(original);
+    if (of.creatable()) return;
+    throw Error(ErrorKind::bad_structure, machine.tree.path(original) + ": cannot be cloned; " +
+                                              why_not_creatable(machine.tree, of));
+}
+
+Handle copy_of(Machine& machine, Handle original, Handle parent) {
+    const Class& of = machine.tree.class_of(original);
+    const std::string name = machine.tree.name(original);
+    // What the copy has made by itself, as a world makes its statistics, is the copy of that.
+    const Handle own = machine.tree.child(parent, name);
+    if (own && &machine.tree.class_of(own) == &of) return own;
+    require_creatable(machine, original);
+    return machine.tree.create(of, parent, name);
+}
+
+// Parents first, siblings in their order; without recursion, however deep the tree is.
+void copy_below(Machine& machine, Handle top, Handle copy, Copies& copies) {
+    std::vector<std::pair<Handle, Handle>> open;  // what is to be copied, and below what
+    const auto below = [&](Handle original, Handle made) {
+        copies.add(original, made);
+        const std::vector<Handle> children = machine.tree.children(original);
+        for (auto child = children.rbegin(); child != children.rend(); ++child)
+            open.emplace_back(*child, made);
+    };
+    below(top, copy);
+    while (!open.empty()) {
+        const auto [original, parent] = open.back();
+        open.pop_back();
+        below(original, copy_of(machine, original, parent));
+    }
+}
+
+// References inside what is copied lead to the copies; those to nobody any more to nobody.
+Value redirected(const Machine& machine, const Value& value, const Copies& copies) {
+    if (value.is(property::Type::reference)) {
+        if (!machine.tree.alive(value.reference())) return Handle{};
+        const auto copy = copies.of.find(Copies::key(value.reference()));
+        return copy == copies.of.end() ? value : Value(copy->second);
+    }
+    if (value.is(property::Type::list)) {
+        property::List list;
+        for (const Value& element : value.list())
+            list.push_back(redirected(machine, element, copies));
+        return list;
+    }
+    return value;
+}
+
+/// The copies with what they are copied from: children before their parents, siblings in order.
+std::vector<std::pair<Handle, Handle>> children_first(const Machine& machine,
+                                                      const Copies& copies) {
+    std::vector<std::pair<Handle, Handle>> list, open;
+    const auto close = [&] {
+        list.push_back(open.back());
+        open.pop_back();
+    };
+    for (const auto& pair : copies.in_order) {
+        while (!open.empty() && open.back().second != machine.tree.parent(pair.second)) close();
+        open.push_back(pair);
+    }
+    while (!open.empty()) close();
+    return list;
+}
+
+// A parent gets its values after its children: a body whose centre of mass moves changes its
+// velocity.
+void copy_values(Machine& machine, const Copies& copies) {
+    for (const auto& [from, to] : children_first(machine, copies)) {
+        for (const Property* property : machine.tree.properties(from)) {
+            if (property->read_only || !machine.tree.overridden(from, *property)) continue;
+            // Of a formula its value; of one in error the last good one.
+            (void)machine.tree.problem(from, *property);
+            const Value value = redirected(machine, machine.tree.peek(from, *property), copies);
+            if (property->binding.kind == property::BindingKind::ad_hoc)
+                machine.tree.set_or_add(to, property->name, value);
+            else
+                machine.tree.set(to, *property, value);
+        }
+    }
+}
+
+int clone(lua_State* L) {
+    const Handle self = check_instance(L, 1, "clone");
+    Machine& machine = machine_of(L);
+    require_creatable(machine, self);
+    const Handle made = machine.tree.create(machine.tree.class_of(self));
+    try {
+        Copies copies;
+        copy_below(machine, self, made, copies);
+        copy_values(machine, copies);
+    } catch (...) {
+        machine.tree.destroy(made);
+        throw;
+    }
+    machine.unplaced.handles.push_back(made);
+    push_instance(L, made);
+    return 1;
+}
+
+struct GenericMethod {
+    const char* name;
+    lua_CFunction function;
+};
+
+const GenericMethod methods[] = {
+    {"add", guarded<effect<add>>},
+    {"alive", guarded<alive>},
+    {"all", guarded<all>},
+    {"children", guarded<children>},
+    {"clone", guarded<effect<clone>>},
+    {"delete", guarded<effect<delete_instance>>},
+    {"describe", guarded<describe_instance>},
+    {"each", guarded<each>},
+    {"find", guarded<find_below>},
+    {"formula", guarded<formula_of>},
+    {"has", guarded<has>},
+    {"is_a", guarded<is_a>},
+    {"move", guarded<effect<move_instance>>},
+    {"on", guarded<effect<subscribe_event>>},
+    {"problem", guarded<problem>},
+    {"watch", guarded<effect<subscribe_property>>},
+};
+
+}  // namespace
+
+int generic_reference(lua_State* L, Machine& machine, std::string_view name) {
+    auto& known = machine.members.generic;
+    if (known.empty()) {
+        for (const GenericMethod& method : methods) {
+            note_name(L, method.function, method.name);
+            lua_pushcfunction(L, method.function);
+            known.emplace(method.name, luaL_ref(L, LUA_REGISTRYINDEX));
+        }
+    }
+    const auto found = known.find(std::string(name));
+    return found == known.end() ? LUA_NOREF : found->second;
+}
+
+std::string_view generic_name(lua_State* L, int index) {
+    const lua_CFunction function = lua_tocfunction(L, index);
+    for (const GenericMethod& method : methods)
+        if (method.function == function) return method.name;
+    return {};
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <cctype>
+
+#include <fettle/property/spelling.h>
+
+#include <lua/environment.h>
+#include <lua/guard.h>
+#include <lua/host.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/stack.h>
+#include <objects/hints.h>
+#include <objects/script_classes.h>
+#include <reference/language.h>
+#include <text/synonyms.h>
+#include <text/words.h>
+
+namespace fettle::script {
+
+using property::Class;
+using property::Property;
+
+namespace {
+
+// "position" of "position = vec(x, y)".
+std::string_view name_in(std::string_view way_to_write) {
+    return way_to_write.substr(0, way_to_write.find(' '));
+}
+
+std::string did_you_mean(std::string_view what) {
+    return " (did you mean " + std::string(what) + "?)";
+}
+
+bool among(const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+void Hints::tell(const std::string& about, const std::string& note) {
+    constexpr std::size_t most = 100;  // of a game that is full of them the first are enough
+    if (told_.size() < most && told_.insert(about).second && machine_.host.on_note)
+        machine_.host.on_note(note);
+}
+
+void Hints::forget() {
+    told_.clear();
+    looked_at_.clear();
+}
+
+// --- Properties
+
+/// What was meant, as it would be written; "" when the name may mean anything.
+std::string Hints::meaning(const Class& of, std::string_view name) const {
+    for (const std::string_view way : property_synonyms(name))
+        if (of.property(name_in(way)) != nullptr) return std::string(way);
+    std::string snake;  // angularVelocity
+    for (const char c : name) {
+        if (c >= 'A' && c <= 'Z' && !snake.empty()) snake += '_';
+        snake += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    }
+    if (snake != name && of.property(snake) != nullptr) return snake;
+    // Shorter names are near too many others.
+    return name.size() < 7 ? std::string() : property::nearest(name, of.member_names());
+}
+
+/// A child that has what was meant: "its Circle has radius".
+std::string Hints::child_with(property::Handle instance, std::string_view name) const {
+    std::vector<std::string_view> names = {name};
+    for (const std::string_view way : property_synonyms(name)) names.push_back(name_in(way));
+    constexpr int most = 8;
+    int looked_at = 0;
+    for (property::Handle child = machine_.tree.first_child(instance); child && looked_at < most;
+         child = machine_.tree.next_sibling(child), ++looked_at)
+        for (const std::string_view wanted : names)
+            if (machine_.tree.class_of(child).property(wanted) != nullptr)
+                return "its " + machine_.tree.class_of(child).name() + " has " +
+                       std::string(wanted);
+    return {};
+}
+
+void Hints::property_added(property::Handle instance, std::string_view name) {
+    const Class& of = machine_.tree.class_of(instance);
+    const Class* native = &of;
+    while (machine_.classes.scripted(*native)) native = native->base();
+    // A plain node has whatever its game wants.
+    if (native == &machine_.tree.object_class()) return;
+    // A game may add the same to thousands.
+    const std::uint64_t both = std::uint64_t{of.id()} << 32 | property::Symbol::find(name).id();
+    if (!looked_at_.insert(both).second) return;
+    std::string hint;
+    if (const std::string meant = meaning(*native, name); !meant.empty())
+        hint = did_you_mean(meant);
+    else if (const std::string child = child_with(instance, name); !child.empty())
+        hint = "; " + child;
+    else
+        return;
+    tell(of.name() + "." + std::string(name),
+         position(machine_.lua.running) + native->name() + " has no property \"" +
+             std::string(name) + "\", so it was added to this one and changes nothing" + hint);
+}
+
+// --- Functions
+
+/// Whether the name stands anywhere in the game's sources but where a function of that name is
+/// defined.
+bool Hints::is_called(const std::string& name) const {
+    for (const auto& [chunk, text] : machine_.sources.texts) {
+        if (chunk == "console") continue;
+        for (std::size_t at = text.find(name); at != std::string::npos;
+             at = text.find(name, at + 1)) {
+            const std::size_t end = at + name.size();
+            if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end])))
+                continue;
+            // Back over "Enemy:" to the word "function".
+            std::size_t start = at;
+            while (start > 0 &&
+                   (is_word(text[start - 1]) || text[start - 1] == '.' || text[start - 1] == ':'))
+                --start;
+            while (start > 0 && std::isspace(static_cast<unsigned char>(text[start - 1])) != 0)
+                --start;
+            constexpr std::string_view keyword = "function";
+            if (start < keyword.size() ||
+                std::string_view(text).substr(start - keyword.size(), keyword.size()) != keyword)
+                return true;
+        }
+    }
+    return false;
+}
+
+void Hints::look_at_globals() {
+    lua_State* L = machine_.lua.main;
+    const std::vector<std::string>& known = callback_names();
+    for (const std::string& name : machine_.globals.assigned) {
+        if (among(known, name)) continue;
+        lua_pushlstring(L, name.data(), name.size());
+        if (lua_rawget(L, -2) == LUA_TFUNCTION && lua_iscfunction(L, -1) == 0) {
+            std::string meant;
+            for (const std::string_view synonym : callback_synonyms(name))
+                if (meant.empty() && among(known, synonym)) meant = synonym;
+            if (meant.empty()) meant = property::nearest(name, known);
+            if (!meant.empty() && !is_called(name))
+                tell(name, definition(L) + "nothing calls " + name + did_you_mean(meant));
+        }
+        lua_pop(L, 1);
+    }
+}
+
+void Hints::look_at_classes() {
+    lua_State* L = machine_.lua.main;
+    for (const Class* of : machine_.tree.classes()) {
+        std::vector<std::string> known;
+        for (const GlobalDoc& doc : class_callback_docs()) known.emplace_back(doc.name);
+        for (const property::Event* event : of->events()) known.push_back(event->name);
+        for (const std::string& name : machine_.classes.own_functions(*of)) {
+            if (among(known, name)) continue;
+            std::string meant;
+            for (const std::string_view synonym : callback_synonyms(name))
+                if (meant.empty() && among(known, synonym)) meant = synonym;
+            if (meant.empty()) meant = property::nearest(name, known);
+            const bool global = among(callback_names(), name);
+            if ((meant.empty() && !global) || is_called(name)) continue;
+            if (!machine_.classes.push_function(L, *of, name.c_str())) continue;
+            const std::string note =
+                definition(L) + "nothing calls " + of->name() + ":" + name +
+                (meant.empty() ? "; only the global function " + name + " is called"
+                               : did_you_mean(meant));
+            lua_pop(L, 1);
+            tell(of->name() + ":" + name, note);
+        }
+    }
+}
+
+void Hints::game_loaded() {
+    lua_State* L = machine_.lua.main;
+    if (!lua_checkstack(L, 10)) return;
+    push_registry(L, machine_.globals.table);
+    look_at_globals();
+    lua_pop(L, 1);
+    look_at_classes();
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,209 @@
+#include <string>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/instance_set.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Type;
+using property::Value;
+
+void push_set(lua_State* L, const std::vector<Handle>& instances) {
+    luaL_checkstack(L, 4, "set");
+    lua_createtable(L, static_cast<int>(instances.size()), 0);
+    lua_Integer n = 0;
+    for (const Handle handle : instances) {
+        push_instance(L, handle);
+        lua_rawseti(L, -2, ++n);
+    }
+    push_registry(L, machine_of(L).boxes.set);
+    lua_setmetatable(L, -2);
+}
+
+bool is_set(lua_State* L, int index) {
+    if (lua_type(L, index) != LUA_TTABLE || !lua_getmetatable(L, index)) return false;
+    push_registry(L, machine_of(L).boxes.set);
+    const bool same = lua_rawequal(L, -1, -2) != 0;
+    lua_pop(L, 2);
+    return same;
+}
+
+namespace {
+
+std::vector<Handle> members(lua_State* L, const char* what) {
+    if (!is_set(L, 1))
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a set, not " + describe_type(L, 1));
+    std::vector<Handle> handles;
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
+    handles.reserve(static_cast<std::size_t>(length));
+    for (lua_Integer i = 1; i <= length; ++i) {
+        lua_rawgeti(L, 1, i);
+        handles.push_back(check_instance(L, -1, what));
+        lua_pop(L, 1);
+    }
+    machine_of(L).budget.charge(L, static_cast<std::uint64_t>(length));
+    return handles;
+}
+
+std::string property_name(lua_State* L, const char* what) {
+    if (lua_type(L, 2) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type, std::string(what) +
+                                               ": needs the name of a property, "
+                                               "not " +
+                                               describe_type(L, 2));
+    return string_at(L, 2);
+}
+
+int set_all(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string name = property_name(L, "set");
+    const Value value = to_value(L, 3);
+    for (const Handle handle : members(L, "set")) {
+        const Property& property = machine.tree.property(handle, name);
+        if (value.is_nil())
+            clear_property(machine, handle, property);
+        else
+            write_property(machine, handle, property, value);
+    }
+    lua_settop(L, 1);
+    return 1;
+}
+
+Value sum(const Value& a, const Value& b, const std::string& where) {
+    if (a.is(Type::integer) && b.is(Type::integer)) {
+        std::int64_t result = 0;
+        if (!__builtin_add_overflow(a.integer(), b.integer(), &result)) return result;
+        throw Error(ErrorKind::out_of_range, where + ": the sum is beyond 64 bits");
+    }
+    if (a.is_numeric() && b.is_numeric()) return a.as_double() + b.as_double();
+    if (a.is(Type::vec2) && b.is(Type::vec2)) return property::Vec2(a.vec2() + b.vec2());
+    throw Error(ErrorKind::wrong_type, where + ": a " + std::string(property::type_name(b.type())) +
+                                           " cannot be added to a " +
+                                           std::string(property::type_name(a.type())));
+}
+
+int add_all(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string name = property_name(L, "add");
+    const Value value = to_value(L, 3);
+    for (const Handle handle : members(L, "add")) {
+        const Property& property = machine.tree.property(handle, name);
+        write_property(
+            machine, handle, property,
+            sum(machine.tree.get(handle, property), value, machine.tree.path(handle, property)));
+    }
+    lua_settop(L, 1);
+    return 1;
+}
+
+int each_of(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 2);
+    check_function(L, 2, "each");
+    for (const Handle handle : members(L, "each")) {
+        if (!machine.tree.alive(handle)) continue;
+        lua_pushvalue(L, 2);
+        push_instance(L, handle);
+        lua_call(L, 1, 0);
+    }
+    lua_settop(L, 1);
+    return 1;
+}
+
+int delete_all(lua_State* L) {
+    Machine& machine = machine_of(L);
+    std::vector<Handle> handles;
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
+    for (lua_Integer i = 1; i <= length; ++i) {
+        lua_rawgeti(L, 1, i);
+        if (const auto* box = instance_at(L, -1)) handles.push_back(box->handle);
+        lua_pop(L, 1);
+    }
+    // One may hang below another that goes first.
+    for (const Handle handle : handles)
+        if (machine.tree.alive(handle)) destroy(machine, handle);
+    return 0;
+}
+
+int set_index(lua_State* L) {
+    if (lua_type(L, 2) != LUA_TSTRING) {
+        lua_pushnil(L);  // past the end
+        return 1;
+    }
+    const std::string name = string_at(L, 2);
+    luaL_getmetafield(L, 1, "methods");
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+    const std::vector<std::string> names = {"set", "add", "each", "delete"};
+    throw Error(ErrorKind::unknown_name,
+                "a set of instances has no " + name + property::suggestion(name, names));
+}
+
+int query(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    "query: needs a pattern such as \"world.*.mass\", not " + describe_type(L, 1));
+    Machine& machine = machine_of(L);
+    const property::Pattern pattern(string_at(L, 1));
+    std::vector<Handle> instances;
+    std::vector<std::pair<Handle, const Property*>> properties;
+    machine.tree.each_below(machine.tree.root(), [&](Handle handle) {
+        if (pattern.matches(machine.tree, handle)) instances.push_back(handle);
+        for (const Property* property : machine.tree.properties(handle))
+            if (pattern.may_match(property->symbol) &&
+                pattern.matches(machine.tree, handle, *property))
+                properties.emplace_back(handle, property);
+    });
+    machine.budget.charge(L, machine.tree.size() + properties.size());
+    if (properties.empty()) {
+        push_set(L, instances);
+        return 1;
+    }
+    // Values by path; `pairs` visits them in order.
+    lua_createtable(L, 0, static_cast<int>(properties.size()));
+    for (const auto& [handle, property] : properties) {
+        if (const auto* formula = machine.tree.formula(handle, *property);
+            formula != nullptr && !machine.tree.problem(handle, *property).empty())
+            continue;
+        const std::string path = machine.tree.path(handle, *property);
+        lua_pushlstring(L, path.data(), path.size());
+        push_value(L, machine.tree.get(handle, *property));
+        lua_rawset(L, -3);
+    }
+    return 1;
+}
+
+}  // namespace
+
+void open_sets(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_pure<set_index>(L, "__index");
+    lua_newtable(L);
+    add_function<set_all>(L, "set");
+    add_function<add_all>(L, "add");
+    add_pure<each_of>(L, "each");
+    add_function<delete_all>(L, "delete");
+    lua_setfield(L, -2, "methods");
+    name_metatable(L, "instances");
+    machine.boxes.set = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+void open_query(lua_State* L) {
+    add_pure<query>(L, "query");
+}
+
+}  // namespace fettle::script

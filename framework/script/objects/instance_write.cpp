@@ -1,0 +1,171 @@
+// Writing a name that the class does not declare: a child, an ad-hoc property, or a slip.
+
+#include <optional>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include <handlers/formulas.h>
+#include <lua/machine.h>
+#include <objects/generic_methods.h>
+#include <objects/hints.h>
+#include <objects/instance.h>
+#include <objects/script_classes.h>
+#include <text/synonyms.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Value;
+
+namespace {
+
+std::string path_of(Machine& machine, Handle instance, std::string_view name) {
+    return machine.tree.path(instance) + property::path_suffix(name);
+}
+
+void refuse_near_miss(Machine& machine, Handle instance, const property::Class& of,
+                      std::string_view name) {
+    std::vector<std::string> names = of.member_names();
+    machine.classes.add_function_names(of, names);
+    for (const std::string& declared : names)
+        if (property::near_miss(name, declared))
+            throw Error(ErrorKind::near_miss, path_of(machine, instance, name) +
+                                                  ": no such name (did you mean \"" + declared +
+                                                  "\"?)");
+}
+
+// The instance to adopt when the value at 3 is one that hangs nowhere, else null.
+Handle orphan_at(lua_State* L, Machine& machine) {
+    const auto* box = instance_at(L, 3);
+    if (!box) return {};
+    machine.tree.require(box->handle);
+    if (machine.tree.parent(box->handle) || box->handle == machine.tree.root()) return {};
+    return box->handle;
+}
+
+void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
+                 std::string_view name) {
+    if (lua_isnil(L, 3)) {
+        destroy(machine, child);
+        return;
+    }
+    const auto* box = instance_at(L, 3);
+    if (box && box->handle == child) return;
+    const Handle orphan = orphan_at(L, machine);
+    if (!orphan)
+        throw Error(ErrorKind::bad_structure,
+                    path_of(machine, instance, name) + ": is a " +
+                        machine.tree.class_of(child).name() +
+                        " that hangs here; assign a new instance to replace it or nil to delete "
+                        "it, not " +
+                        (box ? machine.tree.path(box->handle) + ", which has its place elsewhere"
+                             : describe_type(L, 3)));
+    if (machine.tree.is_below(instance, orphan))
+        throw Error(ErrorKind::bad_structure,
+                    path_of(machine, instance, name) + ": an instance cannot hang below itself");
+    replace(machine, child, orphan);
+}
+
+/// A child takes the place of a property that somebody added.
+void write_over(Machine& machine, Handle instance, const Property& property, Handle orphan) {
+    const std::string name = property.name;
+    const property::Formula* const formula = machine.tree.formula(instance, property);
+    const std::optional<property::Formula> computed =
+        formula != nullptr ? std::optional(*formula) : std::nullopt;
+    const Value value = machine.tree.peek(instance, property);
+    clear_property(machine, instance, property);
+    try {
+        place(machine, orphan, instance, name, false);
+    } catch (...) {  // it got none: everything stays
+        machine.tree.set_or_add(instance, name, value);
+        if (computed) machine.tree.set_formula(instance, name, *computed);
+        throw;
+    }
+}
+
+/// What other engines call a property, or a key, is too far from its name for the letters to tell.
+void set_or_add(Machine& machine, Handle instance, std::string_view name, const Value& value) {
+    try {
+        machine.tree.set_or_add(instance, name, value);
+    } catch (const Error& error) {
+        const std::string_view told = error.what();
+        if (error.kind() != ErrorKind::unknown_name ||
+            told.find("did you mean") != std::string_view::npos)
+            throw;
+        for (const std::string_view meant : property_synonyms(name))
+            if (machine.tree.class_of(instance).property(meant) != nullptr)
+                throw Error(error.kind(),
+                            std::string(told) + " (did you mean \"" + std::string(meant) + "\"?)");
+        throw;
+    }
+}
+
+void add_property(Machine& machine, Handle instance, std::string_view name, const Value& value) {
+    set_or_add(machine, instance, name, value);
+    note_added(machine, instance, name);
+    machine.hints.property_added(instance, name);
+}
+
+}  // namespace
+
+void write_member(lua_State* L, Machine& machine, Handle instance, const property::Class& of,
+                  std::string_view name) {
+    if (of.method(name) || generic_reference(L, machine, name) != LUA_NOREF)
+        throw Error(ErrorKind::bad_name,
+                    path_of(machine, instance, name) + ": is a method and cannot be assigned");
+    if (const Handle child = machine.tree.child(instance, name)) {
+        write_child(L, machine, instance, child, name);
+        return;
+    }
+    if (machine.classes.has_function(of, name))
+        throw Error(ErrorKind::bad_name, path_of(machine, instance, name) + ": is a function of " +
+                                             of.name() + " and cannot be assigned");
+    if (const Property* property = machine.tree.find(instance, name)) {
+        if (lua_isnil(L, 3)) {
+            clear_property(machine, instance, *property);
+            return;
+        }
+        if (is_formula(L, 3)) {
+            define_formula(L, machine, 3, instance, name);
+            return;
+        }
+        if (const Handle orphan = orphan_at(L, machine)) {
+            write_over(machine, instance, *property, orphan);
+            return;
+        }
+        Value value;
+        try {
+            value = to_value(L, 3);
+        } catch (const Error& error) {
+            throw Error(error.kind(), path_of(machine, instance, name) + ": " + error.what());
+        }
+        write_property(machine, instance, *property, value);
+        return;
+    }
+    refuse_near_miss(machine, instance, of, name);
+    if (lua_isnil(L, 3)) return;
+    if (is_formula(L, 3)) {
+        define_formula(L, machine, 3, instance, name);
+        return;
+    }
+    if (const Handle orphan = orphan_at(L, machine)) {
+        place(machine, orphan, instance, name, false);
+        return;
+    }
+    Value value;
+    try {
+        value = to_value(L, 3);
+    } catch (const Error& error) {
+        throw Error(error.kind(), path_of(machine, instance, name) + ": " + error.what());
+    }
+    add_property(machine, instance, name, value);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <unordered_map>
+
+#include <fettle/property/acceptance.h>
+#include <fettle/property/error.h>
+
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <objects/methods.h>
+#include <reference/reference_facts.h>
+#include <values/members.h>
+#include <values/records.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Method;
+using property::Record;
+using property::Result;
+using property::Value;
+
+namespace {
+
+constexpr std::size_t most_parameters = 8;
+
+/// A function is meant for `accept`, wherever it stands.
+void check_no_function(lua_State* L, int index, const std::string& path, const Method& method) {
+    if (lua_type(L, index) != LUA_TFUNCTION) return;
+    for (std::size_t i = 0; i < method.parameters.size(); ++i)
+        if (method.parameters[i].name == property::Acceptance::parameter)
+            throw Error(ErrorKind::wrong_type,
+                        path + ":" + method.name + ": argument " + std::to_string(index - 1) +
+                            " is a function; the function is argument " + std::to_string(i + 1) +
+                            ", " + method.parameters[i].name + ": " + signature(method));
+}
+
+// Upvalue 1: the method.
+int call_method(lua_State* L) {
+    const auto& method = *static_cast<const Method*>(lua_touserdata(L, lua_upvalueindex(1)));
+    Machine& machine = machine_of(L);
+    const auto* self = instance_at(L, 1);
+    if (!self)
+        throw Error(ErrorKind::wrong_type,
+                    method.name + ": call it with a colon, as in ball:" + method.name + "(...)");
+    const property::Class& of = machine.tree.class_of(self->handle);
+    if (of.method(method.symbol) != &method)
+        throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " + of.name() +
+                                               " has no " + method.name);
+    if (method.effect != property::Effect::nothing && !machine.tree.changeable())
+        machine.tree.require_changeable("call " + method.name);
+    std::array<Value, most_parameters> values;
+    const int given = lua_gettop(L) - 1;
+    if (given > static_cast<int>(std::min(most_parameters, method.parameters.size())))
+        throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ":" + method.name +
+                                               ": takes " +
+                                               std::to_string(method.parameters.size()) +
+                                               " arguments: " + signature(method));
+    std::optional<property::Acceptance> acceptance;
+    for (int i = 0; i < given; ++i) {
+        const int index = i + 2;
+        const bool accepts =
+            method.parameters[static_cast<std::size_t>(i)].name == property::Acceptance::parameter;
+        if (accepts && !lua_isnil(L, index) && lua_type(L, index) != LUA_TFUNCTION)
+            throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ":" + method.name +
+                                                   ": accept: expected a function, got " +
+                                                   describe_type(L, index) + ": " +
+                                                   signature(method));
+        if (accepts && lua_type(L, index) == LUA_TFUNCTION) {
+            values[static_cast<std::size_t>(i)] = true;
+            acceptance.emplace(machine.tree, method.name, [L, index](property::Handle instance) {
+                lua_pushvalue(L, index);
+                push_instance(L, instance);
+                lua_call(L, 1, 1);
+                const bool accepted = lua_toboolean(L, -1) != 0;
+                lua_pop(L, 1);
+                return accepted;
+            });
+            continue;
+        }
+        check_no_function(L, index, machine.tree.path(self->handle), method);
+        try {
+            values[static_cast<std::size_t>(i)] = to_value(L, i + 2);
+        } catch (const Error& error) {
+            throw Error(error.kind(), machine.tree.path(self->handle) + ":" + method.name + ": " +
+                                          method.parameters[static_cast<std::size_t>(i)].name +
+                                          ": " + error.what());
+        }
+    }
+    const Result result = machine.tree.call(
+        self->handle, method, std::span(values.data(), static_cast<std::size_t>(given)));
+    if (acceptance) acceptance->finish();
+    push_result(L, result);
+    return 1;
+}
+
+}  // namespace
+
+int method_reference(lua_State* L, Machine& machine, const Method& method) {
+    auto& known = machine.members.methods;
+    if (const auto found = known.find(&method); found != known.end()) return found->second;
+    lua_pushlightuserdata(L, const_cast<Method*>(&method));
+    lua_pushcclosure(L, guarded<call_method>, 1);
+    const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
+    known.emplace(&method, reference);
+    return reference;
+}
+
+}  // namespace fettle::script

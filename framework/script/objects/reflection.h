@@ -1,0 +1,29 @@
+#pragma once
+// What classes have, as scripts see it: `classes`, `Body.properties`, `Body.methods`,
+// `Body.events`, `ball:describe()`.
+//   for _, p in ipairs(Body.properties) do print(p.name, p.type, p.unit) end
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include <lua/lua_api.h>
+
+namespace fettle::script {
+
+struct Machine;
+
+/// Pushes the list of all classes, in order of definition.
+void push_classes(lua_State* L, Machine& machine);
+/// Names that every class object has for its own description.
+const std::vector<std::string>& class_fields();
+/// Pushes one of them; false for any other name.
+bool push_class_field(lua_State* L, Machine& machine, const property::Class& of,
+                      std::string_view name);
+/// `:describe()` lists the properties of an instance, those added to it too; `:describe(name)` is
+/// the description of one property, method or event.
+int describe_instance(lua_State* L);
+
+}  // namespace fettle::script

@@ -1,0 +1,398 @@
+#include <algorithm>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+
+#include <calls/protected.h>
+#include <handlers/connections.h>
+#include <handlers/subscriptions.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <lua/watchdog.h>
+#include <objects/reflection.h>
+#include <objects/script_classes.h>
+#include <objects/unplaced.h>
+#include <reference/language.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Class;
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::Property;
+using property::Value;
+
+namespace {
+
+bool is_callback(std::string_view name) {
+    return name == "ready" || name == "step" || name == "draw";
+}
+
+}  // namespace
+
+// --- Functions
+
+// The tables of functions from the class up, nearest first.
+const std::vector<int>& ScriptClasses::chain(const Class& of) {
+    if (const auto found = chains_.find(&of); found != chains_.end()) return found->second;
+    std::vector<int> tables;
+    for (const Class* c = &of; c; c = c->base())
+        if (const auto found = infos_.find(c);
+            found != infos_.end() && found->second.functions != LUA_NOREF)
+            tables.push_back(found->second.functions);
+    return chains_.emplace(&of, std::move(tables)).first->second;
+}
+
+bool ScriptClasses::push_function(lua_State* L, const Class& of) {
+    if (!any_functions_) return false;
+    for (const int table : chain(of)) {
+        push_registry(L, table);
+        lua_pushvalue(L, 2);
+        if (lua_rawget(L, -2) != LUA_TNIL) {
+            lua_remove(L, -2);
+            return true;
+        }
+        lua_pop(L, 2);
+    }
+    return false;
+}
+
+bool ScriptClasses::push_function(lua_State* L, const Class& of, const char* name) {
+    if (!any_functions_) return false;
+    for (const int table : chain(of)) {
+        push_registry(L, table);
+        lua_pushstring(L, name);
+        if (lua_rawget(L, -2) != LUA_TNIL) {
+            lua_remove(L, -2);
+            return true;
+        }
+        lua_pop(L, 2);
+    }
+    return false;
+}
+
+const Class* ScriptClasses::definer(const Class& of, std::string_view name) {
+    for (const Class* c = &of; c; c = c->base()) {
+        const auto found = infos_.find(c);
+        if (found == infos_.end()) continue;
+        const auto& names = found->second.function_names;
+        if (std::find(names.begin(), names.end(), name) != names.end()) return c;
+    }
+    return nullptr;
+}
+
+bool ScriptClasses::has_function(const Class& of, std::string_view name) {
+    return any_functions_ && definer(of, name) != nullptr;
+}
+
+std::vector<std::string> ScriptClasses::own_functions(const Class& of) const {
+    const auto found = infos_.find(&of);
+    return found == infos_.end() ? std::vector<std::string>() : found->second.function_names;
+}
+
+void ScriptClasses::add_function_names(const Class& of, std::vector<std::string>& names) {
+    for (const Class* c = &of; c; c = c->base())
+        if (const auto found = infos_.find(c); found != infos_.end())
+            for (const std::string& name : found->second.function_names)
+                if (std::find(names.begin(), names.end(), name) == names.end())
+                    names.push_back(name);
+}
+
+void ScriptClasses::set_function(lua_State* L, const Class& of, const std::string& name) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ErrorKind::bad_name, of.name() + "." + name + ": " + why);
+    };
+    if (of.property(name)) refuse("is a property already");
+    if (of.method(name)) refuse("is a method already");
+    const auto& generic = generic_names();
+    if (std::find(generic.begin(), generic.end(), name) != generic.end())
+        refuse("every instance has that");
+    const auto& fields = class_fields();
+    if (std::find(fields.begin(), fields.end(), name) != fields.end())
+        refuse("every class has that");
+    const bool is_event = of.event(name) != nullptr || name == "deleted";
+    if (is_callback(name) && !is_event && !scripted(of))
+        refuse("only classes made with class(...) have it; derive one from " + of.name());
+    if (!is_event && !is_callback(name)) {
+        std::vector<std::string> events = {"ready", "deleted"};
+        for (const property::Event* event : of.events()) events.push_back(event->name);
+        for (const std::string& event : events)
+            if (name.size() >= 8 && property::near_miss(name, event))
+                refuse("no such event (did you mean \"" + event + "\"?)");
+    }
+    Info& own = info(of);
+    if (own.functions == LUA_NOREF) {
+        lua_newtable(L);
+        own.functions = luaL_ref(L, LUA_REGISTRYINDEX);
+        chains_.clear();
+    }
+    any_functions_ = true;
+    push_registry(L, own.functions);
+    lua_pushlstring(L, name.data(), name.size());
+    lua_pushvalue(L, -3);
+    lua_rawset(L, -3);
+    lua_pop(L, 2);
+    if (std::find(own.function_names.begin(), own.function_names.end(), name) ==
+        own.function_names.end())
+        own.function_names.push_back(name);
+    if (is_event && !is_callback(name)) connect(of, name);
+}
+
+// One handler for each class and event; the function is looked up when the event comes, so that a
+// redefinition takes effect and a derived class's function replaces the base's.
+void ScriptClasses::connect(const Class& of, const std::string& name) {
+    Info& own = info(of);
+    if (std::find(own.connected.begin(), own.connected.end(), name) != own.connected.end()) return;
+    own.connected.push_back(name);
+    const Class* here = &of;
+    const auto run = [this, here, name](const Class& actual, Handle instance, auto push) {
+        if (definer(actual, name) != here) return;
+        protected_run(machine_, Context(actual.name() + ":" + name, instance), [&](lua_State* L) {
+            push(L);
+            if (!push_function(L, actual, name.c_str())) return;
+            push_instance(L, instance);
+            lua_pushvalue(L, -3);
+            lua_call(L, 2, 0);
+            if (property::Question* asked = property::Question::current()) take_answer(L, *asked);
+        });
+    };
+    if (name == "deleted") {
+        machine_.connections.keep(
+            machine_.tree.watch_deleted(of, [run](const property::Existence& existence) {
+                run(*existence.instance_class, existence.instance,
+                    [&](lua_State* L) { push_existence(L, existence); });
+            }));
+        return;
+    }
+    machine_.connections.keep(
+        machine_.tree.on(of, *of.event(name), [this, run](const property::Occurrence& occurrence) {
+            if (!machine_.tree.alive(occurrence.instance)) return;
+            run(machine_.tree.class_of(occurrence.instance), occurrence.instance,
+                [&](lua_State* L) { push_occurrence(L, occurrence); });
+        }));
+}
+
+void ScriptClasses::forget_functions() {
+    lua_State* L = machine_.lua.main;
+    for (auto& [of, own] : infos_) {
+        if (own.functions != LUA_NOREF) luaL_unref(L, LUA_REGISTRYINDEX, own.functions);
+        own.functions = LUA_NOREF;
+        own.function_names.clear();
+        own.connected.clear();
+    }
+    chains_.clear();
+    any_functions_ = false;
+    waiting_.clear();
+    for (const auto& [of, own] : infos_)
+        if (own.scripted) observe(*of);
+}
+
+// --- Definition
+
+bool ScriptClasses::scripted(const Class& of) const {
+    const auto found = infos_.find(&of);
+    return found != infos_.end() && found->second.scripted;
+}
+
+// Also instances that no constructor of ours made (a scene file, a module) belong to the class.
+void ScriptClasses::observe(const Class& of) {
+    if (of.base() && scripted(*of.base())) return;  // its observer sees these too
+    machine_.connections.keep(
+        machine_.tree.watch_created(of, [this](const property::Existence& existence) {
+            if (machine_.tree.alive(existence.instance)) adopt(existence.instance, false);
+        }));
+}
+
+void ScriptClasses::adopt(Handle instance, bool announce) {
+    if (!known_.insert(bits_of(instance)).second) return;
+    if (members_.size() >= prune_at_ && !calling_) {
+        std::erase_if(members_, [this](Handle member) {
+            if (machine_.tree.alive(member)) return false;
+            known_.erase(bits_of(member));
+            return true;
+        });
+        prune_at_ = std::max<std::size_t>(1024, 2 * members_.size());
+    }
+    members_.push_back(instance);
+    waiting_.push_back({instance, announce});
+    if (noting_) adopted_.push_back(instance);
+    if (adopted_.size() > 65536) adopted_.clear();  // nobody takes them any more
+}
+
+namespace {
+
+bool same_properties(const Class& existing, const std::vector<Property>& wanted) {
+    std::size_t own = 0;
+    for (const Property* property : existing.properties())
+        if (property->owner == &existing) ++own;
+    if (own != wanted.size()) return false;
+    for (const Property& property : wanted) {
+        const Property* found = existing.property(property.name);
+        if (!found || found->owner != &existing || found->type != property.type) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+const Class& ScriptClasses::define(Definition definition) {
+    const Class* existing = machine_.tree.find_class(definition.name);
+    if (existing) {
+        if (!scripted(*existing))
+            throw Error(ErrorKind::bad_name, definition.name + ": is a class of the framework");
+        if (existing->base() != definition.base ||
+            !same_properties(*existing, definition.properties))
+            throw Error(ErrorKind::bad_name,
+                        definition.name +
+                            ": exists already with another base or other properties; instances of "
+                            "it live on, so that needs a restart of the game");
+        Info& own = info(*existing);
+        own.defaults.clear();
+        // In the order in which all values are set that are set together.
+        for (const Property* declared : existing->properties())
+            for (const Property& property : definition.properties)
+                if (property.name == declared->name &&
+                    !(declared->default_value == property.default_value))
+                    own.defaults.emplace_back(declared, property.default_value);
+        return *existing;
+    }
+    property::ClassDescriptor descriptor;
+    descriptor.name = definition.name;
+    descriptor.base = definition.base->name();
+    descriptor.doc = definition.doc;
+    descriptor.creatable = true;
+    descriptor.properties = std::move(definition.properties);
+    const Class& made = machine_.tree.define(std::move(descriptor));
+    Info& own = info(made);
+    own.scripted = true;
+    observe(made);
+    return made;
+}
+
+// --- Instances
+
+Handle ScriptClasses::create(const Class& of) {
+    const Handle made = machine_.tree.create(of);
+    machine_.unplaced.handles.push_back(made);
+    // Base first, so that a derived class has the last word.
+    std::vector<const Class*> up;
+    for (const Class* c = &of; c; c = c->base())
+        if (scripted(*c)) up.push_back(c);
+    if (up.empty()) {
+        waiting_.push_back({made, true});
+        return made;
+    }
+    adopt(made, true);
+    try {
+        for (auto c = up.rbegin(); c != up.rend(); ++c)
+            for (const auto& [property, value] : info(**c).defaults)
+                machine_.tree.set(made, *property, value);
+    } catch (...) {
+        machine_.tree.destroy(made);
+        throw;
+    }
+    return made;
+}
+
+void ScriptClasses::explain_integer(const Property& property, const Value& value) const {
+    if (property.type != property::Type::integer || !value.is(property::Type::number) ||
+        !property.owner || !scripted(*property.owner))
+        return;
+    const double number = value.number();
+    if (number ==
+        static_cast<double>(static_cast<std::int64_t>(std::clamp(number, -9.0e18, 9.0e18))))
+        return;
+    const std::string declared = property::value_text(property.default_value);
+    throw Error(ErrorKind::wrong_type, property.owner->name() + "." + property.name + ": " +
+                                           property::number_text(number) +
+                                           " is no integer, and the class declares " +
+                                           property.name + " = " + declared + "; declare " +
+                                           declared + ".0 for a property that takes any number");
+}
+
+bool ScriptClasses::deliver_ready() {
+    if (waiting_.empty()) return true;
+    // What waits for a place has none as long as nothing moved.
+    const auto now = std::pair(machine_.tree.structure(), waiting_.size());
+    if (std::exchange(looked_at_, now) == now) return true;
+    struct Due {
+        std::size_t depth;
+        Waiting what;
+    };
+    std::vector<Due> due;
+    const Handle root = machine_.tree.root();
+    std::erase_if(waiting_, [&](const Waiting& waiting) {
+        const Handle instance = waiting.instance;
+        if (!machine_.tree.alive(instance)) return true;
+        if (!machine_.tree.is_below(instance, root)) return false;
+        std::size_t depth = 0;
+        for (Handle up = instance; up; up = machine_.tree.parent(up)) ++depth;
+        due.push_back({depth, waiting});
+        return true;
+    });
+    std::stable_sort(due.begin(), due.end(),
+                     [](const Due& a, const Due& b) { return a.depth > b.depth; });
+    const property::Event* event = machine_.tree.object_class().event("ready");
+    bool ok = true;
+    for (const Due& one : due) {
+        const Waiting& each = one.what;
+        if (!machine_.tree.alive(each.instance)) continue;
+        if (each.announce && event && machine_.tree.listens(each.instance, *event))
+            machine_.tree.emit(each.instance, *event, {});
+        const Class& of = machine_.tree.class_of(each.instance);
+        if (!has_function(of, "ready")) continue;
+        ok &= protected_run(machine_, Context("ready", each.instance), [&](lua_State* L) {
+            if (!push_function(L, of, "ready")) return;
+            push_instance(L, each.instance);
+            lua_call(L, 1, 0);
+        });
+    }
+    return ok;
+}
+
+template <class Push>
+bool ScriptClasses::call_all(const char* name, Push push) {
+    if (!any_functions_ || members_.empty()) return true;
+    const Handle root = machine_.tree.root();
+    bool ok = true;
+    calling_ = true;
+    std::size_t kept = 0;
+    bool stopped = false;
+    // Whatever the functions create joins at the next call.
+    const std::size_t count = members_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Handle instance = members_[i];
+        if (!machine_.tree.alive(instance)) {
+            known_.erase(bits_of(instance));
+            continue;
+        }
+        members_[kept++] = instance;
+        const Class& of = machine_.tree.class_of(instance);
+        if (stopped || !has_function(of, name) || !machine_.tree.is_below(instance, root)) continue;
+        ok &= protected_run(machine_, Context(of.name() + ":" + name, instance), [&](lua_State* L) {
+            if (!push_function(L, of, name)) return;
+            push_instance(L, instance);
+            push(L);
+            lua_call(L, 2, 0);
+        });
+        stopped = machine_.watchdog.stopped();
+    }
+    members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(kept),
+                   members_.begin() + static_cast<std::ptrdiff_t>(count));
+    calling_ = false;
+    return ok;
+}
+
+bool ScriptClasses::step(double dt) {
+    return call_all("step", [dt](lua_State* L) { lua_pushnumber(L, dt); });
+}
+
+bool ScriptClasses::draw(int pen) {
+    return call_all("draw", [pen](lua_State* L) { push_registry(L, pen); });
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/unplaced.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Handle;
+using property::Value;
+
+namespace {
+
+bool has_proxy(lua_State* L, const Machine& machine, Handle handle) {
+    push_registry(L, machine.boxes.proxies);
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(bits_of(handle)));
+    const bool found = !lua_isnil(L, -1);
+    lua_pop(L, 2);
+    return found;
+}
+
+bool held_by_script(lua_State* L, const Machine& machine, Handle top) {
+    bool held = false;
+    machine.tree.each_below(top, [&](Handle handle) { held |= has_proxy(L, machine, handle); });
+    return held;
+}
+
+void collect_references(const Value& value, std::vector<Handle>& found) {
+    if (value.is(property::Type::reference)) {
+        found.push_back(value.reference());
+    } else if (value.is(property::Type::list)) {
+        for (const Value& element : value.list()) collect_references(element, found);
+    }
+}
+
+void references_below(const Machine& machine, Handle top, std::vector<Handle>& found) {
+    machine.tree.each_below(top, [&](Handle handle) {
+        for (const property::Property* property : machine.tree.properties(handle))
+            if (property->type == property::Type::reference || property->any_type ||
+                (property->type == property::Type::list &&
+                 (property->element == property::Type::reference ||
+                  property->element == property::Type::nil)))
+                collect_references(machine.tree.get(handle, *property), found);
+    });
+}
+
+Handle top_of(const Machine& machine, Handle handle) {
+    for (Handle up = machine.tree.parent(handle); up; up = machine.tree.parent(up)) handle = up;
+    return handle;
+}
+
+}  // namespace
+
+void collect_unplaced(Machine& machine) {
+    auto& [unplaced, limit] = machine.unplaced;
+    if (unplaced.size() < limit) return;
+    std::erase_if(unplaced, [&](Handle handle) {
+        return !machine.tree.alive(handle) || machine.tree.parent(handle);
+    });
+    if (unplaced.size() >= limit) {
+        lua_State* L = machine.lua.main;
+        lua_gc(L, LUA_GCCOLLECT);
+        // What the tree or a script refers to stays, and so does what that refers to.
+        std::vector<Handle> reachable = {machine.tree.root()};
+        std::unordered_set<std::uint64_t> rest;
+        for (const Handle handle : unplaced)
+            if (held_by_script(L, machine, handle))
+                reachable.push_back(handle);
+            else
+                rest.insert(bits_of(handle));
+        while (!reachable.empty()) {
+            const Handle top = reachable.back();
+            reachable.pop_back();
+            std::vector<Handle> references;
+            references_below(machine, top, references);
+            for (const Handle handle : references) {
+                if (!machine.tree.alive(handle)) continue;
+                const Handle other = top_of(machine, handle);
+                if (rest.erase(bits_of(other)) > 0) reachable.push_back(other);
+            }
+        }
+        for (const Handle handle : unplaced)
+            if (rest.contains(bits_of(handle)) && machine.tree.alive(handle))
+                machine.tree.destroy(handle);
+        std::erase_if(unplaced, [&](Handle handle) { return !machine.tree.alive(handle); });
+    }
+    limit = std::max<std::size_t>(64, 2 * unplaced.size());
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,236 @@
+#include <cstring>
+
+#include <reference/language.h>
+#include <reference/signature.h>
+
+namespace fettle::script {
+
+const std::vector<GlobalDoc>& global_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"after", "after(seconds: number, action: fun()): Connection",
+         "Calls the function once, that much simulation time from now. It may wait()."},
+        {"class", "class(name: string, base?: Class|string): fun(members: table): Class",
+         "Makes a class whose instances live in the tree: Ball = class(\"Ball\", Body) { lives = 3 "
+         "}. Values are properties with their defaults; `doc` explains the class, or its "
+         "properties by name."},
+        {"color",
+         "color(name: string): color\n"
+         "color(r: number, g: number, b: number, a?: number): color",
+         "A color by name, as \"#rgb\" or \"#rrggbb\", with one or two digits more for its "
+         "opacity, "
+         "or from channels between 0 and 1."},
+        {"deg", "deg(degrees: number): number", "An angle in radians."},
+        {"delete_save", "delete_save(slot: string)", "Removes a saved game."},
+        {"drop_tweaks", "drop_tweaks(pattern: string)",
+         "Forgets the tweaks that match: they are neither listed nor made again."},
+        {"edit", "edit(name: string, action: fun())",
+         "What the function writes is one step of undo under that name."},
+        {"every", "every(seconds: number, action: fun()): Connection",
+         "Calls the function again and again at that interval of simulation time; 0 is every "
+         "step."},
+        {"find", "find(word: string)", "Lists every name and documentation that has the word."},
+        {"formula", "formula(value: fun(): any): Formula",
+         "Assigned to a property, the function is its value from then on: it is called again "
+         "whenever something it reads has changed. One that raises an error is told once: its "
+         "module "
+         "goes on with the last value, and reading the property raises the error; so is one that "
+         "takes more than 50 million instructions."},
+        {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
+        {"history", "history()", "Lists what was edited, the latest first."},
+        {"keep", "keep(pattern: string)",
+         "Writes the tweaks that match into files: of what came from a scene file into that file, "
+         "of what a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` "
+         "beside "
+         "a game that is one file), which the next run reads. keep(\"world.ball.*\")."},
+        {"load_game", "load_game(slot: string)",
+         "Goes on with a saved game, from the next barrier. One that is damaged, newer, of "
+         "another game or of classes that are not defined is an error, and nothing changes. "
+         "`game` tells `restored`."},
+        {"query", "query(pattern: string): Set|table<string, any>",
+         "What matches a pattern. Where its last part is the name of a child, a set of instances: "
+         "query(\"world.*.circle\"). Where it is the name of a property, or a star, which stands "
+         "for "
+         "every property, a table of values by path: query(\"world.*.mass\"). An empty set where "
+         "nothing matches. Formulas in error are left out."},
+        {"quit", "quit(status?: integer|boolean)",
+         "Ends the game with that exit status, 0 to 255; 0 without one."},
+        {"random",
+         "random(): number\n"
+         "random(n: integer): integer\n"
+         "random(from: integer, to: integer): integer\n"
+         "random(from: number, to: number): number",
+         "A random number in [0, 1), from 1 to n, or from one to the other; from 0 to a number "
+         "that is "
+         "no integer; random(0) is any "
+         "integer, as in Lua. The same for the same seed."},
+        {"reapply_tweaks", "reapply_tweaks(pattern: string)",
+         "Makes the tweaks of earlier runs that match again."},
+        {"redo", "redo()", "Does again what undo took back."},
+        {"require", "require(name: string): any",
+         "Runs another file of the game once, and returns what it returned."},
+        {"restore", "restore(taken: Snapshot)",
+         "Puts the whole tree back to what it was at a snapshot, at the next barrier between "
+         "steps. Variables of Lua stay as they are; `game` tells `restored`."},
+        {"rewind", "rewind(seconds: number)",
+         "Goes back by so much simulation time, at the next barrier between steps, as far as the "
+         "past is kept (`time.oldest`)."},
+        {"save_game", "save_game(slot: string)",
+         "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
+         "Lua, and of a formula that uses local variables its value only. A slot is called by "
+         "letters, digits, spaces, - and _. Several calls for one slot "
+         "before the barrier are one save, as the last of them wants it; more than 1000 calls are "
+         "an error. Saves lie in a folder for each game in `~/.local/share/fettle/`."},
+        {"saves", "saves(): SavedGame[]",
+         "The saved games by slot, those that cannot be loaded too."},
+        {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
+         "The instances of a scene file, placed below the parent; detached without one."},
+        {"scene.save", "scene.save(file: string, instance: Object)",
+         "Writes an instance and everything below it to a scene file of the game. It replaces a "
+         "scene "
+         "or nothing: a file of another kind is left as it is, which is an error."},
+        {"snapshot", "snapshot(): Snapshot",
+         "The whole tree as it is at the next barrier between steps, for restore."},
+        {"tweaks", "tweaks()",
+         "Lists what people, and scripts inside edit(), changed while the game ran, in this run "
+         "and in earlier ones, and what "
+         "of "
+         "it is kept."},
+        {"undo", "undo()", "Takes the latest edit back."},
+        {"vec",
+         "vec(x: number, y: number): vec\n"
+         "vec(other: vec): vec\n"
+         "vec(): vec",
+         "A vector or point; a copy of one; the zero vector."},
+        {"wait", "wait(seconds: number)",
+         "Inside a coroutine: goes on that much simulation time later."},
+        {"watch",
+         "watch(pattern: string, handler: fun(new: any, old: any, change: Change)): Connection",
+         "Calls the function after a property that matches has changed: "
+         "watch(\"world.*.velocity\", handler)."},
+        {"who", "who(path: string)",
+         "Tells who wrote a property last, and at which step: \"console:1, step 49\". What rewind, "
+         "restore or load_game took back reads \"restore, step 30\". The file and line of a script "
+         "are told of what was watched when it was written; else only \"script\". Of what the "
+         "simulation changes, the last other writer is told, and the simulation only where there "
+         "is none or the property is watched."},
+        {"why", "why(path: string)",
+         "Tells where the value of a property comes from: its formula, and what that reads."},
+    };
+    return docs;
+}
+
+const std::vector<GlobalDoc>& variable_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"_", "any", "The result of the console's last command."},
+        {"_G", "table", "The table of all globals."},
+        {"_VERSION", "string", "The version of Lua."},
+        {"classes", "Class[]",
+         "All classes, by number and by name: classes.Body.properties. Read-only."},
+        {"game", "Game", "The root of the tree."},
+        {"it", "Object", "In the console: the instance that is selected."},
+    };
+    return docs;
+}
+
+const std::vector<GlobalDoc>& callback_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"start", "start()", "Called once, when main.lua has run."},
+        {"update", "update(dt: number)",
+         "Called every frame; dt is the game time since the last one in seconds: real time times "
+         "time.scale, 0 while the game is paused."},
+        {"step", "step(dt: number)",
+         "Called before every fixed step of the simulation, time.dt seconds long."},
+        {"draw", "draw(pen: Pen)", "Called for every picture, over what draws itself."},
+        {"key_pressed", "key_pressed(key: string)", "A key went down: \"space\", \"a\", \"left\"."},
+        {"key_released", "key_released(key: string)", "A key came up."},
+        {"text_input", "text_input(text: string)", "A character was typed, by whatever keys."},
+        {"mouse_pressed", "mouse_pressed(button: string, position: vec, screen: vec)",
+         "A button went down, at a position in the world and on the screen in pixels."},
+        {"mouse_released", "mouse_released(button: string, position: vec, screen: vec)",
+         "A button came up, at a position in the world and on the screen in pixels."},
+        {"mouse_moved", "mouse_moved(position: vec, screen: vec)",
+         "The mouse moved to a position in the world and on the screen in pixels."},
+        {"wheel", "wheel(notches: number, position: vec)",
+         "The wheel was turned, away from the user positive, over a position in the world."},
+        {"gamepad_pressed", "gamepad_pressed(gamepad: integer, button: string)",
+         "A button of a gamepad went down; gamepads are counted from 1, and buttons are called "
+         "\"1\" to \"16\"."},
+        {"gamepad_released", "gamepad_released(gamepad: integer, button: string)",
+         "A button of a gamepad came up."},
+        {"gamepad_axis", "gamepad_axis(gamepad: integer, axis: string, value: number)",
+         "An axis of a gamepad moved: \"left_x\", \"left_y\", \"right_x\", \"right_y\", "
+         "\"pad_x\" or \"pad_y\" to a value from -1 to 1, right and up positive; "
+         "\"left_trigger\" or \"right_trigger\" to a value from 0 to 1."},
+        {"resized", "resized(width: number, height: number)",
+         "The window got another size, in pixels."},
+        {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},
+        {"closing", "closing()",
+         "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for "
+         "it. quit() and the end of --steps do not call it. After it no update and no "
+         "draw is called; watchers and handlers of events still hear what it changed. After a "
+         "signal it may take five seconds."},
+    };
+    return docs;
+}
+
+const std::vector<GlobalDoc>& class_callback_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"ready", "ready(self: Object)",
+         "Called when the instance has found its place in the tree, children first."},
+        {"step", "step(self: Object, dt: number)",
+         "Called before every fixed step of the simulation, time.dt seconds long."},
+        {"draw", "draw(self: Object, pen: Pen)", "Called for every picture."},
+    };
+    return docs;
+}
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<GlobalDoc>& docs) {
+    std::vector<std::string> names;
+    for (const GlobalDoc& doc : docs) names.emplace_back(doc.name);
+    return names;
+}
+
+}  // namespace
+
+const std::vector<std::string>& callback_names() {
+    static const std::vector<std::string> names = names_of(callback_docs());
+    return names;
+}
+
+const std::vector<std::string>& generic_names() {
+    static const std::vector<std::string> names = names_of(instance_docs());
+    return names;
+}
+
+const std::vector<std::string>& later_names() {
+    static const std::vector<std::string> names = {"tween"};
+    return names;
+}
+
+const GlobalDoc* global_doc(std::string_view name) {
+    for (const auto* docs : {&global_docs(), &library_docs(), &variable_docs(), &callback_docs()})
+        for (const GlobalDoc& doc : *docs)
+            if (name == doc.name) return &doc;
+    return nullptr;
+}
+
+std::string shown_name(const GlobalDoc& doc) {
+    return std::string_view(doc.signature).find('(') == std::string_view::npos
+               ? doc.name
+               : plain_signatures(doc.signature);
+}
+
+bool MemberDoc::is_function() const {
+    const std::size_t length = std::strlen(name);
+    return std::strncmp(signature, name, length) == 0 && signature[length] == '(';
+}
+
+const TypeDoc* type_doc(std::string_view name) {
+    for (const TypeDoc& doc : type_docs())
+        if (name == doc.name) return &doc;
+    return nullptr;
+}
+
+}  // namespace fettle::script

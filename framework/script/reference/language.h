@@ -1,0 +1,63 @@
+#pragma once
+// What a game can use besides classes: global functions, callbacks, the kinds of values. Help,
+// completion, editor annotations and the reference are made from these descriptors.
+//
+// A signature is written as an editor's annotations have it, one a line where there are several:
+//   "after(seconds: number, action: fun()): Connection"
+//   "color(name: string): color\ncolor(r: number, g: number, b: number, a?: number): color"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fettle::script {
+
+struct GlobalDoc {
+    const char* name;  // "after", "scene.load"
+    const char* signature;
+    const char* doc;
+};
+
+/// Functions of Fettle, sorted by name.
+const std::vector<GlobalDoc>& global_docs();
+/// Functions of Lua's own library as scripts have them, sorted by name.
+const std::vector<GlobalDoc>& library_docs();
+/// Globals that are no functions: `game`, `classes`, `it` ...; the signature is the type.
+const std::vector<GlobalDoc>& variable_docs();
+/// Functions of a game that the host calls, in the order in which a game meets them.
+const std::vector<GlobalDoc>& callback_docs();
+const std::vector<std::string>& callback_names();
+/// Names of the language that have their place but no implementation yet.
+const std::vector<std::string>& later_names();
+/// Functions of a class made with class(...) that the host calls.
+const std::vector<GlobalDoc>& class_callback_docs();
+/// Methods that every instance has, sorted by name.
+const std::vector<GlobalDoc>& instance_docs();
+const std::vector<std::string>& generic_names();
+/// A global of any of the kinds above; nullptr when there is none.
+const GlobalDoc* global_doc(std::string_view name);
+
+/// As lists show it: without types, and a variable by its name.
+std::string shown_name(const GlobalDoc& doc);
+
+/// A member of a value: `vec.x`, `connection:stop()`. Its signature is a type where it is a field.
+struct MemberDoc {
+    const char* name;
+    const char* signature;
+    const char* doc;
+    bool is_function() const;
+};
+
+/// A kind of value that is no class of the tree.
+struct TypeDoc {
+    const char* name;
+    const char* doc;
+    std::vector<MemberDoc> members;
+    std::vector<const char*> operators{};  // "add(vec): vec"
+    bool by_dot = false;                   // functions are called with a dot, as pen.circle(...)
+};
+
+const std::vector<TypeDoc>& type_docs();
+const TypeDoc* type_doc(std::string_view name);
+
+}  // namespace fettle::script

@@ -1,0 +1,51 @@
+// What every instance can do.
+
+#include <reference/language.h>
+
+namespace fettle::script {
+
+const std::vector<GlobalDoc>& instance_docs() {
+    static const std::vector<GlobalDoc> docs = {
+        {"add", "add(self: Object, child: Object, name?: string): Object",
+         "Gives a new instance its place here and returns it."},
+        {"alive", "alive(self: Object): boolean", "Whether it has not been deleted."},
+        {"all", "all(self: Object, class?: Class|string): Set",
+         "Everything below of that class, as a set with :set and :add."},
+        {"children", "children(self: Object, class?: Class|string): Set",
+         "What hangs directly here, as a set."},
+        {"clone", "clone(self: Object): Object", "A detached copy of it and everything below."},
+        {"delete", "delete(self: Object)", "Deletes it and everything below."},
+        {"describe",
+         "describe(self: Object): PropertyDescription[]\n"
+         "describe(self: Object, name: string): "
+         "PropertyDescription|MethodDescription|EventDescription",
+         "What it has: all its properties, or one property, method or event by name."},
+        {"each",
+         "each(self: Object, class: Class|string, action: fun(instance: Object))\n"
+         "each(self: Object, action: fun(instance: Object))",
+         "Calls the function with everything below of that class."},
+        {"find",
+         "find(self: Object, class: Class|string, condition?: fun(instance: Object): boolean): Set",
+         "Everything below of that class for which the condition holds, as a set."},
+        {"formula", "formula(self: Object, property: string): function?",
+         "The function that is the property's value, or nil."},
+        {"has", "has(self: Object, name: string): boolean",
+         "Whether it has a property or child of that name."},
+        {"is_a", "is_a(self: Object, class: Class|string): boolean",
+         "Whether it is of that class or of one derived from it."},
+        {"move", "move(self: Object, parent?: Object, name?: string): Object",
+         "Gives it another parent; nil detaches it."},
+        {"on", "on(self: Object, event: string, handler: fun(told: any)): Connection",
+         "Calls the function when the event happens to it."},
+        {"problem", "problem(self: Object, property: string): string?",
+         "What is wrong with the property's formula, or nil."},
+        {"watch",
+         "watch(self: Object, property: string, handler: fun(new: any, old: any, change: Change)): "
+         "Connection\n"
+         "watch(self: Object, handler: fun(new: any, old: any, change: Change)): Connection",
+         "Calls the function after that property, or any, has changed."},
+    };
+    return docs;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,188 @@
+#include <new>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/script/runtime.h>
+
+#include <console/help.h>
+#include <handlers/connections.h>
+#include <handlers/coroutines.h>
+#include <handlers/formulas.h>
+#include <handlers/subscriptions.h>
+#include <handlers/timers.h>
+#include <library/globals.h>
+#include <library/pen.h>
+#include <library/random.h>
+#include <library/sandbox.h>
+#include <library/time_functions.h>
+#include <lua/arena.h>
+#include <lua/environment.h>
+#include <lua/guard.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/class_object.h>
+#include <objects/instance.h>
+#include <objects/instance_set.h>
+#include <runtime/parts.h>
+#include <runtime/runtime_part.h>
+#include <values/description.h>
+#include <values/members.h>
+#include <values/records.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+namespace {
+
+void open_libraries(lua_State* L) {
+    const luaL_Reg libraries[] = {
+        {LUA_GNAME, luaopen_base},       {LUA_COLIBNAME, luaopen_coroutine},
+        {LUA_TABLIBNAME, luaopen_table}, {LUA_STRLIBNAME, luaopen_string},
+        {LUA_MATHLIBNAME, luaopen_math}, {LUA_UTF8LIBNAME, luaopen_utf8},
+        {LUA_OSLIBNAME, luaopen_os},
+    };
+    for (const luaL_Reg& library : libraries) {
+        luaL_requiref(L, library.name, library.func, 1);
+        lua_pop(L, 1);
+    }
+}
+
+int new_table(lua_State* L) {
+    lua_newtable(L);
+    return luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+/// The environment of games and console; it becomes the state's globals.
+void open_environment(lua_State* L, Machine& machine) {
+    open_sandbox(L);
+    open_coroutines(L);
+    open_random(L);
+    open_timers(L);
+    open_watch(L);
+    open_query(L);
+    open_class_function(L);
+    open_require(L);
+    open_scenes(L);
+    open_formulas(L);
+    open_history(L);
+    open_tweaks(L);
+    open_saves(L);
+    open_time(L);
+    open_help(L);
+    open_vec(L);
+    open_color(L, machine);
+    open_list(L, machine);
+    note_names(L);
+    open_globals(L, machine);
+    lua_pushvalue(L, -1);
+    lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
+}
+
+int open_all(lua_State* L) {
+    Machine& machine = machine_of(L);
+    open_libraries(L);
+    machine.members.anchors = new_table(L);
+    machine.globals.loaded = new_table(L);
+    push_weak_table(L, "k");
+    machine.lua.killed = luaL_ref(L, LUA_REGISTRYINDEX);
+    machine.globals.last_result = new_table(L);
+    define_vec(L, machine);
+    open_instance(L, machine);
+    open_sets(L, machine);
+    open_records(L, machine);
+    open_connections(L, machine);
+    open_classes(L, machine);
+    open_descriptions(L, machine);
+    open_pen(L, machine);
+    open_environment(L, machine);
+    // Games make many short-lived vectors over a small heap: with the default pause of 200 % most
+    // of their cost is marking that heap again and again.
+    lua_gc(L, LUA_GCINC, collector_pause, 0, 0);
+    lua_settop(L, 0);
+    return 0;
+}
+
+/// Before anything is made.
+property::Tree& without_runtime(property::Tree& tree) {
+    for (const property::SnapshotPart* part : tree.parts())
+        if (part->part_name() == RuntimePart::name)
+            throw property::Error(property::ErrorKind::bad_structure,
+                                  "the tree has a runtime already: it has one at a time");
+    return tree;
+}
+
+}  // namespace
+
+Parts::Parts(property::Tree& tree, Options runtime_options)
+    : machine{without_runtime(tree),
+              options,
+              lua,
+              life,
+              arena,
+              budget,
+              watchdog,
+              globals,
+              sources,
+              host,
+              recording,
+              boxes,
+              members,
+              errors,
+              counted,
+              timers,
+              connections,
+              classes,
+              hints,
+              unplaced,
+              random,
+              snapshots,
+              pen},
+      options(std::move(runtime_options)),
+      arena(options.memory_limit),
+      sources{.files = options.files != nullptr ? *options.files : files_on_disk,
+              .folder = {},
+              .texts = {}},
+      members(tree),
+      random(options.seed) {
+    life.tree = tree.lifetime();
+    lua_State* const L = lua_newstate(Arena::allocate, &arena);
+    if (!L) throw std::bad_alloc();
+    lua.alive = std::make_shared<lua_State*>(L);
+    lua.main = lua.running = L;
+    *static_cast<Machine**>(lua_getextraspace(L)) = &machine;
+    watchdog.limit(options.call_seconds, {});
+    tree.add_part(saved);
+    arena.on_refusal = [this](const Arena::Refusal& refusal) { budget.memory_refused(refusal); };
+    arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
+    lua_pushcfunction(L, guarded<open_all>);
+    if (lua_pcall(L, 0, 0, 0) != LUA_OK) {
+        const char* message = lua_tostring(L, -1);
+        const std::string text = message ? message : "Lua could not be started";
+        end();
+        throw property::Error(property::ErrorKind::rejected, text);
+    }
+}
+
+Parts::~Parts() {
+    end();
+}
+
+void Parts::leave() {
+    if (std::exchange(life.in_tree, false) && !life.tree.expired()) {
+        machine.tree.mark_weight(INT64_MAX, {});
+        machine.tree.compile_formulas_with({});
+        machine.tree.remove_part(saved);
+    }
+    connections.clear();
+    timers.clear();
+}
+
+void Parts::end() {
+    leave();
+    arena.set_limit(static_cast<std::size_t>(-1));
+    *lua.alive = nullptr;
+    lua_close(lua.main);
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,70 @@
+#pragma once
+// Makes the parts of a runtime and puts them together.
+
+#include <fettle/script/runtime.h>
+
+#include <calls/errors.h>
+#include <calls/held_memory.h>
+#include <handlers/connections.h>
+#include <handlers/timers.h>
+#include <library/pen.h>
+#include <library/random.h>
+#include <library/time_functions.h>
+#include <lua/arena.h>
+#include <lua/budget.h>
+#include <lua/environment.h>
+#include <lua/host.h>
+#include <lua/interpreter.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/watchdog.h>
+#include <objects/hints.h>
+#include <objects/script_classes.h>
+#include <objects/unplaced.h>
+#include <runtime/runtime_part.h>
+#include <values/members.h>
+#include <values/recording.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+/// Everything else knows of them what `Machine` tells.
+struct Parts {
+    Parts(property::Tree& tree, Options runtime_options);
+    ~Parts();
+    Parts(const Parts&) = delete;
+
+    /// Ends what the scripts have in the tree, and leaves it, if there still is one.
+    void leave();
+    /// The same, and closes Lua.
+    void end();
+
+    Machine machine;
+    Options options;
+    Interpreter lua;
+    Life life;
+    Arena arena;
+    Budget budget{machine};
+    Watchdog watchdog{machine};
+    Environment globals;
+    property::GameFiles files_on_disk;
+    Sources sources;
+    Host host;
+    Recording recording;
+    Boxes boxes;
+    MemberTables members;
+    Errors errors;
+    CountedMemory counted;
+    Timers timers{machine};
+    Connections connections;
+    ScriptClasses classes{machine};
+    Hints hints{machine};
+    Unplaced unplaced;
+    Random random;
+    HeldSnapshots snapshots;
+    Pen pen;
+    RuntimePart saved{machine};
+};
+
+}  // namespace fettle::script

@@ -1,0 +1,324 @@
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <fettle/property/error.h>
+#include <fettle/script/runtime.h>
+
+#include <calls/errors.h>
+#include <calls/protected.h>
+#include <console/complete.h>
+#include <console/evaluate.h>
+#include <handlers/connections.h>
+#include <handlers/timers.h>
+#include <library/pen.h>
+#include <lua/arena.h>
+#include <lua/budget.h>
+#include <lua/environment.h>
+#include <lua/host.h>
+#include <lua/interpreter.h>
+#include <lua/life.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/stack.h>
+#include <objects/hints.h>
+#include <objects/script_classes.h>
+#include <objects/unplaced.h>
+#include <runtime/parts.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Value;
+
+struct Runtime::State : Parts {
+    using Parts::Parts;
+    std::shared_ptr<const void> lifetime = std::make_shared<char>();  // of the runtime itself
+};
+
+namespace {
+
+void require_tree(const Machine& machine) {
+    if (machine.life.tree.expired())
+        throw property::Error(property::ErrorKind::deleted,
+                              "the tree of this runtime was destroyed: nothing is left to script");
+}
+
+void require_seconds(const char* what, double seconds) {
+    if (!(seconds >= 0) || std::isinf(seconds))
+        throw property::Error(property::ErrorKind::out_of_range,
+                              std::string(what) + " = " + std::to_string(seconds) +
+                                  ": expected a time in seconds, at least 0");
+}
+
+Options checked(Options options) {
+    require_seconds("Options::call_seconds", options.call_seconds);
+    constexpr std::size_t least = std::size_t{1} << 20;
+    if (options.memory_limit < least)
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "Options::memory_limit = " + std::to_string(options.memory_limit) +
+                                  " bytes: Lua with its library needs " + std::to_string(least) +
+                                  " at least");
+    return options;
+}
+
+}  // namespace
+
+Runtime::Runtime(property::Tree& tree, Options options)
+    : state_(std::make_unique<State>(tree, checked(std::move(options)))) {
+    state_->host.on_error = [](const ScriptError& error) {
+        std::fprintf(stderr, "%s\n%s", error.message.c_str(), error.traceback.c_str());
+    };
+    state_->host.on_print = [](std::string_view text) {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        std::fputc('\n', stdout);
+    };
+    state_->host.on_note = [](std::string_view text) {
+        std::fprintf(stderr, "note: %.*s\n", static_cast<int>(text.size()), text.data());
+    };
+}
+
+Runtime::~Runtime() {
+    state_->lifetime.reset();
+    if (state_->life.uses > 0) {
+        state_->leave();
+        Life& life = state_->life;
+        life.orphan = std::shared_ptr<State>(std::move(state_));
+    }
+}
+
+std::weak_ptr<const void> Runtime::lifetime() const {
+    return state_->lifetime;
+}
+
+/// For what runs scripts.
+Machine& Runtime::live() const {
+    require_tree(state_->machine);
+    return state_->machine;
+}
+
+// --- The game
+
+namespace {
+
+// Nothing of an earlier game calls back any more; the tree stays as it is.
+void forget_game(Machine& machine) {
+    machine.timers.clear();
+    machine.connections.clear();
+    machine.classes.forget_functions();
+    machine.hints.forget();
+    machine.errors.caught.reset();
+    lua_State* L = machine.lua.main;
+    for (const int reference : {machine.globals.loaded, machine.globals.declared}) {
+        lua_newtable(L);
+        lua_rawseti(L, LUA_REGISTRYINDEX, reference);
+    }
+    // Globals the game assigned go; those of the language stay.
+    lua_rawgeti(L, LUA_REGISTRYINDEX, machine.globals.table);
+    for (const std::string& name : machine.globals.assigned) {
+        lua_pushlstring(L, name.data(), name.size());
+        lua_pushnil(L);
+        lua_rawset(L, -3);
+    }
+    lua_pop(L, 1);
+    machine.globals.assigned.clear();
+}
+
+bool run_chunk(Machine& machine, const std::string& text, const std::string& name,
+               const char* context) {
+    return protected_run(machine, context, [&](lua_State* L) {
+        if (machine.sources.load(L, text, name) != LUA_OK) lua_error(L);
+        lua_call(L, 0, 0);
+    });
+}
+
+bool call_global(Machine& machine, std::string_view name, std::span<const Value> arguments) {
+    return protected_run(machine, std::string(name), [&](lua_State* L) {
+        push_registry(L, machine.globals.table);
+        lua_pushlstring(L, name.data(), name.size());
+        if (lua_rawget(L, -2) != LUA_TFUNCTION) return;
+        luaL_checkstack(L, static_cast<int>(arguments.size()), "arguments");
+        for (const Value& value : arguments) push_value(L, value);
+        lua_call(L, static_cast<int>(arguments.size()), 0);
+    });
+}
+
+/// What was made before is ready first.
+bool call_ready(Machine& machine, std::string_view name, std::span<const Value> arguments) {
+    const bool ready = machine.classes.deliver_ready();
+    const bool ok = call_global(machine, name, arguments);
+    return machine.classes.deliver_ready() && ready && ok;
+}
+
+}  // namespace
+
+bool Runtime::load(const std::filesystem::path& game) {
+    namespace fs = std::filesystem;
+    Machine& machine = live();
+    if (machine.life.uses > 0)
+        throw property::Error(property::ErrorKind::bad_structure,
+                              "no game can be loaded while a script of this runtime runs: do it "
+                              "when that call has returned");
+    const Life::Use use(machine.life);
+    std::error_code error;
+    const fs::path file = fs::is_directory(game, error) ? game / "main.lua" : game;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const std::string text = [&] {
+        try {
+            machine.sources.files.stay_below(folder, machine.options.assets);
+            return machine.sources.files.read(file);
+        } catch (const fs::filesystem_error& problem) {
+            throw property::FileError(game, "cannot be read: " + problem.code().message());
+        }
+    }();
+    forget_game(machine);
+    machine.sources.folder = folder;
+    bool ok = run_chunk(machine, text, file.filename().string(), "load");
+    if (ok) ok = machine.classes.deliver_ready() && call_ready(machine, "start", {});
+    if (ok) machine.hints.game_loaded();
+    return ok;
+}
+
+bool Runtime::run(std::string_view chunk, const std::string& name) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    const Budget::Scope budget(machine.budget,
+                               {.memory = machine.options.memory_limit, .who = "a chunk"});
+    const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
+    return machine.classes.deliver_ready() && ok;
+}
+
+bool Runtime::call(std::string_view callback, std::span<const Value> arguments) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    return call_ready(machine, callback, arguments);
+}
+
+bool Runtime::draw(property::Painter& painter) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    machine.pen.painter = &painter;
+    bool ok = machine.classes.draw(machine.pen.reference);
+    ok &= protected_run(machine, "draw", [&](lua_State* L) {
+        push_registry(L, machine.globals.table);
+        lua_pushstring(L, "draw");
+        if (lua_rawget(L, -2) != LUA_TFUNCTION) return;
+        push_registry(L, machine.pen.reference);
+        lua_call(L, 1, 0);
+    });
+    machine.pen.painter = nullptr;
+    return ok;
+}
+
+bool Runtime::step(double now, double dt) {
+    Machine& machine = live();
+    require_seconds("Runtime::step: now", now);
+    require_seconds("Runtime::step: dt", dt);
+    const Life::Use use(machine.life);
+    machine.timers.now = now;
+    collect_unplaced(machine);
+    bool ok = machine.classes.deliver_ready();
+    ok &= machine.timers.run();
+    const Value arguments[] = {Value(dt)};
+    ok &= call_global(machine, "step", arguments);
+    ok &= machine.classes.step(dt);
+    ok &= machine.classes.deliver_ready();
+    return ok;
+}
+
+// --- Console
+
+Evaluation Runtime::evaluate(std::string_view command) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    if (const auto sink = machine.host.on_command) sink(command);  // it may be replaced meanwhile
+    require_tree(machine);
+    return script::evaluate(machine, command);
+}
+
+std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cursor) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    return script::complete(machine, input, cursor);
+}
+
+void Runtime::set_it(property::Handle instance) {
+    state_->globals.it = instance;
+}
+
+property::Handle Runtime::it() const {
+    return state_->globals.it;
+}
+
+// --- Towards the host
+
+void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
+    require_seconds("limit_calls: seconds", seconds);
+    if (!go_on) return state_->watchdog.limit(seconds, {});
+    state_->watchdog.limit(seconds, [this, go_on = std::move(go_on)](lua_State* L, double lasted) {
+        return go_on({.where = describe_place(state_->machine, L), .seconds = lasted});
+    });
+}
+
+void Runtime::on_command_memory(std::function<std::size_t()> bytes, std::string property) {
+    state_->host.command_memory = std::move(bytes);
+    state_->host.memory_property = std::move(property);
+}
+
+void Runtime::on_error(std::function<void(const ScriptError&)> sink) {
+    state_->host.on_error = std::move(sink);
+}
+
+void Runtime::on_print(std::function<void(std::string_view)> sink) {
+    state_->host.on_print = std::move(sink);
+}
+
+void Runtime::on_note(std::function<void(std::string_view)> sink) {
+    state_->host.on_note = std::move(sink);
+}
+
+void Runtime::on_rewind(std::function<void(double)> rewind) {
+    state_->host.on_rewind = std::move(rewind);
+}
+
+void Runtime::on_command(std::function<void(std::string_view)> sink) {
+    state_->host.on_command = std::move(sink);
+}
+
+void Runtime::interrupt() noexcept {
+    state_->budget.interrupt();
+}
+
+void Runtime::go_on() {
+    state_->budget.go_on();
+}
+
+bool Runtime::interrupted() const {
+    return state_->budget.interrupted();
+}
+
+std::optional<int> Runtime::quit_status() const {
+    return state_->host.quit_status;
+}
+
+bool Runtime::defines(std::string_view callback) const {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    const std::string name(callback);
+    bool found = false;
+    protected_run(
+        machine, "defines",
+        [&](lua_State* M) {
+            push_registry(M, machine.globals.table);
+            lua_pushlstring(M, name.data(), name.size());
+            found = lua_rawget(M, -2) == LUA_TFUNCTION;
+        },
+        false);
+    return found;
+}
+
+std::size_t Runtime::memory() const {
+    return state_->arena.bytes();
+}
+
+}  // namespace fettle::script

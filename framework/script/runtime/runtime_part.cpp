@@ -1,0 +1,98 @@
+#include <algorithm>
+
+#include <handlers/timers.h>
+#include <library/random.h>
+#include <lua/machine.h>
+#include <objects/script_classes.h>
+#include <objects/unplaced.h>
+#include <runtime/runtime_part.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Handle;
+
+namespace {
+
+/// What is kept for others begins with how many bytes that is.
+struct Held {
+    std::size_t bytes = 0;
+};
+
+struct Image : Held {
+    Timers::Queue timers;
+};
+
+struct Changes : Held {
+    Random::State random;
+    double now = 0;
+    Timers::Changes timers;
+    std::vector<Handle> adopted;
+};
+
+}  // namespace
+
+property::Memory RuntimePart::save(property::ByteWriter& to) const {
+    for (const std::uint64_t word : machine_.random.state()) to.put(word);
+    to.put(machine_.timers.now);
+    to.put(machine_.unplaced.handles);
+    to.put(std::uint64_t{machine_.unplaced.limit});
+    machine_.classes.save(to);
+    auto image = std::make_shared<Image>();
+    image->timers = machine_.timers.image();
+    image->bytes = sizeof *image + Timers::bytes_of(image->timers);
+    return std::shared_ptr<const Held>(std::move(image));
+}
+
+std::function<void()> RuntimePart::restore(property::ByteReader& from,
+                                           const property::Memory& memory) {
+    Random::State random{};
+    for (std::uint64_t& word : random) word = from.get<std::uint64_t>();
+    // The generator would stay at nothing but zeros.
+    from.require(std::any_of(random.begin(), random.end(), [](auto word) { return word != 0; }),
+                 "random numbers that are none");
+    const auto now = from.get<double>();
+    from.require(now >= 0 && now < 1e15, "a time that is none");
+    auto unplaced = from.list<Handle>();
+    // The root hangs nowhere either, and is not to be collected.
+    std::erase(unplaced, machine_.tree.root());
+    const auto limit = from.get<std::uint64_t>();
+    const std::function<void()> put_classes = machine_.classes.restore(from);
+    return [this, random, now, unplaced, limit, put_classes, memory] {
+        static const Image nothing;
+        const Image& image =
+            memory ? *static_cast<const Image*>(static_cast<const Held*>(memory.get())) : nothing;
+        machine_.random.restore(random);
+        machine_.timers.restore(image.timers, now - machine_.timers.now);
+        machine_.timers.now = now;
+        machine_.unplaced.handles = unplaced;
+        machine_.unplaced.limit = std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64);
+        put_classes();
+        refresh_classes(machine_);
+    };
+}
+
+property::Memory RuntimePart::changes() {
+    auto changes = std::make_shared<Changes>();
+    changes->random = machine_.random.state();
+    changes->now = machine_.timers.now;
+    changes->timers = machine_.timers.take_changes();
+    changes->adopted = machine_.classes.take_adopted();
+    changes->bytes = sizeof *changes + Timers::bytes_of(changes->timers) +
+                     changes->adopted.capacity() * sizeof(Handle);
+    return std::shared_ptr<const Held>(std::move(changes));
+}
+
+std::size_t RuntimePart::size_of(const property::Memory& memory) const {
+    return memory == nullptr ? 0 : static_cast<const Held*>(memory.get())->bytes;
+}
+
+void RuntimePart::redo(const property::Memory& memory) {
+    const auto& changes = *static_cast<const Changes*>(static_cast<const Held*>(memory.get()));
+    machine_.random.restore(changes.random);
+    machine_.timers.now = changes.now;
+    machine_.timers.redo(changes.timers);
+    machine_.classes.redo_adopted(changes.adopted);
+}
+
+}  // namespace fettle::script

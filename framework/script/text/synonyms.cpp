@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <span>
+
+#include <text/synonyms.h>
+
+namespace fettle::script {
+
+namespace {
+
+struct Synonym {
+    std::string_view words;  // separated by blanks, in small letters and without underscores
+    std::vector<std::string_view> meant;
+};
+
+const std::vector<Synonym>& properties() {
+    static const std::vector<Synonym> table = {
+        {"pos location place", {"position", "center"}},
+        {"x y", {"position = vec(x, y)", "center = vec(x, y)"}},
+        {"rot rotation orientation heading direction", {"angle"}},
+        {"vel linearvelocity", {"velocity"}},
+        {"vx vy dx dy velx vely", {"velocity = vec(x, y)"}},
+        {"omega spin rotationspeed angularspeed angularvel", {"angular_velocity"}},
+        {"r rad", {"radius"}},
+        {"d diameter", {"radius"}},
+        {"w", {"width"}},
+        {"h", {"height"}},
+        {"size dimensions extents", {"width", "radius"}},
+        {"bounce bounciness elasticity", {"restitution"}},
+        {"static isstatic anchored fixed immovable kinematic iskinematic dynamic bodytype",
+         {"type = \"static\""}},
+        {"fixedrotation freezerotation lockrotation", {"locked_rotation"}},
+        {"trigger istrigger issensor", {"sensor"}},
+        {"fill fillcolor tint rgb rgba alpha opacity", {"color"}},
+        {"hidden show shown", {"visible"}},
+        {"weight", {"mass"}},
+        {"damping drag lineardrag", {"linear_damping"}},
+        {"angulardrag rotationdamping", {"angular_damping"}},
+        {"gravityfactor", {"gravity_scale"}},
+        {"points verts corners", {"vertices"}},
+        {"layer collisionlayer", {"category"}},
+        {"collisionmask", {"mask"}},
+        {"g", {"gravity"}},
+        {"return", {"enter"}},
+        {"ctrl control lctrl", {"left_control"}},
+        {"rctrl", {"right_control"}},
+        {"shift lshift", {"left_shift"}},
+        {"rshift", {"right_shift"}},
+        {"alt lalt", {"left_alt"}},
+        {"ralt", {"right_alt"}},
+        {"esc", {"escape"}},
+        {"del", {"delete"}},
+        {"ins", {"insert"}},
+        {"spacebar", {"space"}},
+        {"pageup pgup", {"page_up"}},
+        {"pagedown pgdn", {"page_down"}},
+    };
+    return table;
+}
+
+const std::vector<Synonym>& callbacks() {
+    static const std::vector<Synonym> table = {
+        {"load init initialize setup create awake begin main ready", {"start", "ready"}},
+        {"update tick process physicsprocess fixedupdate think", {"step", "update"}},
+        {"render paint redraw", {"draw"}},
+        {"key keydown keypress keypressed input", {"key_pressed"}},
+        {"keyup keyrelease keyreleased", {"key_released"}},
+        {"click clicked mousedown mouseclick mousepressed touch touchpressed", {"mouse_pressed"}},
+        {"mouseup mousereleased", {"mouse_released"}},
+        {"mousemove mousemoved", {"mouse_moved"}},
+        {"wheelmoved mousewheel scroll", {"wheel"}},
+        {"joystickpressed gamepaddown", {"gamepad_pressed"}},
+        {"resize", {"resized"}},
+        {"exit close quitting", {"closing"}},
+        {"contact collide collided collision collisionenter collisionenter2d begincontact touched "
+         "bodyentered hit",
+         {"contact_begin"}},
+        {"collisionexit collisionexit2d endcontact bodyexited", {"contact_end"}},
+        {"trigger triggerenter triggerenter2d areaentered overlap", {"sensor_begin"}},
+        {"triggerexit triggerexit2d areaexited", {"sensor_end"}},
+        {"destroy destroyed remove removed exittree", {"deleted"}},
+    };
+    return table;
+}
+
+// "OnCollisionEnter2D" and "_physics_process" as the tables have them.
+std::string plain(std::string_view name) {
+    std::string text;
+    for (const char c : name)
+        if (c != '_') text += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    return text;
+}
+
+bool holds(std::string_view words, std::string_view word) {
+    for (std::size_t at = 0; at <= words.size();) {
+        const std::size_t end = std::min(words.find(' ', at), words.size());
+        if (words.substr(at, end - at) == word) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
+std::vector<std::string_view> look_up(const std::vector<Synonym>& table, std::string_view word) {
+    for (const Synonym& synonym : table)
+        if (holds(synonym.words, word)) return synonym.meant;
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string_view> property_synonyms(std::string_view name) {
+    return look_up(properties(), plain(name));
+}
+
+std::vector<std::string_view> callback_synonyms(std::string_view name) {
+    const std::string word = plain(name);
+    std::vector<std::string_view> meant = look_up(callbacks(), word);
+    if (meant.empty() && word.starts_with("on"))
+        meant = look_up(callbacks(), std::string_view(word).substr(2));
+    return meant;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,40 @@
+#pragma once
+// Letters, words and blanks of a text.
+
+#include <cctype>
+#include <string>
+#include <string_view>
+
+namespace fettle::script {
+
+/// Whether a name may contain it: a letter, a digit or an underscore.
+inline bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// With small letters in place of capital ones.
+inline std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+/// Without the blanks at its beginning and its end.
+inline std::string_view trimmed(std::string_view text) {
+    const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+/// On one line: each run of white space becomes a space, none at the ends.
+inline std::string one_line(std::string_view text) {
+    std::string out;
+    for (const char c : trimmed(text)) {
+        const bool space = std::isspace(static_cast<unsigned char>(c)) != 0;
+        if (!space || out.back() != ' ') out += space ? ' ' : c;
+    }
+    return out;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,164 @@
+// Lists that are the value of a property: reading an element reads the property, writing one
+// replaces the whole list in one change, writing one past the end appends.
+
+#include <fettle/property/error.h>
+
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <values/short_text.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::List;
+using property::Type;
+using property::Value;
+
+namespace {
+
+ListBox& list_self(lua_State* L) {
+    auto* box = list_at(L, 1);
+    if (!box) throw Error(ErrorKind::wrong_type, "needs a list, not " + describe_type(L, 1));
+    return *box;
+}
+
+Value whole(lua_State* L, const ListBox& box) {
+    Value value = origin_read(machine_of(L), box.origin);
+    if (!value.is(Type::list))
+        throw Error(ErrorKind::wrong_type,
+                    origin_path(machine_of(L), box.origin) + ": is a list no longer");
+    return value;
+}
+
+Origin element_of(const ListBox& box, std::size_t index) {
+    Origin origin = box.origin;
+    if (origin.depth < Origin::deepest)
+        origin.part[origin.depth++] = static_cast<std::uint32_t>(index);
+    return origin;
+}
+
+// The value of element `index`, with its place where places go that deep.
+void push_element(lua_State* L, const ListBox& box, const Value& element, std::size_t index) {
+    if (box.origin.depth >= Origin::deepest && !element.is(Type::list))
+        push_value(L, element);
+    else
+        push_value(L, element, element_of(box, index));
+}
+
+int list_index(lua_State* L) {
+    const ListBox& box = list_self(L);
+    int whole_number = 0;
+    const lua_Integer index = lua_tointegerx(L, 2, &whole_number);
+    if (lua_type(L, 2) != LUA_TNUMBER || !whole_number)
+        throw Error(ErrorKind::unknown_name, origin_path(machine_of(L), box.origin) +
+                                                 ": a list has elements 1, 2, 3 ..., not " +
+                                                 key_in_message(L, 2));
+    const Value value = whole(L, box);
+    const List& list = value.list();
+    if (index < 1 || static_cast<std::size_t>(index) > list.size()) {
+        lua_pushnil(L);
+        return 1;
+    }
+    push_element(L, box, list[static_cast<std::size_t>(index - 1)],
+                 static_cast<std::size_t>(index));
+    return 1;
+}
+
+int list_newindex(lua_State* L) {
+    const ListBox& box = list_self(L);
+    Machine& machine = machine_of(L);
+    int whole_number = 0;
+    const lua_Integer index = lua_tointegerx(L, 2, &whole_number);
+    const Value value = whole(L, box);
+    const auto size = static_cast<lua_Integer>(value.list().size());
+    if (!whole_number || index < 1 || index > size + 1)
+        throw Error(ErrorKind::out_of_range, origin_path(machine, box.origin) +
+                                                 ": has elements 1 to " + std::to_string(size) +
+                                                 "; " + std::to_string(size + 1) + " appends");
+    if (lua_isnil(L, 3)) {
+        // Only the last one can go without leaving a gap.
+        if (index != size)
+            throw Error(ErrorKind::out_of_range,
+                        origin_path(machine, box.origin) + "[" + std::to_string(index) +
+                            "]: only the last element can be removed so; use table.remove");
+        List shorter = value.list();
+        shorter.pop_back();
+        if (box.origin.depth == 0)
+            write_property(machine, box.origin.instance, origin_property(machine, box.origin),
+                           shorter);
+        else
+            origin_write(machine, box.origin, nullptr, shorter);
+        return 0;
+    }
+    const Value element = to_value(L, 3);
+    if (box.origin.depth >= Origin::deepest) {
+        List changed = value.list();
+        if (index > size)
+            changed.push_back(element);
+        else
+            changed[static_cast<std::size_t>(index - 1)] = element;
+        origin_write(machine, box.origin, nullptr, changed);
+        return 0;
+    }
+    origin_write(machine, element_of(box, static_cast<std::size_t>(index)), nullptr, element);
+    return 0;
+}
+
+int list_length(lua_State* L) {
+    const ListBox& box = list_self(L);
+    lua_pushinteger(L, static_cast<lua_Integer>(whole(L, box).list().size()));
+    return 1;
+}
+
+int list_equal(lua_State* L) {
+    const auto *a = list_at(L, 1), *b = list_at(L, 2);
+    lua_pushboolean(L, a && b && whole(L, *a) == whole(L, *b));
+    return 1;
+}
+
+int list_tostring(lua_State* L) {
+    const std::string text = machine_of(L).tree.text(whole(L, list_self(L)));
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+// Iteration visits the elements as they were at its start. Upvalues: table of them, position.
+int next_element(lua_State* L) {
+    const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2)) + 1;
+    lua_pushinteger(L, index);
+    lua_copy(L, -1, lua_upvalueindex(2));
+    if (lua_rawgeti(L, lua_upvalueindex(1), index) == LUA_TNIL) return 1;
+    return 2;
+}
+
+int list_pairs(lua_State* L) {
+    const ListBox& box = list_self(L);
+    const Value value = whole(L, box);
+    lua_createtable(L, static_cast<int>(value.list().size()), 0);
+    for (std::size_t i = 0; i < value.list().size(); ++i) {
+        push_element(L, box, value.list()[i], i + 1);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+    }
+    lua_pushinteger(L, 0);
+    lua_pushcclosure(L, guarded<next_element>, 2);
+    return 1;
+}
+
+}  // namespace
+
+void open_list(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_pure<list_index>(L, "__index");
+    add_pure<list_newindex>(L, "__newindex");
+    add_pure<list_length>(L, "__len");
+    add_pure<list_equal>(L, "__eq");
+    add_pure<list_tostring>(L, "__tostring");
+    add_pure<list_pairs>(L, "__pairs");
+    name_metatable(L, "list");
+    machine.boxes.list = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

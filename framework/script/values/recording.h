@@ -1,0 +1,31 @@
+#pragma once
+// What one console command read, wrote and printed, for its answer.
+
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::script {
+
+struct Recording {
+    struct Edit {
+        property::Handle instance;
+        property::Symbol symbol;
+        std::string path;
+        std::string unit;
+        property::Precision precision{};
+        property::Value before;
+        property::Value after;
+        bool replaced = false;  // there was a formula
+        std::string note;       // instead of values: "new Body", "deleted"
+    };
+    bool active = false;
+    property::Writer writer = property::Writer::script;  // who writes when a script runs
+    std::vector<Edit> edits;
+    const property::Property* last_read = nullptr;  // property read last, for its unit
+    std::vector<std::string> lines;                 // printed
+    std::size_t dropped = 0;                        // lines beyond the limit
+};
+
+}  // namespace fettle::script

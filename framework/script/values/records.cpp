@@ -1,0 +1,132 @@
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <values/records.h>
+#include <values/short_text.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Record;
+using property::Result;
+using property::Value;
+
+namespace {
+
+/// Of the fields of the record at 1 that have a value.
+std::vector<std::string> field_names(lua_State* L) {
+    std::vector<std::string> names;
+    for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
+    return names;
+}
+
+int read_record(lua_State* L) {
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        const std::vector<std::string> names = field_names(L);
+        const std::string name = string_at(L, 2);
+        push_registry(L, machine_of(L).boxes.record);
+        lua_getfield(L, -1, "nil_fields");
+        lua_pushvalue(L, 2);
+        if (lua_rawget(L, -2) != LUA_TNIL) {
+            lua_pushnil(L);
+            return 1;
+        }
+        throw Error(ErrorKind::unknown_name,
+                    name + ": no such field" + property::suggestion(name, names));
+    }
+    lua_pushnil(L);
+    return 1;
+}
+
+/// A field that the record does not have is a note of the script's own, but for a slip of the pen.
+int write_record(lua_State* L) {
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        const std::string name = string_at(L, 2);
+        const std::vector<std::string> names = field_names(L);
+        for (const std::string& field : names)
+            if (property::near_miss(name, field))
+                throw Error(ErrorKind::near_miss,
+                            name + ": no such field" + property::suggestion(name, names));
+    }
+    lua_rawset(L, 1);
+    return 0;
+}
+
+int record_text(lua_State* L) {
+    const std::string text = short_text(L, 1);
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+}  // namespace
+
+void seal_record(lua_State* L, Machine& machine) {
+    push_registry(L, machine.boxes.record);
+    lua_setmetatable(L, -2);
+}
+
+void push_record(lua_State* L, const Record& record) {
+    Machine& machine = machine_of(L);
+    luaL_checkstack(L, 8, "record");
+    const std::size_t count = record.fields ? record.fields->size() : 0;
+    lua_createtable(L, 0, static_cast<int>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string& name = (*record.fields)[i].name;
+        lua_pushlstring(L, name.data(), name.size());
+        const bool given = i < record.values.size();
+        const bool nobody = given && record.values[i].is(property::Type::reference) &&
+                            !record.values[i].reference();
+        if (!given || nobody || record.values[i].is_nil()) {
+            // A field without a value reads as nil, without an error.
+            push_registry(L, machine.boxes.record);
+            lua_getfield(L, -1, "nil_fields");
+            lua_pushvalue(L, -3);
+            lua_pushboolean(L, 1);
+            lua_rawset(L, -3);
+            lua_pop(L, 3);
+            continue;
+        }
+        push_value(L, record.values[i]);
+        lua_rawset(L, -3);
+    }
+    seal_record(L, machine);
+}
+
+void push_result(lua_State* L, const Result& result) {
+    if (const auto* value = std::get_if<Value>(&result)) {
+        push_value(L, *value);
+    } else if (const auto* record = std::get_if<Record>(&result)) {
+        if (record->fields)
+            push_record(L, *record);
+        else
+            lua_pushnil(L);
+    } else {
+        const auto& records = std::get<std::vector<Record>>(result);
+        luaL_checkstack(L, 4, "records");
+        lua_createtable(L, static_cast<int>(records.size()), 0);
+        lua_Integer n = 0;
+        for (const Record& each : records) {
+            push_record(L, each);
+            lua_rawseti(L, -2, ++n);
+        }
+    }
+}
+
+void open_records(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_pure<read_record>(L, "__index");
+    add_pure<write_record>(L, "__newindex");
+    add_pure<record_text>(L, "__tostring");
+    lua_newtable(L);
+    lua_setfield(L, -2, "nil_fields");
+    name_metatable(L, "record");
+    machine.boxes.record = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+}  // namespace fettle::script

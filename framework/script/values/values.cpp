@@ -1,0 +1,436 @@
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include <fettle/property/error.h>
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+
+#include <lua/budget.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <values/description.h>
+#include <values/members.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Handle;
+using property::List;
+using property::Property;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+// --- Boxes
+
+namespace {
+
+template <class Box>
+Box* new_box(lua_State* L, std::size_t size, int meta) {
+    void* memory = lua_newuserdatauv(L, size, 0);
+    push_registry(L, meta);
+    lua_setmetatable(L, -2);
+    return static_cast<Box*>(memory);
+}
+
+}  // namespace
+
+void push_vec(lua_State* L, const Vec2& v) {
+    auto* box = new_box<VecBox>(L, offsetof(VecBox, origin), machine_of(L).boxes.vec);
+    box->tag = Tag::vec;
+    box->has_origin = false;
+    box->x = v.x();
+    box->y = v.y();
+}
+
+void push_vec(lua_State* L, const Vec2& v, const Origin& origin) {
+    auto* box = new_box<VecBox>(L, sizeof(VecBox), machine_of(L).boxes.vec);
+    box->tag = Tag::vec;
+    box->has_origin = true;
+    box->x = v.x();
+    box->y = v.y();
+    new (&box->origin) Origin(origin);
+}
+
+void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& property) {
+    auto* box = new_box<VecBox>(L, sizeof(VecBox), machine_of(L).boxes.vec);
+    box->tag = Tag::vec;
+    box->has_origin = true;
+    box->x = v.x();
+    box->y = v.y();
+    box->origin.instance = instance;
+    box->origin.property = &property;
+    box->origin.depth = 0;  // the rest is read only when this says so, or without a property
+}
+
+void push_color(lua_State* L, property::Color color) {
+    auto* box = new_box<ColorBox>(L, offsetof(ColorBox, origin), machine_of(L).boxes.color);
+    box->tag = Tag::color;
+    box->has_origin = false;
+    box->color = color;
+}
+
+void push_color(lua_State* L, property::Color color, const Origin& origin) {
+    auto* box = new_box<ColorBox>(L, sizeof(ColorBox), machine_of(L).boxes.color);
+    box->tag = Tag::color;
+    box->has_origin = true;
+    box->color = color;
+    new (&box->origin) Origin(origin);
+}
+
+void push_instance(lua_State* L, Handle handle) {
+    if (!handle) {
+        lua_pushnil(L);
+        return;
+    }
+    Machine& machine = machine_of(L);
+    const auto key = static_cast<lua_Integer>(std::uint64_t{handle.generation} << 32 |
+                                              std::uint64_t{handle.index});
+    push_registry(L, machine.boxes.proxies);
+    if (lua_rawgeti(L, -1, key) == LUA_TUSERDATA) {
+        lua_remove(L, -2);
+        return;
+    }
+    lua_pop(L, 1);
+    // A handle whose instance is gone already still gets a proxy: using it says who deleted it.
+    const property::Class& of =
+        machine.tree.alive(handle) ? machine.tree.class_of(handle) : machine.tree.object_class();
+    auto* box = new_box<InstanceBox>(L, sizeof(InstanceBox), machine.boxes.instance);
+    box->tag = Tag::instance;
+    box->handle = handle;
+    box->members = &machine.members.of(of);
+    lua_pushvalue(L, -1);
+    lua_rawseti(L, -3, key);
+    lua_remove(L, -2);
+}
+
+bool refresh_class(Machine& machine, const InstanceBox& box) {
+    const property::Class& of = machine.tree.class_of(box.handle);
+    if (&of == &box.members->of) return false;
+    box.members = &machine.members.of(of);
+    return true;
+}
+
+void refresh_classes(Machine& machine) {
+    lua_State* L = machine.lua.main;
+    DispatchTable& unknown = machine.members.of(machine.tree.object_class());
+    push_registry(L, machine.boxes.proxies);
+    lua_pushnil(L);
+    while (lua_next(L, -2) != 0) {
+        const auto* box = static_cast<const InstanceBox*>(lua_touserdata(L, -1));
+        lua_pop(L, 1);
+        if (!machine.tree.alive(box->handle)) continue;
+        try {
+            refresh_class(machine, *box);
+        } catch (const std::bad_alloc&) {
+            box->members = &unknown;  // found out when it is used
+        }
+    }
+    lua_pop(L, 1);
+}
+
+// --- To Lua
+
+namespace {
+
+void push_scalar(lua_State* L, const Value& value) {
+    switch (value.type()) {
+        case Type::nil:
+            lua_pushnil(L);
+            break;
+        case Type::boolean:
+            lua_pushboolean(L, value.boolean());
+            break;
+        case Type::integer:
+            lua_pushinteger(L, value.integer());
+            break;
+        case Type::number:
+            lua_pushnumber(L, value.number());
+            break;
+        case Type::text:
+            lua_pushlstring(L, value.text().data(), value.text().size());
+            break;
+        case Type::reference:
+            push_instance(L, value.reference());
+            break;
+        default:
+            lua_pushnil(L);
+            break;
+    }
+}
+
+}  // namespace
+
+void push_value(lua_State* L, const Value& value) {
+    switch (value.type()) {
+        case Type::vec2:
+            push_vec(L, value.vec2());
+            break;
+        case Type::color:
+            push_color(L, value.color());
+            break;
+        case Type::list: {
+            luaL_checkstack(L, 8, "list");
+            const List& list = value.list();
+            lua_createtable(L, static_cast<int>(list.size()), 0);
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                push_value(L, list[i]);
+                lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+            }
+            break;
+        }
+        default:
+            push_scalar(L, value);
+    }
+}
+
+void push_value(lua_State* L, const Value& value, const Origin& origin) {
+    switch (value.type()) {
+        case Type::vec2:
+            push_vec(L, value.vec2(), origin);
+            break;
+        case Type::color:
+            push_color(L, value.color(), origin);
+            break;
+        case Type::list: {
+            if (origin.depth >= Origin::deepest)
+                throw Error(ErrorKind::bad_structure,
+                            origin_path(machine_of(L), origin) +
+                                ": lists inside lists can be indexed four deep, no deeper");
+            auto* box = new_box<ListBox>(L, sizeof(ListBox), machine_of(L).boxes.list);
+            box->tag = Tag::list;
+            new (&box->origin) Origin(origin);
+            break;
+        }
+        case Type::reference:
+            // What a property refers to may have been deleted since; that reads as nothing.
+            if (machine_of(L).tree.alive(value.reference()))
+                push_instance(L, value.reference());
+            else
+                lua_pushnil(L);
+            break;
+        default:
+            push_scalar(L, value);
+    }
+}
+
+// --- From Lua
+
+std::string describe_type(lua_State* L, int index) {
+    if (const auto* box = instance_at(L, index)) return "a " + box->members->of.name();
+    if (vec_at(L, index)) return "a vec";
+    if (color_at(L, index)) return "a color";
+    if (list_at(L, index)) return "a list";
+    if (class_object_at(L, index)) return "a class";
+    if (const DescriptionKind* kind = description_kind(L, index)) return kind->noun;
+    switch (lua_type(L, index)) {
+        case LUA_TNONE:
+        case LUA_TNIL:
+            return "nil";
+        case LUA_TBOOLEAN:
+            return "a boolean";
+        case LUA_TNUMBER:
+            return lua_isinteger(L, index) ? "an integer" : "a number";
+        case LUA_TSTRING:
+            return "a text";
+        case LUA_TTABLE:
+            return "a table";
+        case LUA_TFUNCTION:
+            return "a function";
+        case LUA_TTHREAD:
+            return "a coroutine";
+        default:
+            return "an object";
+    }
+}
+
+namespace {
+
+constexpr int deepest_table = 16;
+constexpr lua_Unsigned longest_table = 10'000'000;
+
+Value table_to_list(lua_State* L, int index, int depth);
+
+Value to_value_nested(lua_State* L, int index, int depth) {
+    switch (lua_type(L, index)) {
+        case LUA_TNIL:
+        case LUA_TNONE:
+            return {};
+        case LUA_TBOOLEAN:
+            return lua_toboolean(L, index) != 0;
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
+            return static_cast<double>(lua_tonumber(L, index));
+        case LUA_TSTRING: {
+            std::size_t length = 0;
+            const char* text = lua_tolstring(L, index, &length);
+            return std::string_view(text, length);
+        }
+        case LUA_TTABLE:
+            return table_to_list(L, index, depth);
+        case LUA_TUSERDATA:
+            switch (*static_cast<const Tag*>(lua_touserdata(L, index))) {
+                case Tag::instance:
+                    return static_cast<InstanceBox*>(lua_touserdata(L, index))->handle;
+                case Tag::vec: {
+                    const auto* box = static_cast<VecBox*>(lua_touserdata(L, index));
+                    return Vec2(box->x, box->y);
+                }
+                case Tag::color:
+                    return static_cast<ColorBox*>(lua_touserdata(L, index))->color;
+                case Tag::list:
+                    return origin_read(machine_of(L),
+                                       static_cast<ListBox*>(lua_touserdata(L, index))->origin);
+                default:
+                    break;
+            }
+            break;
+        default:
+            break;
+    }
+    const std::string what = describe_type(L, index);
+    if (lua_type(L, index) == LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    "a function is no value of a property; functions belong to classes "
+                    "(function Ball:name()) and handlers (ball:on, ball:watch)");
+    throw Error(ErrorKind::wrong_type, what + " is no value of a property");
+}
+
+Value table_to_list(lua_State* L, int index, int depth) {
+    if (depth >= deepest_table)
+        throw Error(ErrorKind::wrong_type, "the table is nested deeper than 16, or holds itself");
+    luaL_checkstack(L, 4, "list");
+    index = lua_absindex(L, index);
+    const lua_Unsigned length = lua_rawlen(L, index);
+    if (length > longest_table)
+        throw Error(ErrorKind::wrong_type, "the table has more than 10 million elements");
+    machine_of(L).budget.charge(L, length);
+    lua_Unsigned keys = 0;
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) == LUA_TSTRING) {
+            const std::string key = string_at(L, -2);
+            lua_pop(L, 2);
+            throw Error(ErrorKind::wrong_type,
+                        "a table with named keys (" + key +
+                            ") is no value; a list has elements 1, 2, 3 ..., and Object { } "
+                            "takes names");
+        }
+        ++keys;
+    }
+    if (keys != length)
+        throw Error(ErrorKind::wrong_type, "the table has gaps; a list has elements 1, 2, 3 ...");
+    List list;
+    list.reserve(length);
+    for (lua_Unsigned i = 1; i <= length; ++i) {
+        lua_rawgeti(L, index, static_cast<lua_Integer>(i));
+        list.push_back(to_value_nested(L, -1, depth + 1));
+        lua_pop(L, 1);
+    }
+    return list;
+}
+
+}  // namespace
+
+Value to_value(lua_State* L, int index) {
+    return to_value_nested(L, index, 0);
+}
+
+Handle check_instance(lua_State* L, int index, const char* what) {
+    const auto* box = instance_at(L, index);
+    if (!box)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs an instance, not " + describe_type(L, index));
+    machine_of(L).tree.require(box->handle);
+    return box->handle;
+}
+
+Vec2 check_vec(lua_State* L, int index, const char* what) {
+    const auto* box = vec_at(L, index);
+    if (!box)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a vec, not " + describe_type(L, index));
+    return {box->x, box->y};
+}
+
+property::Color check_color(lua_State* L, int index, const char* what) {
+    if (const auto* box = color_at(L, index)) return box->color;
+    if (lua_type(L, index) == LUA_TSTRING) {
+        property::Color color;
+        if (property::parse_color(string_at(L, index), color)) return color;
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": \"" + string_at(L, index) + "\" is no color" +
+                        property::suggestion(string_at(L, index), property::color_names()));
+    }
+    throw Error(ErrorKind::wrong_type,
+                std::string(what) + ": needs a color, not " + describe_type(L, index));
+}
+
+void check_function(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a function, not " + describe_type(L, index));
+}
+
+double check_number(lua_State* L, int index, const char* what) {
+    if (lua_type(L, index) != LUA_TNUMBER)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": needs a number, not " + describe_type(L, index));
+    return lua_tonumber(L, index);
+}
+
+// --- Origins
+
+const Property& origin_property(Machine& machine, const Origin& origin) {
+    const property::Class& of = machine.tree.class_of(origin.instance);
+    // In a saved game the instance may be of another class.
+    if (origin.property && of.is_a(*origin.property->owner)) return *origin.property;
+    const property::Symbol name = origin.property ? origin.property->symbol : origin.symbol;
+    if (const Property* found = machine.tree.find(origin.instance, name)) return *found;
+    throw Error(ErrorKind::unknown_name, machine.tree.path(origin.instance) +
+                                             property::path_suffix(name.text()) +
+                                             ": no such name any more");
+}
+
+namespace {
+
+std::vector<property::Segment> segments(const Origin& origin, const char* component) {
+    std::vector<property::Segment> part(origin.depth + (component ? 1 : 0));
+    for (std::uint32_t i = 0; i < origin.depth; ++i) part[i].key = std::int64_t{origin.part[i]};
+    if (component) part.back().key = std::string(component);
+    return part;
+}
+
+}  // namespace
+
+std::string origin_path(Machine& machine, const Origin& origin) {
+    std::string text =
+        machine.tree.path(origin.instance) +
+        property::path_suffix(origin.property ? origin.property->name : origin.symbol.text());
+    for (std::uint32_t i = 0; i < origin.depth; ++i)
+        text += "[" + std::to_string(origin.part[i]) + "]";
+    return text;
+}
+
+Value origin_read(Machine& machine, const Origin& origin) {
+    Value whole = machine.tree.get(origin.instance, origin_property(machine, origin));
+    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size() / 8);
+    if (origin.depth == 0) return whole;
+    return property::part_of(whole, segments(origin, nullptr), origin_path(machine, origin));
+}
+
+void origin_write(Machine& machine, const Origin& origin, const char* component,
+                  const Value& value) {
+    const Property& property = origin_property(machine, origin);
+    const Value whole = machine.tree.get(origin.instance, property);
+    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size());
+    write_property(machine, origin.instance, property,
+                   property::with_part(whole, segments(origin, component), value,
+                                       origin_path(machine, origin)));
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,253 @@
+// vec(x, y): arithmetic and the methods of a vector in the plane.
+
+#include <cmath>
+#include <cstring>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <values/short_text.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::Error;
+using property::ErrorKind;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+[[noreturn]] void bad_operand(lua_State* L, const char* operation) {
+    const int wrong = vec_at(L, 1) ? 2 : 1;
+    throw Error(ErrorKind::wrong_type,
+                std::string("vec ") + operation + ": cannot use " + describe_type(L, wrong));
+}
+
+int vec_add(lua_State* L) {
+    const auto *a = vec_at(L, 1), *b = vec_at(L, 2);
+    if (!a || !b) bad_operand(L, "+");
+    push_vec(L, {a->x + b->x, a->y + b->y});
+    return 1;
+}
+
+int vec_subtract(lua_State* L) {
+    const auto *a = vec_at(L, 1), *b = vec_at(L, 2);
+    if (!a || !b) bad_operand(L, "-");
+    push_vec(L, {a->x - b->x, a->y - b->y});
+    return 1;
+}
+
+int vec_multiply(lua_State* L) {
+    if (const auto* a = vec_at(L, 1)) {
+        if (vec_at(L, 2))
+            throw Error(ErrorKind::wrong_type,
+                        "vec * vec: say which product you mean, a:dot(b) or a:cross(b)");
+        if (lua_type(L, 2) != LUA_TNUMBER) bad_operand(L, "*");
+        const double s = lua_tonumber(L, 2);
+        push_vec(L, {a->x * s, a->y * s});
+        return 1;
+    }
+    if (lua_type(L, 1) != LUA_TNUMBER) bad_operand(L, "*");
+    const double s = lua_tonumber(L, 1);
+    const auto* b = vec_at(L, 2);
+    push_vec(L, {s * b->x, s * b->y});
+    return 1;
+}
+
+int vec_divide(lua_State* L) {
+    const auto* a = vec_at(L, 1);
+    if (!a || lua_type(L, 2) != LUA_TNUMBER) bad_operand(L, "/");
+    const double s = lua_tonumber(L, 2);
+    push_vec(L, {a->x / s, a->y / s});
+    return 1;
+}
+
+int vec_negate(lua_State* L) {
+    const auto* a = vec_at(L, 1);
+    push_vec(L, {-a->x, -a->y});
+    return 1;
+}
+
+int vec_equal(lua_State* L) {
+    const auto *a = vec_at(L, 1), *b = vec_at(L, 2);
+    lua_pushboolean(L, a && b && a->x == b->x && a->y == b->y);
+    return 1;
+}
+
+int vec_tostring(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "tostring");
+    const bool narrow = static_cast<double>(static_cast<float>(v.x())) == v.x() &&
+                        static_cast<double>(static_cast<float>(v.y())) == v.y();
+    const std::string text = property::value_text(
+        v, narrow ? property::Precision::single_precision : property::Precision::double_precision);
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+// --- Methods
+
+int vec_length(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "length");
+    lua_pushnumber(L, std::hypot(v.x(), v.y()));
+    return 1;
+}
+
+// A vector without a direction stays what it is.
+int vec_normalized(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "normalized");
+    const double length = std::hypot(v.x(), v.y());
+    push_vec(L, length > 0 && std::isfinite(length) ? Vec2(v / length) : v);
+    return 1;
+}
+
+int vec_dot(lua_State* L) {
+    const Vec2 a = check_vec(L, 1, "dot"), b = check_vec(L, 2, "dot");
+    lua_pushnumber(L, a.x() * b.x() + a.y() * b.y());
+    return 1;
+}
+
+int vec_cross(lua_State* L) {
+    const Vec2 a = check_vec(L, 1, "cross"), b = check_vec(L, 2, "cross");
+    lua_pushnumber(L, a.x() * b.y() - a.y() * b.x());
+    return 1;
+}
+
+int vec_rotated(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "rotated");
+    const double angle = check_number(L, 2, "rotated");
+    const double c = std::cos(angle), s = std::sin(angle);
+    push_vec(L, {c * v.x() - s * v.y(), s * v.x() + c * v.y()});
+    return 1;
+}
+
+int vec_lerp(lua_State* L) {
+    const Vec2 a = check_vec(L, 1, "lerp"), b = check_vec(L, 2, "lerp");
+    const double t = check_number(L, 3, "lerp");
+    push_vec(L, {a.x() + (b.x() - a.x()) * t, a.y() + (b.y() - a.y()) * t});
+    return 1;
+}
+
+int vec_angle(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "angle");
+    lua_pushnumber(L, std::atan2(v.y(), v.x()));
+    return 1;
+}
+
+const std::vector<std::string>& vec_names() {
+    static const std::vector<std::string> names = {
+        "x", "y", "length", "normalized", "dot", "cross", "rotated", "lerp", "angle"};
+    return names;
+}
+
+int vec_index(lua_State* L) {
+    const auto* v = static_cast<const VecBox*>(lua_touserdata(L, 1));
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        const char* key = lua_tolstring(L, 2, nullptr);
+        if ((key[0] == 'x' || key[0] == 'y') && key[1] == '\0') {
+            lua_pushnumber(L, key[0] == 'x' ? v->x : v->y);
+            return 1;
+        }
+        luaL_getmetafield(L, 1, "methods");
+        lua_pushvalue(L, 2);
+        if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+        throw Error(ErrorKind::unknown_name,
+                    std::string("a vec has no ") + key + property::suggestion(key, vec_names()));
+    }
+    throw Error(ErrorKind::unknown_name, "a vec has x and y, not element " + key_in_message(L, 2));
+}
+
+// The common case, a property that is a vec: the other component stays as it is now.
+void write_component(Machine& machine, VecBox& v, char component, double number) {
+    const property::Property& property = origin_property(machine, v.origin);
+    const Value whole = machine.tree.get(v.origin.instance, property);
+    if (!whole.is(property::Type::vec2))
+        throw Error(ErrorKind::wrong_type, origin_path(machine, v.origin) + ": is a vec no longer");
+    Vec2 next = whole.vec2();
+    (component == 'x' ? next.x() : next.y()) = number;
+    write_property(machine, v.origin.instance, property, Value(next));
+    const Value now = machine.tree.get(v.origin.instance, property);  // as its memory holds it
+    if (now.is(property::Type::vec2)) {
+        v.x = now.vec2().x();
+        v.y = now.vec2().y();
+    }
+}
+
+// A component of a vec that was read from a property is written there; the rest of the property
+// stays as it is now.
+int vec_newindex(lua_State* L) {
+    auto* v = static_cast<VecBox*>(lua_touserdata(L, 1));
+    const char* key = lua_type(L, 2) == LUA_TSTRING ? lua_tolstring(L, 2, nullptr) : "";
+    if ((key[0] != 'x' && key[0] != 'y') || key[1] != '\0')
+        throw Error(ErrorKind::unknown_name,
+                    std::string("a vec has x and y, nothing else can be assigned") +
+                        (key[0] ? std::string(": ") + key : std::string()));
+    if (v->has_origin) {
+        Machine& machine = machine_of(L);
+        if (lua_type(L, 3) != LUA_TNUMBER)
+            throw Error(ErrorKind::wrong_type, origin_path(machine, v->origin) + "." + key +
+                                                   ": needs a number, not " + describe_type(L, 3));
+        const double number = lua_tonumber(L, 3);
+        if (v->origin.depth == 0) {
+            write_component(machine, *v, key[0], number);
+            return 0;
+        }
+        origin_write(machine, v->origin, key, Value(number));
+        const Value now = origin_read(machine, v->origin);
+        if (now.is(property::Type::vec2)) {
+            v->x = now.vec2().x();
+            v->y = now.vec2().y();
+        }
+        return 0;
+    }
+    (key[0] == 'x' ? v->x : v->y) = check_number(L, 3, "vec");
+    return 0;
+}
+
+int vec_make(lua_State* L) {
+    if (lua_gettop(L) == 1 && vec_at(L, 1)) {
+        push_vec(L, check_vec(L, 1, "vec"));  // a copy that belongs to nobody
+        return 1;
+    }
+    if (lua_gettop(L) == 0) {
+        push_vec(L, {0, 0});
+        return 1;
+    }
+    push_vec(L, {check_number(L, 1, "vec"), check_number(L, 2, "vec")});
+    return 1;
+}
+
+}  // namespace
+
+void define_vec(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_pure<vec_index>(L, "__index");
+    add_pure<vec_newindex>(L, "__newindex");
+    add_pure<vec_add>(L, "__add");
+    add_pure<vec_subtract>(L, "__sub");
+    add_pure<vec_multiply>(L, "__mul");
+    add_pure<vec_divide>(L, "__div");
+    add_pure<vec_negate>(L, "__unm");
+    add_pure<vec_equal>(L, "__eq");
+    add_pure<vec_tostring>(L, "__tostring");
+    lua_newtable(L);
+    add_pure<vec_length>(L, "length");
+    add_pure<vec_normalized>(L, "normalized");
+    add_pure<vec_dot>(L, "dot");
+    add_pure<vec_cross>(L, "cross");
+    add_pure<vec_rotated>(L, "rotated");
+    add_pure<vec_lerp>(L, "lerp");
+    add_pure<vec_angle>(L, "angle");
+    lua_setfield(L, -2, "methods");
+    name_metatable(L, "vec");
+    machine.boxes.vec = luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
+void open_vec(lua_State* L) {
+    add_pure<vec_make>(L, "vec");
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/formula_problems.h>
+#include <fettle/property/storage/tweaks.h>
+#include <fettle/script/runtime.h>
+
+#include <lua/machine.h>
+#include <text/words.h>
+#include <values/members.h>
+#include <values/recording.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+using property::BindingKind;
+using property::Handle;
+using property::Property;
+using property::Value;
+
+namespace {
+
+// A command that edits a thousand cells keeps a thousand records, no more.
+constexpr std::size_t most_recorded = 1000;
+
+Recording::Edit* edit_of(Machine& machine, Handle instance, property::Symbol symbol) {
+    auto& edits = machine.recording.edits;
+    const auto same = [&](const Recording::Edit& edit) {
+        return edit.instance == instance && edit.symbol == symbol && edit.note.empty();
+    };
+    const auto found = std::find_if(edits.begin(), edits.end(), same);
+    if (found != edits.end()) return &*found;
+    if (edits.size() >= most_recorded) {
+        ++machine.recording.dropped;
+        return nullptr;
+    }
+    edits.emplace_back();
+    edits.back().instance = instance;
+    edits.back().symbol = symbol;
+    return &edits.back();
+}
+
+// Performs `write` and, during a console command, notes the property's value before and after.
+template <class Write>
+void recorded(Machine& machine, Handle instance, const Property& property, Write write) {
+    if (!machine.recording.active) {
+        write();
+        return;
+    }
+    const property::Symbol symbol = property.symbol;
+    const std::string path = machine.tree.path(instance, property);
+    const Value before = machine.tree.peek(instance, property);
+    const std::string unit = property.unit;
+    const property::Precision precision = property.precision();
+    const bool replaced = machine.tree.formula(instance, property) != nullptr;
+    write();  // may remove the property
+    const Property* after = machine.tree.find(instance, symbol);
+    if (Recording::Edit* edit = edit_of(machine, instance, symbol)) {
+        if (edit->path.empty()) {
+            edit->path = path;
+            edit->before = before;
+        }
+        edit->unit = unit;
+        edit->precision = precision;
+        edit->after = after ? machine.tree.peek(instance, *after) : Value();
+        if (replaced) edit->replaced = true;
+    }
+}
+
+void note(Machine& machine, Handle instance, std::string path, std::string text) {
+    if (!machine.recording.active) return;
+    if (machine.recording.edits.size() >= most_recorded) {
+        ++machine.recording.dropped;
+        return;
+    }
+    Recording::Edit edit;
+    edit.instance = instance;
+    edit.path = std::move(path);
+    edit.note = std::move(text);
+    machine.recording.edits.push_back(std::move(edit));
+}
+
+}  // namespace
+
+void record(Machine& machine, bool whether) {
+    if (std::exchange(machine.recording.active, whether) != whether) machine.members.open(!whether);
+}
+
+void write_property(Machine& machine, Handle instance, const Property& property,
+                    const Value& value) {
+    recorded(machine, instance, property, [&] { machine.tree.set(instance, property, value); });
+}
+
+void write_formula(Machine& machine, Handle instance, std::string_view name,
+                   property::Formula formula) {
+    const std::string source = formula.source.empty() ? "a function" : one_line(formula.source);
+    machine.tree.set_formula(instance, name, std::move(formula));
+    if (!machine.recording.active) return;
+    const Property& property = machine.tree.property(instance, name);
+    const std::string problem = machine.tree.problem(instance, property);
+    std::string told = "is " + source + " = ";
+    told += machine.tree.text(machine.tree.peek(instance, property), property.precision());
+    if (!property.unit.empty()) told += " " + property.unit;
+    if (!problem.empty()) told = "is " + source + ", in error: " + problem;
+    property::formula_problem_told(machine.tree, instance, property);
+    note(machine, instance, machine.tree.path(instance, property), told);
+}
+
+void note_added(Machine& machine, Handle instance, std::string_view name) {
+    if (!machine.recording.active) return;
+    const Property& property = machine.tree.property(instance, name);
+    if (Recording::Edit* edit = edit_of(machine, instance, property.symbol)) {
+        if (edit->path.empty()) edit->path = machine.tree.path(instance, property);
+        edit->after = machine.tree.get(instance, property);
+    }
+}
+
+void clear_property(Machine& machine, Handle instance, const Property& property) {
+    recorded(machine, instance, property, [&] {
+        if (property.binding.kind == BindingKind::ad_hoc)
+            machine.tree.remove_ad_hoc(instance, property.name);
+        else
+            machine.tree.set(instance, property, Value());
+    });
+}
+
+namespace {
+
+void note_placed(Machine& machine, Handle instance) {
+    if (machine.options.tweaks != nullptr) machine.options.tweaks->placed(instance);
+    if (machine.recording.active && machine.tree.is_below(instance, machine.tree.root()))
+        note(machine, instance, machine.tree.path(instance),
+             "new " + machine.tree.class_of(instance).name());
+}
+
+}  // namespace
+
+void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
+           bool first_plain) {
+    machine.tree.move(instance, parent, name, first_plain);
+    note_placed(machine, instance);
+}
+
+void replace(Machine& machine, Handle old, Handle by) {
+    const bool placed = machine.tree.is_below(old, machine.tree.root());
+    const std::string path = machine.recording.active ? machine.tree.path(old) : "";
+    machine.tree.replace(old, by);
+    if (placed) note(machine, old, path, "deleted");
+    note_placed(machine, by);
+}
+
+void destroy(Machine& machine, Handle instance) {
+    machine.tree.require(instance);
+    if (!machine.tree.class_of(instance).creatable())
+        throw property::Error(property::ErrorKind::bad_structure,
+                              machine.tree.path(instance) +
+                                  ": is the framework's own and cannot "
+                                  "be deleted");
+    const bool placed = machine.tree.is_below(instance, machine.tree.root());
+    const std::string path = machine.recording.active ? machine.tree.path(instance) : "";
+    machine.tree.destroy(instance);
+    if (placed) note(machine, instance, path, "deleted");
+}
+
+}  // namespace fettle::script
