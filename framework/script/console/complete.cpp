@@ -26,10 +26,6 @@
 
 namespace fettle::script {
 
-using property::Class;
-using property::Handle;
-using property::Property;
-
 namespace {
 
 constexpr std::size_t most_candidates = 200;
@@ -300,9 +296,9 @@ void add_enumerators(const Property& property, bool quoted, Candidates& out) {
                    Group::value);
     };
     for (const std::string& word : property.enumerators) add(word);
-    if (property.type == property::Type::color && quoted)
+    if (property.type == Type::color && quoted)
         for (const std::string& name : property::color_names()) add(name);
-    if (property.type == property::Type::boolean && !quoted)
+    if (property.type == Type::boolean && !quoted)
         for (const char* word : {"true", "false"}) out.add(word, property.name, {}, Group::value);
 }
 

@@ -3,7 +3,6 @@
 
 #include <cctype>
 
-#include <fettle/property/error.h>
 #include <fettle/property/observer.h>
 #include <fettle/script/runtime.h>
 
@@ -30,8 +29,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Property;
 
 namespace {
 
@@ -71,7 +68,7 @@ std::string unit_of(const Machine& machine, std::string_view command) {
     std::string last;
     if (!read || read->unit.empty() || !is_plain_path(command, last)) return {};
     if (last == read->name) return read->unit;
-    const bool component = read->type == property::Type::vec2 && (last == "x" || last == "y");
+    const bool component = read->type == Type::vec2 && (last == "x" || last == "y");
     return component ? read->unit : std::string();
 }
 
@@ -105,7 +102,7 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
     lua_pop(L, 1);
     try {
         evaluation.result = to_value(L, 1);
-    } catch (const property::Error&) {
+    } catch (const Error&) {
         // a function, a table with names: no value of the tree
     }
 }
@@ -167,13 +164,12 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     const std::string source(trimmed(command.substr(at + 4)));
     if (!is_plain_path(path, name) || source.empty()) return false;
     if (!path.ends_with("." + name))
-        throw property::Error(
-            property::ErrorKind::bad_path,
-            "a formula is the value of a property: write it as instance.property is ...");
+        throw Error(ErrorKind::bad_path,
+                    "a formula is the value of a property: write it as instance.property is ...");
     if (compile(L, path.substr(0, path.size() - name.size() - 1)) != Compiled::expression)
         lua_error(L);
     lua_call(L, 0, 1);
-    const property::Handle instance = check_instance(L, -1, "is");
+    const Handle instance = check_instance(L, -1, "is");
     if (luaL_loadbufferx(L, ("return " + source).data(), source.size() + 7, chunk_name, "t") !=
         LUA_OK)
         lua_error(L);
@@ -241,14 +237,14 @@ class Made : public property::Observer {
         if (!machine_.life.tree.expired()) machine_.tree.unobserve(*this);
     }
     Made(const Made&) = delete;
-    void created(property::Handle instance) override { all_.push_back(instance); }
+    void created(Handle instance) override { all_.push_back(instance); }
     /// How many went.
     std::size_t destroy() {
-        const std::vector<property::Handle> all = std::move(all_);
+        const std::vector<Handle> all = std::move(all_);
         std::size_t count = 0;
-        for (const property::Handle instance : all) {
+        for (const Handle instance : all) {
             if (!machine_.tree.alive(instance)) continue;
-            machine_.tree.each_below(instance, [&](property::Handle) { ++count; });
+            machine_.tree.each_below(instance, [&](Handle) { ++count; });
             machine_.tree.destroy(instance);
         }
         return count;
@@ -256,7 +252,7 @@ class Made : public property::Observer {
 
   private:
     Machine& machine_;
-    std::vector<property::Handle> all_;
+    std::vector<Handle> all_;
 };
 
 // Everything that must be undone however the command ends.

@@ -14,10 +14,6 @@
 
 namespace fettle::script {
 
-using property::Class;
-using property::Handle;
-using property::Property;
-
 Scan scan(std::string_view text) {
     Scan result;
     char quote = 0;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -24,12 +23,7 @@
 
 namespace fettle::script {
 
-using property::Class;
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
 using property::Method;
-using property::Property;
 
 std::vector<std::string> property_help(const Machine& machine, const Property& property) {
     std::vector<std::string> lines = {
@@ -304,7 +298,7 @@ std::vector<std::string> known_names(const Machine& machine) {
     for (const Class* of : machine.tree.classes()) names.push_back(of->name());
     for (const auto* docs : {&global_docs(), &library_docs()})
         for (const GlobalDoc& doc : *docs) names.emplace_back(doc.name);
-    for (const property::Handle child : machine.tree.children(machine.tree.root()))
+    for (const Handle child : machine.tree.children(machine.tree.root()))
         names.push_back(machine.tree.name(child));
     return names;
 }

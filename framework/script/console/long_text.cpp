@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 
 #include <console/long_text.h>
@@ -14,11 +13,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Handle;
-using property::Property;
-using property::Type;
-using property::Value;
 
 namespace {
 
@@ -38,7 +32,7 @@ std::string listed_value(const Machine& machine, Handle handle, const Property& 
         const Value value = machine.tree.get(handle, property);
         return unit ? with_unit(machine.tree, value, property)
                     : machine.tree.text(value, property.precision());
-    } catch (const property::Error&) {
+    } catch (const Error&) {
         return "in error (why(path) tells more)";
     }
 }
@@ -135,7 +129,7 @@ std::string entry_text(lua_State* L, Machine& machine, const std::string& key) {
             const Value value = to_value(L, -1);
             return cut(with_unit(machine.tree, value, *place.property), line_width);
         }
-    } catch (const property::Error&) {
+    } catch (const Error&) {
         // an ordinary key
     }
     return short_text(L, -1);

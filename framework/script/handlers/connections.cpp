@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <handlers/connections.h>
@@ -14,8 +13,6 @@
 namespace fettle::script {
 
 using property::Connection;
-using property::Error;
-using property::ErrorKind;
 
 namespace {
 

@@ -1,5 +1,3 @@
-#include <fettle/property/error.h>
-
 #include <calls/errors.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
@@ -11,9 +9,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
 
 namespace {
 

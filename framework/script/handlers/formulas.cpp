@@ -1,7 +1,6 @@
 #include <memory>
 #include <optional>
 
-#include <fettle/property/error.h>
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
@@ -22,12 +21,7 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::Property;
 using property::Tree;
-using property::Value;
 
 namespace {
 

@@ -1,4 +1,3 @@
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
@@ -17,15 +16,10 @@
 namespace fettle::script {
 
 using property::Change;
-using property::Class;
 using property::Connection;
-using property::Error;
-using property::ErrorKind;
 using property::Event;
 using property::Existence;
-using property::Handle;
 using property::Occurrence;
-using property::Property;
 using property::WatchOptions;
 
 // --- What handlers are told

@@ -1,8 +1,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fettle/property/error.h>
-
 #include <calls/function_ref.h>
 #include <calls/held_memory.h>
 #include <calls/protected.h>
@@ -18,9 +16,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
 
 namespace {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include <fettle/property/error.h>
 #include <fettle/property/pinned.h>
 #include <fettle/script/runtime.h>
 
@@ -21,9 +20,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
 
 // --- tostring, print
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <library/globals.h>
@@ -19,9 +18,6 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
-
 std::vector<std::string> global_names(Machine& machine) {
     lua_State* L = machine.lua.main;
     std::vector<std::string> names;
@@ -32,10 +28,9 @@ std::vector<std::string> global_names(Machine& machine) {
     names.emplace_back("game");
     names.emplace_back("classes");
     const property::Tree& tree = machine.tree;
-    for (property::Handle child = tree.first_child(tree.root()); child;
-         child = tree.next_sibling(child))
+    for (Handle child = tree.first_child(tree.root()); child; child = tree.next_sibling(child))
         names.push_back(tree.name(child));
-    for (const property::Class* of : tree.classes()) names.push_back(of->name());
+    for (const Class* of : tree.classes()) names.push_back(of->name());
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
@@ -52,11 +47,11 @@ bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
         push_instance(L, machine.tree.root());
         return true;
     }
-    if (const property::Handle child = machine.tree.child(machine.tree.root(), name)) {
+    if (const Handle child = machine.tree.child(machine.tree.root(), name)) {
         push_instance(L, child);
         return true;
     }
-    if (const property::Class* of = machine.tree.find_class(name)) {
+    if (const Class* of = machine.tree.find_class(name)) {
         machine.classes.push(L, *of);
         return true;
     }

@@ -1,7 +1,6 @@
 // What people edited, and where values come from:
 //   undo()  redo()  history()  edit(name, function)  who(path)  why(path)
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 
 #include <library/sandbox.h>
@@ -13,8 +12,6 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
 using property::Explanation;
 using property::Place;
 

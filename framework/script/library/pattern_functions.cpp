@@ -4,8 +4,6 @@
 #include <cstring>
 #include <string>
 
-#include <fettle/property/error.h>
-
 #include <library/sandbox.h>
 #include <lua/arena.h>
 #include <lua/budget.h>
@@ -15,9 +13,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
 
 namespace {
 

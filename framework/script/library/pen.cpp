@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <library/pen.h>
@@ -28,11 +27,8 @@
 namespace fettle::script {
 
 using property::Color;
-using property::Error;
-using property::ErrorKind;
 using property::Paint;
 using property::Painter;
-using property::Vec2;
 
 namespace {
 
@@ -137,12 +133,12 @@ int box(lua_State* L) {
 
 int polygon(lua_State* L) {
     drop_self(L);
-    const property::Value value = to_value(L, 1);
-    if (!value.is(property::Type::list) || value.list().size() < 3)
+    const Value value = to_value(L, 1);
+    if (!value.is(Type::list) || value.list().size() < 3)
         throw Error(ErrorKind::wrong_type, "pen.polygon: needs a list of three or more vec");
     std::vector<Vec2> vertices;
-    for (const property::Value& each : value.list()) {
-        if (!each.is(property::Type::vec2))
+    for (const Value& each : value.list()) {
+        if (!each.is(Type::vec2))
             throw Error(ErrorKind::wrong_type, "pen.polygon: needs a list of vec");
         check_finite(each.vec2().x(), "pen.polygon");
         check_finite(each.vec2().y(), "pen.polygon");

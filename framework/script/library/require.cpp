@@ -3,7 +3,6 @@
 
 #include <filesystem>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <library/sandbox.h>
@@ -17,8 +16,6 @@
 namespace fettle::script {
 
 namespace fs = std::filesystem;
-using property::Error;
-using property::ErrorKind;
 
 namespace {
 

@@ -1,7 +1,6 @@
 // Saved games:
 //   save_game(slot)  load_game(slot)  saves()  delete_save(slot)
 
-#include <fettle/property/error.h>
 #include <fettle/property/storage/game_saves.h>
 #include <fettle/script/runtime.h>
 
@@ -12,8 +11,6 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
 using property::GameSaves;
 using property::SaveInfo;
 

@@ -6,7 +6,6 @@
 
 #include <filesystem>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 #include <fettle/property/storage/tweaks.h>
@@ -22,9 +21,6 @@
 namespace fettle::script {
 
 namespace fs = std::filesystem;
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
 
 namespace {
 

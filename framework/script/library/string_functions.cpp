@@ -2,17 +2,12 @@
 
 #include <cctype>
 
-#include <fettle/property/error.h>
-
 #include <library/sandbox.h>
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
 
 namespace {
 

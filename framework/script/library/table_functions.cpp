@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <fettle/property/error.h>
-
 #include <library/sandbox.h>
 #include <lua/budget.h>
 #include <lua/guard.h>
@@ -13,11 +11,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
-using property::List;
-using property::Value;
 
 namespace {
 
@@ -45,7 +38,7 @@ void check_list(lua_State* L) {
 
 Value list_value(lua_State* L, const ListBox& box) {
     Value value = origin_read(machine_of(L), box.origin);
-    if (!value.is(property::Type::list))
+    if (!value.is(Type::list))
         throw Error(ErrorKind::wrong_type,
                     origin_path(machine_of(L), box.origin) + ": is a list no longer");
     return value;

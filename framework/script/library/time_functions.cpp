@@ -5,7 +5,6 @@
 #include <memory>
 #include <new>
 
-#include <fettle/property/error.h>
 #include <fettle/property/snapshot.h>
 #include <fettle/script/runtime.h>
 
@@ -19,8 +18,6 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
 using property::Snapshot;
 
 namespace {

@@ -4,7 +4,6 @@
 #include <ctime>
 #include <filesystem>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
@@ -16,8 +15,6 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
 using property::Tweak;
 using property::TweakReport;
 

@@ -3,9 +3,8 @@
 // is given its lua_State and nothing else: it finds the parts it needs here. This header knows none
 // of them, so a source includes the header of every part that it uses, and knows no other.
 
-#include <fettle/property/tree.h>
-
 #include <lua/lua_api.h>
+#include <lua/tree_names.h>
 
 namespace fettle::script {
 

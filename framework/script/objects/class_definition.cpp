@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -18,13 +17,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Class;
-using property::Error;
-using property::ErrorKind;
-using property::Property;
-using property::Type;
-using property::Value;
 
 namespace {
 

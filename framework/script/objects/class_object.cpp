@@ -4,7 +4,6 @@
 #include <functional>
 #include <utility>
 
-#include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
 
@@ -22,14 +21,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Class;
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::Property;
-using property::Type;
-using property::Value;
 
 namespace {
 constexpr std::size_t most_kinds = 8;  // that a message names

@@ -2,8 +2,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include <fettle/property/error.h>
-
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
 #include <lua/guard.h>
@@ -19,13 +17,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Class;
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::Property;
-using property::Value;
 
 namespace {
 
@@ -243,13 +234,13 @@ void copy_below(Machine& machine, Handle top, Handle copy, Copies& copies) {
 
 // References inside what is copied lead to the copies; those to nobody any more to nobody.
 Value redirected(const Machine& machine, const Value& value, const Copies& copies) {
-    if (value.is(property::Type::reference)) {
+    if (value.is(Type::reference)) {
         if (!machine.tree.alive(value.reference())) return Handle{};
         const auto copy = copies.of.find(Copies::key(value.reference()));
         return copy == copies.of.end() ? value : Value(copy->second);
     }
-    if (value.is(property::Type::list)) {
-        property::List list;
+    if (value.is(Type::list)) {
+        List list;
         for (const Value& element : value.list())
             list.push_back(redirected(machine, element, copies));
         return list;

@@ -18,9 +18,6 @@
 
 namespace fettle::script {
 
-using property::Class;
-using property::Property;
-
 namespace {
 
 // "position" of "position = vec(x, y)".
@@ -66,12 +63,12 @@ std::string Hints::meaning(const Class& of, std::string_view name) const {
 }
 
 /// A child that has what was meant: "its Circle has radius".
-std::string Hints::child_with(property::Handle instance, std::string_view name) const {
+std::string Hints::child_with(Handle instance, std::string_view name) const {
     std::vector<std::string_view> names = {name};
     for (const std::string_view way : property_synonyms(name)) names.push_back(name_in(way));
     constexpr int most = 8;
     int looked_at = 0;
-    for (property::Handle child = machine_.tree.first_child(instance); child && looked_at < most;
+    for (Handle child = machine_.tree.first_child(instance); child && looked_at < most;
          child = machine_.tree.next_sibling(child), ++looked_at)
         for (const std::string_view wanted : names)
             if (machine_.tree.class_of(child).property(wanted) != nullptr)
@@ -80,7 +77,7 @@ std::string Hints::child_with(property::Handle instance, std::string_view name) 
     return {};
 }
 
-void Hints::property_added(property::Handle instance, std::string_view name) {
+void Hints::property_added(Handle instance, std::string_view name) {
     const Class& of = machine_.tree.class_of(instance);
     const Class* native = &of;
     while (machine_.classes.scripted(*native)) native = native->base();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -26,16 +25,9 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::Property;
 using property::Put;
 using property::Row;
 using property::Symbol;
-using property::Type;
-using property::Value;
-using property::Vec2;
 
 std::vector<std::string> names_of(Machine& machine, Handle instance) {
     std::vector<std::string> names = machine.tree.class_of(instance).member_names();
@@ -121,7 +113,7 @@ const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, co
     static thread_local Dispatch uncached;
     Dispatch found;
     found.key = key;
-    const property::Class& of = members.of;
+    const Class& of = members.of;
     const Symbol symbol = Symbol::find(name);
     if (const Property* property = symbol ? of.property(symbol) : nullptr) {
         found.member = member_for(*property);

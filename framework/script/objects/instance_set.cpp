@@ -1,6 +1,5 @@
 #include <string>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -13,13 +12,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::Property;
-using property::Type;
-using property::Value;
 
 void push_set(lua_State* L, const std::vector<Handle>& instances) {
     luaL_checkstack(L, 4, "set");
@@ -90,7 +82,7 @@ Value sum(const Value& a, const Value& b, const std::string& where) {
         throw Error(ErrorKind::out_of_range, where + ": the sum is beyond 64 bits");
     }
     if (a.is_numeric() && b.is_numeric()) return a.as_double() + b.as_double();
-    if (a.is(Type::vec2) && b.is(Type::vec2)) return property::Vec2(a.vec2() + b.vec2());
+    if (a.is(Type::vec2) && b.is(Type::vec2)) return Vec2(a.vec2() + b.vec2());
     throw Error(ErrorKind::wrong_type, where + ": a " + std::string(property::type_name(b.type())) +
                                            " cannot be added to a " +
                                            std::string(property::type_name(a.type())));

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -18,20 +17,13 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::Property;
-using property::Value;
-
 namespace {
 
 std::string path_of(Machine& machine, Handle instance, std::string_view name) {
     return machine.tree.path(instance) + property::path_suffix(name);
 }
 
-void refuse_near_miss(Machine& machine, Handle instance, const property::Class& of,
-                      std::string_view name) {
+void refuse_near_miss(Machine& machine, Handle instance, const Class& of, std::string_view name) {
     std::vector<std::string> names = of.member_names();
     machine.classes.add_function_names(of, names);
     for (const std::string& declared : names)
@@ -115,7 +107,7 @@ void add_property(Machine& machine, Handle instance, std::string_view name, cons
 
 }  // namespace
 
-void write_member(lua_State* L, Machine& machine, Handle instance, const property::Class& of,
+void write_member(lua_State* L, Machine& machine, Handle instance, const Class& of,
                   std::string_view name) {
     if (of.method(name) || generic_reference(L, machine, name) != LUA_NOREF)
         throw Error(ErrorKind::bad_name,

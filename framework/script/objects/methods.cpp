@@ -4,7 +4,6 @@
 #include <unordered_map>
 
 #include <fettle/property/acceptance.h>
-#include <fettle/property/error.h>
 
 #include <lua/guard.h>
 #include <lua/machine.h>
@@ -16,12 +15,9 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
 using property::Method;
 using property::Record;
 using property::Result;
-using property::Value;
 
 namespace {
 
@@ -46,7 +42,7 @@ int call_method(lua_State* L) {
     if (!self)
         throw Error(ErrorKind::wrong_type,
                     method.name + ": call it with a colon, as in ball:" + method.name + "(...)");
-    const property::Class& of = machine.tree.class_of(self->handle);
+    const Class& of = machine.tree.class_of(self->handle);
     if (of.method(method.symbol) != &method)
         throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " + of.name() +
                                                " has no " + method.name);
@@ -71,7 +67,7 @@ int call_method(lua_State* L) {
                                                    signature(method));
         if (accepts && lua_type(L, index) == LUA_TFUNCTION) {
             values[static_cast<std::size_t>(i)] = true;
-            acceptance.emplace(machine.tree, method.name, [L, index](property::Handle instance) {
+            acceptance.emplace(machine.tree, method.name, [L, index](Handle instance) {
                 lua_pushvalue(L, index);
                 push_instance(L, instance);
                 lua_call(L, 1, 1);

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/budget.h>
@@ -14,13 +13,7 @@
 
 namespace fettle::script {
 
-using property::Class;
-using property::Error;
-using property::ErrorKind;
 using property::Field;
-using property::Handle;
-using property::Property;
-using property::Type;
 
 namespace {
 

@@ -7,8 +7,6 @@
 
 namespace fettle::script {
 
-using property::Handle;
-
 void ScriptClasses::save(property::ByteWriter& to) const {
     to.put(members_);
     to.put(std::uint64_t{waiting_.size()});

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
@@ -18,13 +17,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Class;
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::Property;
-using property::Value;
 
 namespace {
 
@@ -299,8 +291,8 @@ Handle ScriptClasses::create(const Class& of) {
 }
 
 void ScriptClasses::explain_integer(const Property& property, const Value& value) const {
-    if (property.type != property::Type::integer || !value.is(property::Type::number) ||
-        !property.owner || !scripted(*property.owner))
+    if (property.type != Type::integer || !value.is(Type::number) || !property.owner ||
+        !scripted(*property.owner))
         return;
     const double number = value.number();
     if (number ==

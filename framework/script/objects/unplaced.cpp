@@ -9,9 +9,6 @@
 
 namespace fettle::script {
 
-using property::Handle;
-using property::Value;
-
 namespace {
 
 bool has_proxy(lua_State* L, const Machine& machine, Handle handle) {
@@ -29,20 +26,19 @@ bool held_by_script(lua_State* L, const Machine& machine, Handle top) {
 }
 
 void collect_references(const Value& value, std::vector<Handle>& found) {
-    if (value.is(property::Type::reference)) {
+    if (value.is(Type::reference)) {
         found.push_back(value.reference());
-    } else if (value.is(property::Type::list)) {
+    } else if (value.is(Type::list)) {
         for (const Value& element : value.list()) collect_references(element, found);
     }
 }
 
 void references_below(const Machine& machine, Handle top, std::vector<Handle>& found) {
     machine.tree.each_below(top, [&](Handle handle) {
-        for (const property::Property* property : machine.tree.properties(handle))
-            if (property->type == property::Type::reference || property->any_type ||
-                (property->type == property::Type::list &&
-                 (property->element == property::Type::reference ||
-                  property->element == property::Type::nil)))
+        for (const Property* property : machine.tree.properties(handle))
+            if (property->type == Type::reference || property->any_type ||
+                (property->type == Type::list &&
+                 (property->element == Type::reference || property->element == Type::nil)))
                 collect_references(machine.tree.get(handle, *property), found);
     });
 }

@@ -1,7 +1,6 @@
 #include <new>
 #include <utility>
 
-#include <fettle/property/error.h>
 #include <fettle/script/runtime.h>
 
 #include <console/help.h>
@@ -107,8 +106,8 @@ int open_all(lua_State* L) {
 property::Tree& without_runtime(property::Tree& tree) {
     for (const property::SnapshotPart* part : tree.parts())
         if (part->part_name() == RuntimePart::name)
-            throw property::Error(property::ErrorKind::bad_structure,
-                                  "the tree has a runtime already: it has one at a time");
+            throw Error(ErrorKind::bad_structure,
+                        "the tree has a runtime already: it has one at a time");
     return tree;
 }
 
@@ -160,7 +159,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
         const char* message = lua_tostring(L, -1);
         const std::string text = message ? message : "Lua could not be started";
         end();
-        throw property::Error(property::ErrorKind::rejected, text);
+        throw Error(ErrorKind::rejected, text);
     }
 }
 

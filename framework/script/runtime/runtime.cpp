@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <string>
 
-#include <fettle/property/error.h>
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
@@ -29,8 +28,6 @@
 
 namespace fettle::script {
 
-using property::Value;
-
 struct Runtime::State : Parts {
     using Parts::Parts;
     std::shared_ptr<const void> lifetime = std::make_shared<char>();  // of the runtime itself
@@ -40,25 +37,24 @@ namespace {
 
 void require_tree(const Machine& machine) {
     if (machine.life.tree.expired())
-        throw property::Error(property::ErrorKind::deleted,
-                              "the tree of this runtime was destroyed: nothing is left to script");
+        throw Error(ErrorKind::deleted,
+                    "the tree of this runtime was destroyed: nothing is left to script");
 }
 
 void require_seconds(const char* what, double seconds) {
     if (!(seconds >= 0) || std::isinf(seconds))
-        throw property::Error(property::ErrorKind::out_of_range,
-                              std::string(what) + " = " + std::to_string(seconds) +
-                                  ": expected a time in seconds, at least 0");
+        throw Error(ErrorKind::out_of_range, std::string(what) + " = " + std::to_string(seconds) +
+                                                 ": expected a time in seconds, at least 0");
 }
 
 Options checked(Options options) {
     require_seconds("Options::call_seconds", options.call_seconds);
     constexpr std::size_t least = std::size_t{1} << 20;
     if (options.memory_limit < least)
-        throw property::Error(property::ErrorKind::out_of_range,
-                              "Options::memory_limit = " + std::to_string(options.memory_limit) +
-                                  " bytes: Lua with its library needs " + std::to_string(least) +
-                                  " at least");
+        throw Error(ErrorKind::out_of_range,
+                    "Options::memory_limit = " + std::to_string(options.memory_limit) +
+                        " bytes: Lua with its library needs " + std::to_string(least) +
+                        " at least");
     return options;
 }
 
@@ -156,9 +152,9 @@ bool Runtime::load(const std::filesystem::path& game) {
     namespace fs = std::filesystem;
     Machine& machine = live();
     if (machine.life.uses > 0)
-        throw property::Error(property::ErrorKind::bad_structure,
-                              "no game can be loaded while a script of this runtime runs: do it "
-                              "when that call has returned");
+        throw Error(ErrorKind::bad_structure,
+                    "no game can be loaded while a script of this runtime runs: do it "
+                    "when that call has returned");
     const Life::Use use(machine.life);
     std::error_code error;
     const fs::path file = fs::is_directory(game, error) ? game / "main.lua" : game;
@@ -242,11 +238,11 @@ std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cu
     return script::complete(machine, input, cursor);
 }
 
-void Runtime::set_it(property::Handle instance) {
+void Runtime::set_it(Handle instance) {
     state_->globals.it = instance;
 }
 
-property::Handle Runtime::it() const {
+Handle Runtime::it() const {
     return state_->globals.it;
 }
 

@@ -10,8 +10,6 @@
 
 namespace fettle::script {
 
-using property::Handle;
-
 namespace {
 
 /// What is kept for others begins with how many bytes that is.

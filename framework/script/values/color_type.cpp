@@ -1,6 +1,5 @@
 // color("tomato"), color("#ff8800"), color(r, g, b, a).
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
@@ -11,9 +10,6 @@
 namespace fettle::script {
 
 using property::Color;
-using property::Error;
-using property::ErrorKind;
-using property::Value;
 
 namespace {
 
@@ -81,7 +77,7 @@ int color_newindex(lua_State* L) {
         origin_write(machine, box->origin, key,
                      Value(static_cast<double>(check_number(L, 3, "color"))));
         const Value now = origin_read(machine, box->origin);
-        if (now.is(property::Type::color)) box->color = now.color();
+        if (now.is(Type::color)) box->color = now.color();
         return 0;
     }
     *value = check_channel(L, 3, key);

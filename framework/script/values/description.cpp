@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
@@ -11,9 +10,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
 
 namespace {
 

@@ -1,8 +1,6 @@
 // Lists that are the value of a property: reading an element reads the property, writing one
 // replaces the whole list in one change, writing one past the end appends.
 
-#include <fettle/property/error.h>
-
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <values/short_text.h>
@@ -10,12 +8,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
-using property::List;
-using property::Type;
-using property::Value;
 
 namespace {
 

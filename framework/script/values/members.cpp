@@ -1,6 +1,6 @@
 #include <utility>
 
-#include <lua/lua_api.h>
+#include <lua/tree_names.h>
 #include <values/members.h>
 
 namespace fettle::script {

@@ -1,4 +1,3 @@
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
@@ -10,11 +9,8 @@
 
 namespace fettle::script {
 
-using property::Error;
-using property::ErrorKind;
 using property::Record;
 using property::Result;
-using property::Value;
 
 namespace {
 
@@ -80,8 +76,8 @@ void push_record(lua_State* L, const Record& record) {
         const std::string& name = (*record.fields)[i].name;
         lua_pushlstring(L, name.data(), name.size());
         const bool given = i < record.values.size();
-        const bool nobody = given && record.values[i].is(property::Type::reference) &&
-                            !record.values[i].reference();
+        const bool nobody =
+            given && record.values[i].is(Type::reference) && !record.values[i].reference();
         if (!given || nobody || record.values[i].is_nil()) {
             // A field without a value reads as nil, without an error.
             push_registry(L, machine.boxes.record);

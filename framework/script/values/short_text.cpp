@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 
 #include <lua/machine.h>
@@ -13,11 +12,6 @@
 #include <values/values.h>
 
 namespace fettle::script {
-
-using property::Handle;
-using property::Property;
-using property::Type;
-using property::Value;
 
 // --- One line
 
@@ -78,7 +72,7 @@ std::string instance_text(Machine& machine, Handle handle) {
     try {
         machine.tree.require(handle);
         return machine.tree.path(handle);
-    } catch (const property::Error& error) {
+    } catch (const Error& error) {
         return std::string("(") + error.what() + ")";
     }
 }
@@ -109,7 +103,7 @@ std::string brief(lua_State* L, int index, int depth) {
     if (const DescriptionKind* kind = description_kind(L, index))
         return description_text(L, index, *kind);
     if (const auto* box = instance_at(L, index)) return instance_text(machine, box->handle);
-    if (const property::Class* of = class_object_at(L, index)) return of->name();
+    if (const Class* of = class_object_at(L, index)) return of->name();
     switch (lua_type(L, index)) {
         case LUA_TNIL:
         case LUA_TNONE:
@@ -148,7 +142,7 @@ std::string brief(lua_State* L, int index, int depth) {
                                ? property::Precision::single_precision
                                : property::Precision::double_precision);
             return cut(machine.tree.text(value), line_width);
-        } catch (const property::Error& error) {
+        } catch (const Error& error) {
             return std::string("(") + error.what() + ")";
         }
     }

@@ -2,7 +2,6 @@
 #include <cstring>
 #include <new>
 
-#include <fettle/property/error.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -16,15 +15,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
-using property::Handle;
-using property::List;
-using property::Property;
-using property::Type;
-using property::Value;
-using property::Vec2;
 
 // --- Boxes
 
@@ -98,7 +88,7 @@ void push_instance(lua_State* L, Handle handle) {
     }
     lua_pop(L, 1);
     // A handle whose instance is gone already still gets a proxy: using it says who deleted it.
-    const property::Class& of =
+    const Class& of =
         machine.tree.alive(handle) ? machine.tree.class_of(handle) : machine.tree.object_class();
     auto* box = new_box<InstanceBox>(L, sizeof(InstanceBox), machine.boxes.instance);
     box->tag = Tag::instance;
@@ -110,7 +100,7 @@ void push_instance(lua_State* L, Handle handle) {
 }
 
 bool refresh_class(Machine& machine, const InstanceBox& box) {
-    const property::Class& of = machine.tree.class_of(box.handle);
+    const Class& of = machine.tree.class_of(box.handle);
     if (&of == &box.members->of) return false;
     box.members = &machine.members.of(of);
     return true;
@@ -386,7 +376,7 @@ double check_number(lua_State* L, int index, const char* what) {
 // --- Origins
 
 const Property& origin_property(Machine& machine, const Origin& origin) {
-    const property::Class& of = machine.tree.class_of(origin.instance);
+    const Class& of = machine.tree.class_of(origin.instance);
     // In a saved game the instance may be of another class.
     if (origin.property && of.is_a(*origin.property->owner)) return *origin.property;
     const property::Symbol name = origin.property ? origin.property->symbol : origin.symbol;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstring>
 
-#include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
@@ -13,11 +12,6 @@
 #include <values/writes.h>
 
 namespace fettle::script {
-
-using property::Error;
-using property::ErrorKind;
-using property::Value;
-using property::Vec2;
 
 namespace {
 
@@ -162,15 +156,15 @@ int vec_index(lua_State* L) {
 
 // The common case, a property that is a vec: the other component stays as it is now.
 void write_component(Machine& machine, VecBox& v, char component, double number) {
-    const property::Property& property = origin_property(machine, v.origin);
+    const Property& property = origin_property(machine, v.origin);
     const Value whole = machine.tree.get(v.origin.instance, property);
-    if (!whole.is(property::Type::vec2))
+    if (!whole.is(Type::vec2))
         throw Error(ErrorKind::wrong_type, origin_path(machine, v.origin) + ": is a vec no longer");
     Vec2 next = whole.vec2();
     (component == 'x' ? next.x() : next.y()) = number;
     write_property(machine, v.origin.instance, property, Value(next));
     const Value now = machine.tree.get(v.origin.instance, property);  // as its memory holds it
-    if (now.is(property::Type::vec2)) {
+    if (now.is(Type::vec2)) {
         v.x = now.vec2().x();
         v.y = now.vec2().y();
     }
@@ -197,7 +191,7 @@ int vec_newindex(lua_State* L) {
         }
         origin_write(machine, v->origin, key, Value(number));
         const Value now = origin_read(machine, v->origin);
-        if (now.is(property::Type::vec2)) {
+        if (now.is(Type::vec2)) {
             v->x = now.vec2().x();
             v->y = now.vec2().y();
         }

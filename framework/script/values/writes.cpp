@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fettle/property/error.h>
 #include <fettle/property/formula_problems.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
@@ -15,9 +14,6 @@
 namespace fettle::script {
 
 using property::BindingKind;
-using property::Handle;
-using property::Property;
-using property::Value;
 
 namespace {
 
@@ -153,10 +149,9 @@ void replace(Machine& machine, Handle old, Handle by) {
 void destroy(Machine& machine, Handle instance) {
     machine.tree.require(instance);
     if (!machine.tree.class_of(instance).creatable())
-        throw property::Error(property::ErrorKind::bad_structure,
-                              machine.tree.path(instance) +
-                                  ": is the framework's own and cannot "
-                                  "be deleted");
+        throw Error(ErrorKind::bad_structure, machine.tree.path(instance) +
+                                                  ": is the framework's own and cannot "
+                                                  "be deleted");
     const bool placed = machine.tree.is_below(instance, machine.tree.root());
     const std::string path = machine.recording.active ? machine.tree.path(instance) : "";
     machine.tree.destroy(instance);
