@@ -349,4 +349,30 @@ TEST_CASE("deletions are made again whatever their order was") {
     CHECK_FALSE(contains(made_again.out, "already"));
 }
 
+TEST_CASE("what names something in another file names it again when that is back") {
+    const Level folder;
+    folder.write("main.lua", std::string(loads) + " world.s = DistanceJoint {}");
+    folder.write("lvl.json",
+                 "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", "
+                 "\"children\": [{\"class\": \"Body\", \"name\": \"d\"}]}\n");
+    run(folder, {"2:world.s.body_a=world.lvl.d", "3:keep(\"**\")"});
+    SECTION("after it was replaced") {
+        run(folder, {"2:world.lvl.d=Body{}", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+    }
+    SECTION("and is something new that was kept without it") {
+        run(folder,
+            {"2:edit(\"both\", function() world.j = DistanceJoint { body_a = world.lvl.d } end)",
+             "3:world.lvl.d:delete()", "4:keep(\"**\")", "5:undo()", "6:keep(\"**\")"});
+        CHECK(next(folder, print({"world.j.body_a"})) == "world.lvl.d\n");
+    }
+    CHECK(next(folder, print({"world.s.body_a"})) == "world.lvl.d\n");
+}
+
+TEST_CASE("new instances that moved into each other are kept where they are") {
+    const Script folder;
+    run(folder, {"2:world.a=Object{y=1}", "3:world.b=Object{y=2}", "4:keep(\"**\")"});
+    run(folder, {"2:world.a:move(world.b)", "3:world.b:move(world.n)", "4:keep(\"**\")"});
+    CHECK(next(folder, print({"world.n.b.y", "world.n.b.a.y", "world.a"})) == "2 1 -\n");
+}
+
 }  // namespace keep_again_test

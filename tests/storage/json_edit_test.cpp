@@ -1,7 +1,7 @@
 // Edits of a JSON text, whatever it looks like: what was asked for is done, every comment that does
 // not belong to something removed is still there, and the rest is as it was.
 
-#include "../../framework/property/storage/json_edit.h"
+#include <json/json_edit.h>
 
 #include <algorithm>
 #include <random>

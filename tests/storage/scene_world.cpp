@@ -1,6 +1,6 @@
 #include "scene_world.h"
 
-#include "../../framework/property/storage/scene_check.h"
+#include <scenes/scene_check.h>
 
 #include <cstddef>
 

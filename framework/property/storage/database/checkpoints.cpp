@@ -1,0 +1,61 @@
+#include <database/checkpoints.h>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include <database/database.h>
+
+namespace fettle::property {
+
+// Commits that come close together share a checkpoint.
+constexpr std::chrono::milliseconds patience{500};
+
+CheckpointThread::CheckpointThread(std::filesystem::path file)
+    : file_(std::move(file)), thread_([this] { work(); }) {}
+
+CheckpointThread::~CheckpointThread() {
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    woken_.notify_all();
+    thread_.join();
+}
+
+void CheckpointThread::notify() {
+    {
+        const std::lock_guard lock(mutex_);
+        committed_ = true;
+    }
+    woken_.notify_all();
+}
+
+void CheckpointThread::work() {
+    std::optional<Database> database;
+    std::unique_lock lock(mutex_);
+    while (true) {
+        woken_.wait(lock, [this] { return committed_ || ending_; });
+        if (!ending_) woken_.wait_for(lock, patience, [this] { return ending_; });
+        const bool last = ending_;
+        const bool due = std::exchange(committed_, false);
+        lock.unlock();
+        try {
+            if (due) {
+                if (!database) {
+                    database.emplace(file_, Access::existing);
+                    database->run("PRAGMA synchronous = FULL");
+                }
+                // Passive: it waits for nobody and nobody waits for it. What it cannot bring over
+                // now, the next one will.
+                database->run("PRAGMA wal_checkpoint(PASSIVE)");
+            }
+        } catch (const DatabaseError&) {
+            // A full disk: the log keeps everything, and the owner hears of it when it writes.
+        }
+        if (last) return;
+        lock.lock();
+    }
+}
+
+}  // namespace fettle::property

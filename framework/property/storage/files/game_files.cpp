@@ -1,0 +1,223 @@
+#include <fettle/property/storage/game_files.h>
+
+#include <fcntl.h>
+
+#include <cerrno>
+#include <chrono>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include <fettle/property/bytes.h>
+
+#include <files/durable_file.h>
+#include <files/file_access.h>
+#include <json/document.h>
+#include <json/unknown_keys.h>
+
+namespace fettle::property {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t greatest_module = std::size_t{1} << 30;  // bytes; with what it debugs by
+
+std::uint64_t checksum_of(std::string_view content) {
+    return checksum(std::as_bytes(std::span(content)));
+}
+
+bool is_below(const fs::path& file, const fs::path& folder) {
+    if (folder.empty()) return false;
+    const fs::path relative = file.lexically_relative(folder);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+std::optional<std::string> content_on_disk(const fs::path& file, std::size_t limit) {
+    std::error_code error;
+    if (!fs::exists(file, error)) return std::nullopt;
+    return read_file(file, limit);
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> file_checksum(const fs::path& file) {
+    const std::optional<std::string> content = content_on_disk(file, greatest_module);
+    if (!content) return std::nullopt;
+    return checksum_of(*content);
+}
+
+/// However it is called: what is overwritten is the same file as what was read.
+fs::path GameFiles::key(const fs::path& file) {
+    std::error_code error;
+    fs::path found = fs::weakly_canonical(file, error);
+    return error ? file : found;
+}
+
+const std::optional<std::string>* GameFiles::held(const Path& file) const {
+    if (held_.empty()) return nullptr;
+    const auto found = held_.find(key(file));
+    return found == held_.end() ? nullptr : &found->second;
+}
+
+void GameFiles::stay_below(const Path& game, const Path& shared) {
+    named_ = fs::absolute(game).lexically_normal();
+    game_ = key(named_);
+    shared_ = shared.empty() ? Path() : key(fs::absolute(shared));
+}
+
+fs::path GameFiles::checked(const Path& file, bool to_write) const {
+    if (game_.empty()) return file;
+    Path found = key(fs::absolute(file));
+    if (is_below(found, game_) || (!to_write && is_below(found, shared_))) return found;
+    const Path named = fs::absolute(file).lexically_normal();
+    const bool leads_out = is_below(named, game_) || is_below(named, named_);
+    throw FileError(file, leads_out ? "is a link that leads out of the game's folder, to " +
+                                          found.string() + ": it is not followed"
+                                    : "lies outside of the game's folder");
+}
+
+std::string GameFiles::read(const Path& file) {
+    if (const auto* content = held(file)) {
+        if (*content) return **content;
+        throw FileError(file, "could not be read: there was no such file then");
+    }
+    const Path found = checked(file, false);
+    std::string content;
+    try {
+        content = read_file(found, size_limit);
+    } catch (const FileError& error) {
+        throw error.of(file);
+    }
+    note(file, content);
+    return content;
+}
+
+bool GameFiles::exists(const Path& file) {
+    if (const auto* content = held(file)) return content->has_value();
+    std::error_code error;
+    const bool there = fs::exists(file, error);
+    if (!there) note(file, std::nullopt);
+    return there;
+}
+
+void GameFiles::write(const Path& file, std::string_view content) {
+    const Path found = checked(file, true);
+    if (in_memory_) return put(file, std::string(content));
+    note_overwritten(file);
+    replace_file(found, content);
+}
+
+void GameFiles::put(const Path& file, std::optional<std::string> content) {
+    held_[key(file)] = std::move(content);
+}
+
+// --- Scenes --------------------------------------------------------------------------------------
+
+namespace {
+
+/// Why no scene may have that name, "" when one may. `name`: from the game's folder.
+std::string why_no_name_of_a_scene(const fs::path& name) {
+    for (const fs::path& part : name)
+        if (part.string().starts_with('.')) return "hidden files are not a game's to write";
+    const std::string last = name.filename().string();
+    for (const char* const ending : {".lua", ".so", ".sqlite", ".tweaks.json"})
+        if (last.ends_with(ending)) return std::string("what ends in ") + ending + " is no scene";
+    const bool taken = last == "modules.json" || last == "game.json";
+    return taken ? "the name means something to Fettle itself" : "";
+}
+
+/// Why a file that holds this text must not be replaced by a scene, "" when it may.
+std::string why_no_scene(std::string text, const std::string& name) {
+    try {
+        const Document document(std::move(text), name);
+        const Document::Node* version = document.member(document.root(), version_key);
+        if (version == nullptr) return "there is a file already, and it is no scene";
+        if (version->kind == Document::Kind::integer && version->integer > scene_format_version)
+            return "there is a scene of a newer Fettle";
+        return {};
+    } catch (const Error&) {
+        return "there is a file already, and it is no scene";
+    }
+}
+
+}  // namespace
+
+void GameFiles::write_scene(const Path& file, std::string_view text) {
+    const auto refuse = [&](const std::string& why) {
+        if (!why.empty()) throw FileError(file, "was not written: " + why);
+    };
+    // Under the name that was given, and under the one that a link leads to.
+    const Path found = checked(file, true);
+    const Path named = fs::absolute(file).lexically_normal();
+    for (const auto& [name, folder] : {std::pair(named, named_), std::pair(found, game_)})
+        refuse(why_no_name_of_a_scene(is_below(name, folder) ? name.lexically_relative(folder)
+                                                             : name.filename()));
+    const std::shared_ptr<void> locked = lock();
+    if (exists(file)) refuse(why_no_scene(read(file), file.filename().string()));
+    write(file, text);
+}
+
+// --- Several processes ---------------------------------------------------------------------------
+
+std::shared_ptr<void> GameFiles::lock() {
+    if (in_memory_ || game_.empty()) return nullptr;
+    // The folder itself is locked: no file has to be made for it, and the lock ends with the
+    // process.
+    auto folder = std::make_shared<Descriptor>(open_file(game_, O_RDONLY | O_DIRECTORY));
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (*folder && !try_lock(*folder)) {
+        if (errno != EWOULDBLOCK) break;  // a file system without locks
+        if (std::chrono::steady_clock::now() > deadline)
+            throw FileError(
+                game_, "another program holds the lock on this folder, so nothing was written");
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return folder;
+}
+
+// --- What is told
+// --------------------------------------------------------------------------------------------------
+
+void GameFiles::tell(std::function<void(const Finding&)> listener) {
+    listener_ = std::move(listener);
+    for (Finding& finding : std::exchange(findings_, {})) add(std::move(finding));
+}
+
+void GameFiles::add(Finding finding) {
+    if (listener_)
+        listener_(finding);
+    else
+        findings_.push_back(std::move(finding));
+}
+
+void GameFiles::note(const Path& file, const std::optional<std::string>& content) {
+    if (!notes_) return;
+    Path path = key(file);
+    Known& known = known_[path];
+    if (known.looked_at || known.overwritten) return;
+    known.looked_at = true;
+    add({.file = std::move(path),
+         .checksum = content ? std::optional(checksum_of(*content)) : std::nullopt});
+}
+
+void GameFiles::looks_at(const Path& file) {
+    if (notes_) note(file, content_on_disk(file, greatest_module));
+}
+
+void GameFiles::note_overwritten(const Path& file) {
+    if (!notes_) return;
+    Path path = key(file);
+    Known& known = known_[path];
+    if (known.overwritten) return;
+    known.overwritten = true;
+    std::optional<std::string> was = content_on_disk(path, size_limit);
+    std::optional<std::uint64_t> its_checksum;
+    if (was) its_checksum = checksum_of(*was);
+    add({.file = std::move(path),
+         .checksum = its_checksum,
+         .overwritten = true,
+         .content = std::move(was)});
+}
+
+}  // namespace fettle::property

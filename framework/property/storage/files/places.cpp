@@ -1,0 +1,67 @@
+#include <files/places.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include <fettle/property/storage/tweaks.h>
+
+namespace fettle::property {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// FNV-1a, so that two games of one name do not share a folder.
+std::uint32_t hash_of(const std::string& text) {
+    std::uint32_t hash = 2166136261u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash;
+}
+
+fs::path user_data() {
+    const char* data = std::getenv("XDG_DATA_HOME");
+    if (data != nullptr && data[0] == '/') return data;  // relative ones are to be ignored
+    const char* home = std::getenv("HOME");
+    if (home != nullptr && home[0] == '/') return fs::path(home) / ".local" / "share";
+    return {};
+}
+
+}  // namespace
+
+fs::path game_folder(const fs::path& game) {
+    std::error_code error;
+    const fs::path folder = fs::is_directory(game, error) ? game : game.parent_path();
+    const fs::path whole = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    return error ? folder : whole;
+}
+
+std::string game_name(const fs::path& game) {
+    std::error_code error;
+    return fs::is_directory(game, error) ? "main" : game.stem().string();
+}
+
+std::string game_title(const fs::path& game) {
+    const std::string name = game_name(game);
+    return name == "main" ? game_folder(game).filename().string() : name;
+}
+
+fs::path user_folder(const fs::path& game) {
+    const fs::path data = user_data();
+    if (data.empty()) return {};
+    std::string readable;
+    for (const char c : game_title(game))
+        readable += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+    char hash[9];
+    std::snprintf(hash, sizeof hash, "%08x",
+                  hash_of((game_folder(game) / game_name(game)).string()));
+    return data / "fettle" / (readable + "-" + hash);
+}
+
+std::vector<fs::path> journal_folders(const fs::path& game) {
+    std::vector<fs::path> folders{game_folder(game) / ".fettle"};
+    if (const fs::path own = user_folder(game); !own.empty()) folders.push_back(own);
+    return folders;
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,150 @@
+// Kept tweaks of instances that are deleted, and that come back when that is undone.
+
+#include <array>
+#include <functional>
+#include <map>
+#include <unordered_set>
+
+#include <kept/kept_tweaks.h>
+#include <scenes/scene_edit.h>
+
+namespace fettle::property {
+
+/// What lies deeper goes first, so that what is told of an instance above it is without it.
+std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& paths) {
+    std::map<std::size_t, std::vector<std::size_t>, std::greater<>> by_depth;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        by_depth[parse_path(paths[i]).size()].push_back(i);
+    std::vector<std::string> before(paths.size());
+    for (const auto& [depth, places] : by_depth) {
+        std::vector<std::string> of_depth;
+        for (const std::size_t i : places) of_depth.push_back(paths[i]);
+        std::vector<std::string> told = remove_beside(of_depth);
+        for (std::size_t i = 0; i < places.size(); ++i) before[places[i]] = std::move(told[i]);
+    }
+    return before;
+}
+
+/// None of them is below another one.
+std::vector<std::string> KeptTweaks::remove_beside(const std::vector<std::string>& paths) {
+    const std::unordered_set<std::string> created = created_;
+    std::vector<std::string> before = forget_below(paths);
+    fold();
+    for (const std::string& path : paths) {
+        if (created.contains(path) || part_removed(path)) continue;
+        put_deleted(path);
+    }
+    return before;
+}
+
+/// Of an instance that the file makes: a part of its scene goes.
+bool KeptTweaks::part_removed(const std::string& path) {
+    const std::string made = made_above(path);
+    if (made.empty()) return false;
+    const Node& node = *member("created", made);
+    try {
+        SceneEdit edit(tree_, std::string(document_->raw(node)), "its scene");
+        (void)edit.remove(steps_between(made, path));
+        put("created", made, without_indent(edit.text(), *document_, node));
+        fold();
+        return true;
+    } catch (const Error&) {  // a script makes it there
+        return false;
+    }
+}
+
+std::vector<std::string> KeptTweaks::forget_below(const std::vector<std::string>& paths) {
+    fold();
+    const PathSet set(paths);
+    std::vector<std::string> before = about(set, paths);
+    for (const auto& [section, key] : all_keys())
+        if (!set.above(section == "values" ? split_path(key).first : key).empty())
+            drop(section, key);
+    for (const std::string& path : contents_.deleted)
+        for (const std::size_t each : set.above(path))
+            if (paths[each] != path) drop("deleted", path);
+    fold();
+    rename_in_references([&](const std::string& named) -> std::optional<std::string> {
+        if (!set.above(named).empty()) return std::string();
+        return std::nullopt;
+    });
+    return before;
+}
+
+/// For each path what the file says of the instance and of what is below it, and what names these.
+std::vector<std::string> KeptTweaks::about(const PathSet& set,
+                                           const std::vector<std::string>& paths) const {
+    std::vector<std::array<std::string, 3>> lists(paths.size());  // values, created, deleted
+    const auto append = [&](std::string& list, const std::string& section, const std::string& key) {
+        list += list.empty() ? "" : ", ";
+        append_quoted(list, key);
+        list += ": " + text_of(section, key);
+    };
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (const std::string made = made_above(paths[i]); !made.empty() && made != paths[i])
+            append(lists[i][1], "created", made);
+    for (const auto& [section, key] : all_keys()) {
+        const bool value = section == "values";
+        std::unordered_set<std::size_t> meant;
+        const auto note = [&, &all = meant](const std::string& path) {
+            for (const std::size_t each : set.above(path)) all.insert(each);
+        };
+        note(value ? split_path(key).first : key);
+        (void)with_paths(section, key, [&](const std::string& named) {
+            note(named);
+            return std::optional<std::string>();
+        });
+        for (const std::size_t each : meant)
+            if (value || made_above(paths[each]) != key || key == paths[each])
+                append(lists[each][value ? 0 : 1], section, key);
+    }
+    for (const std::string& path : contents_.deleted)
+        for (const std::size_t each : set.above(path)) {
+            std::string& list = lists[each][2];
+            list += list.empty() ? "" : ", ";
+            append_quoted(list, path);
+        }
+    std::vector<std::string> texts;
+    for (const auto& [values, created, deleted] : lists)
+        texts.push_back("{\"values\": {" + values + "}, \"created\": {" + created +
+                        "}, \"deleted\": [" + deleted + "]}");
+    return texts;
+}
+
+void KeptTweaks::put_back(const std::string& path, const std::string& taken_out,
+                          const std::string& scene) {
+    drop("deleted", path);
+    if (taken_out.empty()) return;
+    const Document document(taken_out, "journal");
+    if (const Node* all = document.member(document.root(), "deleted"))
+        for (const Node* node = document.first(*all); node; node = document.next(*node))
+            put("deleted", document.text(*node), std::string(document.raw(*node)));
+    for (const char* section : {"values", "created"})
+        if (const Node* all = document.member(document.root(), section))
+            for (const Node* node = document.first(*all); node; node = document.next(*node))
+                put(section, document.key(*node), std::string(document.raw(*node)));
+    fold();
+    name_as_in(path, scene);
+}
+
+/// What the tweaks of the instance, and of what is below it, name is what `scene` says.
+void KeptTweaks::name_as_in(const std::string& path, const std::string& scene) {
+    const NewPath none = [](const std::string&) { return std::optional(std::string()); };
+    const SceneEdit now(tree_, scene, "its scene");
+    for (const auto& [section, key] : all_keys()) {
+        const std::string about = section == "values" ? split_path(key).first : key;
+        const bool below = is_at_or_below(about, path);
+        const bool above = section == "created" && is_at_or_below(path, about);
+        if ((!below && !above) || !with_paths(section, key, none)) continue;
+        const SceneSteps there = below ? steps_between(path, about) : SceneSteps();
+        if (section == "values") {
+            put(section, key, now.value(there, split_path(key).second));
+        } else {
+            SceneEdit edit(tree_, text_of(section, key), "its scene");
+            edit.name_as_in(below ? SceneSteps() : steps_between(about, path), now, there);
+            put(section, key, edit.text());
+        }
+    }
+}
+
+}  // namespace fettle::property

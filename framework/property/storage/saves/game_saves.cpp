@@ -1,0 +1,149 @@
+#include <fettle/property/storage/game_saves.h>
+
+#include <utility>
+
+#include <fettle/property/exception_text.h>
+#include <fettle/property/snapshot.h>
+#include <fettle/property/snapshot_remarks.h>
+
+#include <files/temporary_file.h>
+
+namespace fettle::property {
+
+GameSaves::GameSaves(Tree& tree, Saves saves, Options options)
+    : tree_(tree),
+      life_(tree.lifetime()),
+      saves_(std::move(saves)),
+      options_(std::move(options)),
+      alive_(std::make_shared<GameSaves*>(this)) {
+    if (options_.writes) remove_leftovers(saves_.folder());
+}
+
+Tree& GameSaves::tree() const {
+    if (life_.expired())
+        throw Error(ErrorKind::deleted, "the tree of these saved games was destroyed");
+    return tree_;
+}
+
+GameSaves::~GameSaves() {
+    *alive_ = nullptr;
+    finish({});
+}
+
+void GameSaves::save(const std::string& slot) {
+    tree().require_changeable("save the game");
+    Saves::check_slot(slot);
+    if (requests_ == most_requests)
+        throw Error(ErrorKind::rejected,
+                    "the game is asked to be saved more than " + std::to_string(most_requests) +
+                        " times at one barrier, the last time as \"" + slot + "\"");
+    // In its place among what else the barrier does: a game that is loaded in between is another
+    // one.
+    const std::size_t request = requested_[slot] = ++requests_;
+    tree().at_barrier([alive = alive_, slot, request] {
+        if (*alive != nullptr) (*alive)->take(slot, request);
+    });
+}
+
+void GameSaves::take(const std::string& slot, std::size_t request) {
+    const auto last = requested_.find(slot);
+    const bool is_last = last != requested_.end() && last->second == request;
+    if (is_last) requested_.erase(last);
+    if (loaded_.erase(request) == 0 && !is_last) return;
+    if (requested_.empty() && loaded_.empty()) requests_ = 0;
+    std::vector<std::byte> state = tree().snapshot().to_bytes();
+    // What cannot be loaded must not take the place of what can. No state that the tree accepts is
+    // such: this is for modules that leave something out of theirs.
+    try {
+        tree().check(Snapshot::from_bytes(state));
+    } catch (const Error& error) {
+        return warn("the game was not saved: " + exception_text(error));
+    }
+    for (const std::string& formula : unsaved_formulas(tree()))
+        warn_once(formula + ": saved games hold its last value, and no formula");
+    if (!options_.writes) {
+        unwritten_.insert_or_assign(slot, std::move(state));
+        return;
+    }
+    std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });
+    // Several slots at one barrier are mostly one state.
+    const bool same = !waiting_.empty() && *waiting_.back().state == state;
+    auto kept = same ? waiting_.back().state
+                     : std::make_shared<const std::vector<std::byte>>(std::move(state));
+    waiting_.push_back({slot, tree().step(), std::move(kept)});
+    if (!options_.pictures) finish({});
+}
+
+void GameSaves::finish(const Thumbnail& picture) {
+    for (const Waiting& each : std::exchange(waiting_, {})) {
+        try {
+            saves_.save(each.slot, each.step, *each.state, picture);
+        } catch (const std::exception& error) {
+            warn("the game was not saved: " + exception_text(error));
+        }
+    }
+}
+
+Snapshot GameSaves::saved(const std::string& slot) const {
+    const auto unwritten = unwritten_.find(slot);
+    if (unwritten != unwritten_.end()) return Snapshot::from_bytes(unwritten->second);
+    for (const Waiting& each : waiting_)
+        if (each.slot == slot) return Snapshot::from_bytes(*each.state);
+    return Snapshot::from_bytes(saves_.load(slot).state);
+}
+
+void GameSaves::load(const std::string& slot) {
+    tree().require_changeable("load a game");
+    Saves::check_slot(slot);
+    const auto requested = requested_.find(slot);
+    const bool to_come = requested != requested_.end();
+    if (to_come) loaded_[requested->second] = slot;
+    const Snapshot found = to_come ? Snapshot() : saved(slot);
+    if (!found.empty()) try {
+            tree().check(found);
+        } catch (const Error& error) {
+            throw Error(error.kind(),
+                        "the saved game \"" + slot + "\" cannot be loaded: " + error.what());
+        }
+    tree().at_barrier([alive = alive_, slot, found] {
+        if (*alive == nullptr) return;
+        GameSaves& self = **alive;
+        try {
+            self.tree().restore(found.empty() ? self.saved(slot) : found);
+            for (const std::string& remark : restore_remarks(self.tree()))
+                self.warn("the saved game \"" + slot + "\": " + remark);
+        } catch (const Error& error) {
+            self.warn("the saved game \"" + slot + "\" was not loaded: " + error.what());
+        }
+    });
+}
+
+void GameSaves::remove(const std::string& slot) {
+    Saves::check_slot(slot);
+    std::size_t waited = requested_.erase(slot) + unwritten_.erase(slot);
+    waited += std::erase_if(loaded_, [&](const auto& each) { return each.second == slot; });
+    waited += std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });
+    if (waited == 0 || saves_.exists(slot)) saves_.remove(slot);
+}
+
+std::vector<SaveInfo> GameSaves::list() const {
+    return saves_.list([this](const SavedGame& save) -> std::string {
+        try {
+            tree().check(Snapshot::from_bytes(save.state));
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return {};
+    });
+}
+
+void GameSaves::warn(const std::string& what) const {
+    if (options_.warn) options_.warn(what);
+}
+
+/// Of formulas: a game that saves itself every minute says it the first time.
+void GameSaves::warn_once(const std::string& what) {
+    if (told_.insert(what).second) warn(what);
+}
+
+}  // namespace fettle::property

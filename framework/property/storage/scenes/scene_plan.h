@@ -1,0 +1,74 @@
+#pragma once
+// What a scene file describes, read and checked for its shape: which instances of which classes,
+// and where in the file each of them is told of. Nothing is made yet.
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include <json/document.h>
+#include <json/unknown_keys.h>
+
+namespace fettle::property {
+
+class ScenePlan {
+  public:
+    static constexpr std::size_t none = SIZE_MAX;
+
+    struct Instance {
+        const Document::Node* node;
+        std::size_t parent;  // none: the topmost
+        const Class* instance_class;
+        const Document::Node* name = nullptr;
+        const Document::Node* properties = nullptr;
+        const Document::Node* ad_hoc = nullptr;
+        std::size_t place = 0;  // among its parent's children
+        UnknownKeys unknown{};
+        std::string called{};  // once it has got a name that the file does not tell
+    };
+
+    /// The scene is to become a child of `parent` (null: of nobody) called `name` ("": as the file
+    /// says). Throws SceneError.
+    ScenePlan(const Tree& tree, const Document& document, Handle parent, std::string_view name);
+
+    /// Parents before children.
+    std::vector<Instance> instances;
+    /// Their numbers, children before parents and siblings in their order.
+    std::vector<std::size_t> children_first() const;
+    /// A line for each key that may be a slip.
+    std::vector<std::string> warnings;
+
+    /// Where the instance will be in the tree.
+    std::string path(std::size_t index) const;
+    std::string top_path() const { return future_path(top_name()); }
+    std::string top_name() const;
+    /// Whether the file gives a child of that instance the name.
+    bool names_child(std::size_t parent, const std::string& name) const {
+        return names_.contains({parent, name});
+    }
+    /// "level.json:3:5: ..." for the warnings.
+    void warn(std::size_t offset, const std::string& text);
+
+  private:
+    using Node = Document::Node;
+    void check_version() const;
+    void read(const Node& node, std::size_t parent);
+    void read_children(const Node& children, std::size_t parent);
+    const Class& class_of(const Node& node, std::size_t parent) const;
+    const Node& of_kind(const Node& member, Document::Kind kind) const;
+    void other_key(std::size_t index, const Node& member);
+    void check_nesting(std::size_t index, const Node* section) const;
+    std::string future_path(const std::string& name) const;
+
+    const Tree& tree_;
+    const Document& document_;
+    Handle parent_;
+    std::string name_;
+    std::set<std::pair<std::size_t, std::string>> names_;  // in the file, by parent
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,241 @@
+// From the tree to a file.
+
+#include <algorithm>
+
+#include <fettle/property/storage/scene.h>
+
+#include <files/durable_file.h>
+#include <json/document.h>
+#include <json/unknown_keys.h>
+#include <scenes/scene_text.h>
+#include <scenes/scene_value.h>
+
+namespace fettle::property {
+
+namespace {
+
+constexpr std::size_t deepest_instance = 400;
+
+/// The members of one JSON object, one a line.
+class Members {
+  public:
+    Members(std::string& out, std::size_t indent) : out_(out), indent_(indent) { out_ += '{'; }
+    Members(const Members&) = delete;
+    Members& operator=(const Members&) = delete;
+
+    /// Starts the next member and returns the column its value starts at. Returns npos for a key
+    /// that is not UTF-8.
+    std::size_t key(std::string_view key) {
+        out_ += empty_ ? "\n" : ",\n";
+        empty_ = false;
+        const std::size_t line = out_.size();
+        out_.append(indent_ + 2, ' ');
+        if (!append_quoted(out_, key)) return std::string::npos;
+        out_ += ": ";
+        return out_.size() - line;
+    }
+    void raw(std::string_view name, std::string_view value) {
+        key(name);
+        out_ += value;
+    }
+    void close() {
+        if (!empty_) {
+            out_ += '\n';
+            out_.append(indent_, ' ');
+        }
+        out_ += '}';
+    }
+    bool empty() const { return empty_; }
+
+  private:
+    std::string& out_;
+    std::size_t indent_;
+    bool empty_ = true;
+};
+
+class SceneWriter {
+  public:
+    /// `references_from`: paths of references start there; null: all of them at the root.
+    SceneWriter(const Tree& tree, Handle top, Handle references_from,
+                std::vector<std::string>* warnings)
+        : tree_(tree), top_(top), warnings_(warnings), values_(tree, references_from) {}
+
+    std::string run() {
+        tree_.require(top_);
+        if (top_ == tree_.root()) {
+            throw Error(ErrorKind::bad_structure,
+                        "game, the root of the tree, is no scene: save what is below it");
+        }
+        if (!tree_.class_of(top_).creatable()) {
+            throw Error(ErrorKind::bad_structure,
+                        tree_.path(top_) + " is a " + tree_.class_of(top_).name() +
+                            ", which loading a scene could not create again");
+        }
+        instance(top_, 0, 1);
+        out_ += '\n';
+        return std::move(out_);
+    }
+
+  private:
+    void instance(Handle handle, std::size_t indent, std::size_t depth) {
+        if (depth > deepest_instance) {
+            throw Error(ErrorKind::bad_structure,
+                        tree_.path(handle) + ": a scene file holds at most " +
+                            std::to_string(deepest_instance) + " instances inside each other");
+        }
+        Members members(out_, indent);
+        if (handle == top_) members.raw(version_key, std::to_string(scene_format_version));
+        members.key("class");
+        append_quoted(out_, tree_.class_of(handle).name());
+        members.key("name");
+        if (!append_quoted(out_, tree_.name(handle))) {
+            throw Error(ErrorKind::bad_name,
+                        tree_.path(handle) + ": a file cannot hold a name that is not UTF-8");
+        }
+        const std::optional<Document> unknown = unknown_keys(tree_, handle);
+        const Document* kept = unknown ? &*unknown : nullptr;
+        declared(handle, members, indent + 2, kept);
+        ad_hoc(handle, members, indent + 2, kept);
+        if (kept != nullptr) other_keys(handle, members, *kept);
+        children(handle, members, indent + 2, depth);
+        members.close();
+    }
+
+    void declared(Handle handle, Members& members, std::size_t indent, const Document* kept) {
+        std::vector<const Property*> written;
+        for (const Property* property : tree_.class_of(handle).properties()) {
+            if (property->read_only || property->transient) continue;
+            if (tree_.overridden(handle, *property) || tree_.formula(handle, *property) != nullptr)
+                written.push_back(property);
+        }
+        const auto unknown = kept_in(kept, "properties", [&](const std::string& name) {
+            return tree_.class_of(handle).property(name) == nullptr;
+        });
+        object("properties", handle, members, indent, written, kept, unknown);
+    }
+
+    void ad_hoc(Handle handle, Members& members, std::size_t indent, const Document* kept) {
+        std::vector<const Property*> written;
+        for (const Property* property : tree_.ad_hoc(handle)) {
+            if (property->transient) continue;
+            if (kept != nullptr && property->name == unknown_keys_property) continue;
+            written.push_back(property);
+        }
+        const auto unknown = kept_in(kept, "ad_hoc", [&](const std::string& name) {
+            return tree_.find(handle, name) == nullptr;
+        });
+        object("ad_hoc", handle, members, indent, written, kept, unknown);
+    }
+
+    void object(std::string_view key, Handle handle, Members& members, std::size_t indent,
+                const std::vector<const Property*>& written, const Document* kept,
+                const std::vector<const Document::Node*>& unknown) {
+        if (written.empty() && unknown.empty()) return;
+        members.key(key);
+        Members inside(out_, indent);
+        for (const Property* property : written) value(handle, *property, inside, indent + 2);
+        if (kept != nullptr)
+            for (const Document::Node* node : unknown)
+                inside.raw(kept->key(*node), kept->raw(*node));
+        inside.close();
+    }
+
+    void value(Handle handle, const Property& property, Members& members, std::size_t indent) {
+        try {
+            const std::size_t column = members.key(property.name);
+            if (column == std::string::npos) {
+                throw Error(ErrorKind::bad_name, "a file cannot hold a name that is not UTF-8");
+            }
+            if (const Formula* formula = tree_.formula(handle, property))
+                this->formula(handle, property, *formula, column, indent);
+            else
+                values_.append(out_, property, tree_.get(handle, property), column, indent);
+        } catch (const Error& e) {
+            const std::string path = tree_.path(handle, property);
+            const std::string reason = e.what();
+            throw Error(e.kind(), reason.starts_with(path) ? reason : path + ": " + reason);
+        }
+    }
+
+    /// As its text, or, where that would not be the same formula, as the value it has.
+    void formula(Handle handle, const Property& property, const Formula& formula,
+                 std::size_t column, std::size_t indent) {
+        (void)tree_.problem(handle, property);  // settles it; in error, the last good value stays
+        const Value value = tree_.peek(handle, property);
+        std::string why = formula.not_saved;
+        if (formula.source.empty() && why.empty()) why = "has no text";
+        if (why.empty()) {
+            if (values_.append(out_, property, formula, value)) return;
+            why = "is not UTF-8";
+        }
+        values_.append(out_, property, value, column, indent);
+        if (warnings_ != nullptr)
+            warnings_->push_back(tree_.path(handle, property) + ": its formula " + why +
+                                 ", so it cannot be saved; its value " +
+                                 tree_.text(value, property.precision()) + " is saved instead");
+    }
+
+    template <class Unknown>
+    std::vector<const Document::Node*> kept_in(const Document* kept, std::string_view place,
+                                               Unknown is_unknown) const {
+        std::vector<const Document::Node*> nodes;
+        const Document::Node* object = kept ? kept->member(kept->root(), place) : nullptr;
+        if (object == nullptr || object->kind != Document::Kind::object) return nodes;
+        for (const auto* node = kept->first(*object); node; node = kept->next(*node)) {
+            if (is_unknown(kept->key(*node))) nodes.push_back(node);
+        }
+        return nodes;
+    }
+
+    void other_keys(Handle handle, Members& members, const Document& kept) {
+        for (const auto* node = kept.first(kept.root()); node; node = kept.next(*node)) {
+            const std::string& key = kept.key(*node);
+            if (std::find(instance_keys.begin(), instance_keys.end(), key) != instance_keys.end()) {
+                continue;
+            }
+            if (handle == top_ && key == version_key) continue;
+            members.raw(key, kept.raw(*node));
+        }
+    }
+
+    void children(Handle handle, Members& members, std::size_t indent, std::size_t depth) {
+        if (!tree_.first_child(handle)) return;
+        members.key("children");
+        out_ += '[';
+        for (Handle child = tree_.first_child(handle); child; child = tree_.next_sibling(child)) {
+            out_ += child == tree_.first_child(handle) ? "\n" : ",\n";
+            out_.append(indent + 2, ' ');
+            instance(child, indent + 2, depth + 1);
+        }
+        out_ += '\n';
+        out_.append(indent, ' ');
+        out_ += ']';
+    }
+
+    const Tree& tree_;
+    Handle top_;
+    std::vector<std::string>* warnings_;
+    ValueWriter values_;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* warnings) {
+    std::string text = SceneWriter(tree, node, node, warnings).run();
+    // What cannot be read must not become a file.
+    const Document check(text, tree.path(node));
+    return text;
+}
+
+std::string scene_text_with_full_paths(const Tree& tree, Handle node,
+                                       std::vector<std::string>* warnings) {
+    return SceneWriter(tree, node, {}, warnings).run();
+}
+
+void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file,
+                std::vector<std::string>* warnings) {
+    replace_file(file, scene_text(tree, node, warnings));
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,346 @@
+#include <tweaks/journal.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include <database/checkpoints.h>
+#include <files/file_access.h>
+
+namespace fettle::property {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const FileFormat journal_format{
+    .application = 0x4654574b,  // "FTWK"
+    .version = 1,
+    .tables = {"CREATE TABLE runs (id INTEGER PRIMARY KEY, started INTEGER, process INTEGER)",
+               "CREATE TABLE tweaks (run INTEGER, number INTEGER, kind INTEGER, state INTEGER, "
+               "instance TEXT, property TEXT, was TEXT, now TEXT, was_text TEXT, now_text TEXT, "
+               "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, PRIMARY KEY "
+               "(run, number)) WITHOUT ROWID"}};
+constexpr int most_files = 9;
+constexpr int io_error = 10;         // a code of SQLite: not the fault of the file
+constexpr int long_patience = 2000;  // ms: opening a file may wait, and so may the last commit
+
+std::uint64_t identity_of(const fs::path& file) {
+    struct stat status {};
+    return ::stat(file.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_ino) : 0;
+}
+
+/// As who the process acts, which `access` would not tell.
+bool may_write(const fs::path& file) {
+    return ::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+void make_tables(Database& database) {
+    DatabaseTransaction transaction(database);
+    // Another run may have made them since they were looked for.
+    if (database.integer("SELECT count(*) FROM sqlite_schema") == 0)
+        set_format(database, journal_format);
+    transaction.commit();
+}
+
+}  // namespace
+
+class Journal::Checkpoints : public CheckpointThread {
+    using CheckpointThread::CheckpointThread;
+};
+
+Journal::Journal(std::vector<fs::path> folders, std::string name, Warn warn)
+    : folders_(std::move(folders)), name_(std::move(name)), warn_(std::move(warn)) {
+    leave_out_odd_folders();
+    find_existing();
+}
+
+Journal::~Journal() {
+    // The last connection to go synchronizes with the disk as it says: that of the checkpoints.
+    database_.reset();
+    checkpoints_.reset();
+}
+
+fs::path Journal::candidate(const fs::path& folder, int number) const {
+    return folder / (name_ + (number > 1 ? "." + std::to_string(number) : "") + ".sqlite");
+}
+
+/// "" when the file is the journal now, else why it is not. One that can only be read is noted as
+/// such. Throws DatabaseError where others that write to it do not come to an end.
+std::string Journal::open(const fs::path& file, Access access) {
+    using std::chrono::milliseconds, std::chrono::steady_clock;
+    const auto patient_until = steady_clock::now() + milliseconds(long_patience);
+    while (true) try {
+            return try_to_open(file, access);
+        } catch (const DatabaseError& error) {
+            // SQLite itself does not wait where a file gets its write-ahead log.
+            if (!error.busy() || steady_clock::now() > patient_until) throw;
+            std::this_thread::sleep_for(milliseconds(2));
+        }
+}
+
+std::string Journal::try_to_open(const fs::path& file, Access access) {
+    try {
+        auto database = std::make_unique<Database>(file, access);
+        database->wait_for_others(long_patience);
+        const bool made = check_format(*database, journal_format);
+        if (database->read_only()) throw std::runtime_error("it can only be read");
+        database->run("PRAGMA synchronous = OFF");
+        if (database->text("PRAGMA journal_mode = WAL") != "wal")
+            throw DatabaseError(io_error, "its file system allows no write-ahead log");
+        if (!made) make_tables(*database);
+        database->run("PRAGMA wal_autocheckpoint = 0");
+        database->wait_for_others(patience_);
+        database_ = std::move(database);
+        file_ = file;
+        identity_ = identity_of(file);
+        return {};
+    } catch (const DatabaseError& error) {
+        if (error.busy()) throw;  // there is no reason to look for another file
+        if (error.damaged()) unusable_.insert(file);
+        return error.what();
+    } catch (const std::runtime_error& error) {
+        unusable_.insert(file);
+        return error.what();
+    }
+}
+
+/// Notes a journal that nothing more can be written to, in a folder that is read-only.
+bool Journal::can_be_read(const fs::path& file) {
+    unusable_.insert(file);
+    try {
+        Database database(file, Access::reading);
+        if (!check_format(database, journal_format)) return false;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+    if (may_write(file) && may_write(file.parent_path())) return false;
+    unwritable_.push_back(file);
+    return true;
+}
+
+void Journal::leave_out_odd_folders() {
+    std::erase_if(folders_, [this](const fs::path& folder) {
+        struct stat status {};
+        if (::lstat(folder.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return false;
+        const std::string why =
+            S_ISREG(status.st_mode) ? "it is a file" : why_no_file(status.st_mode);
+        warn_(folder.string() + ": expected a folder for the journal of tweaks, but " +
+              why.substr(0, why.find(',')) + "; it is left as it is");
+        return true;
+    });
+}
+
+void Journal::find_existing() {
+    std::error_code ignored;
+    for (const fs::path& folder : folders_)
+        for (int number = 1; number <= most_files && !database_; ++number) {
+            const fs::path file = candidate(folder, number);
+            if (!fs::exists(file, ignored)) continue;
+            std::string problem;
+            try {
+                problem = open(file, Access::existing);
+            } catch (const DatabaseError&) {
+                return;  // the first commit tries again
+            }
+            if (problem.empty() || can_be_read(file)) continue;
+            unusable_.insert(file);
+            warn_(file.string() + ": this journal of tweaks cannot be used: " + problem +
+                  "; it is left as it is");
+        }
+}
+
+void Journal::create() {
+    std::string reasons;
+    for (const fs::path& folder : folders_) {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (!error && !may_write(folder)) error.assign(errno, std::generic_category());
+        std::string problem = error ? error.message() : std::string();
+        for (int number = 1; number <= most_files && problem.empty(); ++number) {
+            const fs::path file = candidate(folder, number);
+            if (unusable_.contains(file)) continue;
+            // Another run may have made it in the meantime.
+            problem = open(file, Access::create);
+            if (problem.empty()) {
+                if (!reasons.empty())
+                    warn_("tweaks are journaled in " + file.string() + " (" + reasons + ")");
+                return;
+            }
+            if (unusable_.contains(file)) problem.clear();
+        }
+        reasons += (reasons.empty() ? "" : "; ") + folder.string() + ": " + problem;
+    }
+    throw std::runtime_error(reasons.empty() ? "there is no folder it could be written in"
+                                             : reasons);
+}
+
+void Journal::begin_run() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    database_->statement("INSERT INTO runs (started, process) VALUES (?, ?)")
+        .bind(1, std::chrono::duration_cast<std::chrono::seconds>(now).count())
+        .bind(2, static_cast<std::int64_t>(::getpid()))
+        .run();
+    run_ = database_->last_row();
+}
+
+void Journal::read_rows(Database& from, std::vector<JournalRow>& rows) {
+    Statement query = from.statement(
+        "SELECT run, number, kind, state, instance, property, was, now, was_text, now_text, step, "
+        "time, file, inside, kept_in FROM tweaks WHERE run <> ? AND state = 0 ORDER BY run, "
+        "number");
+    query.bind(1, run_);
+    while (query.step()) {
+        JournalRow& row = rows.emplace_back();
+        row.run = query.integer(0);
+        row.number = query.integer(1);
+        const std::int64_t kind = query.integer(2);
+        row.kind = static_cast<JournalRow::Kind>(kind >= 0 && kind <= 4 ? kind : UINT8_MAX);
+        row.state = static_cast<JournalRow::State>(query.integer(3));
+        row.instance = query.text(4);
+        row.property = query.text(5);
+        row.was = query.text(6);
+        row.now = query.text(7);
+        row.was_text = query.text(8);
+        row.now_text = query.text(9);
+        row.step = query.integer(10);
+        row.time = query.integer(11);
+        row.file = query.text(12);
+        row.inside = query.text(13);
+        row.kept_in = query.text(14);
+    }
+}
+
+std::vector<JournalRow> Journal::earlier() {
+    std::vector<JournalRow> rows;
+    const auto read = [&](Database& from, const fs::path& file) {
+        try {
+            read_rows(from, rows);
+        } catch (const DatabaseError& error) {
+            warn_(file.string() + ": cannot be read: " + error.what());
+        }
+    };
+    for (const fs::path& file : unwritable_) {
+        try {
+            Database database(file, Access::reading);
+            const std::size_t known = rows.size();
+            read(database, file);
+            // What becomes of them cannot be written there, and its runs are numbered anew here.
+            for (std::size_t i = known; i < rows.size(); ++i) rows[i].run = JournalRow::elsewhere;
+        } catch (const DatabaseError& error) {
+            warn_(file.string() + ": cannot be read: " + error.what());
+        }
+    }
+    if (database_) read(*database_, file_);
+    return rows;
+}
+
+void Journal::refresh(std::vector<JournalRow>& rows) {
+    if (!database_) return;
+    try {
+        Statement query = database_->statement(
+            "SELECT state, was, now, was_text, now_text, step, time, file, inside, kept_in FROM "
+            "tweaks "
+            "WHERE run = ? AND number = ?");
+        for (JournalRow& row : rows) {
+            if (row.run == JournalRow::elsewhere || row.state != JournalRow::State::open) continue;
+            query.bind(1, row.run).bind(2, row.number);
+            JournalRow now = row;
+            if (query.step()) {
+                now.state =
+                    query.integer(0) == 0 ? JournalRow::State::open : JournalRow::State::kept;
+                now.was = query.text(1);
+                now.now = query.text(2);
+                now.was_text = query.text(3);
+                now.now_text = query.text(4);
+                now.step = query.integer(5);
+                now.time = query.integer(6);
+                now.file = query.text(7);
+                now.inside = query.text(8);
+                now.kept_in = query.text(9);
+            } else {
+                now.state = JournalRow::State::dropped;  // undone by its own run
+            }
+            query.reset();
+            row = std::move(now);
+        }
+    } catch (const DatabaseError&) {  // as they were, then
+    }
+}
+
+bool Journal::commit(const Changes& changes) {
+    try {
+        if (!database_) create();
+        if (!checkpoints_) checkpoints_ = std::make_unique<Checkpoints>(file_);
+        const std::int64_t known = run_;
+        DatabaseTransaction transaction(*database_);
+        if (run_ == 0) begin_run();
+        try {
+            Statement put = database_->statement(
+                "INSERT OR REPLACE INTO tweaks VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+            for (const JournalRow* row : changes.put) {
+                put.bind(1, run_)
+                    .bind(2, row->number)
+                    .bind(3, static_cast<std::int64_t>(row->kind))
+                    .bind(4, static_cast<std::int64_t>(row->state))
+                    .bind(5, row->instance)
+                    .bind(6, row->property)
+                    .bind(7, row->was)
+                    .bind(8, row->now)
+                    .bind(9, row->was_text)
+                    .bind(10, row->now_text)
+                    .bind(11, row->step)
+                    .bind(12, row->time)
+                    .bind(13, row->file)
+                    .bind(14, row->inside)
+                    .bind(15, row->kept_in);
+                put.run();
+            }
+            Statement withdraw =
+                database_->statement("DELETE FROM tweaks WHERE run = ? AND number = ?");
+            for (const std::int64_t number : changes.withdrawn)
+                withdraw.bind(1, run_).bind(2, number).run();
+            for (const JournalRow* row : changes.removed)
+                withdraw.bind(1, row->run).bind(2, row->number).run();
+            // Not what has become of the row since it was read: its run may still be there.
+            Statement settle = database_->statement(
+                "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = "
+                "?");
+            for (const JournalRow* row : changes.settled)
+                settle.bind(1, static_cast<std::int64_t>(row->state))
+                    .bind(2, row->kept_in)
+                    .bind(3, row->run)
+                    .bind(4, row->number)
+                    .bind(5, row->now)
+                    .run();
+            transaction.commit();
+        } catch (...) {
+            run_ = known;
+            throw;
+        }
+    } catch (const DatabaseError& error) {
+        if (error.busy()) return false;
+        throw error.at(file_);
+    }
+    checkpoints_->notify();
+    return true;
+}
+
+void Journal::be_patient() {
+    patience_ = long_patience;
+    if (database_) database_->wait_for_others(patience_);
+}
+
+bool Journal::vanished() {
+    if (!database_ || identity_of(file_) == identity_) return false;
+    database_.reset();
+    checkpoints_.reset();
+    run_ = 0;
+    return true;
+}
+
+}  // namespace fettle::property

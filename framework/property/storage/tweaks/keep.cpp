@@ -1,0 +1,445 @@
+// Keeping tweaks, and dropping them. Everything is written under the names that the files have; new
+// names come last, all of them together.
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <unordered_set>
+#include <utility>
+
+#include <scenes/scene_check.h>
+#include <scenes/scene_names.h>
+#include <tweaks/row_paths.h>
+#include <tweaks/row_report.h>
+#include <tweaks/scene_keeping.h>
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Kind = JournalRow::Kind;
+using RowState = JournalRow::State;
+
+/// In which order rows are written: what takes the place of something after that has gone, values
+/// when their instances are there, names last.
+bool comes_before(const JournalRow* a, const JournalRow* b) {
+    static constexpr std::array order{Kind::deleted, Kind::restored, Kind::created, Kind::value,
+                                      Kind::moved};
+    return std::find(order.begin(), order.end(), a->kind) <
+           std::find(order.begin(), order.end(), b->kind);
+}
+
+/// Keeps rows in files, each of which is read, changed and written once.
+class Keeping {
+  public:
+    Keeping(Tweaks::State& state, TweakReport& report)
+        : state_(state), report_(report), rows_(report), paths_(state) {
+        state_.kept.read_again();
+        state_.kept.find_by([this](const std::string& home) { return paths_.instance(home); });
+    }
+    ~Keeping() { state_.kept.find_by({}); }
+    Keeping(const Keeping&) = delete;
+
+    void keep(Rows rows) {
+        std::stable_sort(rows.begin(), rows.end(), comes_before);
+        for (JournalRow* row : rows) {
+            const fs::path file = scene_file(*row);
+            // A scene that goes as a whole, or comes back, is loaded by a script.
+            const bool whole =
+                row->inside.empty() && (row->kind == Kind::deleted || row->kind == Kind::restored);
+            if (!file.empty() && !whole)
+                scenes_[file].push_back(row);
+            else
+                kept_rows_.push_back(row);
+        }
+        leave_scenes();
+        for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
+        Rows first, last;  // new names may be those of what has gone, and new instances follow them
+        for (JournalRow* row : without_moves(kept_rows_))
+            (row->kind == Kind::created || row->kind == Kind::value ? last : first).push_back(row);
+        keep_by_path(first);
+        keep_moves_by_path(moves_in(kept_rows_));
+        keep_by_path(last);
+    }
+
+  private:
+    /// Empty when it is none of the game's own: what was loaded from elsewhere is not ours to
+    /// write.
+    fs::path scene_file(const JournalRow& row) const {
+        std::error_code error;
+        if (row.file.empty()) return {};
+        fs::path file = fs::weakly_canonical(row.file, error);
+        const fs::path relative = file.lexically_relative(state_.folder);
+        if (error || relative.empty() || *relative.begin() == ".." || !state_.files.exists(file))
+            return {};
+        return file;
+    }
+
+    // --- References out of a scene
+
+    /// A scene is loaded before there is anything else, so what it names must be in it. A tweak
+    /// that names something else is kept by path, which is set when everything is there.
+    void leave_scenes() {
+        for (bool more = true; more;) {
+            more = false;  // one that leaves may be what another one names
+            for (auto& [file, rows] : scenes_)
+                std::erase_if(rows, [&](JournalRow* row) {
+                    if (!leads_out(*row, file)) return false;
+                    kept_rows_.push_back(row);
+                    return more = true;
+                });
+        }
+        std::erase_if(scenes_, [](const auto& each) { return each.second.empty(); });
+    }
+
+    bool leads_out(const JournalRow& row, const fs::path& file) const {
+        bool out = false;
+        const NewPath look = [&](const std::string& path) -> std::optional<std::string> {
+            out = out || !in_scene(row, file, path);
+            return std::nullopt;
+        };
+        try {
+            if (row.kind == Kind::value)
+                (void)value_with_paths(paths_.live_image(row).value, [&](const std::string& path) {
+                    return look(paths_.home_of_live(path));
+                });
+            else if (row.kind == Kind::created)
+                (void)paths_.home_scene(row, look);
+        } catch (const Error&) {  // what is wrong with it is told when it is written
+        }
+        return out;
+    }
+
+    bool in_scene(const JournalRow& row, const fs::path& file, const std::string& home) const {
+        if (row.kind == Kind::created && is_at_or_below(home, paths_.home(row))) return true;
+        const std::string top = paths_.home_of_top(row);
+        if (!is_at_or_below(home, top)) return false;
+        const Handle target = paths_.instance(home);
+        if (!target) return true;  // the scene is not loaded, or the check of the scene will tell
+        if (const auto origin = state_.origins.find(target))
+            return paths_.home_of_live(state_.tree.path(origin->top)) == top;
+        // A script made it, unless it is a new instance that is kept in the same file.
+        const auto rows = scenes_.find(file);
+        for (Handle at = target; at; at = state_.tree.parent(at))
+            if (const auto made = state_.created.find(Tweaks::State::key(at));
+                made != state_.created.end())
+                return made->second->row.state != RowState::kept &&
+                       std::find(rows->second.begin(), rows->second.end(), &made->second->row) !=
+                           rows->second.end();
+        return false;
+    }
+
+    // --- Scenes
+
+    void keep_in_scene(const fs::path& file, const Rows& rows) {
+        try {
+            SceneKeeping scene(state_, paths_, rows_, file);
+            const Rows done = scene.keep(rows);
+            if (!write(file, done, [&] { state_.files.write(file, scene.text()); })) return;
+            forget_kept_by_path(without_moves(done));
+            now_described(done);
+            names_are_kept(file, moves_in(done));
+        } catch (const Error& error) {
+            report_.problems.emplace_back(error.what());
+        }
+    }
+
+    /// New instances are described in the file from now on, and so is what comes with them.
+    void now_described(const Rows& rows) {
+        for (const JournalRow* row : rows) {
+            if (row->kind == Kind::restored && row->run == 0) {
+                Tweaks::State::Entry& its = state_.entry_of(*row);
+                Tweaks::State::Entry& deletion = *state_.deleted.at(Tweaks::State::key(its.handle));
+                deletion.gone = true;
+                state_.touch(deletion);
+            }
+            if (row->kind != Kind::created || row->run != 0) continue;
+            const Handle made = state_.entry_of(*row).handle;
+            if (!state_.tree.alive(made)) continue;
+            const Document document(row->now, "its scene");
+            describe(document, document.root(), state_.tree.parent(made), made);
+        }
+    }
+
+    void describe(const Document& document, const Document::Node& node, Handle parent,
+                  Handle instance) {
+        state_.origins.added(state_.tree, parent, instance);
+        const Document::Node* children = document.member(node, "children");
+        for (const Document::Node* child = children ? document.first(*children) : nullptr; child;
+             child = document.next(*child))
+            if (const Document::Node* name = document.member(*child, "name"))
+                if (const Handle handle = state_.tree.child(instance, document.text(*name)))
+                    describe(document, *child, instance, handle);
+    }
+
+    /// What a scene says now must not be undone by what was kept by path before.
+    void forget_kept_by_path(const Rows& rows) {
+        take_out(rows, &KeptTweaks::forget_below);
+        for (const JournalRow* row : rows)
+            if (row->kind == Kind::value)
+                state_.kept.forget_value(paths_.home(*row), row->property);
+            else if (row->kind == Kind::restored)
+                state_.kept.put_back(row->instance, row->was, paths_.home_scene(*row));
+        state_.kept.write();
+    }
+
+    void names_are_kept(const fs::path& file, const Rows& rows) {
+        if (rows.empty()) return;
+        std::vector<MoveStep> moves;
+        std::vector<std::pair<SceneSteps, std::string>> names;
+        for (const JournalRow* row : rows) {
+            const auto [parent, name] = split_path(row->instance);
+            moves.push_back({0, row->instance, path_below(parent, split_path(row->now).second)});
+            names.emplace_back(read_steps(row->inside), split_path(row->now).second);
+        }
+        state_.origins.renamed(file, names);
+        state_.steps_renamed(file, names);
+        const InstanceMoves all = homes_changed(moves);
+        state_.kept.rename([&](const std::string& home) { return all.now(home); });
+        state_.kept.write();
+    }
+
+    /// What rows call the instances that the files call otherwise now.
+    InstanceMoves homes_changed(const std::vector<MoveStep>& moves) {
+        const InstanceMoves all = whole_moves(moves);
+        std::vector<std::pair<JournalRow*, std::string>> homes;
+        for (JournalRow& row : state_.earlier)
+            if (row.state == RowState::open) homes.emplace_back(&row, all.now(paths_.home(row)));
+        state_.homes_changed([&](const std::string& home) { return all.now(home); });
+        for (const auto& [row, home] : homes)
+            if (row->kind == Kind::moved) row->instance = home;
+        paths_ = RowPaths(state_);  // the moves have their new homes
+        for (const auto& [row, home] : homes) row->instance = paths_.said(*row, home);
+        return all;
+    }
+
+    // --- By path
+
+    /// What the file cannot hold must not keep the rest out of it: it is looked for by halves.
+    void keep_by_path(const Rows& rows) {
+        const std::size_t told_before = report_.problems.size();
+        Rows done;
+        try {
+            for (JournalRow* row : rows)
+                if (row->kind == Kind::deleted &&
+                    rows_.tried(*row, [&] { require_nothing_moved_out(paths_, *row); }))
+                    done.push_back(row);
+            take_out(done, &KeptTweaks::remove);
+            for (JournalRow* row : rows)
+                if (row->kind != Kind::deleted && rows_.tried(*row, [&] { into_kept(*row); }))
+                    done.push_back(row);
+            if (write(state_.kept.file(), done, [&] { state_.kept.write(); })) now_described(done);
+        } catch (const SceneError& error) {
+            state_.kept.read_again();
+            if (done.size() == 1) return rows_.tell(*done.front(), error.reason());
+            report_.problems.resize(told_before);
+            const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+            keep_by_path({rows.begin(), middle});
+            keep_by_path({middle, rows.end()});
+        }
+    }
+
+    /// What is deleted, out of the file of kept tweaks.
+    void take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*take)(
+                                        const std::vector<std::string>& paths)) {
+        Rows deletions;
+        std::vector<std::string> paths;
+        for (JournalRow* row : rows)
+            if (row->kind == Kind::deleted) {
+                deletions.push_back(row);
+                paths.push_back(row->instance);
+            }
+        const std::vector<std::string> before = (state_.kept.*take)(paths);
+        for (std::size_t i = 0; i < paths.size(); ++i) taken_out(state_, *deletions[i], before[i]);
+    }
+
+    void into_kept(JournalRow& row) {
+        const std::string home = paths_.home(row);
+        switch (row.kind) {
+            case Kind::value:
+                return state_.kept.set(unmarked(home), row.property, declared(home, row.property),
+                                       rows_.told(row, paths_), [&](const std::string& path) {
+                                           return unmarked(paths_.home_of_live(path));
+                                       });
+            case Kind::created:
+                check_made(state_, paths_, row);
+                require_free(home);
+                return state_.kept.add(home, unmarked_scene(row));
+            case Kind::restored:
+                return state_.kept.put_back(home, row.was, unmarked_scene(row));
+            case Kind::deleted:
+            case Kind::moved:
+                return;
+        }
+    }
+
+    /// A script makes something at that path that has another one now: it would be in the way.
+    void require_free(const std::string& home) const {
+        if (const std::string other = paths_.moved_from(without_marks(home)); !other.empty())
+            throw Error(ErrorKind::rejected,
+                        "a script gives this name to what is " + other + " now: change the script");
+    }
+
+    /// The file cannot say which of two instances of the same home path is meant.
+    std::string unmarked(std::string home) const {
+        if (!is_marked(home)) return home;
+        const std::string path = without_marks(home);
+        throw Error(ErrorKind::rejected, path + " is new and has a name that a script gives to " +
+                                             paths_.moved_from(path) + ": change the script");
+    }
+
+    std::string unmarked_scene(const JournalRow& row) const {
+        return paths_.home_scene(row, [&](const std::string& home) { return unmarked(home); });
+    }
+
+    const Property* declared(const std::string& home, const std::string& property) const {
+        const Handle instance = paths_.instance(home);
+        return instance ? state_.tree.class_of(instance).property(property) : nullptr;
+    }
+
+    /// Of instances that the file of kept tweaks makes.
+    void keep_moves_by_path(Rows rows) {
+        const auto target = [&](const JournalRow& row) {
+            return path_below(paths_.home_of_new_parent(row), split_path(row.now).second);
+        };
+        std::erase_if(rows, [&](const JournalRow* row) {
+            return !rows_.tried(*row, [&] {
+                if (!state_.kept.makes(row->instance))
+                    throw Error(ErrorKind::rejected, given_by_script);
+                state_.kept.require_movable(row->instance, target(*row));
+            });
+        });
+        std::unordered_set<std::string> moving_away;
+        for (const JournalRow* row : rows) moving_away.insert(row->instance);
+        std::erase_if(rows, [&](const JournalRow* row) {
+            const std::string to = target(*row);
+            return !moving_away.contains(to) && !rows_.tried(*row, [&] { require_free(to); });
+        });
+        if (rows.empty()) return;
+        std::vector<MoveStep> moves;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            moves.push_back({i, rows[i]->instance, target(*rows[i])});
+        try {
+            if (write(state_.kept.file(), rows, [&] {
+                    state_.kept.move(moves);
+                    state_.kept.write();
+                }))
+                homes_changed(moves);
+        } catch (const SceneError& error) {
+            state_.kept.read_again();
+            report_.problems.emplace_back(error.what());
+        }
+    }
+
+    template <class Write>
+    bool write(const fs::path& file, const Rows& rows, Write write_it) {
+        if (rows.empty()) return false;
+        try {
+            write_it();
+        } catch (const SceneError&) {
+            throw;  // by what the rows say
+        } catch (const Error& error) {
+            report_.problems.emplace_back(error.what());
+            return false;
+        }
+        if (report_.files.empty() || report_.files.back() != file.string())
+            report_.files.push_back(file.string());
+        report_.count += rows.size();
+        for (JournalRow* row : rows) {
+            row->kept_in = file.filename().string();
+            state_.set_state(*row, RowState::kept);
+            if (row->run != 0 && row->kind == Kind::value) state_.file_says(*row);
+        }
+        return true;
+    }
+
+    Tweaks::State& state_;
+    TweakReport& report_;
+    RowReport rows_;
+    RowPaths paths_;
+    std::map<fs::path, Rows> scenes_;
+    Rows kept_rows_;
+};
+
+}  // namespace
+
+std::vector<JournalRow*> Tweaks::State::matching(std::string_view text, bool earlier_only) {
+    const TweakPattern pattern(text);
+    std::vector<JournalRow*> rows;
+    for (JournalRow& row : earlier)
+        if (row.state == RowState::open && pattern.matches(row)) rows.push_back(&row);
+    if (earlier_only) return rows;
+    for (const auto& each : entries)
+        if (each->row.state == RowState::open && visible(*each) && pattern.matches(each->row))
+            rows.push_back(&each->row);
+    return rows;
+}
+
+void Tweaks::State::refresh_earlier() {
+    if (!journal) return;
+    journal->refresh(earlier);
+    for (JournalRow& row : earlier)
+        if (row.state == RowState::open && !problem_of(row).empty()) row.state = RowState::dropped;
+}
+
+void Tweaks::State::set_state(JournalRow& row, RowState state) {
+    row.state = state;
+    rest = 0;
+    if (row.run == JournalRow::elsewhere) return;
+    if (row.run != 0) return changed.push_back(&row);
+    Entry& its = entry_of(row);
+    if (its.dirty) return;
+    its.dirty = true;
+    dirty.push_back(&its);
+}
+
+TweakReport Tweaks::State::keep(std::string_view pattern) {
+    TweakReport report;
+    rest = 0;
+    barrier();  // whatever was edited just now counts as well
+    try {
+        // What other runs of the game have kept meanwhile stays: the lock keeps others from writing
+        // between reading and writing.
+        const std::shared_ptr<void> locked = files.lock();
+        refresh_earlier();
+        Keeping(*this, report).keep(matching(pattern, false));
+    } catch (const FileError& error) {
+        report.problems.emplace_back(error.what());
+    }
+    barrier();
+    return report;
+}
+
+/// How many. Those whose path is none are meant by the pattern of everything alone.
+std::size_t Tweaks::State::drop_left_aside(std::string_view text) {
+    const TweakPattern pattern(text);
+    return std::erase_if(left_aside, [&](JournalRow& row) {
+        try {
+            if (text != "**" && !pattern.matches(row)) return false;
+        } catch (const Error&) {
+            return false;
+        }
+        rest = 0;
+        if (row.run != JournalRow::elsewhere) removed.push_back(std::move(row));
+        return true;
+    });
+}
+
+TweakReport Tweaks::State::drop(std::string_view pattern) {
+    TweakReport report;
+    barrier();
+    refresh_earlier();
+    for (JournalRow* row : matching(pattern, false)) {
+        set_state(*row, RowState::dropped);
+        ++report.count;
+    }
+    report.count += drop_left_aside(pattern);
+    barrier();
+    return report;
+}
+
+}  // namespace fettle::property

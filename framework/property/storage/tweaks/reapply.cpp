@@ -1,0 +1,289 @@
+// Making tweaks of earlier runs again.
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include <scenes/scene_load.h>
+#include <scenes/scene_names.h>
+#include <scenes/scene_value.h>
+#include <tweaks/row_paths.h>
+#include <tweaks/scene_keeping.h>
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+namespace {
+
+using Kind = JournalRow::Kind;
+using RowState = JournalRow::State;
+
+/// Whatever it does is one edit, scripts' or not.
+class EditScope {
+  public:
+    EditScope(Tree& tree, const std::string& name) : tree_(tree) { tree_.begin_edit(name); }
+    ~EditScope() { tree_.end_edit(); }
+    EditScope(const EditScope&) = delete;
+
+  private:
+    Tree& tree_;
+};
+
+/// Makes rows of earlier runs again. Each says where things were when all of it was done, so a row
+/// waits until the instance is there that is to be its parent, and until the name is free there.
+class Reapplying {
+  public:
+    Reapplying(Tweaks::State& state, TweakReport& report)
+        : state_(state), tree_(state.tree), report_(report), paths_(state) {}
+
+    void reapply(const Rows& rows) {
+        for (JournalRow* row : rows)
+            if (row->kind == Kind::deleted) waiting_.push_back(row);
+        // What is deleted below something else goes before that.
+        std::stable_sort(waiting_.begin(), waiting_.end(),
+                         [](const JournalRow* a, const JournalRow* b) {
+                             return a->instance.size() > b->instance.size();
+                         });
+        for (JournalRow* row : rows)  // what takes the place of something comes after it
+            if (row->kind != Kind::value && row->kind != Kind::deleted) waiting_.push_back(row);
+        find_instances();
+        while (!waiting_.empty() && (make_some() || make_room())) {
+        }
+        for (JournalRow* row : std::exchange(waiting_, {})) make(*row);  // tells what is wrong
+        set_open_references();
+        for (JournalRow* row : rows)
+            if (row->kind == Kind::value) make(*row);
+    }
+    /// With the instances they are about.
+    const std::vector<std::pair<JournalRow*, Handle>>& made() const { return made_; }
+
+  private:
+    Handle at(const std::string& home) const {
+        if (const Handle instance = at_or_none(home)) return instance;
+        return instance_at(tree_, path_now(home));  // throws what is wrong
+    }
+    Handle at_or_none(const std::string& home) const {
+        // Until it is made again, another instance may have its path.
+        const bool there = !is_marked(home) || std::ranges::any_of(new_homes_, [&](const auto& at) {
+            return is_at_or_below(home, at);
+        });
+        return there ? instance_or_none(tree_, path_now(home)) : Handle{};
+    }
+    std::string path_now(const std::string& home) const {
+        return without_marks(state_.moves().now(home));
+    }
+
+    /// What is to be moved or deleted has its home path until then.
+    void find_instances() {
+        for (JournalRow* row : waiting_)
+            if (row->kind == Kind::moved || row->kind == Kind::deleted)
+                instances_[row] = at_or_none(row->instance);
+    }
+
+    /// Home path of the parent, and the name in the end.
+    std::pair<std::string, std::string> place_of(const JournalRow& row) const {
+        if (row.kind == Kind::moved)
+            return {paths_.home_of_new_parent(row), split_path(row.now).second};
+        return {split_path(paths_.home(row)).first, split_path(row.instance).second};
+    }
+
+    bool is_ready(const JournalRow& row) const {
+        if (row.kind == Kind::deleted)
+            return std::none_of(waiting_.begin(), waiting_.end(), [&](const JournalRow* other) {
+                return other->kind == Kind::moved && is_at_or_below(other->instance, row.instance);
+            });
+        const auto [parent, name] = place_of(row);
+        const Handle above = at_or_none(parent);
+        return above && !tree_.child(above, name);
+    }
+
+    /// New instances come when nothing else can be done: they may name what comes or goes.
+    bool make_some() {
+        const Rows before = waiting_;
+        for (const bool created : {false, true}) {
+            for (JournalRow* row : before)
+                if ((row->kind == Kind::created) == created && is_ready(*row)) {
+                    std::erase(waiting_, row);
+                    make(*row);
+                }
+            if (waiting_.size() < before.size()) return true;
+        }
+        return false;
+    }
+
+    /// Where instances change places, one of them gets a free name in between.
+    bool make_room() {
+        for (const JournalRow* row : waiting_) {
+            const auto [parent, name] = place_of(*row);
+            const Handle above = row->kind == Kind::deleted ? Handle{} : at_or_none(parent);
+            const Handle there = above ? tree_.child(above, name) : Handle{};
+            for (const JournalRow* other : waiting_)
+                if (other != row && there && instances_[other] == there) {
+                    tree_.rename(there, "_in_between_" + std::to_string(++in_between_));
+                    paths_ = RowPaths(state_);
+                    return true;
+                }
+        }
+        return false;
+    }
+
+    void make(JournalRow& row) {
+        try {
+            const Handle instance = row.kind == Kind::value     ? set(row)
+                                    : row.kind == Kind::deleted ? destroy(row)
+                                    : row.kind == Kind::moved   ? move(row)
+                                                                : create(row);
+            made_.emplace_back(&row, instance);
+            ++report_.count;
+            state_.set_state(row, RowState::dropped);
+        } catch (const Error& error) {
+            report_.problems.push_back(path_of(row) + ": " + error.what());
+        }
+    }
+
+    Handle set(const JournalRow& row) {
+        const Image image = paths_.live_image(row);
+        const Handle instance = at(paths_.home(row));
+        apply_image(tree_, instance, row.property, image);
+        if (!image.not_saved.empty())
+            report_.problems.push_back(path_of(row) + ": its formula " + image.not_saved +
+                                       ", so its value is set instead");
+        return instance;
+    }
+
+    Handle create(const JournalRow& row) {
+        const auto [parent, name] = place_of(row);
+        const Handle above = at(parent);
+        if (tree_.child(above, name))
+            throw Error(ErrorKind::bad_name, "there is something of this name already");
+        const auto scene = std::make_shared<const Document>(scene_to_make(row), "journal");
+        std::vector<OpenReference> open;
+        const Handle made = make_scene(tree_, *scene, above, name, open);
+        if (const std::string home = paths_.home(row); is_marked(home)) new_homes_.push_back(home);
+        for (OpenReference& each : open) open_.push_back({&row, scene, std::move(each)});
+        return made;
+    }
+
+    /// It names by their paths what is there, and by its home path what has still to come; what is
+    /// below itself from its top.
+    std::string scene_to_make(const JournalRow& row) const {
+        return scene_with_paths(tree_, row.now, [&](const std::string& path) {
+            if (path == row.instance) return std::optional<std::string>(".");
+            if (is_at_or_below(path, row.instance))
+                return std::optional(path.substr(row.instance.size()));
+            const std::string home = paths_.home(row, path);
+            const Handle there = at_or_none(home);
+            return std::optional(there ? tree_.path(there) : home);
+        });
+    }
+
+    /// References of new instances to what came after them.
+    void set_open_references() {
+        for (const auto& [row, scene, open] : open_) try {
+                const Property* declared = tree_.find(open.instance, open.property);
+                const std::string top = paths_.home(*row);
+                const ReferenceResolver resolve = [&](const std::string& path,
+                                                      const Document::Node&) {
+                    return at(path.starts_with('.') || path.starts_with('[') ? top + path : path);
+                };
+                tree_.set_or_add(
+                    open.instance, open.property,
+                    read_value(*scene, *open.node, declared ? declared_type(*declared) : Type::nil,
+                               declared ? declared->element : Type::nil, resolve));
+            } catch (const Error& error) {
+                report_.problems.push_back(path_of(*row) + ": " + error.what());
+            }
+    }
+
+    Handle destroy(const JournalRow& row) {
+        const Handle instance = instances_[&row] ? instances_[&row] : at(row.instance);
+        tree_.destroy(instance);
+        return instance;
+    }
+
+    Handle move(const JournalRow& row) {
+        const auto [parent, name] = place_of(row);
+        const Handle instance = instances_[&row] ? instances_[&row] : at(row.instance);
+        const Handle above = at(parent);
+        if (tree_.parent(instance) == above)
+            tree_.rename(instance, name);
+        else
+            tree_.move(instance, above, name);
+        paths_ = RowPaths(state_);
+        return instance;
+    }
+
+    Tweaks::State& state_;
+    Tree& tree_;
+    TweakReport& report_;
+    RowPaths paths_;
+    Rows waiting_;
+    std::map<const JournalRow*, Handle> instances_;
+    std::vector<std::pair<JournalRow*, Handle>> made_;
+    struct Open {
+        const JournalRow* row;
+        std::shared_ptr<const Document> scene;
+        OpenReference reference;
+    };
+    std::vector<Open> open_;
+    std::vector<std::string> new_homes_;  // marked ones of what is there again
+    int in_between_ = 0;
+};
+
+}  // namespace
+
+TweakReport Tweaks::State::reapply(std::string_view pattern) {
+    TweakReport report;
+    rest = 0;
+    barrier();
+    refresh_earlier();
+    const Rows rows = matching(pattern, true);
+    Reapplying reapplying(*this, report);
+    {
+        const EditScope edit(tree, "reapply tweaks of " + std::string(pattern));
+        reapplying.reapply(rows);
+    }
+    settle_fresh();
+    for (const auto& [row, instance] : reapplying.made())
+        if (Entry* entry = entry_about(*row, instance)) reapplied.emplace_back(row, entry);
+    return report;
+}
+
+/// The tweak of this run that says of the instance what the row says.
+Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle instance) const {
+    const auto found_in = [&](const auto& entries_by_instance) -> Entry* {
+        const auto found = entries_by_instance.find(key(instance));
+        return found == entries_by_instance.end() ? nullptr : found->second;
+    };
+    // What happens to an instance that came with another one is a part of that one's tweak.
+    if (Entry* above = tree.alive(instance) ? created_above(instance) : nullptr) return above;
+    switch (row.kind) {
+        case Kind::value: {
+            const auto found = by_key.find(key_of(Kind::value, tree.path(instance), row.property));
+            return found == by_key.end() ? nullptr : found->second;
+        }
+        case Kind::created:
+        case Kind::restored:
+            return found_in(created);
+        case Kind::deleted:
+            return found_in(deleted);
+        case Kind::moved:
+            return found_in(moved_entries);
+    }
+    return nullptr;
+}
+
+/// A row of an earlier run that was made again is open once more when that was undone.
+void Tweaks::State::settle_reapplied() {
+    std::erase_if(reapplied, [](const auto& each) {
+        return each.second->row.state == RowState::kept || each.first->state == RowState::kept;
+    });
+    for (const auto& [row, entry] : reapplied) {
+        const bool undone = entry->row.state == RowState::open && !visible(*entry) &&
+                            entry->deletion == nullptr;  // else it is a part of another one
+        const RowState state = undone ? RowState::open : RowState::dropped;
+        if (row->state != state) set_state(*row, state);
+    }
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,212 @@
+#include <tweaks/scene_keeping.h>
+
+#include <algorithm>
+
+#include <scenes/scene_check.h>
+#include <scenes/scene_names.h>
+
+namespace fettle::property {
+
+using Kind = JournalRow::Kind;
+
+Rows without_moves(const Rows& rows) {
+    Rows others;
+    for (JournalRow* row : rows)
+        if (row->kind != Kind::moved) others.push_back(row);
+    return others;
+}
+
+Rows moves_in(const Rows& rows) {
+    Rows moves;
+    for (JournalRow* row : rows)
+        if (row->kind == Kind::moved) moves.push_back(row);
+    return moves;
+}
+
+void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row) {
+    check_scene(state.tree, Document(paths.live_scene(row), "its scene"),
+                paths.instance(split_path(paths.home(row)).first), split_path(row.instance).second);
+}
+
+void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row) {
+    if (const std::string path = paths.moved_out_of(row); !path.empty())
+        throw Error(ErrorKind::rejected,
+                    "what is " + path + " now is a part of it in the file, and would go with it");
+}
+
+void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text) {
+    if (row.run != 0) return;
+    std::string& all = state.entry_of(row).taken_out;
+    if (all.empty() || row.state != JournalRow::State::kept)
+        all = text;
+    else
+        all = all.substr(0, all.size() - 1) + ", " + text.substr(1);
+}
+
+namespace {
+
+/// The scene may be loaded somewhere else the next time: what is in it is named from its top.
+NewPath from_top(const std::string& top) {
+    return [top](const std::string& home) -> std::optional<std::string> {
+        if (!is_at_or_below(home, top)) return std::nullopt;
+        return home == top ? "." : home.substr(top.size());
+    };
+}
+
+}  // namespace
+
+SceneKeeping::SceneKeeping(Tweaks::State& state, const RowPaths& paths, RowReport& report,
+                           const std::filesystem::path& file)
+    : state_(state),
+      paths_(paths),
+      report_(report),
+      edit_(state.tree, state.files.read(file), file.string()) {}
+
+void SceneKeeping::set_text(std::string text) {
+    edit_ = SceneEdit(state_.tree, std::move(text), edit_.document().file_name());
+}
+
+bool SceneKeeping::loadable() const {
+    try {
+        check_scene(state_.tree, edit_.document());
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// A row may say anything: an earlier run, whose classes were other ones, has left it. What would
+/// make the scene one that cannot be loaded is not kept in it.
+Rows SceneKeeping::keep(const Rows& rows) {
+    const std::string before = text();
+    const bool was_loadable = loadable();
+    const std::size_t told_before = report_.count();
+    Rows done = edited(rows, false);
+    if (!was_loadable || loadable()) return done;
+    report_.forget_since(told_before);
+    set_text(before);
+    return edited(rows, true);
+}
+
+/// `each`: the scene is checked after each of them.
+Rows SceneKeeping::edited(const Rows& rows, bool each) {
+    Rows done;
+    for (JournalRow* row : without_moves(rows))
+        if (edited_or_as_before(*row, [&] {
+                edit_scene(*row);
+                if (each) check_scene(state_.tree, edit_.document());
+            }))
+            done.push_back(row);
+    const Rows moves = moves_in(rows);
+    if (moves.empty()) {
+        take_marks_away();
+        return done;
+    }
+    const std::string before = text();
+    try {
+        rename(moves, each);
+        done.insert(done.end(), moves.begin(), moves.end());
+    } catch (const Error&) {  // one of them: which?
+        set_text(before);
+        for (JournalRow* row : moves)
+            if (edited_or_as_before(*row, [&] { rename({row}, true); })) done.push_back(row);
+    }
+    return done;
+}
+
+template <class Edit>
+bool SceneKeeping::edited_or_as_before(const JournalRow& row, Edit edit) {
+    const std::string before = text();
+    const bool done = report_.tried(row, edit);
+    if (!done) set_text(before);
+    return done;
+}
+
+void SceneKeeping::edit_scene(const JournalRow& row) {
+    const SceneSteps steps = read_steps(row.inside);
+    const NewPath in_file = from_top(paths_.home_of_top(row));
+    switch (row.kind) {
+        case Kind::value:
+            return edit_.set(steps, row.property, report_.told(row, paths_),
+                             [&](const std::string& path) {
+                                 const std::string home = paths_.home_of_live(path);
+                                 const auto inside = in_file(home);
+                                 return inside ? inside : home;
+                             });
+        case Kind::created:
+            check_made(state_, paths_, row);
+            return edit_.add_child(steps, paths_.home_scene(row, in_file));
+        case Kind::deleted:
+            require_nothing_moved_out(paths_, row);
+            return taken_out(state_, row, edit_.remove(steps));
+        case Kind::restored:
+            edit_.put_back(steps, row.was);
+            return edit_.name_as_in(
+                steps,
+                SceneEdit(state_.tree, paths_.home_scene(row, named_in_file(row)), "its scene"),
+                {});
+        case Kind::moved:
+            return;
+    }
+}
+
+/// What a scene may name: what is loaded with it. A tweak says the rest.
+NewPath SceneKeeping::named_in_file(const JournalRow& row) const {
+    return [this, in_file = from_top(paths_.home_of_top(row))](const std::string& home) {
+        const Handle target = paths_.instance(home);
+        const bool by_script =
+            target && !state_.origins.find(target) && state_.created_above(target) == nullptr;
+        return std::optional(by_script ? std::string() : in_file(home).value_or(std::string()));
+    };
+}
+
+/// The new names, in every reference inside the scene as well.
+void SceneKeeping::rename(const Rows& rows, bool check) {
+    std::vector<MoveStep> moves;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const JournalRow& row = *rows[i];
+        const std::string parent = split_path(row.instance).first;
+        if (paths_.home_of_new_parent(row) != parent)
+            throw Error(ErrorKind::rejected, "another parent cannot be kept: move it in the file");
+        if (row.inside.empty()) require_named_by_file(row);
+        moves.push_back({i, row.instance, path_below(parent, split_path(row.now).second)});
+    }
+    for (const MoveStep& step : in_order(moves)) {
+        const JournalRow& row = *rows[step.which];
+        SceneSteps steps = read_steps(row.inside);
+        if (step.from != row.instance) steps.back() = {split_path(step.from).second, no_place};
+        edit_.rename(steps, split_path(step.to).second);
+    }
+    const std::string top = paths_.home_of_top(*rows.front());
+    InstanceMoves in_file;  // from the top of the scene
+    for (const auto& [which, from, to] : parents_first(moves))
+        if (is_at_or_below(from, top) && from != top)
+            in_file.add(from.substr(top.size()),
+                        in_file.now(split_path(from).first.substr(top.size())) +
+                            path_suffix(split_path(to).second));
+    set_text(scene_with_paths(state_.tree, text(), [&](const std::string& path) {
+        return std::optional(in_file.now(path));
+    }));
+    take_marks_away();
+    if (check) check_scene(state_.tree, edit_.document());
+}
+
+/// What has moved away has its new name in the file, so the other may have the old one.
+void SceneKeeping::take_marks_away() {
+    if (!is_marked(text())) return;
+    set_text(scene_with_paths(state_.tree, text(), [](const std::string& path) {
+        return std::optional(without_marks(path));
+    }));
+}
+
+/// Whether it is the file that names the topmost instance of the scene, and not a script.
+void SceneKeeping::require_named_by_file(const JournalRow& row) const {
+    const Document& document = edit_.document();
+    const Document::Node* name = document.member(document.root(), "name");
+    if (name == nullptr || name->kind != Document::Kind::text ||
+        document.text(*name) != split_path(row.instance).second ||
+        state_.origins.named_by_script(paths_.instance(row.instance)))
+        throw Error(ErrorKind::rejected, given_by_script);
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,57 @@
+#pragma once
+// Rows that are kept in a scene file.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <scenes/scene_edit.h>
+#include <tweaks/row_report.h>
+
+namespace fettle::property {
+
+using Rows = std::vector<JournalRow*>;
+Rows without_moves(const Rows& rows);
+Rows moves_in(const Rows& rows);
+
+inline constexpr const char* given_by_script =
+    "a name or parent that a script gives cannot be kept: change the script";
+
+/// Throws Error for the scene of a new instance that could not be loaded in its place.
+void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row);
+/// Throws Error where something that has moved elsewhere would go with it, since its move is in no
+/// file.
+void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row);
+/// Remembers what a deletion took out of a file, a JSON object, besides what it took out of others.
+void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text);
+
+class SceneKeeping {
+  public:
+    /// Reads the file. Throws Error.
+    SceneKeeping(Tweaks::State& state, const RowPaths& paths, RowReport& report,
+                 const std::filesystem::path& file);
+    /// Those that are in the text now; the others are told.
+    Rows keep(const Rows& rows);
+    const std::string& text() const { return edit_.text(); }
+
+  private:
+    bool loadable() const;
+    Rows edited(const Rows& rows, bool each);
+    template <class Edit>
+    bool edited_or_as_before(const JournalRow& row, Edit edit);
+    void edit_scene(const JournalRow& row);
+    NewPath named_in_file(const JournalRow& row) const;
+    void take_marks_away();
+    void rename(const Rows& rows, bool check);
+    void require_named_by_file(const JournalRow& row) const;
+    void set_text(std::string text);
+
+    Tweaks::State& state_;
+    const RowPaths& paths_;
+    RowReport& report_;
+    SceneEdit edit_;
+};
+
+}  // namespace fettle::property

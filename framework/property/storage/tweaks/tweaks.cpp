@@ -1,0 +1,436 @@
+// Tweaks: from edits to entries. An entry is about a property, or about an instance that a person
+// created, deleted or moved; what happens to the same thing again changes its entry.
+
+#include <fettle/property/exception_text.h>
+#include <fettle/property/storage/tweaks.h>
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+
+#include <files/places.h>
+#include <files/temporary_file.h>
+#include <scenes/scene_edit.h>
+#include <scenes/scene_names.h>
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+namespace {
+
+std::vector<std::string> names_in(const std::string& path) {
+    std::vector<std::string> names;
+    for (const Segment& segment : parse_path(path))
+        names.push_back(segment.is_index() ? std::to_string(std::get<std::int64_t>(segment.key))
+                                           : std::get<std::string>(segment.key));
+    return names;
+}
+
+/// Before the first file is read.
+GameFiles& kept_below(GameFiles& files, const std::filesystem::path& folder) {
+    files.stay_below(folder);
+    return files;
+}
+
+std::int64_t seconds_now() {
+    return std::chrono::duration_cast<std::chrono::seconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+}  // namespace
+
+std::string path_of(const JournalRow& row) {
+    if (row.kind != JournalRow::Kind::value) return row.instance;
+    return path_below(row.instance, row.property);
+}
+
+// --- Patterns
+
+TweakPattern::TweakPattern(std::string_view text)
+    : pattern_(text), whole_instances_(text.find('*') == std::string_view::npos) {}
+
+bool TweakPattern::matches(const JournalRow& row) const {
+    std::vector<std::string> names = names_in(path_of(row));
+    while (!names.empty()) {
+        if (pattern_.matches(names)) return true;
+        if (!whole_instances_) return false;
+        names.pop_back();
+    }
+    return pattern_.text() == "game";
+}
+
+// --- Beginning and ending
+
+Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn,
+                     TweakOptions options)
+    : tree(its_tree),
+      tree_life(its_tree.lifetime()),
+      folder(game_folder(game)),
+      warn(std::move(its_warn)),
+      files(options.files != nullptr ? *options.files : kept_below(own_files, folder)),
+      kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
+    if (options.earlier) {
+        std::vector<JournalRow> rows;
+        for (const TweakWords& words : *options.earlier) rows.push_back(row_of(words));
+        take_earlier(std::move(rows));
+    } else {
+        journal =
+            std::make_unique<Journal>(journal_folders(game), game_name(game) + ".tweaks", warn);
+        take_earlier(journal->earlier());
+        remove_leftovers(folder);
+    }
+    tree.observe_edits(this);
+}
+
+/// Those that say what a tweak is. The others stay in the journal until they are dropped.
+void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
+    std::string first;
+    for (JournalRow& row : rows) {
+        const std::string problem = problem_of(row);
+        if (problem.empty()) {
+            earlier.push_back(std::move(row));
+            continue;
+        }
+        if (left_aside.empty()) first = problem;
+        left_aside.push_back(std::move(row));
+    }
+    const std::size_t odd = left_aside.size();
+    if (odd == 1)
+        warn("1 row that an earlier run has left is no tweak, and is left aside: " + first +
+             "; drop_tweaks(\"**\") removes it");
+    else if (odd > 1)
+        warn(std::to_string(odd) +
+             " rows that earlier runs have left are no tweaks, and are left aside, the first: " +
+             first + "; drop_tweaks(\"**\") removes them");
+}
+
+Tweaks::State::~State() {
+    if (!tree_life.expired()) tree.observe_edits(nullptr);
+}
+
+// --- Edits
+
+bool Tweaks::State::attached(Handle instance) const {
+    return instance == tree.root() || tree.is_below(instance, tree.root());
+}
+
+bool Tweaks::State::is_fresh(Handle instance) const {
+    if (fresh.empty()) return false;
+    for (Handle at = instance; at; at = tree.parent(at))
+        if (is_in_fresh.contains(key(at))) return true;
+    return false;
+}
+
+Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
+    if (created.empty()) return nullptr;
+    for (Handle at = instance; at; at = tree.parent(at)) {
+        if (const auto found = created.find(key(at)); found != created.end())
+            return !found->second->gone && found->second->row.state == RowState::open
+                       ? found->second
+                       : nullptr;
+        if (const auto moved = moved_entries.find(key(at));
+            moved != moved_entries.end() && !moved->second->gone)
+            return nullptr;  // it was there before
+    }
+    return nullptr;
+}
+
+Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instance,
+                                           const std::string& property, Handle handle) {
+    Entry*& found = by_key[key_of(kind, instance, property)];
+    // One that a deletion has made void waits for its own instance, not for the next of that path.
+    if (found == nullptr || (found->deletion != nullptr && found->handle != handle)) {
+        found = &add_entry(kind, instance, handle);
+        found->row.property = property;
+    }
+    found->handle = handle;
+    return *found;
+}
+
+/// One that is not found by its path: there may be another of the same path.
+Tweaks::State::Entry& Tweaks::State::add_entry(Kind kind, const std::string& instance,
+                                               Handle handle) {
+    Entry& its = *entries.emplace_back(std::make_unique<Entry>());
+    its.row.kind = kind;
+    its.row.number = ++last_number;
+    its.row.instance = instance;
+    its.handle = handle;
+    return its;
+}
+
+void Tweaks::State::touch(Entry& entry) {
+    entry.row.state = RowState::open;
+    entry.row.step = static_cast<std::int64_t>(tree.step());
+    entry.row.time = seconds_now();
+    rest = 0;
+    if (entry.dirty) return;
+    entry.dirty = true;
+    dirty.push_back(&entry);
+}
+
+void Tweaks::State::tell_origin(Entry& entry, Handle instance) const {
+    const auto origin = origins.find(instance);
+    if (!origin) return;
+    entry.row.file = origin->file.string();
+    entry.row.inside = steps_text(origin->steps);
+}
+
+void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {
+    if (property.transient || !attached(instance)) return;
+    if (is_fresh(instance)) return edited_again(instance, property);
+    if (!deleted.empty()) back_in_time(instance);
+    if (Entry* creation = created_above(instance)) {
+        creation->inside.emplace_back(instance, property.symbol);
+        return touch(*creation);
+    }
+    const std::size_t known = entries.size();
+    Entry& its = entry(Kind::value, tree.path(instance), property.name, instance);
+    if (entries.size() > known) {
+        its.was = image_of(tree, property, before);
+        name_deleted(its.was, before.value);
+        tell_origin(its, instance);
+    }
+    if (its.row.state == RowState::kept) its.was = its.now;  // the file says that since
+    its.property = property.symbol;
+    its.now = image_now(tree, instance, property.symbol, false);
+    its.gone = false;
+    touch(its);
+}
+
+/// Undo brings an instance back, and then what was edited before it was deleted.
+void Tweaks::State::edited_again(Handle instance, const Property& property) {
+    if (tree.cause().writer != Writer::undo) return;
+    for (const auto& each : entries)
+        if (each->row.kind == Kind::value && each->handle == instance &&
+            each->property == property.symbol && each->deletion != nullptr)
+            each->now = image_now(tree, instance, property.symbol, false);
+}
+
+/// What is edited is not deleted: the game has gone back in time, or has loaded a save.
+void Tweaks::State::back_in_time(Handle instance) {
+    for (Handle at = instance; at; at = tree.parent(at))
+        if (const auto found = deleted.find(key(at));
+            found != deleted.end() && !found->second->gone)
+            (void)undelete(*found->second);
+}
+
+/// A reference to what a person has deleted before: when that is back, the value is this one.
+void Tweaks::State::name_deleted(Image& image, const Value& value) const {
+    if (!value.is(Type::reference) || !value.reference() || tree.alive(value.reference())) return;
+    const auto found = deleted.find(key(value.reference()));
+    if (found == deleted.end()) return;
+    std::string text = "{\"reference\": ";
+    append_quoted(text, path_of_deleted(value.reference()));
+    image.value = text + "}";
+}
+
+void Tweaks::State::born(Handle instance) {
+    if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
+    if (is_in_fresh.insert(key(instance)).second) fresh.push_back(instance);
+    rest = 0;
+}
+
+void Tweaks::State::dying(Handle instance) {
+    if (attached(instance)) rename_mentions(tree.path(instance), path_of_deleted(instance));
+    // What was created just now leaves no trace.
+    if (is_in_fresh.erase(key(instance)) != 0) {
+        if (is_in_fresh.empty()) fresh.clear();  // else those that went are passed over later
+        if (!created.contains(key(instance))) return;
+    }
+    if (is_fresh(instance) && !created.contains(key(instance))) return;
+    if (attached(instance)) bury(instance, tree.parent(instance), tree.path(instance));
+}
+
+/// Whatever was done to it is void, unless the deletion is undone.
+void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path) {
+    if (const auto made = created.find(key(instance));
+        made != created.end() && made->second->row.state == RowState::open) {
+        make_void(path, {}, *made->second);
+        made->second->gone = true;
+        return touch(*made->second);
+    }
+    if (taken_out_of_creation(split_path(path).second, parent)) return;
+    const auto moved_before = moved_entries.find(key(instance));
+    const std::string home = moved_before != moved_entries.end() && !moved_before->second->gone
+                                 ? home_of(instance)
+                                 : path_below(home_of(parent), split_path(path).second);
+    if (const auto again = restorations.find(key(instance));
+        again != restorations.end() && again->second->row.state == RowState::open &&
+        !again->second->gone) {  // the file still says that it is deleted
+        make_void(path, home, *deleted.at(key(instance)));
+        again->second->gone = true;
+        return touch(*again->second);
+    }
+    Entry& deletion = add_deletion(instance, path, home);
+    make_void(path, home, deletion);
+}
+
+Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::string& path,
+                                                  const std::string& home) {
+    // What an edit has made may be in the place of what a script makes, which is deleted, too.
+    const auto known = deleted.find(key(instance));
+    Entry& deletion = known != deleted.end()            ? *known->second
+                      : created.contains(key(instance)) ? add_entry(Kind::deleted, home, instance)
+                                                        : entry(Kind::deleted, home, {}, instance);
+    deletion.row.instance = home;
+    deletion.row.now = path;
+    deletion.row.was_text = "a " + tree.class_of(instance).name();
+    deletion.row.now_text = "deleted";
+    deletion.gone = false;
+    deletion.deletion = deletion.with = nullptr;
+    deleted[key(instance)] = &deletion;
+    tell_origin(deletion, instance);
+    touch(deletion);
+    return deletion;
+}
+
+/// What came with an instance that an edit has made leaves the scene of that tweak.
+bool Tweaks::State::taken_out_of_creation(const std::string& name, Handle parent) {
+    Entry* above = created_above(parent);
+    if (above == nullptr) return false;
+    refresh_created(*above);
+    try {
+        SceneSteps steps = steps_below(parent, above->handle);
+        steps.push_back({name, no_place});
+        SceneEdit edit(tree, above->scene, "journal");
+        (void)edit.remove(steps);
+        above->scene = edit.text();
+    } catch (const Error&) {  // a script made it
+        return false;
+    }
+    touch(*above);
+    return true;
+}
+
+/// Tweaks of what is at `path` or below it. `home`: of the instance there; "": the files know none.
+void Tweaks::State::make_void(const std::string& path, const std::string& home, Entry& deletion) {
+    const InstanceMoves all = restorations.empty() ? InstanceMoves() : moves();
+    const auto path_now = [&](const JournalRow& row) -> std::string {
+        if (row.kind == Kind::moved || row.kind == Kind::deleted) return row.now;
+        return row.kind == Kind::restored ? all.now(row.instance) : row.instance;
+    };
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        Entry& its = *entries[i];
+        if (&its == &deletion || its.row.state != RowState::open || its.gone) continue;
+        if (!is_at_or_below(path_now(its.row), path)) continue;
+        // The files have it elsewhere: there it goes by itself.
+        const bool elsewhere = home.empty() || !is_at_or_below(its.row.instance, home);
+        const bool in_its_place = its.row.now == path;  // another one, which was deleted before
+        if (its.row.kind == Kind::deleted && (elsewhere || in_its_place)) continue;
+        its.gone = true;
+        its.deletion = &deletion;
+        touch(its);
+        if (its.row.kind == Kind::moved && elsewhere && tree.alive(its.handle))
+            add_deletion(its.handle, its.row.now, its.row.instance).with = &deletion;
+    }
+    // What is deleted at home already with something above it needs no deletion of its own.
+    for (const auto& each : entries)
+        if (each->with == &deletion && !each->gone)
+            each->gone = std::any_of(entries.begin(), entries.end(), [&](const auto& other) {
+                return other != each && other->with == &deletion && !other->gone &&
+                       is_at_or_below(each->row.instance, other->row.instance);
+            });
+}
+
+void Tweaks::State::revive(const Entry& deletion) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        Entry& its = *entries[i];
+        if (its.gone && its.deletion == &deletion) {
+            its.gone = false;
+            its.deletion = nullptr;
+            find_again(its);
+            touch(its);
+        }
+        if (!its.gone && its.with == &deletion) {
+            its.with = nullptr;
+            (void)undelete(its);
+        }
+    }
+}
+
+// --- What is told of them
+
+std::vector<Tweak> Tweaks::list() const {
+    std::vector<Tweak> all;
+    const auto add = [&all](const JournalRow& row, bool is_earlier, bool committed) {
+        all.push_back({.path = path_of(row),
+                       .was = row.was_text,
+                       .now = row.now_text,
+                       .step = static_cast<std::uint64_t>(row.step),
+                       .time = row.time,
+                       .value = row.kind == JournalRow::Kind::value,
+                       .earlier = is_earlier,
+                       .committed = committed,
+                       .kept = row.state == JournalRow::State::kept,
+                       .kept_in = row.kept_in});
+    };
+    for (const JournalRow& row : state_->earlier)
+        if (row.state == JournalRow::State::open) add(row, true, true);
+    for (const auto& entry : state_->entries)
+        if (state_->visible(*entry)) {
+            add(entry->row, false, entry->committed && !entry->dirty);
+            if (!all.back().value) continue;
+            std::tie(all.back().was, all.back().now) = change_text(entry->was, entry->now);
+        }
+    return all;
+}
+
+std::size_t Tweaks::open_earlier() const {
+    return static_cast<std::size_t>(
+        std::count_if(state_->earlier.begin(), state_->earlier.end(),
+                      [](const JournalRow& row) { return row.state == JournalRow::State::open; }));
+}
+
+std::vector<TweakWords> Tweaks::earlier_in_words() const {
+    std::vector<TweakWords> all;
+    for (const JournalRow& row : state_->earlier)
+        if (row.state == JournalRow::State::open) all.push_back(words_of(row));
+    return all;
+}
+
+// --- The public face
+
+Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
+               std::function<void(const std::string&)> warn, TweakOptions options)
+    : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
+Tweaks::~Tweaks() {
+    if (state_->tree_life.expired()) return;  // the paths of what was edited are gone
+    state_->rest = 0;
+    if (state_->journal) state_->journal->be_patient();
+    barrier();
+    state_->tell_lost();
+}
+
+void Tweaks::barrier() {
+    try {
+        state_->kept.settle();
+        state_->barrier();
+    } catch (const std::exception& error) {
+        state_->warn("tweaks cannot be journaled: " + exception_text(error));
+    }
+}
+TweakReport Tweaks::keep(std::string_view pattern) {
+    return state_->keep(pattern);
+}
+TweakReport Tweaks::reapply(std::string_view pattern) {
+    return state_->reapply(pattern);
+}
+TweakReport Tweaks::drop(std::string_view pattern) {
+    return state_->drop(pattern);
+}
+void Tweaks::scene_loaded(const std::filesystem::path& file,
+                          const std::vector<SceneInstance>& instances, bool named_by_script) {
+    state_->origins.loaded(state_->tree, file, instances, named_by_script);
+}
+void Tweaks::placed(Handle instance) {
+    state_->kept.apply_values(instance);
+}
+void Tweaks::game_loaded() {
+    state_->kept.apply_all();
+}
+std::filesystem::path Tweaks::journal() const {
+    return state_->journal ? state_->journal->file() : std::filesystem::path();
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,268 @@
+// Tweaks: from entries to rows of the journal, once a barrier.
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <fettle/property/exception_text.h>
+
+#include <scenes/scene_edit.h>
+#include <scenes/scene_names.h>
+#include <scenes/scene_text.h>
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+namespace {
+
+// After a failure (a full disk), this many barriers pass before the next attempt, unless somebody
+// edits.
+constexpr int barriers_of_rest = 60;
+// Bytes of what people read about a tweak: the text of a formula, a path.
+constexpr std::size_t longest_shown = 5000;
+
+}  // namespace
+
+bool Tweaks::State::visible(const Entry& entry) const {
+    if (entry.gone || entry.row.state == RowState::dropped) return false;
+    return entry.row.kind != Kind::value || !(entry.was == entry.now);
+}
+
+void Tweaks::State::barrier() {
+    if (fresh.empty() && dirty.empty() && changed.empty() && removed.empty()) return;
+    if (rest > 0) {
+        --rest;
+        return;
+    }
+    settle_fresh();
+    settle_reapplied();
+    for (Entry* entry : dirty) refresh(*entry);
+    commit();
+}
+
+// --- What was created ----------------------------------------------------------------------------
+
+void Tweaks::State::settle_fresh() {
+    const std::vector<Handle> born = std::move(fresh);
+    fresh.clear();
+    std::unordered_set<std::uint64_t> seen;  // one that went and came back is in the list twice
+    for (const Handle instance : born) {
+        if (!tree.alive(instance) || !attached(instance)) continue;
+        if (!seen.insert(key(instance)).second) continue;
+        // What was made below something new belongs to that.
+        bool inside = false;
+        for (Handle at = tree.parent(instance); at && !inside; at = tree.parent(at))
+            inside = is_in_fresh.contains(key(at));
+        const bool was_there = deleted.contains(key(instance)) || created.contains(key(instance));
+        if (!inside || was_there) settle_one(instance);
+    }
+    is_in_fresh.clear();
+}
+
+void Tweaks::State::settle_one(Handle instance) {
+    const std::string path = tree.path(instance);
+    if (settle_undeleted(instance)) return;
+    const auto known = created.find(key(instance));
+    // Where its deletion, or its creation, was undone and done again: what was made below it since
+    // has tweaks of its own again, and is no part of its scene.
+    if (known != created.end()) revive(*known->second);
+    std::vector<std::string> warnings;
+    std::string text;
+    try {
+        text = scene_of_new(instance, &warnings);
+    } catch (const Error& error) {
+        return warn(path + " is new, but cannot be journaled: " + error.what());
+    }
+    for (const std::string& warning : warnings) warn(warning);
+    Entry& its = known != created.end() ? *known->second : add_entry(Kind::created, path, instance);
+    its.row.instance = path;
+    its.scene = text;
+    its.row.was_text = "nothing";
+    its.row.now_text = "new " + tree.class_of(instance).name();
+    its.gone = false;
+    its.inside.clear();
+    created[key(instance)] = &its;
+    its.row.file.clear();
+    its.row.inside.clear();
+    tell_origin(its, tree.parent(instance));
+    touch(its);
+}
+
+/// Without what other tweaks have put below it.
+std::string Tweaks::State::scene_of_new(Handle top, std::vector<std::string>* warnings) const {
+    SceneEdit edit(tree, scene_text_with_full_paths(tree, top, warnings), "journal");
+    for (const auto& each : entries) {
+        const bool its_own = each->row.kind == Kind::moved || each->row.kind == Kind::created;
+        if (!its_own || each->gone || each->handle == top || !tree.alive(each->handle) ||
+            !tree.is_below(each->handle, top))
+            continue;
+        try {
+            (void)edit.remove(steps_below(each->handle, top));
+        } catch (const Error&) {  // it went with another one
+        }
+    }
+    return edit.text();
+}
+
+SceneSteps Tweaks::State::steps_below(Handle instance, Handle top) const {
+    SceneSteps steps;
+    for (Handle at = instance; at && at != top; at = tree.parent(at))
+        steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
+    return steps;
+}
+
+/// Whether it is an instance whose deletion was undone, so that nothing new is to be said of it.
+bool Tweaks::State::settle_undeleted(Handle instance) {
+    const auto found = deleted.find(key(instance));
+    if (found == deleted.end() || found->second->gone) return false;
+    return undelete(*found->second);
+}
+
+/// False where it has to be told as a new instance.
+bool Tweaks::State::undelete(Entry& deletion) {
+    const bool in_file = deletion.row.state == RowState::kept;
+    revive(deletion);
+    if (in_file && !created.contains(key(deletion.handle))) {
+        restored(deletion.handle, deletion);
+        return true;
+    }
+    deletion.gone = true;
+    touch(deletion);
+    return !in_file;
+}
+
+/// The deletion was kept before it was undone: the file has to say again what it said before.
+void Tweaks::State::restored(Handle instance, Entry& deletion) {
+    Entry& its = entry(Kind::restored, deletion.row.instance, {}, instance);
+    try {
+        its.scene = scene_text_with_full_paths(tree, instance, nullptr);
+    } catch (const Error& error) {
+        return warn(tree.path(instance) + " is back, but cannot be journaled: " + error.what());
+    }
+    its.row.was = deletion.taken_out;
+    its.row.was_text = "deleted";
+    its.row.now_text = "deleted no longer";
+    its.row.file = deletion.row.file;
+    its.row.inside = deletion.row.inside;
+    its.gone = false;
+    restorations[key(instance)] = &its;
+    touch(its);
+}
+
+/// Values edited below it since are written into its scene: taking the scene anew would also take
+/// what the simulation has made of it.
+void Tweaks::State::refresh_created(Entry& entry) {
+    const auto inside = std::move(entry.inside);
+    entry.inside.clear();
+    for (const auto& [instance, property] : inside) {
+        if (!tree.alive(instance) || !tree.alive(entry.handle)) continue;
+        try {
+            SceneEdit edit(tree, entry.scene, "journal");
+            edit.set(steps_below(instance, entry.handle), property.text(),
+                     image_now(tree, instance, property, true));
+            entry.scene = edit.text();
+        } catch (const Error&) {  // its shape has changed
+            try {
+                entry.scene = scene_of_new(entry.handle, nullptr);
+            } catch (const Error& error) {
+                warn(tree.path(entry.handle) + " cannot be journaled: " + error.what());
+            }
+        }
+    }
+}
+
+// --- Rows ----------------------------------------------------------------------------------------
+
+/// What a person has deleted since is named by nothing; undo may bring it back, so the entry itself
+/// keeps a path of it.
+template <class WithPaths>
+std::string Tweaks::State::without_deleted(const std::string& text, WithPaths with_paths) const {
+    if (deleted.empty() && created.empty()) return text;
+    try {
+        return with_paths([this](const std::string& path) -> std::optional<std::string> {
+            if (path.starts_with(deleted_name)) return std::string();
+            return std::nullopt;
+        });
+    } catch (const Error&) {  // what is wrong with it is told when it is kept
+        return text;
+    }
+}
+
+void Tweaks::State::refresh(Entry& entry) {
+    if (entry.row.kind == Kind::created || entry.row.kind == Kind::restored) {
+        refresh_created(entry);
+        entry.row.now = without_deleted(entry.scene, [&](const NewPath& path) {
+            return scene_with_paths(tree, entry.scene, path);
+        });
+        return;
+    }
+    if (entry.row.kind != Kind::value) return;
+    // Settled by now; any other value is what the person made it, whatever came of it since.
+    if (entry.now.kind == Image::Kind::formula && tree.alive(entry.handle))
+        entry.now = image_now(tree, entry.handle, entry.property, true);
+    entry.row.was = image_json(entry.was);
+    Image now = entry.now;
+    now.value = without_deleted(
+        now.value, [&](const NewPath& path) { return value_with_paths(now.value, path); });
+    entry.row.now = image_json(now);
+    std::tie(entry.row.was_text, entry.row.now_text) = change_text(entry.was, entry.now);
+}
+
+void Tweaks::State::commit() {
+    if (journal && journal->vanished()) {
+        for (const auto& each : entries) {
+            each->committed = false;
+            if (visible(*each) && !each->dirty) {
+                each->dirty = true;
+                dirty.push_back(each.get());
+            }
+        }
+    }
+    Journal::Changes changes;
+    for (Entry* entry : dirty) {
+        for (const auto text : {&JournalRow::was_text, &JournalRow::now_text})
+            entry->row.*text = shortened(entry->row.*text, longest_shown);
+        if (visible(*entry))
+            changes.put.push_back(&entry->row);
+        else if (entry->committed)
+            changes.withdrawn.push_back(entry->row.number);
+    }
+    changes.settled.assign(changed.begin(), changed.end());
+    for (const JournalRow& row : removed) changes.removed.push_back(&row);
+    try {
+        const bool nothing = changes.put.empty() && changes.withdrawn.empty() &&
+                             changes.settled.empty() && changes.removed.empty();
+        if (journal && !nothing && !journal->commit(changes))
+            return;  // another run is writing; the next barrier tries again
+    } catch (const std::exception& error) {
+        rest = barriers_of_rest;
+        const std::string reason = exception_text(error);
+        if (last_failure == reason) return;
+        last_failure = reason;
+        return warn("tweaks cannot be journaled: " + last_failure + "; " +
+                    std::to_string(changes.put.size()) +
+                    " wait for it and are lost if the game ends before");
+    }
+    for (Entry* entry : dirty) {
+        entry->dirty = false;
+        entry->committed = visible(*entry);
+    }
+    dirty.clear();
+    changed.clear();
+    removed.clear();
+    if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
+}
+
+/// The run ends: there is no next barrier.
+void Tweaks::State::tell_lost() const {
+    if (!journal) return;
+    const auto lost = std::count_if(dirty.begin(), dirty.end(),
+                                    [this](const Entry* entry) { return visible(*entry); });
+    if (lost > 0)
+        warn(std::to_string(lost) +
+             (lost == 1 ? " tweak is lost, since it" : " tweaks are lost, since they") +
+             " could not be journaled: " +
+             (last_failure.empty() ? "another run of the game is writing" : last_failure));
+}
+
+}  // namespace fettle::property

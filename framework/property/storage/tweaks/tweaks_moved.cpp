@@ -1,0 +1,278 @@
+// Tweaks: instances that get another name or another parent.
+
+#include <fettle/property/path.h>
+
+#include <scenes/scene_edit.h>
+#include <scenes/scene_names.h>
+#include <scenes/scene_text.h>
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string& old_name) {
+    const bool was = old_parent && tree.alive(old_parent) && attached(old_parent);
+    const bool is = attached(instance);
+    const std::string old_path = was ? path_below(tree.path(old_parent), old_name) : std::string();
+    if (was) rename_mentions(old_path, is ? tree.path(instance) : path_of_deleted(instance));
+    if (is_in_fresh.contains(key(instance))) return;
+    // What is inside of something new is a part of that, unless it has tweaks of its own.
+    const bool known = created.contains(key(instance)) || moved_entries.contains(key(instance));
+    const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
+    if (out_of_new && !known) return;
+    if (into_new || out_of_new) settle_fresh();
+    if (!was && is) return born(instance);
+    if (!was) return;
+    if (!is) return bury(instance, old_parent, old_path);
+    if (moved_with_creation(instance, old_parent, old_name, old_path)) return;
+    Entry*& its = moved_entries[key(instance)];
+    const bool first = its == nullptr;
+    if (first) its = &add_entry(Kind::moved, old_path, instance);
+    Entry& move = *its;
+    if (first) move.gone = true;                      // until it says where it was
+    if (first || move.row.state == RowState::kept) {  // its home is what the files say now
+        move.row.instance = path_below(home_of(old_parent), old_name);
+        move.row.now = old_path;
+        tell_origin(move, instance);
+    }
+    repath(instance, old_path);
+    move.row.now = tree.path(instance);
+    move.row.was_text = move.row.instance;
+    move.row.now_text = "moved to " + move.row.now;
+    touch(move);
+    move.gone = is_home(move);
+    if (Entry* above = into_new ? created_above(tree.parent(instance)) : nullptr)
+        above->scene = scene_of_new(above->handle, nullptr);
+}
+
+bool Tweaks::State::is_home(const Entry& move) const {
+    return path_below(home_of(tree.parent(move.handle)), tree.name(move.handle)) ==
+           move.row.instance;
+}
+
+/// After its deletion was undone: its instance may have got its earlier name again by then.
+void Tweaks::State::find_again(Entry& its) {
+    if (!tree.alive(its.handle) || !attached(its.handle)) return;
+    const std::string path = tree.path(its.handle);
+    if (its.row.kind == Kind::moved) {
+        its.row.now = path;
+        its.row.now_text = "moved to " + path;
+        its.gone = is_home(its);
+    } else if (its.row.kind == Kind::value || its.row.kind == Kind::created) {
+        its.row.instance = path;
+        if (its.row.kind == Kind::value)
+            by_key[key_of(Kind::value, path, its.row.property)] = &its;
+        else
+            (void)rename_scene(its);
+    }
+}
+
+/// The home path of an instance.
+std::string Tweaks::State::home_of(Handle instance) const {
+    std::vector<std::string> names;
+    std::string home = "game";
+    for (Handle at = instance; at && at != tree.root(); at = tree.parent(at)) {
+        const auto found = moved_entries.find(key(at));
+        if (found != moved_entries.end() && !found->second->gone &&
+            found->second->row.state != RowState::kept) {
+            home = found->second->row.instance;
+            break;
+        }
+        names.push_back(tree.name(at));
+    }
+    for (auto name = names.rbegin(); name != names.rend(); ++name) home = path_below(home, *name);
+    return home;
+}
+
+/// Of a new instance: its name now. False for a name that no file can hold.
+bool Tweaks::State::rename_scene(Entry& made) const {
+    try {
+        SceneEdit edit(tree, made.scene, "journal");
+        edit.rename({}, tree.name(made.handle));
+        made.scene = edit.text();
+        return true;
+    } catch (const Error&) {  // told when it is kept
+        return false;
+    }
+}
+
+InstanceMoves Tweaks::State::moves() const {
+    InstanceMoves all;
+    for (const auto& each : entries)
+        if (each->row.kind == Kind::moved && !each->gone && each->row.state != RowState::kept)
+            all.add(each->row.instance, each->row.now);
+    return all;
+}
+
+void Tweaks::State::homes_changed(const NewPath& now_at) {
+    for (const auto& each : entries) {
+        JournalRow& row = each->row;
+        if (row.kind == Kind::value || row.kind == Kind::created) continue;
+        const std::optional<std::string> now = now_at(row.instance);
+        if (!now || *now == row.instance) continue;
+        if (row.kind != Kind::moved) rekey(*each, *now);
+        row.instance = *now;
+        if (row.kind == Kind::moved) row.was_text = row.instance;
+        if (row.state == RowState::open && !each->gone) touch(*each);
+    }
+}
+
+void Tweaks::State::steps_renamed(const std::filesystem::path& file,
+                                  const SceneOrigins::Names& names) {
+    const auto rename = [&](JournalRow& row) {
+        if (row.file == file.string() && !row.inside.empty())
+            row.inside = steps_text(renamed_steps(read_steps(row.inside), names));
+    };
+    for (const auto& each : entries) rename(each->row);
+    for (JournalRow& row : earlier) rename(row);
+}
+
+void Tweaks::State::file_says(const JournalRow& row) {
+    const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
+    if (found != by_key.end()) found->second->was = read_image(row.now);
+}
+
+/// The entry is found by the other path from now on.
+void Tweaks::State::rekey(Entry& its, const std::string& path) {
+    const auto found = by_key.find(key_of(its.row.kind, its.row.instance, its.row.property));
+    if (found == by_key.end() || found->second != &its) return;
+    by_key.erase(found);
+    by_key[key_of(its.row.kind, path, its.row.property)] = &its;
+}
+
+/// What an edit has made is one tweak: it is made under the name and the parent that it has now.
+/// False where no edit has made it that can still be changed.
+bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
+                                        const std::string& old_name, const std::string& old_path) {
+    const auto known = created.find(key(instance));
+    if (known != created.end()) {
+        Entry& made = *known->second;
+        if (made.gone || made.row.state != RowState::open) return false;
+        if (!rename_scene(made)) return false;
+        repath(instance, old_path);
+        made.row.file.clear();
+        made.row.inside.clear();
+        tell_origin(made, tree.parent(instance));
+        touch(made);
+        return true;
+    }
+    Entry* above = created_above(old_parent);
+    if (above == nullptr) return false;
+    if (created_above(tree.parent(instance)) != above) {
+        if (!taken_out_of_creation(old_name, old_parent)) return false;
+        born(instance);  // it is new by itself from now on
+        return true;
+    }
+    refresh_created(*above);  // what was edited so far has the old names
+    try {
+        if (tree.parent(instance) != old_parent)
+            throw Error(ErrorKind::bad_structure, "it has another shape now");
+        SceneSteps steps = steps_below(old_parent, above->handle);
+        steps.push_back({old_name, no_place});
+        SceneEdit edit(tree, above->scene, "journal");
+        edit.rename(steps, tree.name(instance));
+        above->scene = edit.text();
+    } catch (const Error&) {
+        try {
+            above->scene = scene_of_new(above->handle, nullptr);
+        } catch (const Error& error) {
+            warn(tree.path(above->handle) + " cannot be journaled: " + error.what());
+        }
+    }
+    repath(instance, old_path);
+    touch(*above);
+    return true;
+}
+
+/// Tweaks of what is at the instance or below it, and those that name it, say where it is now.
+void Tweaks::State::repath(Handle instance, const std::string& old_path) {
+    const NewPath now_at = moved_path(old_path, tree.path(instance));
+    for (const auto& each : entries) {
+        Entry& its = *each;
+        if (its.row.state == RowState::kept && its.row.kind != Kind::value) continue;
+        if (its.row.kind == Kind::restored) continue;  // it says the home path
+        const bool open = its.row.state == RowState::open && !its.gone;
+        if (its.row.kind == Kind::moved || its.row.kind == Kind::deleted) {
+            if (const auto now = now_at(its.row.now)) {
+                its.row.now = *now;
+                if (open) touch(its);
+            }
+            continue;
+        }
+        const bool about = tree.alive(its.handle) &&
+                           (its.handle == instance || tree.is_below(its.handle, instance));
+        if (const auto now = now_at(its.row.instance); now && about) {
+            rekey(its, *now);
+            its.row.instance = *now;
+            if (open) touch(its);
+        }
+    }
+}
+
+void Tweaks::State::rename_mentions(const std::string& from, const std::string& to) {
+    const NewPath now_at = moved_path(from, to);
+    const std::string quoted = mention_of(from);
+    std::vector<std::pair<const Entry*, std::string>> values_named_again;
+    for (const auto& each : entries) {
+        Entry& its = *each;
+        const bool open = its.row.state == RowState::open && !its.gone;
+        bool renamed = false;
+        const auto rename_in = [&](std::string& text, auto with_paths) {
+            if (text.find(quoted) == std::string::npos) return;
+            text = with_paths(text);
+            renamed = true;
+        };
+        try {
+            if (its.row.kind == Kind::value)
+                for (Image* image : {&its.was, &its.now})
+                    rename_in(image->value, [&](const std::string& value) {
+                        return value_with_paths(value, now_at);
+                    });
+            else
+                rename_in(its.scene, [&](const std::string& scene) {
+                    return scene_with_paths(tree, scene, now_at);
+                });
+        } catch (const Error&) {  // what is wrong with it is told when it is kept
+        }
+        if (renamed && open) touch(its);
+        // It was kept as a reference to nothing, while what it names was deleted.
+        if (!renamed || its.row.state != RowState::kept || its.gone ||
+            !from.starts_with(deleted_name))
+            continue;
+        if (its.row.kind == Kind::value) {
+            its.was.value = "null";
+            touch(its);
+        } else if (its.row.kind == Kind::created && tree.alive(its.handle)) {
+            values_named_again.emplace_back(&its, to);
+        }
+    }
+    for (const auto& [its, path] : values_named_again) name_again(*its, path);
+}
+
+/// New instances that were kept and name what is back have values that were kept without it.
+void Tweaks::State::name_again(const Entry& made, const std::string& path) {
+    const NewPath none = [&](const std::string& named) -> std::optional<std::string> {
+        if (is_at_or_below(named, path)) return std::string();
+        return std::nullopt;
+    };
+    const SceneEdit scene(tree, made.scene, "journal");
+    for (const SceneEdit::NamingValue& each : scene.naming_values(none)) {
+        Handle instance = made.handle;
+        for (const SceneStep& step : each.steps)
+            if (instance) instance = tree.child(instance, step.name);
+        const Property* property =
+            instance ? tree.find(instance, scene.document().key(*each.node)) : nullptr;
+        if (property == nullptr) continue;
+        const std::size_t known = entries.size();
+        Entry& its = entry(Kind::value, tree.path(instance), property->name, instance);
+        if (entries.size() > known) {
+            its.was.kind = Image::Kind::by_default;
+            tell_origin(its, instance);
+        }
+        its.property = property->symbol;
+        its.now = image_now(tree, instance, property->symbol, false);
+        its.gone = false;
+        touch(its);
+    }
+}
+
+}  // namespace fettle::property
