@@ -1,4 +1,4 @@
-#include "../../framework/app/area.h"
+#include <draw/area.h>
 
 #include <catch.h>
 

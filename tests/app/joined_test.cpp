@@ -1,4 +1,4 @@
-#include "../../framework/app/joined.h"
+#include <draw/joined.h>
 
 #include <catch.h>
 

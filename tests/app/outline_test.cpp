@@ -1,4 +1,4 @@
-#include "../../framework/app/outline.h"
+#include <draw/outline.h>
 
 #include <catch.h>
 

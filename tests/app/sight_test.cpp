@@ -1,4 +1,4 @@
-#include "../../framework/app/sight.h"
+#include <draw/sight.h>
 
 #include <catch.h>
 

@@ -97,6 +97,27 @@ const std::vector<DividedPart>& divided_parts() {
               {"text", "reference", "lua", "values", "calls", "handlers", "objects", "library"}},
              {"runtime", {"lua", "values", "calls", "handlers", "objects", "library", "console"}},
          }},
+        {"app",
+         "framework/app/",
+         {},
+         {
+             {"sfml", {}},
+             {"draw", {"sfml"}},
+             {"window", {"sfml", "draw"}},
+             {"input", {}},
+             {"time", {}},
+             {"loop", {"time"}},
+         }},
+        {"console",
+         "console/",
+         {"include"},
+         {
+             {"model", {}},
+             {"look", {"model"}},
+             {"inspector", {"model", "look"}},
+             {"views", {"model", "look"}},
+             {"panel", {"model", "look", "inspector", "views"}},
+         }},
     };
     return table;
 }

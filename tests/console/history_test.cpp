@@ -1,4 +1,4 @@
-#include "history.h"
+#include <model/history.h>
 
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // The inspector, with a mouse.
 
+#include <inspector/instance_tree.h>
 #include "catch.h"
-#include "instance_tree.h"
 #include "rig.h"
 
 namespace inspector_test {

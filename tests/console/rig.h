@@ -12,8 +12,8 @@
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 
+#include <panel/state.h>
 #include "raster_surface.h"
-#include "state.h"
 
 namespace fettle::console::test {
 

@@ -1,7 +1,7 @@
-#include "text_edit.h"
+#include <model/text_edit.h>
 
+#include <model/utf8.h>
 #include "catch.h"
-#include "utf8.h"
 
 namespace text_edit_test {
 

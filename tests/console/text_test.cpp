@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include <model/highlight.h>
+#include <model/log.h>
 #include "catch.h"
-#include "highlight.h"
-#include "log.h"
 
 namespace text_test {
 

@@ -1,0 +1,252 @@
+#include <inspector/inspector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <look/imgui_compat.h>
+#include <look/theme.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Property;
+
+Inspector::Inspector(property::Tree& tree) : tree_(tree), outline_(tree), editor_(tree) {
+    editor_.follow = [this](Handle instance) { choose(instance); };
+}
+
+void Inspector::select(Handle instance, const std::string& property) {
+    if (!tree_.alive(instance)) return;
+    selected_ = instance;
+    outline_.reveal(instance);
+    scroll_to_selected_ = true;
+    scroll_to_property_ = property;
+}
+
+void Inspector::choose(Handle instance) {
+    select(instance);
+    if (chosen) chosen(instance);
+}
+
+void Inspector::draw(ImFont* bold) {
+    editor_.begin_frame();
+    ImGui::SetNextItemWidth(-1);
+    input_line("##search", "search by name or class", search_, 0);
+    outline_.search(search_);
+    float available = ImGui::GetContentRegionAvail().y;
+    bool alone = !tree_.alive(selected_);
+    float below = 2.5f * ImGui::GetTextLineHeightWithSpacing();
+    draw_outline(
+        std::max(1.0f, std::floor(alone ? available - below : available * outline_share_)));
+    if (!alone) draw_splitter();
+    if (!tree_.alive(selected_)) {
+        ImGui::Spacing();
+        ImGui::PushTextWrapPos(0);
+        if (selected_)
+            ImGui::TextDisabled("%s was deleted", last_path_.c_str());
+        else
+            ImGui::TextDisabled("Click a body in the game, or a name above.");
+        ImGui::PopTextWrapPos();
+    } else {
+        last_path_ = tree_.path(selected_);
+        draw_header(bold);
+        ImGui::BeginChild("properties");
+        draw_properties(bold);
+        ImGui::EndChild();
+    }
+    editor_.end_frame();
+}
+
+// --- Outline
+// --------------------------------------------------------------------------------------------------------
+
+void Inspector::draw_outline(float height) {
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::well);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 0));
+    ImGui::BeginChild("outline", ImVec2(0, height));
+    const auto& rows = outline_.rows(ImGui::GetTime());
+    float row_height = ImGui::GetFrameHeight();
+    if (scroll_to_selected_) {
+        std::ptrdiff_t row = outline_.row_of(selected_);
+        float y = static_cast<float>(row) * row_height;
+        float view = ImGui::GetScrollY();
+        if (row >= 0 && (y < view || y + row_height > view + height))
+            ImGui::SetScrollY(std::max(0.0f, y - height / 2));
+        scroll_to_selected_ = false;
+    }
+    if (rows.empty()) ImGui::TextDisabled(" nothing is called that");
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()), row_height);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            // A copy: folding a row takes the list anew in the next frame only.
+            draw_outline_row(InstanceTree::Row(rows[static_cast<std::size_t>(i)]));
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+void Inspector::draw_outline_row(const InstanceTree::Row& row) {
+    float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    if (!tree_.alive(row.instance)) {
+        ImGui::Dummy(ImVec2(width, height));
+        return;
+    }
+    ImGui::PushID(static_cast<int>(row.instance.index));
+    float em = ImGui::GetFontSize();
+    float x = at.x + em * (0.3f + 0.85f * static_cast<float>(row.depth));
+    ImGui::InvisibleButton("row", ImVec2(std::max(width, 1.0f), height));
+    bool hovered = ImGui::IsItemHovered();
+    if (ImGui::IsItemClicked(0)) {
+        bool on_arrow = row.has_children && ImGui::GetIO().MousePos.x < x + em;
+        if (on_arrow || (row.has_children && ImGui::IsMouseDoubleClicked(0)))
+            outline_.fold(row.instance, !row.unfolded);
+        if (!on_arrow) choose(row.instance);
+    }
+    ImGui::PopID();
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 end(at.x + width, at.y + height);
+    bool chosen_row = row.instance == selected_;
+    if (chosen_row || hovered)
+        list.AddRectFilled(at, end, chosen_row ? palette::selection : palette::rgb(0x1b2029),
+                           ImGui::GetStyle().FrameRounding);
+    float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
+    if (row.has_children) draw_text(list, ImVec2(x, y), palette::dim, row.unfolded ? "▾" : "▸");
+    const property::Class& kind = tree_.class_of(row.instance);
+    x += em;
+    list.AddCircleFilled(ImVec2(x + em * 0.2f, at.y + height / 2), em * 0.2f,
+                         class_color(kind.name()));
+    x += em * 0.7f;
+    float class_width = text_width(kind.name()) + em * 0.5f;
+    std::string name =
+        outline_.searched().empty() ? tree_.name(row.instance) : tree_.path(row.instance);
+    if (name.empty()) name = tree_.path(row.instance);
+    draw_text_fit(list, ImVec2(x, y), palette::text, name, end.x - class_width - x - em * 0.5f);
+    draw_text(list, ImVec2(end.x - class_width, y), palette::faint, kind.name());
+}
+
+void Inspector::draw_splitter() {
+    float thickness = std::max(6.0f, std::floor(ImGui::GetFontSize() * 0.4f));
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float width = ImGui::GetContentRegionAvail().x;
+    ImGui::InvisibleButton("splitter", ImVec2(std::max(1.0f, width), thickness));
+    bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    if (ImGui::IsItemActive()) {
+        float whole = std::max(1.0f, ImGui::GetWindowHeight());
+        outline_share_ =
+            std::clamp(outline_share_ + ImGui::GetIO().MouseDelta.y / whole, 0.1f, 0.85f);
+    }
+    float y = at.y + thickness / 2;
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x, y), ImVec2(at.x + width, y),
+                                        hot ? palette::accent : palette::line);
+}
+
+// --- The selected instance
+// ------------------------------------------------------------------------------------------
+
+void Inspector::draw_header(ImFont* bold) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float width = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
+    std::string class_name = tree_.class_of(selected_).name();
+    float class_width = text_width(class_name) + em * 0.8f;
+    ImGui::Dummy(ImVec2(width, em * 1.5f));
+    float y = at.y + em * 0.25f;
+    compat::push_font(bold);
+    draw_text_fit(list, ImVec2(at.x, y), palette::text, last_path_,
+                  width - class_width - em * 0.5f);
+    ImGui::PopFont();
+    ImVec2 low(at.x + width - class_width, at.y + em * 0.1f);
+    list.AddRectFilled(low, ImVec2(at.x + width, low.y + em * 1.3f),
+                       with_alpha(class_color(class_name), 0.18f), em * 0.65f);
+    draw_text(list, ImVec2(low.x + em * 0.4f, y), class_color(class_name), class_name);
+}
+
+bool Inspector::group(const std::string& title, bool open, ImFont* bold) {
+    compat::push_font(bold);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+    bool unfolded =
+        ImGui::CollapsingHeader(title.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    return unfolded;
+}
+
+void Inspector::draw_properties(ImFont* bold) {
+    ImGui::PushID(static_cast<int>(selected_.index));
+    const property::Class* owner = nullptr;
+    bool unfolded = true;
+    Handle shown = selected_;
+    const std::vector<const Property*> properties = tree_.properties(shown);
+    for (const Property* property : properties) {
+        if (property->hidden) continue;
+        bool ad_hoc = property->binding.kind == property::BindingKind::ad_hoc;
+        const property::Class* now = ad_hoc ? nullptr : property->owner;
+        if (now != owner || (owner == nullptr && property == properties.front())) {
+            owner = now;
+            unfolded = group(now != nullptr ? now->name() : "added here", true, bold);
+        }
+        if (property->name == scroll_to_property_) {
+            ImGui::SetScrollHereY(0.3f);
+            scroll_to_property_.clear();
+        }
+        bool edited = unfolded && editor_.draw(shown, *property, bold);
+        if (shown != selected_ || !tree_.alive(shown)) break;  // a link was followed
+        if (edited && tree_.properties(shown).size() != properties.size()) break;
+    }
+    if (tree_.alive(shown) && shown == selected_) {
+        if (!tree_.class_of(shown).methods().empty() && group("methods", false, bold))
+            draw_methods();
+        std::size_t children = tree_.child_count(shown);
+        std::string title = "children (" + std::to_string(children) + ")###children";
+        if (children > 0 && group(title, true, bold)) draw_children();
+    }
+    ImGui::PopID();
+}
+
+void Inspector::draw_methods() {
+    for (const property::Method* method : tree_.class_of(selected_).methods()) {
+        std::string line = method->name + "(";
+        for (std::size_t i = 0; i < method->parameters.size(); ++i)
+            line += (i > 0 ? ", " : "") + method->parameters[i].name +
+                    (i >= method->required ? "?" : "");
+        line += ")";
+        if (ImGui::Selectable(line.c_str()) && insert)
+            insert(tree_.path(selected_) + ":" + method->name + "(");
+        if (ImGui::IsItemHovered() && !method->doc.empty()) {
+            ImGui::BeginTooltip();
+            ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
+            ImGui::TextUnformatted(method->doc.c_str());
+            ImGui::PopTextWrapPos();
+            ImGui::EndTooltip();
+        }
+    }
+}
+
+void Inspector::draw_children() {
+    constexpr int most = 100;  // the outline above shows them all
+    int shown = 0;
+    float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    Handle chosen_child;
+    for (Handle child = tree_.first_child(selected_); child && shown < most;
+         child = tree_.next_sibling(child), ++shown) {
+        ImGui::PushID(static_cast<int>(child.index));
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
+        if (ImGui::Selectable(tree_.name(child).c_str())) chosen_child = child;
+        ImGui::PopStyleColor();
+        std::string kind = tree_.class_of(child).name();
+        ImGui::SameLine(right - text_width(kind) - ImGui::GetStyle().ItemSpacing.x);
+        ImGui::TextDisabled("%s", kind.c_str());
+        ImGui::PopID();
+    }
+    std::size_t count = tree_.child_count(selected_);
+    if (count > static_cast<std::size_t>(most))
+        ImGui::TextDisabled("and %zu more", count - static_cast<std::size_t>(most));
+    if (chosen_child) choose(chosen_child);
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,108 @@
+#include <inspector/instance_tree.h>
+
+#include <algorithm>
+
+namespace fettle::console {
+
+using property::Handle;
+
+namespace {
+
+constexpr double refresh_seconds = 0.2;       // after instances came or went
+constexpr double slow_refresh_seconds = 1.0;  // in case some moved or were renamed
+constexpr std::size_t slow_refresh_rows = 5000;
+
+std::uint64_t key(Handle instance) {
+    return std::uint64_t{instance.generation} << 32 | instance.index;
+}
+
+bool contains(std::string_view text, std::string_view part) {
+    auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    auto same = [&](char a, char b) { return lower(a) == lower(b); };
+    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+}  // namespace
+
+InstanceTree::InstanceTree(const property::Tree& tree) : tree_(tree) {
+    fold(tree.root(), true);
+    if (Handle world = tree.child(tree.root(), "world")) fold(world, true);
+}
+
+bool InstanceTree::unfolded(Handle instance) const {
+    return unfolded_.contains(key(instance));
+}
+
+void InstanceTree::fold(Handle instance, bool unfolded) {
+    if (unfolded)
+        unfolded_.insert(key(instance));
+    else
+        unfolded_.erase(key(instance));
+    stale_ = true;
+}
+
+void InstanceTree::reveal(Handle instance) {
+    for (Handle above = tree_.parent(instance); above; above = tree_.parent(above))
+        if (!unfolded(above)) fold(above, true);
+}
+
+void InstanceTree::search(std::string_view text) {
+    if (text == search_) return;
+    search_ = text;
+    stale_ = true;
+}
+
+const std::vector<InstanceTree::Row>& InstanceTree::rows(double now) {
+    double age = now - taken_at_;
+    bool changed = tree_.size() != taken_size_ && age > refresh_seconds;
+    bool old = age > slow_refresh_seconds && tree_.size() < slow_refresh_rows;
+    if (stale_ || changed || old) {
+        rows_.clear();
+        if (search_.empty())
+            take_outline();
+        else
+            take_matches();
+        stale_ = false;
+        taken_at_ = now;
+        taken_size_ = tree_.size();
+    }
+    return rows_;
+}
+
+void InstanceTree::take_outline() {
+    // In place of recursion: the next row is the first child, the next sibling, or that of the
+    // nearest parent that has one.
+    Handle at = tree_.root();
+    std::uint32_t depth = 0;
+    while (at) {
+        Handle child = tree_.first_child(at);
+        bool open = child && unfolded(at);
+        rows_.push_back({at, depth, static_cast<bool>(child), open});
+        if (open) {
+            at = child;
+            ++depth;
+            continue;
+        }
+        while (at && depth > 0 && !tree_.next_sibling(at)) {
+            at = tree_.parent(at);
+            --depth;
+        }
+        at = depth > 0 ? tree_.next_sibling(at) : Handle{};
+    }
+}
+
+void InstanceTree::take_matches() {
+    tree_.each_below(tree_.root(), [&](Handle instance) {
+        if (contains(tree_.name(instance), search_) ||
+            contains(tree_.class_of(instance).name(), search_))
+            rows_.push_back({instance, 0, false, false});
+    });
+}
+
+std::ptrdiff_t InstanceTree::row_of(Handle instance) const {
+    auto found = std::find_if(rows_.begin(), rows_.end(),
+                              [&](const Row& row) { return row.instance == instance; });
+    return found == rows_.end() ? -1 : found - rows_.begin();
+}
+
+}  // namespace fettle::console

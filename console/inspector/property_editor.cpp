@@ -1,0 +1,468 @@
+#include <inspector/property_editor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+
+#include <fettle/property/exception_text.h>
+
+#include <look/imgui_compat.h>
+#include <look/theme.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::List;
+using property::Property;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+constexpr float label_share = 0.40f;
+constexpr int visible_elements = 12;
+
+Value zero_of(Type type) {
+    switch (type) {
+        case Type::boolean:
+            return Value(false);
+        case Type::integer:
+            return Value(0);
+        case Type::number:
+            return Value(0.0);
+        case Type::text:
+            return Value("");
+        case Type::vec2:
+            return Value(Vec2(0, 0));
+        case Type::color:
+            return Value(property::Color{});
+        case Type::list:
+            return Value(List{});
+        default:
+            return Value();
+    }
+}
+
+bool small_button(const char* id, const char* sign, const char* tip) {
+    float side = ImGui::GetFrameHeight();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    bool hovered = ImGui::IsItemHovered();
+    if (hovered) {
+        list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), palette::hover,
+                           ImGui::GetStyle().FrameRounding);
+        ImGui::SetTooltip("%s", tip);
+    }
+    ImVec2 middle(at.x + (side - text_width(sign)) / 2,
+                  at.y + (side - ImGui::GetTextLineHeight()) / 2);
+    draw_text(list, middle, hovered ? palette::accent : palette::dim, sign);
+    return pressed;
+}
+
+}  // namespace
+
+std::string describe(const property::Tree& tree, const Property& property) {
+    std::string out = property.any_type ? "any type" : std::string(type_name(property.type));
+    if (property.type == Type::list && property.element != Type::nil)
+        out += " of " + std::string(type_name(property.element));
+    if (!property.reference_class.empty()) out += " to " + property.reference_class;
+    if (!property.unit.empty()) out += " · " + property.unit;
+    if (property.range.bounded())
+        out += " · " + property::number_text(property.range.min, property.precision()) + " to " +
+               property::number_text(property.range.max, property.precision());
+    if (property.read_only)
+        out += " · read-only";
+    else if (!property.any_type)
+        out += " · default " + tree.text(property.default_value, property.precision());
+    return out;
+}
+
+void PropertyEditor::attempt(const Target& target, const std::function<void()>& edit) {
+    edited_ = true;
+    // From the press of the mouse to its release all edits are one step of undo.
+    if (!dragging_ && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        dragging_ = true;
+        tree_.begin_edit("edit " + tree_.path(target.instance, *target.property), false);
+    }
+    try {
+        property::Tree::CauseScope cause(tree_, property::Writer::inspector);
+        edit();
+        problems_.erase(target.property);
+    } catch (const std::exception& error) {
+        problems_[target.property] = property::exception_text(error);
+    }
+}
+
+void PropertyEditor::begin_frame() {
+    widgets_.clear();
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) end_drag();
+}
+
+void PropertyEditor::end_drag() {
+    if (!dragging_) return;
+    dragging_ = false;
+    tree_.end_edit();
+}
+
+void PropertyEditor::write(const Target& target, const Value& value) {
+    attempt(target, [&] { tree_.set(target.instance, *target.property, value); });
+}
+
+Rect PropertyEditor::widget_rect(const Property& property) const {
+    auto found = widgets_.find(&property);
+    return found == widgets_.end() ? Rect() : found->second;
+}
+
+std::string PropertyEditor::problem(const Property& property) const {
+    auto found = problems_.find(&property);
+    return found == problems_.end() ? std::string() : found->second;
+}
+
+// --- The row
+// --------------------------------------------------------------------------------------------------------
+
+bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
+    if (problems_of_ != instance) forget();
+    problems_of_ = instance;
+    edited_ = false;
+    Target target{instance, &property};
+    float available = ImGui::GetContentRegionAvail().x;
+    bool tall = property.type == Type::list || property.any_type;
+    bool plain = !tall && !problems_.contains(&property) && tree_.formula_count() == 0;
+    if (plain && !ImGui::IsRectVisible(ImVec2(available, ImGui::GetFrameHeight()))) {
+        ImGui::Dummy(ImVec2(available, ImGui::GetFrameHeight()));
+        return false;
+    }
+    ImGui::PushID(&property);
+    float start = ImGui::GetCursorPosX();
+    float label_width = std::floor(available * label_share);
+    bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
+    const property::Formula* formula = tree_.formula(instance, property);
+    std::string source = formula != nullptr ? formula->source : std::string();
+    std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
+    bool resettable = !property.read_only && !ad_hoc && tree_.overridden(instance, property);
+    bool gone = false;
+    label(target, label_width, resettable, formula != nullptr, bold);
+    ImGui::SameLine(start + label_width);
+    try {
+        // Of a formula in error the last good value; what is wrong stands below.
+        Value value =
+            formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
+        float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+        ImGui::BeginGroup();
+        widget(target, value, available - label_width - button);
+        ImGui::EndGroup();
+        widgets_[&property] = item_rect();
+        if (resettable || ad_hoc) {
+            ImGui::SameLine(start + available - ImGui::GetFrameHeight());
+            gone = reset_button(target);
+        }
+    } catch (const std::exception& error) {
+        problems_[&property] = property::exception_text(error);
+    }
+    if (std::string typed = fields_.take_problem(); !typed.empty()) {
+        problems_[&property] = typed;
+        edited_ = true;  // an expression was run
+    }
+    if (!gone) {
+        remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
+        remark(start + label_width, palette::error, wrong);
+        remark(start + label_width, palette::error, problem(property));
+    }
+    ImGui::PopID();
+    return edited_;
+}
+
+void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {
+    if (text.empty()) return;
+    ImGui::SetCursorPosX(left);
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+void PropertyEditor::label(const Target& target, float width, bool overridden, bool formula,
+                           ImFont* bold) {
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float mark = ImGui::GetFontSize() * 0.7f;
+    ImGui::Dummy(ImVec2(width - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float y = at.y + ImGui::GetStyle().FramePadding.y;
+    if (formula)
+        draw_text(list, ImVec2(at.x - mark * 0.1f, y), palette::note, "ƒ");
+    else if (overridden)
+        list.AddCircleFilled(ImVec2(at.x + mark * 0.35f, at.y + ImGui::GetFrameHeight() / 2),
+                             ImGui::GetFontSize() * 0.14f, palette::accent);
+    ImU32 color = target.property->read_only ? palette::dim : palette::text;
+    draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name,
+                  width - mark - ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::IsItemHovered()) tooltip(target, bold);
+}
+
+void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
+    compat::push_font(bold);
+    ImGui::TextUnformatted(target.property->name.c_str());
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+    ImGui::TextUnformatted(describe(tree_, *target.property).c_str());
+    ImGui::PopStyleColor();
+    if (!target.property->doc.empty()) ImGui::TextUnformatted(target.property->doc.c_str());
+    for (const std::string& source : target.property->derives_from)
+        ImGui::BulletText("from %s", source.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
+    ImGui::TextUnformatted(tree_.path(target.instance, *target.property).c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool PropertyEditor::reset_button(const Target& target) {
+    if (target.property->binding.kind == property::BindingKind::ad_hoc) {
+        if (!small_button("remove", "×", "remove this property")) return false;
+        attempt(target, [&] { tree_.remove_ad_hoc(target.instance, target.property->name); });
+        return !problems_.contains(target.property);
+    }
+    std::string tip =
+        "back to " + tree_.text(target.property->default_value, target.property->precision());
+    if (target.property->binding.reset != nullptr) tip = "back to what its owner computes";
+    if (small_button("reset", "↺", tip.c_str()))
+        attempt(target, [&] { tree_.reset(target.instance, *target.property); });
+    return false;
+}
+
+// --- Widgets
+// --------------------------------------------------------------------------------------------------------
+
+void PropertyEditor::widget(const Target& target, const Value& value, float width) {
+    Type type = value.is_nil() || target.property->any_type ? value.type() : target.property->type;
+    // What refers elsewhere can be followed even where it cannot be changed.
+    bool greyed = target.property->read_only && type != Type::reference && type != Type::list;
+    ImGui::BeginDisabled(greyed);
+    switch (type) {
+        case Type::nil:
+            nil(target, width);
+            break;
+        case Type::boolean:
+            boolean(target, value);
+            break;
+        case Type::integer:
+        case Type::number:
+            number(target, value, width);
+            break;
+        case Type::text:
+            if (target.property->enumerators.empty())
+                text(target, value, width);
+            else
+                enumerator(target, value, width);
+            break;
+        case Type::vec2:
+            vector(target, value, width);
+            break;
+        case Type::color:
+            color(target, value, width);
+            break;
+        case Type::reference:
+            editable_reference(target, value.reference(), width);
+            break;
+        case Type::list:
+            list(target, value, width);
+            break;
+    }
+    ImGui::EndDisabled();
+}
+
+NumberLook PropertyEditor::look_of(const Property& property) {
+    NumberLook look;
+    look.unit = property.unit;
+    look.range = property.range;
+    look.precision = property.precision();
+    return look;
+}
+
+void PropertyEditor::boolean(const Target& target, const Value& value) {
+    bool checked = value.boolean();
+    if (ImGui::Checkbox("##value", &checked)) write(target, Value(checked));
+}
+
+void PropertyEditor::number(const Target& target, const Value& value, float width) {
+    NumberLook look = look_of(*target.property);
+    look.integer = value.is(Type::integer);
+    auto changed = fields_.number("##value", value.as_double(), look, width);
+    if (!changed) return;
+    bool whole = look.integer && *changed == std::floor(*changed) && std::abs(*changed) < 9e15;
+    write(target, whole ? Value(static_cast<std::int64_t>(*changed)) : Value(*changed));
+}
+
+void PropertyEditor::text(const Target& target, const Value& value, float width) {
+    if (auto changed = fields_.text("##value", value.text(), width)) write(target, Value(*changed));
+}
+
+void PropertyEditor::enumerator(const Target& target, const Value& value, float width) {
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo("##value", value.text().c_str())) return;
+    for (const std::string& name : target.property->enumerators) {
+        bool current = name == value.text();
+        if (ImGui::Selectable(name.c_str(), current)) write(target, Value(name));
+        if (current) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+}
+
+std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 value, float width) {
+    NumberLook look = look_of(*target.property);
+    look.unit = {};
+    float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    float half = std::floor((width - gap) / 2);
+    look.label = "x";
+    auto x = fields_.number("##x", value.x(), look, half);
+    ImGui::SameLine(0, gap);
+    look.label = "y";
+    auto y = fields_.number("##y", value.y(), look, width - gap - half);
+    if (!x && !y) return std::nullopt;
+    return Vec2(x.value_or(value.x()), y.value_or(value.y()));
+}
+
+void PropertyEditor::vector(const Target& target, const Value& value, float width) {
+    if (auto changed = vector_fields(target, value.vec2(), width)) write(target, Value(*changed));
+}
+
+void PropertyEditor::color(const Target& target, const Value& value, float width) {
+    property::Color c = value.color();
+    std::array<float, 4> channels = {c.r, c.g, c.b, c.a};
+    ImGui::SetNextItemWidth(width);
+    int flags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_AlphaPreviewHalf |
+                ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_PickerHueWheel;
+    if (ImGui::ColorEdit4("##value", channels.data(), flags))
+        write(target, Value(property::Color{channels[0], channels[1], channels[2], channels[3]}));
+}
+
+void PropertyEditor::reference(Handle to, float width) {
+    bool alive = tree_.alive(to);
+    std::string name = alive ? tree_.path(to) : to ? "(deleted)" : "none";
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool clicked = ImGui::InvisibleButton("link", ImVec2(width, ImGui::GetFrameHeight()));
+    bool hovered = alive && ImGui::IsItemHovered();
+    ImVec2 text(at.x, at.y + ImGui::GetStyle().FramePadding.y);
+    draw_text_fit(*ImGui::GetWindowDrawList(), text, alive ? palette::path : palette::dim, name,
+                  width);
+    if (hovered) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        float y = std::round(text.y + ImGui::GetTextLineHeight()) - 1;
+        float end = text.x + std::min(width, text_width(name));
+        ImGui::GetWindowDrawList()->AddLine(ImVec2(text.x, y), ImVec2(end, y), palette::path);
+    }
+    if (clicked && alive && follow) follow(to);
+}
+
+void PropertyEditor::editable_reference(const Target& target, Handle to, float width) {
+    if (target.property->read_only || target.property->any_type) {
+        reference(to, width);
+        return;
+    }
+    float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    reference(to, width - button);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (auto chosen = references_.draw(*target.property, to))
+        write(target, *chosen ? Value(*chosen) : Value());
+}
+
+void PropertyEditor::nil(const Target& target, float width) {
+    Type type = target.property->type;
+    if (type == Type::reference) {
+        editable_reference(target, {}, width);
+        return;
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("nil");
+    if (target.property->read_only || type == Type::nil) return;
+    ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 2);
+    if (width > 0 && ImGui::SmallButton("set")) write(target, zero_of(type));
+}
+
+// --- Lists
+// ----------------------------------------------------------------------------------------------------------
+
+void PropertyEditor::list(const Target& target, const Value& value, float width) {
+    const List& elements = value.list();
+    std::string head =
+        elements.size() == 1 ? "1 value" : std::to_string(elements.size()) + " values";
+    int flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_FramePadding |
+                ImGuiTreeNodeFlags_SpanAvailWidth;
+    if (!ImGui::TreeNodeEx("##list", flags, "%s", head.c_str())) return;
+    float row = ImGui::GetFrameHeightWithSpacing();
+    auto count = static_cast<int>(elements.size());
+    ImGui::BeginChild("elements",
+                      ImVec2(width, row * static_cast<float>(std::min(count, visible_elements))));
+    float inner = ImGui::GetContentRegionAvail().x;
+    ImGuiListClipper clipper;
+    clipper.Begin(count, row);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            ImGui::PushID(i);
+            element(target, elements, static_cast<std::size_t>(i), inner);
+            ImGui::PopID();
+        }
+    ImGui::EndChild();
+    if (target.property->read_only) return;
+    if (ImGui::SmallButton("+ add")) {
+        List longer = elements;
+        Type type = target.property->element;
+        longer.push_back(!longer.empty() ? longer.back()
+                                         : zero_of(type == Type::nil ? Type::number : type));
+        write(target, Value(std::move(longer)));
+    }
+}
+
+void PropertyEditor::element(const Target& target, const List& elements, std::size_t index,
+                             float width) {
+    bool fixed = target.property->read_only;
+    float remove = fixed ? 0 : ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    std::string number = std::to_string(index + 1);
+    float digits = text_width(std::to_string(elements.size())) + ImGui::GetStyle().ItemSpacing.x;
+    float start = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", number.c_str());
+    ImGui::SameLine(start + digits);
+    float room = width - digits - remove;
+    const Value& old = elements[index];
+    std::optional<Value> changed;
+    bool gone = false;
+    if (old.is(Type::reference)) {
+        reference(old.reference(), room);
+    } else {
+        ImGui::BeginDisabled(fixed);
+        if (old.is(Type::vec2)) {
+            if (auto v = vector_fields(target, old.vec2(), room)) changed = Value(*v);
+        } else if (old.is_numeric()) {
+            NumberLook look = look_of(*target.property);
+            look.integer = old.is(Type::integer);
+            if (auto v = fields_.number("##value", old.as_double(), look, room))
+                changed = look.integer ? Value(static_cast<std::int64_t>(*v)) : Value(*v);
+        } else if (old.is(Type::text)) {
+            if (auto v = fields_.text("##value", old.text(), room)) changed = Value(*v);
+        } else {
+            ImGui::TextUnformatted(tree_.text(old, target.property->precision()).c_str());
+        }
+        ImGui::EndDisabled();
+    }
+    if (!fixed) {
+        ImGui::SameLine(start + width - ImGui::GetFrameHeight());
+        gone = small_button("remove", "×", "remove this value");
+    }
+    if (!changed && !gone) return;
+    List edited = elements;
+    if (gone)
+        edited.erase(edited.begin() + static_cast<std::ptrdiff_t>(index));
+    else
+        edited[index] = *changed;
+    write(target, Value(std::move(edited)));
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,94 @@
+#pragma once
+// One property as a row: name, the widget its descriptor implies, its error, its way back to the
+// default. Values are read when the row is in sight, and written through the tree like any edit.
+
+#include <imgui.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include <fettle/property/tree.h>
+
+#include <inspector/reference_picker.h>
+#include <look/fields.h>
+#include <model/rect.h>
+
+namespace fettle::console {
+
+class PropertyEditor {
+  public:
+    explicit PropertyEditor(property::Tree& tree) : tree_(tree), references_(tree) {}
+    ~PropertyEditor() { end_drag(); }
+    PropertyEditor(const PropertyEditor&) = delete;
+
+    /// A reference was clicked.
+    std::function<void(property::Handle)> follow;
+
+    /// True when something was edited: other properties may be gone then.
+    bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
+    /// Call once a frame, before and after all rows.
+    void begin_frame();
+    /// The drag that is under way, if any, becomes a step of undo: the editor is going out of
+    /// sight.
+    void end_drag();
+    void end_frame() { fields_.end_frame(); }
+    /// Where the widget of a property was drawn in the last frame; empty when it was out of sight.
+    Rect widget_rect(const property::Property& property) const;
+    bool about_to_type() const { return fields_.about_to_type(); }
+    /// Forgets errors shown: another instance is edited.
+    void forget() { problems_.clear(); }
+    std::size_t problems() const { return problems_.size(); }
+    /// Why the last edit of a property of the shown instance was refused; "" when it was not.
+    std::string problem(const property::Property& property) const;
+
+    Fields& fields() { return fields_; }
+
+  private:
+    struct Target {
+        property::Handle instance;
+        const property::Property* property;
+    };
+    void label(const Target& target, float width, bool overridden, bool formula, ImFont* bold);
+    void tooltip(const Target& target, ImFont* bold);
+    /// True when the property is gone.
+    bool reset_button(const Target& target);
+    /// A line of text below the widget.
+    void remark(float left, ImU32 color, const std::string& text);
+    void widget(const Target& target, const property::Value& value, float width);
+    void boolean(const Target& target, const property::Value& value);
+    void number(const Target& target, const property::Value& value, float width);
+    void text(const Target& target, const property::Value& value, float width);
+    void enumerator(const Target& target, const property::Value& value, float width);
+    void vector(const Target& target, const property::Value& value, float width);
+    void color(const Target& target, const property::Value& value, float width);
+    /// A link to an instance, and beside it the list to choose another from.
+    void reference(property::Handle to, float width);
+    void editable_reference(const Target& target, property::Handle to, float width);
+    void nil(const Target& target, float width);
+    void list(const Target& target, const property::Value& value, float width);
+    void element(const Target& target, const property::List& elements, std::size_t index,
+                 float width);
+    /// The new vector when either of its two fields changed.
+    std::optional<property::Vec2> vector_fields(const Target& target, property::Vec2 value,
+                                                float width);
+    static NumberLook look_of(const property::Property& property);
+    void write(const Target& target, const property::Value& value);
+    /// Runs an edit; what it throws is shown below the row.
+    void attempt(const Target& target, const std::function<void()>& edit);
+
+    property::Tree& tree_;
+    Fields fields_;
+    ReferencePicker references_;
+    bool edited_ = false;
+    bool dragging_ = false;
+    std::unordered_map<const property::Property*, std::string> problems_;
+    property::Handle problems_of_;
+    std::unordered_map<const property::Property*, Rect> widgets_;
+};
+
+/// "number · kg · 0 to inf · default 1": what a descriptor says in one line.
+std::string describe(const property::Tree& tree, const property::Property& property);
+
+}  // namespace fettle::console

@@ -1,0 +1,191 @@
+#include <look/fields.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include <look/theme.h>
+
+namespace fettle::console {
+
+namespace {
+
+int grow(ImGuiInputTextCallbackData* data) {
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
+        auto& text = *static_cast<std::string*>(data->UserData);
+        text.resize(static_cast<std::size_t>(data->BufTextLen));
+        data->Buf = text.data();
+    }
+    return 0;
+}
+
+std::string trimmed(std::string_view text) {
+    std::size_t begin = text.find_first_not_of(' ');
+    if (begin == std::string_view::npos) return {};
+    return std::string(text.substr(begin, text.find_last_not_of(' ') + 1 - begin));
+}
+
+void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& look,
+                       const std::string& digits) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGuiStyle& style = ImGui::GetStyle();
+    bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    list.AddRectFilled(low, high,
+                       ImGui::GetColorU32(hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
+                       style.FrameRounding);
+    double span = look.range.max - look.range.min;
+    if (std::isfinite(span) && span > 0 && std::isfinite(value)) {
+        double part = std::clamp((value - look.range.min) / span, 0.0, 1.0);
+        float x = low.x + static_cast<float>(part) * (high.x - low.x);
+        if (x > low.x + 1)
+            list.AddRectFilled(low, ImVec2(x, high.y), with_alpha(palette::accent, 0.22f),
+                               style.FrameRounding);
+    }
+    float alpha = style.Alpha;
+    ImVec2 at(low.x + style.FramePadding.x, low.y + style.FramePadding.y);
+    if (!look.label.empty()) {
+        ImU32 tint = look.label == "x" ? palette::rgb(0xf08a7e) : palette::rgb(0x8fd48a);
+        at.x += draw_text(list, at, with_alpha(tint, alpha), look.label) + style.FramePadding.x;
+    }
+    float room = high.x - style.FramePadding.x - at.x;
+    std::string shown = digits;
+    // As many digits as there is room for; typing shows all.
+    for (int precision = 8; precision > 1 && text_width(shown) > room; --precision) {
+        char shorter[40];
+        std::snprintf(shorter, sizeof shorter, "%.*g", precision, value);
+        shown = shorter;
+    }
+    draw_text_fit(list, at, with_alpha(palette::text, alpha), shown, room);
+    float used = text_width(shown) + text_width(" ");
+    if (!look.unit.empty() && used + text_width(look.unit) <= room)
+        draw_text(list, ImVec2(at.x + used, at.y), with_alpha(palette::dim, alpha), look.unit);
+}
+
+}  // namespace
+
+bool input_line(const char* id, const char* hint, std::string& text, int flags) {
+    return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
+                                    flags | ImGuiInputTextFlags_CallbackResize, grow, &text);
+}
+
+void Fields::start_typing(ImGuiID field, std::string text) {
+    typing_ = field;
+    typing_active_ = false;
+    typing_seen_ = true;
+    frames_to_focus_ = 4;
+    buffer_ = before_ = std::move(text);
+    problem_.clear();
+}
+
+void Fields::end_frame() {
+    // The field typed into is gone: scrolled away, or its property is.
+    if (typing_ != 0 && (!typing_seen_ || (!typing_active_ && frames_to_focus_ <= 0))) typing_ = 0;
+    typing_seen_ = false;
+}
+
+std::string Fields::take_problem() {
+    return std::exchange(problem_, {});
+}
+
+std::optional<double> Fields::number(const char* id, double value, const NumberLook& look,
+                                     float width) {
+    ImGuiID field = ImGui::GetID(id);
+    if (typing_ == field) return typed_number(id, look, width);
+    std::string digits = look.integer && std::abs(value) < 9e15
+                             ? std::to_string(static_cast<long long>(value))
+                             : property::number_text(value, look.precision);
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    ImVec2 high(low.x + width, low.y + ImGui::GetFrameHeight());
+    ImGui::InvisibleButton(id, ImVec2(std::max(1.0f, width), ImGui::GetFrameHeight()));
+    draw_number_frame(low, high, value, look, digits);
+    ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActivated()) {
+        start_ = value;
+        travelled_ = 0;
+        moved_ = false;
+        if (io.KeyCtrl) start_typing(field, digits);
+        return std::nullopt;
+    }
+    if (ImGui::IsItemActive()) {
+        moved_ = moved_ || std::abs(ImGui::GetMouseDragDelta(0, 0).x) > 2;
+        if (!moved_ || io.MouseDelta.x == 0 || !std::isfinite(start_)) return std::nullopt;
+        // From press to here, the part before the threshold included.
+        travelled_ = travelled_ == 0 ? ImGui::GetMouseDragDelta(0, 0).x
+                                     : travelled_ + io.MouseDelta.x * (io.KeyAlt     ? 0.01
+                                                                       : io.KeyShift ? 0.1
+                                                                                     : 1);
+        double next = dragged(travelled_, look);
+        if (next != value) return next;
+    } else if (ImGui::IsItemDeactivated() && !moved_ && ImGui::IsItemHovered()) {
+        start_typing(field, digits);
+    }
+    return std::nullopt;
+}
+
+// The whole range in 250 pixels, or one percent of the value a pixel; rounded to the decimal that a
+// pixel can tell apart, so that dragging leaves round numbers.
+double Fields::dragged(double pixels, const NumberLook& look) {
+    double span = look.range.max - look.range.min;
+    double speed =
+        std::isfinite(span) && span > 0 ? span / 250 : std::max(std::abs(start_), 1.0) * 0.01;
+    if (look.integer) speed = std::max(speed, 0.1);
+    ImGuiIO& io = ImGui::GetIO();
+    double fine = io.KeyAlt ? 0.01 : io.KeyShift ? 0.1 : 1;
+    double exponent = std::floor(std::log10(speed * fine));
+    int decimals = look.integer ? 0 : static_cast<int>(std::clamp(-exponent, 0.0, 12.0));
+    char text[400];
+    std::snprintf(text, sizeof text, "%.*f", decimals, start_ + pixels * speed);
+    return std::clamp(std::strtod(text, nullptr), look.range.min, look.range.max);
+}
+
+std::optional<double> Fields::parse(const std::string& typed, std::string_view unit) {
+    std::string text = trimmed(typed);
+    if (!unit.empty() && text.size() > unit.size() && text.ends_with(unit))
+        text = trimmed(std::string_view(text).substr(0, text.size() - unit.size()));
+    char* end = nullptr;
+    double value = std::strtod(text.c_str(), &end);
+    if (!text.empty() && *end == '\0') return value;
+    if (calculate && !text.empty()) {
+        if (auto result = calculate(text)) return result;
+    }
+    problem_ = "\"" + typed + "\" is not a number";
+    return std::nullopt;
+}
+
+std::optional<double> Fields::typed_number(const char* id, const NumberLook& look, float width) {
+    auto text = this->text(id, buffer_, width);
+    if (!text) return std::nullopt;
+    return parse(*text, look.unit);
+}
+
+std::optional<std::string> Fields::text(const char* id, const std::string& value, float width) {
+    ImGuiID field = ImGui::GetID(id);
+    bool mine = typing_ == field;
+    ImGui::SetNextItemWidth(width);
+    std::string passive = mine ? std::string() : value;
+    if (mine && !typing_active_ && frames_to_focus_-- > 0) ImGui::SetKeyboardFocusHere();
+    input_line(id, "", mine ? buffer_ : passive, ImGuiInputTextFlags_AutoSelectAll);
+    bool active = ImGui::IsItemActive();
+    if (!mine) {
+        if (active) {  // clicked into: from now on the text is ours
+            start_typing(field, std::move(passive));
+            typing_active_ = typing_seen_ = true;
+        }
+        return std::nullopt;
+    }
+    typing_seen_ = true;
+    if (active) {
+        typing_active_ = true;
+        return std::nullopt;
+    }
+    if (!typing_active_) return std::nullopt;  // focus is on its way
+    typing_ = 0;
+    typing_active_ = false;
+    if (buffer_ == before_) return std::nullopt;
+    return std::exchange(buffer_, {});
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,158 @@
+#include <look/theme.h>
+
+#include <cmath>
+
+#include <model/utf8.h>
+
+namespace fettle::console {
+
+namespace {
+
+void apply_sizes(ImGuiStyle& style, float em) {
+    auto px = [&](float ems) { return std::round(ems * em); };
+    style.WindowPadding = ImVec2(px(0.6f), px(0.5f));
+    style.FramePadding = ImVec2(px(0.4f), px(0.18f));
+    style.ItemSpacing = ImVec2(px(0.4f), px(0.25f));
+    style.ItemInnerSpacing = ImVec2(px(0.3f), px(0.25f));
+    style.CellPadding = ImVec2(px(0.3f), px(0.12f));
+    style.IndentSpacing = px(0.9f);
+    style.ScrollbarSize = px(0.7f);
+    style.GrabMinSize = px(0.7f);
+    style.WindowRounding = px(0.4f);
+    style.ChildRounding = px(0.25f);
+    style.FrameRounding = px(0.25f);
+    style.PopupRounding = px(0.35f);
+    style.ScrollbarRounding = px(0.35f);
+    style.GrabRounding = px(0.2f);
+    style.TabRounding = px(0.25f);
+    style.WindowBorderSize = 1;
+    style.ChildBorderSize = 0;
+    style.PopupBorderSize = 1;
+    style.FrameBorderSize = 0;
+    style.WindowMinSize = ImVec2(8, 8);
+    style.ColorButtonPosition = ImGuiDir_Left;
+}
+
+void apply_colors(ImGuiStyle& style) {
+    auto set = [&](int index, ImU32 color) { style.Colors[index] = vector(color); };
+    set(ImGuiCol_Text, palette::text);
+    set(ImGuiCol_TextDisabled, palette::dim);
+    set(ImGuiCol_WindowBg, palette::panel);
+    set(ImGuiCol_ChildBg, palette::clear);
+    set(ImGuiCol_PopupBg, palette::rgb(0x1a1e26, 250));
+    set(ImGuiCol_Border, palette::line);
+    set(ImGuiCol_FrameBg, palette::raised);
+    set(ImGuiCol_FrameBgHovered, palette::hover);
+    set(ImGuiCol_FrameBgActive, palette::hover);
+    set(ImGuiCol_TitleBg, palette::panel);
+    set(ImGuiCol_TitleBgActive, palette::panel);
+    set(ImGuiCol_ScrollbarBg, palette::clear);
+    set(ImGuiCol_ScrollbarGrab, palette::rgb(0x39414f));
+    set(ImGuiCol_ScrollbarGrabHovered, palette::rgb(0x4b5566));
+    set(ImGuiCol_ScrollbarGrabActive, palette::accent);
+    set(ImGuiCol_CheckMark, palette::accent);
+    set(ImGuiCol_SliderGrab, palette::accent);
+    set(ImGuiCol_SliderGrabActive, palette::accent);
+    set(ImGuiCol_Button, palette::raised);
+    set(ImGuiCol_ButtonHovered, palette::hover);
+    set(ImGuiCol_ButtonActive, palette::rgb(0x3a4352));
+    set(ImGuiCol_Header, palette::raised);
+    set(ImGuiCol_HeaderHovered, palette::hover);
+    set(ImGuiCol_HeaderActive, palette::hover);
+    set(ImGuiCol_Separator, palette::line);
+    set(ImGuiCol_SeparatorHovered, palette::accent);
+    set(ImGuiCol_SeparatorActive, palette::accent);
+    set(ImGuiCol_ResizeGrip, palette::clear);
+    set(ImGuiCol_TextSelectedBg, palette::selection);
+    set(ImGuiCol_TableBorderLight, palette::line);
+}
+
+}  // namespace
+
+ImVec4 vector(ImU32 color) {
+    return ImGui::ColorConvertU32ToFloat4(color);
+}
+
+ImU32 with_alpha(ImU32 color, float alpha) {
+    auto a = static_cast<ImU32>(std::lround(static_cast<float>(color >> IM_COL32_A_SHIFT) * alpha));
+    return (color & ~IM_COL32_A_MASK) | a << IM_COL32_A_SHIFT;
+}
+
+void apply_theme(float font_size) {
+    ImGuiStyle style;
+    apply_sizes(style, font_size);
+    apply_colors(style);
+    ImGui::GetStyle() = style;
+}
+
+ImU32 token_color(Token token) {
+    switch (token) {
+        case Token::keyword:
+            return palette::accent;
+        case Token::constant:
+        case Token::number:
+            return palette::number;
+        case Token::string:
+            return palette::string;
+        case Token::comment:
+            return palette::faint;
+        case Token::path:
+            return palette::path;
+        case Token::arrow:
+            return palette::accent;
+        case Token::symbol:
+            return palette::dim;
+        case Token::plain:
+            break;
+    }
+    return palette::text;
+}
+
+ImU32 line_color(LineKind kind) {
+    switch (kind) {
+        case LineKind::note:
+            return palette::note;
+        case LineKind::error:
+        case LineKind::caret:
+            return palette::error;
+        case LineKind::trace:
+            return palette::dim;
+        default:
+            return palette::text;
+    }
+}
+
+// Hues a golden angle apart are far apart however many there are; the hash only picks which.
+ImU32 class_color(std::string_view class_name) {
+    std::uint32_t hash = 2166136261u;  // FNV-1a
+    for (char c : class_name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    hash ^= hash >> 15;
+    float hue = std::fmod(static_cast<float>(hash % 997) * 0.61803399f, 1.0f);
+    float r = 0, g = 0, b = 0;
+    ImGui::ColorConvertHSVtoRGB(hue, 0.5f, 0.92f, r, g, b);
+    return ImGui::ColorConvertFloat4ToU32(ImVec4(r, g, b, 1));
+}
+
+float text_width(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text) {
+    if (text.empty()) return 0;
+    list.AddText(at, color, text.data(), text.data() + text.size());
+    return text_width(text);
+}
+
+void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width) {
+    if (text_width(text) <= width) {
+        draw_text(list, at, color, text);
+        return;
+    }
+    float room = width - text_width("…");
+    std::size_t end = text.size();
+    while (end > 0 && text_width(text.substr(0, end)) > room) end = previous_code_point(text, end);
+    float used = draw_text(list, at, color, text.substr(0, end));
+    if (room >= 0) draw_text(list, ImVec2(at.x + used, at.y), color, "…");
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,48 @@
+#pragma once
+// The looks: one palette, one scale of distances. Dark, so that the game stays the bright thing.
+
+#include <imgui.h>
+
+#include <model/highlight.h>
+#include <model/log.h>
+
+namespace fettle::console {
+
+namespace palette {
+inline constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
+    return IM_COL32(hex >> 16 & 255, hex >> 8 & 255, hex & 255, alpha);
+}
+inline constexpr ImU32 text = rgb(0xdadde5);
+inline constexpr ImU32 dim = rgb(0x8b93a3);
+inline constexpr ImU32 faint = rgb(0x565e6e);
+inline constexpr ImU32 line = rgb(0x2b313c);
+inline constexpr ImU32 well = rgb(0x0d0f14);    // behind what can be typed into
+inline constexpr ImU32 panel = rgb(0x14171e);   // windows
+inline constexpr ImU32 raised = rgb(0x1f242d);  // fields, headers
+inline constexpr ImU32 hover = rgb(0x2a313d);
+inline constexpr ImU32 accent = rgb(0xf4a259);
+inline constexpr ImU32 selection = rgb(0xf4a259, 64);
+inline constexpr ImU32 path = rgb(0x77bdfb);
+inline constexpr ImU32 number = rgb(0xc8a8f0);
+inline constexpr ImU32 string = rgb(0xa8d587);
+inline constexpr ImU32 error = rgb(0xff7272);
+inline constexpr ImU32 note = rgb(0x74cbb9);
+inline constexpr ImU32 clear = rgb(0, 0);
+}  // namespace palette
+
+/// Distances in font heights are multiplied with the font size; colors are fixed.
+void apply_theme(float font_size);
+ImU32 token_color(Token token);
+ImU32 line_color(LineKind kind);
+/// Each class has a color of its own for its mark in lists.
+ImU32 class_color(std::string_view class_name);
+ImU32 with_alpha(ImU32 color, float alpha);
+ImVec4 vector(ImU32 color);
+
+/// A piece of text at a place, in a color; returns its width.
+float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text);
+/// The same, cut with an ellipsis at `width`.
+void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width);
+float text_width(std::string_view text);
+
+}  // namespace fettle::console

@@ -1,0 +1,95 @@
+#include <model/log.h>
+
+#include <algorithm>
+
+#include <model/highlight.h>
+#include <model/utf8.h>
+
+namespace fettle::console {
+
+namespace {
+
+/// Whether the traceback leads through more lines of code than the one shown.
+bool leads_elsewhere(const script::ScriptError& error) {
+    std::size_t places = 0, begin = 0;
+    const std::string& trace = error.traceback;
+    while (begin < trace.size()) {
+        std::size_t end = std::min(trace.find('\n', begin), trace.size());
+        std::string_view frame = std::string_view(trace).substr(begin, end - begin);
+        std::size_t colon = frame.find(':');
+        bool place = colon != std::string_view::npos && colon + 1 < frame.size() &&
+                     frame[colon + 1] >= '0' && frame[colon + 1] <= '9';
+        places += place ? 1 : 0;
+        begin = end + 1;
+    }
+    return places > 1;
+}
+
+/// The word at a column counted from 1.
+Span span_at(std::string_view source, std::size_t column) {
+    std::size_t begin = std::min(code_point_offset(source, column - 1), source.size());
+    std::size_t end = begin;
+    for (const Span& span : highlight_command(source))
+        if (span.begin <= begin && begin < span.end) end = span.end;
+    // Of a path only the step in question.
+    end = std::min(end, source.find('.', begin));
+    return {begin, end, Token::plain};
+}
+
+}  // namespace
+
+void Log::push(LineKind kind, std::string text) {
+    if (text.size() > max_line_bytes) {
+        std::size_t whole = text.size();
+        text.resize(code_point_boundary(text, max_line_bytes));
+        text += " … (" + std::to_string(whole) + " bytes)";
+    }
+    lines_.push_back({kind, std::move(text)});
+    if (lines_.size() > max_lines) {
+        lines_.pop_front();
+        ++dropped_;
+    }
+}
+
+void Log::add(LineKind kind, std::string_view text) {
+    std::string clean = clean_text(text);
+    std::size_t begin = 0;
+    for (;;) {
+        std::size_t end = clean.find('\n', begin);
+        if (end == std::string::npos) break;
+        push(kind, clean.substr(begin, end - begin));
+        begin = end + 1;
+        if (kind == LineKind::command) kind = LineKind::continuation;
+    }
+    // A text that ends with a newline has no further, empty line.
+    if (begin < clean.size() || begin == 0) push(kind, clean.substr(begin));
+}
+
+void Log::command(std::string_view text) {
+    add(LineKind::command, text);
+}
+
+void Log::error(const script::ScriptError& error) {
+    add(LineKind::error, error.message);
+    if (!error.source_line.empty()) {
+        std::string source = clean_text(error.source_line);
+        std::replace(source.begin(), source.end(), '\n', ' ');
+        Span span = error.column > 0 ? span_at(source, static_cast<std::size_t>(error.column))
+                                     : error_span(source, error.message);
+        std::size_t before = code_point_count(std::string_view(source).substr(0, span.begin));
+        std::size_t length =
+            code_point_count(std::string_view(source).substr(span.begin, span.end - span.begin));
+        push(LineKind::source, source);
+        push(LineKind::caret,
+             std::string(before, ' ') + std::string(std::max<std::size_t>(length, 1), '^'));
+    }
+    if (leads_elsewhere(error)) add(LineKind::trace, error.traceback);
+}
+
+void Log::clear() {
+    dropped_ += lines_.size();
+    lines_.clear();
+    ++clearings_;
+}
+
+}  // namespace fettle::console

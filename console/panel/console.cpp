@@ -1,0 +1,178 @@
+#include <fettle/console/console.h>
+
+#include <fettle/property/path.h>
+
+#include <panel/state.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Value;
+
+namespace {
+
+/// The game's `time`, where it has one that can be paused.
+const property::Property* pause_property(const property::Tree& tree, Handle& time) {
+    time = tree.child(tree.root(), "time");
+    if (!time) return nullptr;
+    const property::Property* paused = tree.find(time, "paused");
+    return paused != nullptr && paused->type == property::Type::boolean ? paused : nullptr;
+}
+
+}  // namespace
+
+Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Options the_options)
+    : tree(the_tree),
+      interpreter(std::move(the_interpreter)),
+      options(std::move(the_options)),
+      clipboard(options.clipboard != nullptr ? options.clipboard : &memory_clipboard),
+      settings(tree),
+      history(options.history_file),
+      prompt(interpreter, log, history, clipboard),
+      ui(clipboard),
+      log_view(log),
+      prompt_view(prompt),
+      inspector(tree),
+      tweak_list(options.tweaks) {
+    log_view.is_link = [this](std::string_view path) { return is_link(path); };
+    log_view.follow = [this](std::string_view path, bool insert) { follow_link(path, insert); };
+    tweak_list.evaluate = interpreter.evaluate;
+    tweak_list.say = [this](const std::string& line) { log.note(line); };
+    tweak_list.follow = [this](std::string_view path) {
+        if (is_link(path)) follow_link(path, false);
+    };
+    inspector.chosen = [this](Handle instance) { choose(instance); };
+    inspector.insert = [this](const std::string& text) { prompt.edit().insert(text); };
+    inspector.editor().fields().calculate =
+        [this](const std::string& expression) -> std::optional<double> {
+        if (!interpreter.evaluate) return std::nullopt;
+        script::Evaluation evaluation = interpreter.evaluate(expression);
+        if (!evaluation.ok || !evaluation.result.is_numeric()) return std::nullopt;
+        return evaluation.result.as_double();
+    };
+    if (interpreter.limit_memory)
+        interpreter.limit_memory(
+            [this] {
+                constexpr double megabyte = 1 << 20;
+                return static_cast<std::size_t>(
+                    static_cast<double>(settings.number("memory_limit")) * megabyte);
+            },
+            "console.memory_limit");
+    if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
+}
+
+void Console::State::open(bool opened) {
+    settings.set("open", Value(opened));
+    follow_settings();
+}
+
+/// `console.open` and `console.pauses` may be set by anyone at any time.
+void Console::State::follow_settings() {
+    bool opened = is_open();
+    if (opened && !was_open && !greeted) {
+        greeted = true;
+        log.note("any Lua · Tab completes · path? explains · click a body to edit it");
+    }
+    if (!opened && was_open) {
+        prompt.close_menu();
+        ui.release_all();
+        fed_button = fed_key = fed_text = false;
+        panel_rect = inspector_rect = {};
+        time_bar.hide();
+        inspector.editor().end_drag();
+        popup_open = false;
+    }
+    was_open = opened;
+    pause_time(opened && settings.flag("pauses"));
+}
+
+void Console::State::pause_time(bool paused) {
+    if (paused == pausing) return;
+    Handle time;
+    const property::Property* property = pause_property(tree, time);
+    if (property == nullptr) return;
+    property::Tree::CauseScope cause(tree, property::Writer::module);
+    if (paused) time_was_paused = tree.get(time, *property).boolean();
+    if (!time_was_paused) tree.set(time, *property, Value(paused));
+    pausing = paused;
+}
+
+void Console::State::choose(Handle instance) {
+    if (!tree.alive(instance)) return;
+    bool fresh = inspector.selected() != instance;
+    inspector.select(instance);
+    if (interpreter.set_it) interpreter.set_it(instance);
+    std::string line = "it = " + tree.path(instance);
+    if (fresh || log.lines().empty() || log.lines().back().text != line) log.note(line);
+}
+
+bool Console::State::is_link(std::string_view path) const {
+    try {
+        property::resolve(tree, path);
+        return true;
+    } catch (const property::Error&) {
+        return false;
+    }
+}
+
+void Console::State::follow_link(std::string_view path, bool insert) {
+    try {
+        property::Place place = property::resolve(tree, path);
+        if (insert) {
+            prompt.edit().insert(path);
+            return;
+        }
+        choose(place.instance);
+        if (place.property != nullptr) inspector.select(place.instance, place.property->name);
+    } catch (const property::Error&) {
+        // Not a path after all, or no longer one.
+    }
+}
+
+// --- The layer
+// ------------------------------------------------------------------------------------------------------
+
+Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
+    : state_(std::make_unique<State>(tree, std::move(interpreter), std::move(options))) {}
+
+Console::~Console() {
+    if (state_->interpreter.limit_memory) state_->interpreter.limit_memory({}, {});
+}
+
+bool Console::handle(const app::InputEvent& event) {
+    return state_->handle(event);
+}
+
+void Console::draw(app::Surface& surface, double seconds) {
+    State& s = *state_;
+    s.width = surface.width();
+    s.height = surface.height();
+    s.follow_settings();
+    if (!s.was_open) return;
+    s.frame(seconds);
+    s.ui.draw(surface);
+}
+
+bool Console::is_open() const {
+    return state_->is_open();
+}
+void Console::open(bool open) {
+    state_->open(open);
+}
+void Console::select(Handle instance) {
+    state_->choose(instance);
+}
+
+Handle Console::selected() const {
+    Handle instance = state_->inspector.selected();
+    return state_->tree.alive(instance) ? instance : Handle{};
+}
+
+void Console::print(std::string_view text) {
+    state_->log.output(text);
+}
+void Console::report(const script::ScriptError& error) {
+    state_->log.error(error);
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,184 @@
+// Where events go.
+
+#include <algorithm>
+
+#include <fettle/property/exception_text.h>
+
+#include <inspector/pick.h>
+#include <panel/state.h>
+
+namespace fettle::console {
+
+using app::EventKind;
+using app::InputEvent;
+
+bool Console::State::handle(const InputEvent& event) {
+    follow_settings();
+    switch (event.kind) {
+        case EventKind::key_pressed:
+            return press_key(event);
+        case EventKind::key_released:
+            return release_key(event);
+        case EventKind::text:
+            return type_text(event);
+        case EventKind::mouse_pressed:
+        case EventKind::mouse_released:
+        case EventKind::mouse_moved:
+        case EventKind::wheel:
+            return mouse(event);
+        case EventKind::focus:
+            if (!event.focused) lose_focus();
+            return false;
+        default:
+            return false;
+    }
+}
+
+void Console::State::lose_focus() {
+    ui.release_all();
+    keys.clear();
+    buttons.clear();
+    swallow_text = false;
+}
+
+// --- Keyboard
+// -------------------------------------------------------------------------------------------------------
+
+// With shift the grave key is a tilde, which Lua needs.
+bool Console::State::press_key(const InputEvent& event) {
+    bool bare = !event.shift && !event.control && !event.alt;
+    if (bare && event.name == settings.text("key")) {
+        swallow_text = true;
+        if (event.repeated) return true;
+        keys.press(event.name, HeldKeys::Owner::console);
+        open(!is_open());
+        return true;
+    }
+    swallow_text = false;
+    if (!was_open) {
+        keys.press(event.name, HeldKeys::Owner::game);
+        return false;
+    }
+    if (keys.held_by_game(event.name)) return true;  // auto-repeat of a key the game knows is down
+    keys.press(event.name, HeldKeys::Owner::console);
+    if (widgets_have_keyboard()) {
+        feed(event);
+    } else {
+        ui.feed_modifiers(event);
+        prompt_key(event);
+    }
+    return true;
+}
+
+bool Console::State::release_key(const InputEvent& event) {
+    if (event.name == settings.text("key")) swallow_text = false;
+    HeldKeys::Owner owner = keys.release(event.name);
+    if (was_open) feed(event);
+    if (owner == HeldKeys::Owner::nobody) return was_open;
+    return owner == HeldKeys::Owner::console;
+}
+
+bool Console::State::type_text(const InputEvent& event) {
+    if (swallow_text) return true;
+    if (!was_open) return false;
+    if (event.character == U'`' && settings.text("key") == "grave") return true;
+    // What ctrl and a letter type is a control character; widgets and prompt want neither.
+    if (event.character < 0x20 || event.character == 0x7f) return true;
+    if (widgets_have_keyboard())
+        feed(event);
+    else
+        prompt.type(event.character);
+    return true;
+}
+
+bool Console::State::widgets_have_keyboard() {
+    // A press not yet seen by a frame may be what gives a field the keyboard, and a field that was
+    // clicked takes it one frame later.
+    if (fed_button) frame(0);
+    for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
+    ui.activate();
+    return width > 0 && (ImGui::IsAnyItemActive() || popup_open);
+}
+
+void Console::State::prompt_key(const InputEvent& event) {
+    Key key{event.name, event.control, event.shift, event.alt};
+    bool copies = key.control && (key.name == "c" || key.name == "insert");
+    if (copies && !prompt.edit().selecting() && log_view.selecting()) {
+        clipboard->write(log_view.selected());
+        return;
+    }
+    if (prompt.key(key)) {
+        if (key.name == "enter") log_view.scroll_to_end();
+        return;
+    }
+    if (key.name == "page_up" || key.name == "page_down")
+        log_view.scroll_pages(key.name == "page_up" ? -1.0f : 1.0f);
+    else if (key.name == "escape" && log_view.selecting())
+        log_view.clear_selection();
+    else if (key.name == "escape")
+        open(false);
+}
+
+// --- Mouse
+// ----------------------------------------------------------------------------------------------------------
+
+bool Console::State::over_windows(float x, float y) const {
+    return popup_open || panel_rect.contains(x, y) || inspector_rect.contains(x, y) ||
+           time_bar.rect().contains(x, y) || prompt_view.menu_rect().contains(x, y);
+}
+
+bool Console::State::mouse(const InputEvent& event) {
+    bool over = was_open && over_windows(event.x, event.y);
+    switch (event.kind) {
+        case EventKind::mouse_moved:
+            feed(event);
+            return buttons.any_of_console() || (over && !buttons.any_of_game());
+        case EventKind::wheel:
+            if (over) feed(event);
+            return over;
+        case EventKind::mouse_pressed:
+            if (over) {
+                buttons.press(event.name, HeldKeys::Owner::console);
+                feed(event);
+                return true;
+            }
+            if (was_open && event.name == "left" && options.to_world && settings.flag("picks")) {
+                buttons.press(event.name, HeldKeys::Owner::console);
+                click_game(event.x, event.y);
+                return true;
+            }
+            buttons.press(event.name, HeldKeys::Owner::game);
+            return false;
+        default:
+            break;
+    }
+    HeldKeys::Owner owner = buttons.release(event.name);
+    if (owner == HeldKeys::Owner::game) return false;
+    feed(event);
+    return owner == HeldKeys::Owner::console || over;
+}
+
+void Console::State::click_game(float x, float y) {
+    try {
+        if (property::Handle found = pick(tree, options.to_world(x, y))) choose(found);
+    } catch (const std::exception& error) {
+        log.error(property::exception_text(error));
+    }
+}
+
+// --- To widgets
+// -----------------------------------------------------------------------------------------------------
+
+void Console::State::feed(const InputEvent& event) {
+    bool key = event.kind == EventKind::key_pressed || event.kind == EventKind::key_released;
+    bool text = event.kind == EventKind::text;
+    bool separate = fed_button || fed_key || (fed_text && !text);
+    if (separate && was_open) frame(0);
+    fed_key = fed_key || key;
+    fed_text = fed_text || text;
+    fed_button = fed_button || event.kind == EventKind::mouse_pressed ||
+                 event.kind == EventKind::mouse_released;
+    ui.feed(event);
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,191 @@
+// How the console is laid out: the panel from the top, the inspector on the right, the list of
+// candidates over both.
+
+#include <algorithm>
+#include <cmath>
+
+#include <inspector/outline.h>
+#include <look/imgui_compat.h>
+#include <look/theme.h>
+#include <panel/state.h>
+
+namespace fettle::console {
+
+namespace {
+
+constexpr int panel_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
+constexpr float margin = 8;       // pixels around the windows
+constexpr float handle_size = 6;  // pixels at the edge that resize
+
+}  // namespace
+
+void Console::State::frame(double seconds) {
+    if (building || width <= 0 || height <= 0) return;
+    building = true;
+    fed_button = fed_key = fed_text = false;
+    ui.begin_frame(width, height, seconds, std::round(settings.number("font_size")));
+    float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
+    if (options.to_pixels && tree.alive(inspector.selected()))
+        draw_outline(*ImGui::GetBackgroundDrawList(), tree, inspector.selected(), options.to_pixels,
+                     ImGui::GetTime());
+    float right = 0;
+    if (settings.flag("inspector")) {
+        right = std::min(settings.number("inspector_width"), width * 0.6f);
+        draw_inspector(width - right - margin, right);
+        right += margin;
+    } else {
+        inspector_rect = {};
+        inspector.editor().end_drag();
+    }
+    draw_panel(width - 2 * margin - right, panel_height(), cell);
+    draw_time_bar(inspector_rect.empty() ? 0 : right);
+    prompt_view.draw_menu(cell, ui.bold());
+    popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    ui.end_frame();
+    ui.navigate_with_keys(popup_open);
+    building = false;
+}
+
+float Console::State::panel_height() {
+    return std::max(1.0f, std::min(settings.number("height") * height, height - 2 * margin));
+}
+
+/// Along the lower edge, beside the inspector where that reaches down to it.
+void Console::State::draw_time_bar(float right) {
+    if (!settings.flag("time_bar") || !time_bar.available()) return time_bar.hide();
+    const float low = height - margin;
+    if (inspector_rect.high.y < low - TimeBar::height()) right = 0;
+    time_bar.draw(ImVec2(margin, low), width - 2 * margin - right, settings.number("opacity"),
+                  ui.bold());
+}
+
+// --- The panel
+// ------------------------------------------------------------------------------------------------------
+
+void Console::State::draw_panel(float panel_width, float panel_height, float cell) {
+    ImGui::SetNextWindowPos(ImVec2(margin, margin));
+    ImGui::SetNextWindowSize(ImVec2(std::max(80.0f, panel_width), panel_height));
+    ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
+    ImGui::Begin("##console", nullptr, panel_flags);
+    panel_rect = window_rect();
+    draw_title(cell);
+    float prompt_height = prompt_view.height(panel_height);
+    float log_height =
+        ImGui::GetContentRegionAvail().y - prompt_height - ImGui::GetStyle().ItemSpacing.y * 2;
+    if (tweak_list.available() && settings.flag("tweaks"))
+        tweak_list.draw(std::max(1.0f, log_height));
+    else
+        log_view.draw(std::max(1.0f, log_height), cell);
+    ImGui::Spacing();
+    prompt_view.draw(prompt_height, cell, !ImGui::IsAnyItemActive());
+    draw_height_handle();
+    ImGui::End();
+}
+
+bool Console::State::title_button(const char* label, bool lit, float& right) {
+    float pad = ImGui::GetStyle().FramePadding.x;
+    const std::string_view shown =
+        std::string_view(label).substr(0, std::string_view(label).find("##"));
+    float button_width = text_width(shown) + 2 * pad;
+    float button_height = ImGui::GetTextLineHeight() + 2;
+    right -= button_width;
+    ImVec2 start = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton(label, ImVec2(button_width, button_height));
+    bool hovered = ImGui::IsItemHovered();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 end(at.x + button_width, at.y + button_height);
+    float rounding = ImGui::GetStyle().FrameRounding;
+    list.AddRectFilled(at, end, hovered ? palette::hover : palette::raised, rounding);
+    draw_text(list, ImVec2(at.x + pad, at.y + 1), lit ? palette::accent : palette::dim, shown);
+    right -= ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetCursorScreenPos(start);
+    return pressed;
+}
+
+void Console::State::draw_title(float cell) {
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float content = ImGui::GetContentRegionAvail().x;
+    float right = at.x + content;
+    bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
+    if (title_button("inspector", shown, right)) settings.set("inspector", property::Value(!shown));
+    if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
+    if (tweak_list.available()) {
+        const bool listed = settings.flag("tweaks");
+        const std::size_t open = tweak_list.open_count();
+        const std::string label =
+            open == 0 ? "tweaks###tweaks" : "tweaks " + std::to_string(open) + "###tweaks";
+        if (title_button(label.c_str(), listed, right))
+            settings.set("tweaks", property::Value(!listed));
+    }
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float x = at.x;
+    compat::push_font(ui.bold());
+    x += draw_text(list, ImVec2(x, at.y + 1), palette::text, "console");
+    ImGui::PopFont();
+    x += 2 * cell;
+    if (tree.alive(inspector.selected())) {
+        std::string it = "it = " + tree.path(inspector.selected());
+        draw_text_fit(list, ImVec2(x, at.y + 1), palette::accent, it,
+                      std::max(0.0f, right - x - cell));
+        x += std::min(text_width(it), right - x) + 3 * cell;
+    }
+    constexpr std::string_view hints = "Tab complete   ↑ history   Ctrl-R search   Esc close";
+    float hint_width = text_width(hints);
+    if (x + hint_width + 2 * cell < right)
+        draw_text(list, ImVec2(right - hint_width - cell, at.y + 1), palette::faint, hints);
+    ImGui::Dummy(ImVec2(content, ImGui::GetTextLineHeight() + 4));
+    ImVec2 line = ImGui::GetCursorScreenPos();
+    list.AddLine(ImVec2(panel_rect.low.x, line.y - 2), ImVec2(panel_rect.high.x, line.y - 2),
+                 palette::line);
+    ImGui::Dummy(ImVec2(1, 1));
+}
+
+void Console::State::draw_height_handle() {
+    ImVec2 before = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos(ImVec2(panel_rect.low.x, panel_rect.high.y - handle_size));
+    ImGui::InvisibleButton("height", ImVec2(panel_rect.high.x - panel_rect.low.x, handle_size));
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.y != 0) {
+        float share = (ImGui::GetIO().MousePos.y - panel_rect.low.y) / height;
+        settings.set("height", property::Value(std::clamp<double>(share, 0.15, 1)));
+    }
+    ImGui::SetCursorScreenPos(before);
+    ImGui::Dummy(ImVec2(0, 0));  // newer versions want an item where the cursor was moved to
+}
+
+// --- The inspector
+// --------------------------------------------------------------------------------------------------
+
+void Console::State::draw_inspector(float left, float inspector_width) {
+    ImGui::SetNextWindowPos(ImVec2(left, margin));
+    // With nothing selected there is only the outline, and the game shows below it.
+    float tall = tree.alive(inspector.selected()) ? height : panel_height() + 2 * margin;
+    ImGui::SetNextWindowSize(ImVec2(inspector_width, tall - 2 * margin));
+    ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
+    ImGui::Begin("##inspector", nullptr, panel_flags);
+    inspector_rect = window_rect();
+    inspector.draw(ui.bold());
+    draw_width_handle();
+    ImGui::End();
+}
+
+void Console::State::draw_width_handle() {
+    ImGui::SetCursorScreenPos(inspector_rect.low);
+    ImGui::InvisibleButton("width",
+                           ImVec2(handle_size, inspector_rect.high.y - inspector_rect.low.y));
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0) {
+        float wide = inspector_rect.high.x - ImGui::GetIO().MousePos.x;
+        settings.set("inspector_width", property::Value(std::clamp<double>(
+                                            wide, 200, std::min(2000.0f, width * 0.6f))));
+    }
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,102 @@
+#pragma once
+// What a console is made of, and how an event finds its way: to the toggle key, to a widget of Dear
+// ImGui, to the prompt, to the game.
+
+#include <string>
+
+#include <fettle/console/console.h>
+
+#include <inspector/inspector.h>
+#include <look/imgui_backend.h>
+#include <model/history.h>
+#include <model/log.h>
+#include <model/prompt.h>
+#include <model/rect.h>
+#include <model/settings.h>
+#include <panel/held_keys.h>
+#include <views/log_view.h>
+#include <views/prompt_view.h>
+#include <views/time_bar.h>
+#include <views/tweak_list.h>
+
+namespace fettle::console {
+
+/// Keeps copies when there is no system clipboard.
+class MemoryClipboard : public app::Clipboard {
+  public:
+    std::string read() override { return text_; }
+    void write(std::string_view text) override { text_ = text; }
+
+  private:
+    std::string text_;
+};
+
+struct Console::State {
+    State(property::Tree& tree, Interpreter interpreter, Options options);
+
+    // --- Events (input.cpp)
+    bool handle(const app::InputEvent& event);
+    bool press_key(const app::InputEvent& event);
+    bool release_key(const app::InputEvent& event);
+    bool type_text(const app::InputEvent& event);
+    bool mouse(const app::InputEvent& event);
+    void prompt_key(const app::InputEvent& event);
+    void lose_focus();
+    /// To widgets. What one frame cannot tell apart, such as a press and a release, is kept apart
+    /// by a frame of its own in between.
+    void feed(const app::InputEvent& event);
+    bool widgets_have_keyboard();
+    bool over_windows(float x, float y) const;
+    void click_game(float x, float y);
+
+    // --- What it does (console.cpp)
+    bool is_open() { return settings.flag("open"); }
+    void open(bool opened);
+    void follow_settings();
+    void pause_time(bool paused);
+    void choose(property::Handle instance);
+    void follow_link(std::string_view path, bool insert);
+    bool is_link(std::string_view path) const;
+
+    // --- Looks (layout.cpp)
+    void frame(double seconds);
+    float panel_height();
+    void draw_panel(float width, float height, float cell);
+    void draw_title(float cell);
+    bool title_button(const char* label, bool lit, float& right);
+    void draw_height_handle();
+    void draw_time_bar(float right);
+    void draw_inspector(float left, float width);
+    void draw_width_handle();
+
+    property::Tree& tree;
+    Interpreter interpreter;
+    Options options;
+    MemoryClipboard memory_clipboard;
+    app::Clipboard* clipboard;
+    Settings settings;
+    Log log;
+    History history;
+    Prompt prompt;
+    ImGuiBackend ui;
+    LogView log_view;
+    PromptView prompt_view;
+    Inspector inspector;
+    TimeBar time_bar{tree, interpreter};
+    TweakList tweak_list;
+
+    HeldKeys keys, buttons;
+    bool was_open = false;
+    bool swallow_text = false;  // the toggle key's own character is on its way
+    bool greeted = false;
+    bool pausing = false;  // we paused time
+    bool time_was_paused = false;
+
+    float width = 0, height = 0;  // of the surface; 0 before the first draw
+    Rect panel_rect, inspector_rect;
+    bool popup_open = false;
+    bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
+    bool building = false;  // a frame is being made: no other within it
+};
+
+}  // namespace fettle::console

@@ -1,0 +1,248 @@
+#include <views/log_view.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <look/theme.h>
+#include <model/utf8.h>
+
+namespace fettle::console {
+
+namespace {
+
+constexpr std::size_t gutter = 2;  // columns
+
+std::vector<Span> spans_of(const LogLine& line) {
+    switch (line.kind) {
+        case LineKind::command:
+        case LineKind::continuation:
+        case LineKind::source:
+            return highlight_command(line.text);
+        case LineKind::output:
+        case LineKind::note:
+        case LineKind::error:
+            return highlight_output(line.text);
+        default:
+            return {};
+    }
+}
+
+bool colored(LineKind kind) {
+    return kind == LineKind::command || kind == LineKind::continuation ||
+           kind == LineKind::source || kind == LineKind::output;
+}
+
+}  // namespace
+
+const LogLine* LogView::line(std::uint64_t number) const {
+    if (number < log_.dropped() || number - log_.dropped() >= log_.lines().size()) return nullptr;
+    return &log_.lines()[number - log_.dropped()];
+}
+
+void LogView::wrap_line(std::uint64_t number, const std::string& text) {
+    std::size_t begin = 0;
+    do {
+        std::size_t end = begin + code_point_offset(std::string_view(text).substr(begin), columns_);
+        if (end < text.size()) {
+            // Break behind a blank, unless that would leave the row half empty.
+            std::size_t space = text.rfind(' ', end - 1);
+            if (space != std::string::npos && space > begin + columns_ / 2) end = space + 1;
+        }
+        rows_.push_back({number, begin, end, begin == 0});
+        begin = end;
+    } while (begin < text.size());
+}
+
+void LogView::wrap(std::size_t columns) {
+    if (columns != columns_ || clearings_ != log_.clearings()) {
+        rows_.clear();
+        columns_ = columns;
+        wrapped_ = log_.dropped();
+        clearings_ = log_.clearings();
+    }
+    while (!rows_.empty() && rows_.front().line < log_.dropped()) rows_.pop_front();
+    wrapped_ = std::max(wrapped_, log_.dropped());
+    for (; const LogLine* next = line(wrapped_); ++wrapped_) wrap_line(wrapped_, next->text);
+}
+
+void LogView::scroll(float line_height) {
+    if (pages_ != 0) {
+        float page = std::max(line_height, ImGui::GetWindowHeight() - 2 * line_height);
+        ImGui::SetScrollY(
+            std::clamp(ImGui::GetScrollY() + pages_ * page, 0.0f, ImGui::GetScrollMaxY()));
+        stick_ = false;
+        pages_ = 0;
+    } else if (stick_) {
+        ImGui::SetScrollHereY(1.0f);
+        stick_ = false;
+    } else if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) {
+        ImGui::SetScrollHereY(1.0f);  // at the end already: follow what is printed
+    }
+}
+
+void LogView::draw(float height, float cell) {
+    ImGui::BeginChild("log", ImVec2(0, height));
+    float line_height = ImGui::GetTextLineHeightWithSpacing();
+    float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
+    wrap(static_cast<std::size_t>(std::max(8.0f, std::floor(width / cell) - gutter)));
+
+    ImVec2 origin = ImGui::GetCursorScreenPos();
+    float total = static_cast<float>(rows_.size()) * line_height;
+    // Few lines lie at the bottom, next to the prompt.
+    float slack = std::max(0.0f, height - total);
+    origin.y += slack;
+    ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width), std::max(1.0f, slack + total)));
+    mouse(origin, line_height, cell);
+    float top = ImGui::GetWindowPos().y;
+    auto first = static_cast<std::ptrdiff_t>((top - origin.y) / line_height);
+    auto last = static_cast<std::ptrdiff_t>((top + height - origin.y) / line_height) + 1;
+    for (auto i = std::max<std::ptrdiff_t>(0, first);
+         i < std::min(last, static_cast<std::ptrdiff_t>(rows_.size())); ++i)
+        draw_row(rows_[static_cast<std::size_t>(i)],
+                 ImVec2(origin.x, origin.y + static_cast<float>(i) * line_height), line_height,
+                 cell);
+    scroll(line_height);
+    cell_ = cell;
+    line_height_ = line_height;
+    scrolled_ = ImGui::GetScrollY();
+    text_end_ = ImVec2(origin.x, origin.y + total);
+    ImGui::EndChild();
+}
+
+void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell) {
+    const LogLine* found = line(row.line);
+    if (found == nullptr) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_selection(row, at, line_height, cell);
+    if (row.first && found->kind == LineKind::command)
+        draw_text(list, at, palette::accent, "›");
+    else if (row.first && found->kind == LineKind::continuation)
+        draw_text(list, at, palette::faint, "·");
+    else if (row.first && found->kind == LineKind::error)
+        draw_text(list, at, palette::error, "✗");
+    at.x += static_cast<float>(gutter) * cell;
+
+    std::string_view text = found->text;
+    std::size_t done = row.begin;
+    float x = at.x;
+    auto put = [&](std::size_t to, ImU32 color) {
+        to = std::min(to, row.end);
+        if (to <= done) return;
+        std::string_view piece = text.substr(done, to - done);
+        draw_text(list, ImVec2(x, at.y), color, piece);
+        x += static_cast<float>(code_point_count(piece)) * cell;
+        done = to;
+    };
+    ImU32 base = line_color(found->kind);
+    for (const Span& span : spans_of(*found)) {
+        put(span.begin, base);
+        float from = x;
+        bool is_path = span.token == Token::path && found->kind != LineKind::error;
+        put(span.end, colored(found->kind) || is_path ? token_color(span.token) : base);
+        bool hovered = hovering_link_ && link_line_ == row.line && link_.begin == span.begin;
+        if (hovered && x > from) {
+            float y = std::round(at.y + ImGui::GetTextLineHeight()) - 1;
+            list.AddLine(ImVec2(from, y), ImVec2(x, y), palette::path);
+        }
+    }
+    put(row.end, base);
+}
+
+void LogView::draw_selection(const Row& row, ImVec2 at, float line_height, float cell) {
+    if (!selecting()) return;
+    auto [from, to] = std::minmax(selection_->from, selection_->to);
+    if (to.line < row.line || from.line > row.line) return;
+    std::size_t begin = from.line < row.line ? row.begin : std::max(from.offset, row.begin);
+    std::size_t end = to.line > row.line ? row.end : std::min(to.offset, row.end);
+    if (begin > end || (begin == end && to.line == row.line)) return;
+    std::string_view text = line(row.line)->text;
+    auto column = [&](std::size_t offset) {
+        return static_cast<float>(gutter +
+                                  code_point_count(text.substr(row.begin, offset - row.begin)));
+    };
+    float right = column(end) + (to.line > row.line && end == text.size() ? 0.5f : 0);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x + column(begin) * cell, at.y),
+                                              ImVec2(at.x + right * cell, at.y + line_height),
+                                              palette::selection);
+}
+
+LogView::Point LogView::point_at(std::ptrdiff_t index, float column) const {
+    auto count = static_cast<std::ptrdiff_t>(rows_.size());
+    if (index < 0 || count == 0) return {count == 0 ? 0 : rows_.front().line, 0};
+    if (index >= count) return {rows_.back().line, rows_.back().end};
+    const Row& row = rows_[static_cast<std::size_t>(index)];
+    const LogLine* found = line(row.line);
+    if (found == nullptr) return {row.line, 0};
+    std::string_view text = std::string_view(found->text).substr(row.begin, row.end - row.begin);
+    auto cells = static_cast<std::size_t>(std::max(0.0f, column));
+    return {row.line, row.begin + code_point_offset(text, cells)};
+}
+
+void LogView::mouse(ImVec2 origin, float line_height, float cell) {
+    ImVec2 at = ImGui::GetIO().MousePos;
+    auto row = static_cast<std::ptrdiff_t>(std::floor((at.y - origin.y) / line_height));
+    float column = (at.x - origin.x) / cell - static_cast<float>(gutter);
+    bool hovered = ImGui::IsItemHovered();
+    hovering_link_ = false;
+    bool on_text = row >= 0 && row < static_cast<std::ptrdiff_t>(rows_.size()) && column >= 0;
+    if (hovered && on_text && !dragging_) {
+        Point point = point_at(row, column);
+        const LogLine* found = line(point.line);
+        if (found != nullptr && point.offset < found->text.size())
+            for (const Span& span : spans_of(*found)) {
+                if (span.token != Token::path || point.offset < span.begin ||
+                    point.offset >= span.end)
+                    continue;
+                std::string_view path =
+                    std::string_view(found->text).substr(span.begin, span.end - span.begin);
+                if (!is_link || !is_link(path)) continue;
+                hovering_link_ = true;
+                link_line_ = point.line;
+                link_ = span;
+                ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+            }
+    }
+    Point caret = point_at(row, column + 0.5f);  // between the characters nearest to the mouse
+    if (hovered && ImGui::IsMouseClicked(0)) {
+        selection_ = Selection{caret, caret};
+        dragging_ = true;
+    }
+    if (dragging_ && ImGui::IsMouseDown(0) && selection_) selection_->to = caret;
+    if (hovered && ImGui::IsMouseDoubleClicked(0) && on_text) {
+        Point point = point_at(row, column);
+        if (const LogLine* found = line(point.line))
+            for (const Span& span : highlight_output(found->text))
+                if (point.offset >= span.begin && point.offset < span.end)
+                    selection_ = Selection{{point.line, span.begin}, {point.line, span.end}};
+        dragging_ = false;
+    }
+    if (ImGui::IsMouseReleased(0)) {
+        if (dragging_ && !selecting() && hovered && follow) {
+            Point point = point_at(row, column);
+            const LogLine* found = on_text ? line(point.line) : nullptr;
+            for (const Span& span : found ? spans_of(*found) : std::vector<Span>())
+                if (span.token == Token::path && point.offset >= span.begin &&
+                    point.offset < span.end)
+                    follow(found->text.substr(span.begin, span.end - span.begin),
+                           ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift);
+        }
+        dragging_ = false;
+    }
+}
+
+std::string LogView::selected() const {
+    std::string out;
+    if (!selecting()) return out;
+    auto [from, to] = std::minmax(selection_->from, selection_->to);
+    for (std::uint64_t number = from.line; number <= to.line; ++number) {
+        const LogLine* found = line(number);
+        if (found == nullptr) continue;
+        std::size_t begin = number == from.line ? std::min(from.offset, found->text.size()) : 0;
+        std::size_t end = number == to.line ? to.offset : found->text.size();
+        if (!out.empty() || number != from.line) out += '\n';
+        out.append(found->text, begin, std::max(end, begin) - begin);
+    }
+    return out;
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,83 @@
+#pragma once
+// The log as it is seen: wrapped to the width, colored, scrolled, selected and copied; paths in it
+// are links. Only the rows in sight are looked at, however long the log is.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <model/highlight.h>
+#include <model/log.h>
+
+namespace fettle::console {
+
+class LogView {
+  public:
+    explicit LogView(const Log& log) : log_(log) {}
+
+    /// Whether a path in the text names something; asked for the one under the mouse only.
+    std::function<bool(std::string_view path)> is_link;
+    /// A link was clicked. `insert`: with control or shift held.
+    std::function<void(std::string_view path, bool insert)> follow;
+
+    /// Fills the rest of the window down to `height`. `cell`: width of a character in pixels.
+    void draw(float height, float cell);
+    void scroll_pages(float pages) { pages_ += pages; }
+    void scroll_to_end() { stick_ = true; }
+
+    bool selecting() const { return selection_ && selection_->from != selection_->to; }
+    void clear_selection() { selection_.reset(); }
+    std::string selected() const;
+
+    // As last drawn, in pixels.
+    float cell() const { return cell_; }
+    float line_height() const { return line_height_; }
+    float scrolled() const { return scrolled_; }
+    /// Left end of the line below the last one.
+    ImVec2 text_end() const { return text_end_; }
+
+  private:
+    struct Row {
+        std::uint64_t line;      // number since the beginning
+        std::size_t begin, end;  // bytes of it
+        bool first;              // of its line
+    };
+    struct Point {
+        std::uint64_t line = 0;
+        std::size_t offset = 0;
+        friend auto operator<=>(const Point&, const Point&) = default;  // NOLINT: no pointer here
+    };
+    struct Selection {
+        Point from, to;  // in the order they were made
+    };
+    void wrap(std::size_t columns);
+    void wrap_line(std::uint64_t number, const std::string& text);
+    void scroll(float line_height);
+    void mouse(ImVec2 origin, float line_height, float cell);
+    void draw_row(const Row& row, ImVec2 at, float line_height, float cell);
+    void draw_selection(const Row& row, ImVec2 at, float line_height, float cell);
+    Point point_at(std::ptrdiff_t row, float column) const;
+    const LogLine* line(std::uint64_t number) const;
+
+    const Log& log_;
+    std::deque<Row> rows_;
+    std::size_t columns_ = 0;
+    std::uint64_t wrapped_ = 0;  // lines below this number have rows
+    std::uint64_t clearings_ = 0;
+    std::optional<Selection> selection_;
+    bool dragging_ = false;
+    float pages_ = 0;
+    bool stick_ = true;
+    float cell_ = 0, line_height_ = 0, scrolled_ = 0;
+    ImVec2 text_end_{0, 0};
+    // The link under the mouse.
+    std::uint64_t link_line_ = 0;
+    Span link_{0, 0, Token::plain};
+    bool hovering_link_ = false;
+};
+
+}  // namespace fettle::console

@@ -1,0 +1,251 @@
+#include <views/prompt_view.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <look/imgui_compat.h>
+#include <look/theme.h>
+#include <model/highlight.h>
+#include <model/utf8.h>
+
+namespace fettle::console {
+
+namespace {
+
+constexpr float prompt_gutter = 2;  // columns
+constexpr std::size_t menu_rows = 10;
+constexpr float row_padding = 5;  // pixels
+constexpr double blink_seconds = 0.55;
+
+float columns(std::string_view text) {
+    return static_cast<float>(code_point_count(text));
+}
+
+}  // namespace
+
+float PromptView::height(float available) const {
+    float line_height = ImGui::GetTextLineHeightWithSpacing();
+    auto lines = static_cast<float>(prompt_.edit().line_count());
+    float padding = 2 * ImGui::GetStyle().FramePadding.y;
+    return std::min(lines * line_height + padding,
+                    std::max(line_height + padding, std::floor(available / 3)));
+}
+
+void PromptView::draw(float height, float cell, bool focused) {
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImVec2 size(ImGui::GetContentRegionAvail().x, height);
+    ImGuiStyle& style = ImGui::GetStyle();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float line_height = ImGui::GetTextLineHeightWithSpacing();
+    ImVec2 end(corner.x + size.x, corner.y + size.y);
+    list.AddRectFilled(corner, end, palette::well, style.FrameRounding);
+    list.AddRect(corner, end, focused ? with_alpha(palette::accent, 0.55f) : palette::line,
+                 style.FrameRounding);
+
+    ImGui::InvisibleButton("prompt", size);
+    rect_ = item_rect();
+    follow_caret(size, line_height, cell);
+    ImVec2 origin(corner.x + style.FramePadding.x - scroll_.x,
+                  corner.y + style.FramePadding.y + 1 - scroll_.y);
+    ImVec2 text_origin(origin.x + prompt_gutter * cell, origin.y);
+    mouse(text_origin, line_height, cell);
+    list.PushClipRect(corner, end, true);
+    if (prompt_.search()) {
+        std::string head = "search: " + *prompt_.search() + "  ";
+        ImU32 color = prompt_.search_failed() ? palette::error : palette::note;
+        draw_text(list, text_origin, color, head);
+        text_origin.x += columns(head) * cell;
+    }
+    for (std::size_t i = 0; i < prompt_.edit().line_count(); ++i)
+        draw_text(list, ImVec2(origin.x, origin.y + static_cast<float>(i) * line_height),
+                  i == 0 ? palette::accent : palette::faint, i == 0 ? "›" : "·");
+    draw_lines(text_origin, line_height, cell);
+    draw_caret(text_origin, line_height, cell, focused);
+    list.PopClipRect();
+
+    if (prompt_.menu().open()) {
+        const TextEdit& edit = prompt_.edit();
+        std::size_t from = prompt_.menu().selection().replace_from;
+        menu_anchor_ =
+            ImVec2(text_origin.x + static_cast<float>(edit.column_of(from)) * cell, end.y + 5);
+    }
+}
+
+void PromptView::follow_caret(ImVec2 size, float line_height, float cell) {
+    const TextEdit& edit = prompt_.edit();
+    float x = (prompt_gutter + static_cast<float>(edit.column_of(edit.cursor()))) * cell;
+    float y = static_cast<float>(edit.line_of(edit.cursor())) * line_height;
+    float room_x = size.x - 4 * cell;
+    float room_y = size.y - line_height - 2 * ImGui::GetStyle().FramePadding.y;
+    scroll_.x = std::clamp(scroll_.x, std::max(0.0f, x - room_x), std::max(0.0f, x - 8 * cell));
+    if (x <= room_x) scroll_.x = 0;
+    scroll_.y = std::clamp(scroll_.y, std::max(0.0f, y - room_y), std::max(0.0f, y));
+}
+
+void PromptView::mouse(ImVec2 origin, float line_height, float cell) {
+    ImVec2 at = ImGui::GetIO().MousePos;
+    TextEdit& edit = prompt_.edit();
+    auto row = static_cast<std::size_t>(std::max(0.0f, (at.y - origin.y) / line_height));
+    auto column = static_cast<std::size_t>(std::max(0.0f, (at.x - origin.x) / cell + 0.5f));
+    clicked_ = ImGui::IsItemClicked(0);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+    if (clicked_) {
+        edit.place(edit.offset_at(row, column), ImGui::GetIO().KeyShift);
+        prompt_.close_menu();
+        dragging_ = true;
+    } else if (dragging_ && ImGui::IsMouseDown(0)) {
+        edit.place(edit.offset_at(row, column), true);
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
+        edit.select_word(edit.cursor());
+        dragging_ = false;
+    }
+    if (!ImGui::IsMouseDown(0)) dragging_ = false;
+}
+
+void PromptView::draw_lines(ImVec2 origin, float line_height, float cell) {
+    const TextEdit& edit = prompt_.edit();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    auto [from, to] = edit.selection();
+    std::size_t base = 0;
+    for (std::size_t i = 0; i < edit.line_count(); ++i) {
+        std::string_view line = edit.line(i);
+        ImVec2 at(origin.x, origin.y + static_cast<float>(i) * line_height);
+        std::size_t begin = std::clamp(from, base, base + line.size()) - base;
+        std::size_t end = std::clamp(to, base, base + line.size()) - base;
+        if (from < to && from <= base + line.size() && to >= base)
+            list.AddRectFilled(
+                ImVec2(at.x + columns(line.substr(0, begin)) * cell, at.y),
+                ImVec2(at.x + columns(line.substr(0, end)) * cell, at.y + line_height),
+                palette::selection);
+        for (const Span& span : highlight_command(line))
+            draw_text(list, ImVec2(at.x + columns(line.substr(0, span.begin)) * cell, at.y),
+                      token_color(span.token), line.substr(span.begin, span.end - span.begin));
+        base += line.size() + 1;
+    }
+}
+
+void PromptView::draw_caret(ImVec2 origin, float line_height, float cell, bool focused) {
+    const TextEdit& edit = prompt_.edit();
+    if (blink_cursor_ != edit.cursor()) {
+        blink_cursor_ = edit.cursor();
+        blink_from_ = ImGui::GetTime();
+    }
+    ImVec2 at(origin.x + static_cast<float>(edit.column_of(edit.cursor())) * cell,
+              origin.y + static_cast<float>(edit.line_of(edit.cursor())) * line_height);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, at, palette::faint, prompt_.suggestion());
+    bool lit = std::fmod(ImGui::GetTime() - blink_from_, 2 * blink_seconds) < blink_seconds;
+    if (focused && lit)
+        list.AddRectFilled(ImVec2(std::floor(at.x), at.y),
+                           ImVec2(std::floor(at.x) + 2, at.y + ImGui::GetTextLineHeight()),
+                           palette::accent);
+}
+
+// --- Candidates
+// -----------------------------------------------------------------------------------------------------
+
+void PromptView::draw_menu(float cell, ImFont* bold) {
+    menu_rect_ = {};
+    const CompletionMenu& menu = prompt_.menu();
+    if (!menu.open()) {
+        shown_selection_ = 0;
+        return;
+    }
+    float label_width = 0, detail_width = 0;
+    for (const auto& candidate : menu.candidates()) {
+        label_width = std::max(label_width, columns(candidate.completion.label) * cell);
+        detail_width = std::max(detail_width, columns(candidate.completion.detail) * cell);
+    }
+    ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGuiStyle& style = ImGui::GetStyle();
+    label_width = std::min(label_width, 32 * cell);
+    bool scrolls = menu.candidates().size() > menu_rows;
+    float width = label_width + std::min(detail_width, 60 * cell) + 5 * cell +
+                  2 * style.WindowPadding.x + (scrolls ? style.ScrollbarSize : 0);
+    width = std::min(std::max(width, 36 * cell), screen.x - 16);
+    ImVec2 at(std::clamp(menu_anchor_.x - style.WindowPadding.x - cell, 8.0f,
+                         std::max(8.0f, screen.x - width - 8)),
+              menu_anchor_.y);
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSize(ImVec2(width, 0));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::rgb(0x1a1e26, 252));
+    ImGui::Begin("##candidates", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(style.ItemSpacing.x, 0));
+    float row_height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
+    auto rows = static_cast<float>(std::min(menu_rows, menu.candidates().size()));
+    float inner = width - 2 * style.WindowPadding.x;
+    ImGui::BeginChild("rows", ImVec2(inner, rows * row_height));
+    if (shown_selection_ != menu.selected()) {
+        auto row = static_cast<float>(menu.selected());
+        float view = ImGui::GetScrollY();
+        ImGui::SetScrollY(std::clamp(view, (row + 1 - rows) * row_height, row * row_height));
+        shown_selection_ = menu.selected();
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(menu.candidates().size()), row_height);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && menu.open(); ++i)
+            draw_candidate(static_cast<std::size_t>(i), inner - (scrolls ? style.ScrollbarSize : 0),
+                           label_width, cell);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    if (menu.open()) draw_description(cell, bold);
+    menu_rect_ = window_rect();
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+void PromptView::draw_candidate(std::size_t index, float width, float label_width, float cell) {
+    const auto& candidate = prompt_.menu().candidates()[index];
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
+    ImGui::PushID(static_cast<int>(index));
+    bool clicked = ImGui::InvisibleButton("candidate", ImVec2(width, height));
+    bool hovered = ImGui::IsItemHovered();
+    ImGui::PopID();
+    bool chosen = index == prompt_.menu().selected();
+    ImVec2 end(at.x + width, at.y + height);
+    float rounding = ImGui::GetStyle().FrameRounding;
+    if (chosen || hovered)
+        list.AddRectFilled(at, end, chosen ? palette::rgb(0x333c4b) : palette::hover, rounding);
+    if (chosen) list.AddRectFilled(at, ImVec2(at.x + 3, end.y), palette::accent, rounding);
+    ImVec2 text(at.x + cell, at.y + (height - ImGui::GetTextLineHeight()) / 2);
+    const std::string& label = candidate.completion.label;
+    draw_text_fit(list, text, palette::text, label, label_width);
+    // Matched letters once more in the accent color.
+    for (std::size_t byte : candidate.matched) {
+        std::string_view before = std::string_view(label).substr(0, byte);
+        float x = columns(before) * cell;
+        if (x + cell > label_width + 1) break;
+        draw_text(list, ImVec2(text.x + x, text.y), palette::accent,
+                  std::string_view(label).substr(byte, next_code_point(label, byte) - byte));
+    }
+    float used = label_width + 3 * cell;
+    draw_text_fit(list, ImVec2(at.x + used, text.y), palette::dim, candidate.completion.detail,
+                  width - used - cell);
+    if (clicked) prompt_.accept_candidate(index);
+}
+
+void PromptView::draw_description(float cell, ImFont* bold) {
+    const script::Completion& chosen = prompt_.menu().selection();
+    if (chosen.doc.empty()) return;
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - cell);
+    ImGui::Indent(cell);
+    compat::push_font(bold);
+    ImGui::TextUnformatted(chosen.label.c_str());
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+    ImGui::TextUnformatted(chosen.doc.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Unindent(cell);
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace fettle::console

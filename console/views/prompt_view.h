@@ -1,0 +1,46 @@
+#pragma once
+// The prompt as it is seen: colored text, caret and selection, the dim suggestion, the reverse
+// search, and the list of candidates below.
+
+#include <imgui.h>
+
+#include <model/prompt.h>
+#include <model/rect.h>
+
+namespace fettle::console {
+
+class PromptView {
+  public:
+    explicit PromptView(Prompt& prompt) : prompt_(prompt) {}
+
+    /// Pixels it needs, growing with the lines typed up to a third of `available`.
+    float height(float available) const;
+    void draw(float height, float cell, bool focused);
+    /// In a window of its own, so that it lies over everything.
+    void draw_menu(float cell, ImFont* bold);
+    /// Where the list of candidates was drawn; empty when it was not.
+    const Rect& menu_rect() const { return menu_rect_; }
+    const Rect& rect() const { return rect_; }
+    /// Whether the prompt was clicked in the last frame.
+    bool clicked() const { return clicked_; }
+
+  private:
+    void mouse(ImVec2 origin, float line_height, float cell);
+    void draw_lines(ImVec2 origin, float line_height, float cell);
+    void draw_caret(ImVec2 origin, float line_height, float cell, bool focused);
+    void draw_candidate(std::size_t index, float width, float label_width, float cell);
+    void draw_description(float cell, ImFont* bold);
+    void follow_caret(ImVec2 size, float line_height, float cell);
+
+    Prompt& prompt_;
+    ImVec2 menu_anchor_{0, 0};
+    ImVec2 scroll_{0, 0};
+    std::size_t blink_cursor_ = 0;
+    double blink_from_ = 0;
+    bool dragging_ = false;
+    bool clicked_ = false;
+    Rect rect_, menu_rect_;
+    std::size_t shown_selection_ = 0;
+};
+
+}  // namespace fettle::console

@@ -1,0 +1,247 @@
+#include <views/time_bar.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <look/imgui_compat.h>
+#include <look/theme.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Type;
+using property::Value;
+
+namespace {
+
+constexpr int flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
+                      ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr float knob = 5;  // pixels, half its width
+
+std::string seconds_text(double seconds) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f s", seconds);
+    return text;
+}
+
+/// Above the bar, which it would cover.
+void tip(const Rect& bar, const std::string& text) {
+    const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
+    const float x = std::max(ImGui::GetIO().MousePos.x, bar.low.x + half);
+    ImGui::SetNextWindowPos(ImVec2(x, bar.low.y - 4), ImGuiCond_Always, ImVec2(0.5f, 1));
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
+}  // namespace
+
+// --- What it knows and does
+// -------------------------------------------------------------------------------------------
+
+Value TimeBar::value(const char* name) const {
+    const Handle time = tree_.child(tree_.root(), "time");
+    const property::Property* property = time ? tree_.find(time, name) : nullptr;
+    return property != nullptr ? tree_.get(time, *property) : Value();
+}
+
+bool TimeBar::available() const {
+    const Value newest = value("newest");
+    return newest.is(Type::integer) && value("step").is(Type::integer) &&
+           value("oldest").is(Type::integer) && value("paused").is(Type::boolean);
+}
+
+TimeBar::Times TimeBar::times() const {
+    Times now;
+    now.step = value("step").integer();
+    now.oldest = std::min(value("oldest").integer(), now.step);
+    now.newest = std::max(value("newest").integer(), now.step);
+    const Value dt = value("dt");
+    now.dt = dt.is(Type::number) ? dt.number() : 1.0 / 60;
+    now.paused = value("paused").boolean();
+    return now;
+}
+
+// Looking at the game is no edit of it.
+void TimeBar::set(const char* name, bool on) {
+    const Handle time = tree_.child(tree_.root(), "time");
+    const property::Tree::CauseScope cause(tree_, property::Writer::module);
+    tree_.set(time, name, Value(on));
+}
+
+// As a command, so that a recording of the run holds it.
+void TimeBar::go_to(std::int64_t step) {
+    if (step == asked_) return;
+    asked_ = step;
+    set("paused", true);
+    if (interpreter_.evaluate) interpreter_.evaluate("time:go_to(" + std::to_string(step) + ")");
+}
+
+// --- How it looks
+// -----------------------------------------------------------------------------------------------------
+
+float TimeBar::height() {
+    return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().WindowPadding.y + 14;
+}
+
+void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
+    const Times now = times();
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - height()));
+    ImGui::SetNextWindowSize(ImVec2(std::max(120.0f, width), height()));
+    ImGui::SetNextWindowBgAlpha(opacity);
+    ImGui::Begin("##time", nullptr, flags);
+    rect_ = window_rect();
+    draw_play(now);
+    ImGui::SameLine();
+    draw_step(now);
+    ImGui::SameLine();
+    const float text = text_width("0000000 · 00000.00 s   to the present ") + 24;
+    draw_track(now, std::max(40.0f, ImGui::GetContentRegionAvail().x - text));
+    ImGui::SameLine();
+    draw_text(now, bold);
+    ImGui::End();
+}
+
+bool TimeBar::icon(const char* id, Rect& place) {
+    const float side = ImGui::GetTextLineHeight() + 12;
+    const bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
+    place = item_rect();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        place.low, place.high, ImGui::IsItemHovered() ? palette::hover : palette::raised,
+        ImGui::GetStyle().FrameRounding);
+    return pressed;
+}
+
+void TimeBar::draw_play(const Times& now) {
+    const bool pressed = icon("play", play_);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 c = play_.middle();
+    const float r = (play_.high.y - play_.low.y) * 0.24f;
+    if (now.paused) {
+        list.AddTriangleFilled(ImVec2(c.x - r * 0.8f, c.y - r), ImVec2(c.x - r * 0.8f, c.y + r),
+                               ImVec2(c.x + r * 1.1f, c.y), palette::accent);
+    } else {
+        for (const float side : {-1.0f, 1.0f})
+            list.AddRectFilled(ImVec2(c.x + side * r * 0.55f - r * 0.3f, c.y - r),
+                               ImVec2(c.x + side * r * 0.55f + r * 0.3f, c.y + r), palette::text);
+    }
+    if (ImGui::IsItemHovered())
+        tip(rect_, now.in_past() ? "go on from here: what came later is forgotten"
+                   : now.paused  ? "go on"
+                                 : "pause");
+    if (!pressed) return;
+    asked_ = -1;
+    set("paused", !now.paused);
+}
+
+void TimeBar::draw_step(const Times& now) {
+    const bool pressed = icon("step", step_);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 c = step_.middle();
+    const float r = (step_.high.y - step_.low.y) * 0.22f;
+    const ImU32 color = now.paused ? palette::text : palette::faint;
+    list.AddTriangleFilled(ImVec2(c.x - r, c.y - r), ImVec2(c.x - r, c.y + r),
+                           ImVec2(c.x + r * 0.5f, c.y), color);
+    list.AddRectFilled(ImVec2(c.x + r * 0.65f, c.y - r), ImVec2(c.x + r * 1.1f, c.y + r), color);
+    if (ImGui::IsItemHovered()) tip(rect_, now.in_past() ? "one step on, as it was" : "one step");
+    if (!pressed) return;
+    if (now.in_past()) {
+        go_to(now.step + 1);
+    } else {
+        set("paused", true);
+        set("step_once", true);
+    }
+}
+
+void TimeBar::draw_track(const Times& now, float width) {
+    const float tall = ImGui::GetTextLineHeight() + 12;
+    ImGui::InvisibleButton("track", ImVec2(width, tall));
+    track_ = item_rect();
+    const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.newest - now.oldest));
+    const float left = track_.low.x + knob, wide = track_.high.x - knob - left;
+    const auto x_of = [&](std::int64_t step) {
+        return left + wide * static_cast<float>(step - now.oldest) / span;
+    };
+    const float mouse = std::clamp((ImGui::GetIO().MousePos.x - left) / wide, 0.0f, 1.0f);
+    const std::int64_t under = now.oldest + std::llround(mouse * span);
+    if (held) go_to(under);
+    if (!held && asked_ == now.step) asked_ = -1;
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y = track_.middle().y, half = 4;
+    const float rounding = half;
+    list.AddRectFilled(ImVec2(track_.low.x, y - half), ImVec2(track_.high.x, y + half),
+                       palette::well, rounding);
+    const float here = x_of(now.step);
+    list.AddRectFilled(ImVec2(track_.low.x, y - half), ImVec2(here, y + half),
+                       with_alpha(palette::accent, 0.55f), rounding);
+    if (now.in_past())
+        list.AddRectFilled(ImVec2(here, y - half), ImVec2(x_of(now.newest), y + half),
+                           with_alpha(palette::note, 0.35f), rounding);
+    draw_ruler(now);
+    const float grown = held || hovered ? 1.5f : 0;
+    list.AddCircleFilled(ImVec2(here, y), knob + 2 + grown, palette::panel);
+    list.AddCircleFilled(ImVec2(here, y), knob + grown,
+                         now.in_past() ? palette::note : palette::accent);
+    if (hovered && !held) {
+        const float at = x_of(under);
+        list.AddLine(ImVec2(at, y - 2 * half), ImVec2(at, y + 2 * half), palette::dim);
+    }
+    if (hovered || held) {
+        const double back = static_cast<double>(now.newest - under) * now.dt;
+        tip(rect_, "step " + std::to_string(under) +
+                       (back > 0 ? ", " + seconds_text(back) + " before the present"
+                                 : std::string(", the present")));
+    }
+}
+
+/// A mark every second, or as many seconds as leave room between them.
+void TimeBar::draw_ruler(const Times& now) const {
+    const double span = static_cast<double>(now.newest - now.oldest) * now.dt;
+    const double wide = track_.high.x - track_.low.x - 2 * knob;
+    if (!(span > 0) || wide <= 0) return;
+    double apart = 1;
+    for (const double more : {2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 1800.0})
+        if (apart * wide / span < 8) apart = more;
+    if (apart * wide / span < 8) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y = track_.middle().y + 8;
+    for (double back = 0; back <= span; back += apart) {
+        const auto x = static_cast<float>(track_.high.x - knob - back / span * wide);
+        const bool tenth = std::fmod(back, 10 * apart) == 0;
+        list.AddLine(ImVec2(x, y), ImVec2(x, y + (tenth ? 5.0f : 3.0f)),
+                     tenth ? palette::dim : palette::faint);
+    }
+}
+
+void TimeBar::draw_text(const Times& now, ImFont* bold) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    at.x += 6;
+    at.y = track_.middle().y - ImGui::GetTextLineHeight() / 2;
+    compat::push_font(bold);
+    at.x += console::draw_text(list, at, palette::text,
+                               seconds_text(static_cast<double>(now.step) * now.dt));
+    ImGui::PopFont();
+    const std::string step = "  step " + std::to_string(now.step);
+    if (!now.in_past()) {
+        return_ = {};
+        console::draw_text(list, at, palette::dim, step);
+        return;
+    }
+    at.x += 10;
+    const std::string label = "to the present";
+    const float wide = text_width(label) + 12;
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y - 3));
+    const bool pressed =
+        ImGui::InvisibleButton("return", ImVec2(wide, ImGui::GetTextLineHeight() + 6));
+    return_ = item_rect();
+    list.AddRectFilled(return_.low, return_.high,
+                       ImGui::IsItemHovered() ? palette::hover : palette::raised,
+                       ImGui::GetStyle().FrameRounding);
+    console::draw_text(list, ImVec2(at.x + 6, at.y), palette::note, label);
+    if (pressed) go_to(now.newest);
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,59 @@
+#pragma once
+// The time bar: pause, step, go back to any moment that is kept, and go on from there.
+
+#include <cstdint>
+#include <string>
+
+#include <imgui.h>
+
+#include <fettle/console/interpreter.h>
+#include <fettle/property/tree.h>
+
+#include <model/rect.h>
+
+namespace fettle::console {
+
+class TimeBar {
+  public:
+    TimeBar(property::Tree& tree, const Interpreter& interpreter)
+        : tree_(tree), interpreter_(interpreter) {}
+
+    /// Whether the game has a past to show.
+    bool available() const;
+    static float height();
+    /// A window of its own, of that width, its lower left corner at `corner`.
+    void draw(ImVec2 corner, float width, float opacity, ImFont* bold);
+    const Rect& rect() const { return rect_; }
+    void hide() { rect_ = {}; }
+
+    // Where things are, for tests.
+    const Rect& track() const { return track_; }
+    const Rect& play_button() const { return play_; }
+    const Rect& step_button() const { return step_; }
+    const Rect& return_button() const { return return_; }
+
+  private:
+    struct Times {
+        std::int64_t step = 0, oldest = 0, newest = 0;
+        double dt = 0;
+        bool paused = false;
+        bool in_past() const { return step < newest; }
+    };
+    Times times() const;
+    property::Value value(const char* name) const;
+    void set(const char* name, bool on);
+    void go_to(std::int64_t step);
+    bool icon(const char* id, Rect& place);
+    void draw_play(const Times& now);
+    void draw_step(const Times& now);
+    void draw_track(const Times& now, float width);
+    void draw_ruler(const Times& now) const;
+    void draw_text(const Times& now, ImFont* bold);
+
+    property::Tree& tree_;
+    const Interpreter& interpreter_;
+    Rect rect_, track_, play_, step_, return_;
+    std::int64_t asked_ = -1;  // where the drag has gone to last
+};
+
+}  // namespace fettle::console

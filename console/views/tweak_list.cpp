@@ -1,0 +1,178 @@
+#include <views/tweak_list.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include <look/theme.h>
+
+namespace fettle::console {
+
+namespace {
+
+constexpr double patience = 0.25;  // s until the list is asked for again
+
+std::string when(const property::Tweak& tweak) {
+    const auto time = static_cast<std::time_t>(tweak.time);
+    std::tm parts{};
+    char text[32] = "";
+    if (localtime_r(&time, &parts) != nullptr)
+        std::strftime(text, sizeof text, tweak.earlier ? "%F %R" : "%T", &parts);
+    return "step " + std::to_string(tweak.step) + "  " + text;
+}
+
+void colored(ImU32 color, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    ImGui::PopStyleColor();
+}
+
+/// Cut with an ellipsis at `width`; all of it is shown where the mouse rests on it.
+void fitted(ImU32 color, const std::string& text, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float whole = text_width(text);
+    draw_text_fit(*ImGui::GetWindowDrawList(), at, color, text, width);
+    ImGui::Dummy(ImVec2(std::max(1.0f, std::min(whole, width)), ImGui::GetTextLineHeight()));
+    if (whole > width && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%.*s", static_cast<int>(std::min<std::size_t>(text.size(), 4000)),
+                          text.c_str());
+}
+
+/// As Lua reads it.
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            out += '\\';
+        else if (c == '\n')
+            out += "\\";  // before the line break itself
+        out += c;
+    }
+    return out + '"';
+}
+
+}  // namespace
+
+void TweakList::refresh(bool now) {
+    const double time = ImGui::GetTime();
+    if (!now && refreshed_ >= 0 && time - refreshed_ < patience && time >= refreshed_) return;
+    refreshed_ = time;
+    rows_ = tweaks_->list();
+}
+
+std::size_t TweakList::open_count() {
+    if (tweaks_ == nullptr) return 0;
+    refresh(false);
+    return static_cast<std::size_t>(
+        std::count_if(rows_.begin(), rows_.end(), [](const Tweak& tweak) { return !tweak.kept; }));
+}
+
+// As a command, so that a recording of the run holds it.
+void TweakList::act(const char* function, const std::string& pattern) {
+    if (!evaluate) return;
+    const script::Evaluation said = evaluate(function + ("(" + quoted(pattern) + ")"));
+    if (say) {
+        for (const std::string& line : said.lines) say(line);
+        if (said.error) say(said.error->message);
+    }
+    refresh(true);
+}
+
+bool TweakList::small_button(int row, const char* label, const char* hint) {
+    ImGui::PushID(row);
+    const bool pressed = ImGui::SmallButton(label);
+    ImGui::PopID();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    drawn_.push_back({row, label, {low, high}});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint);
+    return pressed;
+}
+
+Rect TweakList::button(int row, std::string_view label) const {
+    for (const Drawn& each : drawn_)
+        if (each.row == row && each.label == label) return each.rect;
+    return {};
+}
+
+void TweakList::draw_header() {
+    const auto open = open_count();
+    const bool earlier =
+        std::any_of(rows_.begin(), rows_.end(), [](const Tweak& t) { return t.earlier; });
+    colored(palette::dim, rows_.empty()
+                              ? "Nothing was tweaked. What you edit while the game runs is listed "
+                                "here, and survives whatever happens to the game."
+                              : std::to_string(open) + " to keep or to drop");
+    if (open == 0) return;
+    ImGui::SameLine();
+    if (small_button(-1, "keep all", "Write them into the files they came from")) act("keep", "**");
+    if (earlier) {
+        ImGui::SameLine();
+        if (small_button(-1, "make all again", "Set what earlier runs left, as one edit"))
+            act("reapply_tweaks", "**");
+    }
+    ImGui::SameLine();
+    if (small_button(-1, "drop all", "Forget them; values stay as they are"))
+        act("drop_tweaks", "**");
+}
+
+void TweakList::draw_change(const Tweak& tweak) {
+    float room = ImGui::GetContentRegionAvail().x;
+    if (tweak.value) {
+        const std::string arrow = " → ";
+        const float both = room - text_width(arrow);
+        // The new value gets what the old one leaves, and half of the room at least.
+        const float was =
+            std::min(text_width(tweak.was), std::max(both / 2, both - text_width(tweak.now)));
+        fitted(palette::dim, tweak.was, was);
+        ImGui::SameLine(0, 0);
+        colored(palette::faint, arrow);
+        ImGui::SameLine(0, 0);
+        room = both - was;
+    }
+    fitted(tweak.value ? palette::number : palette::string, tweak.now, room);
+}
+
+void TweakList::draw_row(int row) {
+    const Tweak tweak = rows_[static_cast<std::size_t>(row)];  // acting changes the list
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsItemClicked(0) && follow) follow(tweak.path);
+    ImGui::TableNextColumn();
+    draw_change(tweak);
+    ImGui::TableNextColumn();
+    colored(tweak.earlier ? palette::accent : palette::faint, when(tweak));
+    ImGui::TableNextColumn();
+    if (tweak.kept) return colored(palette::note, "kept in " + tweak.kept_in);
+    if (small_button(row, "keep", "Write it into the file it came from")) act("keep", tweak.path);
+    ImGui::SameLine();
+    if (tweak.earlier) {
+        if (small_button(row, "make again", "Set it now")) act("reapply_tweaks", tweak.path);
+        ImGui::SameLine();
+    }
+    if (small_button(row, "drop", "Forget it; the value stays as it is"))
+        act("drop_tweaks", tweak.path);
+}
+
+void TweakList::draw(float height) {
+    refresh(false);
+    drawn_.clear();
+    const float top = ImGui::GetCursorPosY();
+    draw_header();
+    const float left = std::max(1.0f, height - (ImGui::GetCursorPosY() - top));
+    constexpr int flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp |
+                          ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX;
+    if (!ImGui::BeginTable("tweaks", 4, flags, ImVec2(0, left))) return;
+    ImGui::TableSetupColumn("what", 0, 3);
+    ImGui::TableSetupColumn("change", 0, 4);
+    ImGui::TableSetupColumn("when", 0, 2);
+    ImGui::TableSetupColumn("do", 0, 2.5f);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows_.size()));
+    while (clipper.Step())
+        for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
+            if (row < static_cast<int>(rows_.size())) draw_row(row);
+    ImGui::EndTable();
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,198 @@
+#include <draw/atlas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fettle::app {
+
+namespace {
+
+constexpr unsigned gap = 1;  // texels between patches: neighbours must not bleed in
+
+/// White of the given opacity.
+void put(std::vector<std::uint8_t>& pixels, std::size_t index, float opacity) {
+    pixels[4 * index] = pixels[4 * index + 1] = pixels[4 * index + 2] = 255;
+    pixels[4 * index + 3] =
+        static_cast<std::uint8_t>(std::lround(255 * std::clamp(opacity, 0.0f, 1.0f)));
+}
+
+}  // namespace
+
+Atlas::Atlas() {
+    if (!sfml::create(texture_, side, side))
+        throw std::runtime_error("the graphics system has no textures of 2048 x 2048");
+    texture_.setSmooth(true);
+    // Transparent white: filtering at the rim of a patch must not darken it.
+    std::vector<std::uint8_t> pixels(std::size_t{side} * side * 4);
+    for (std::size_t i = 0; i < std::size_t{side} * side; ++i) put(pixels, i, 0);
+    for (std::size_t y = 0; y < 4; ++y)
+        for (std::size_t x = 0; x < 4; ++x) put(pixels, y * side + x, 1);
+    sfml::update(texture_, pixels.data(), side, side, 0, 0);
+    shelf_ = {4 + gap, 0, 4};
+    draw_discs();
+    load_fonts();
+}
+
+void Atlas::draw_discs() {
+    // Sizes in steps of 6 %: a disc is scaled down by less than that, which keeps its rim sharp.
+    std::vector<float> radii;
+    for (float radius = 0.75f; radius < largest_disc; radius *= 1.06f) radii.push_back(radius);
+    radii.push_back(largest_disc);
+    std::vector<std::uint8_t> pixels;
+    for (const float radius : radii) {
+        const unsigned width = 2 * static_cast<unsigned>(std::ceil(radius + 1));
+        const Patch patch = place(width, width).value();
+        pixels.assign(std::size_t{width} * width * 4, 0);
+        const float middle = 0.5f * static_cast<float>(width);
+        for (unsigned y = 0; y < width; ++y) {
+            for (unsigned x = 0; x < width; ++x) {
+                const float distance = std::hypot(static_cast<float>(x) + 0.5f - middle,
+                                                  static_cast<float>(y) + 0.5f - middle);
+                put(pixels, std::size_t{y} * width + x, radius + 0.5f - distance);
+            }
+        }
+        sfml::update(texture_, pixels.data(), width, width, static_cast<unsigned>(patch.left),
+                     static_cast<unsigned>(patch.top));
+        discs_.push_back({radius, patch});
+    }
+    glyphs_from_ = shelf_.y + shelf_.height + gap;
+    clear_glyphs();
+}
+
+const Disc& Atlas::disc(float radius) const {
+    const auto found =
+        std::lower_bound(discs_.begin(), discs_.end(), radius,
+                         [](const Disc& disc, float wanted) { return disc.radius < wanted; });
+    return found == discs_.end() ? discs_.back() : *found;
+}
+
+std::optional<Patch> Atlas::place(unsigned width, unsigned height) {
+    if (shelf_.x + width > side) {
+        shelf_.y += shelf_.height + gap;
+        shelf_.x = shelf_.height = 0;
+    }
+    if (width > side || shelf_.y + height > side) return std::nullopt;
+    const Patch patch{static_cast<float>(shelf_.x), static_cast<float>(shelf_.y),
+                      static_cast<float>(width), static_cast<float>(height)};
+    shelf_.x += width + gap;
+    shelf_.height = std::max(shelf_.height, height);
+    return patch;
+}
+
+void Atlas::load_fonts() {
+    static constexpr std::array<const char*, 3> files{"DejaVuSans.ttf", "DejaVuSans-Bold.ttf",
+                                                      "DejaVuSansMono.ttf"};
+    static constexpr const char* folders[] = {
+        "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
+        "/usr/share/fonts/dejavu",          "/usr/share/fonts/TTF",
+        "/usr/local/share/fonts/dejavu",    "/Library/Fonts",
+        "/opt/homebrew/share/fonts",        "C:/Windows/Fonts"};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (const char* folder : folders) {
+            const std::filesystem::path file = std::filesystem::path(folder) / files[i];
+            std::error_code ignored;
+            if (!std::filesystem::is_regular_file(file, ignored)) continue;
+            auto font = std::make_unique<sf::Font>();
+            if (!sfml::load(*font, file.string())) continue;
+            fonts_[i] = std::move(font);
+            break;
+        }
+    }
+}
+
+const sf::Font* Atlas::font(Face face) const {
+    const sf::Font* wanted = fonts_[static_cast<std::size_t>(face)].get();
+    if (wanted != nullptr) return wanted;
+    for (const auto& any : fonts_)
+        if (any) return any.get();
+    return nullptr;
+}
+
+bool Atlas::has_font(Face face) const {
+    return font(face) != nullptr;
+}
+
+std::uint64_t Atlas::key(char32_t character, unsigned size, Face face) {
+    return std::uint64_t{character} | std::uint64_t{size} << 32 |
+           static_cast<std::uint64_t>(face) << 48;
+}
+
+bool Atlas::prepare(const std::u32string& line, unsigned size, Face face) {
+    const sf::Font& source = *font(face);
+    std::vector<char32_t> missing;
+    for (const char32_t c : line)
+        if (!glyphs_.contains(key(c, size, face))) missing.push_back(c);
+    if (missing.empty()) return true;
+    for (const char32_t c : missing) (void)source.getGlyph(c, size, false);
+    // The font draws into a texture of its own for each size; its pixels move over here, once.
+    const sf::Image image = source.getTexture(size).copyToImage();
+    const std::uint8_t* from = image.getPixelsPtr();
+    for (const char32_t c : missing) {
+        if (glyphs_.contains(key(c, size, face))) continue;
+        const sf::Glyph& drawn = source.getGlyph(c, size, false);
+        Glyph glyph{sfml::left(drawn.bounds), sfml::top(drawn.bounds), drawn.advance};
+        const auto width = static_cast<unsigned>(sfml::width(drawn.textureRect));
+        const auto height = static_cast<unsigned>(sfml::height(drawn.textureRect));
+        if (width > 0 && height > 0) {
+            const std::optional<Patch> patch = place(width, height);
+            if (!patch) return false;
+            std::vector<std::uint8_t> pixels(std::size_t{width} * height * 4);
+            for (unsigned y = 0; y < height; ++y) {
+                const std::size_t row =
+                    (static_cast<std::size_t>(sfml::top(drawn.textureRect)) + y) *
+                        image.getSize().x +
+                    static_cast<std::size_t>(sfml::left(drawn.textureRect));
+                std::copy_n(from + 4 * row, std::size_t{4} * width,
+                            pixels.begin() + std::ptrdiff_t{4} * width * y);
+            }
+            sfml::update(texture_, pixels.data(), width, height, static_cast<unsigned>(patch->left),
+                         static_cast<unsigned>(patch->top));
+            glyph.patch = *patch;
+        }
+        glyphs_.emplace(key(c, size, face), glyph);
+    }
+    return true;
+}
+
+const Glyph& Atlas::glyph(char32_t character, unsigned size, Face face) const {
+    return glyphs_.at(key(character, size, face));
+}
+
+float Atlas::kerning(char32_t first, char32_t second, unsigned size, Face face) const {
+    return face == Face::monospace ? 0 : font(face)->getKerning(first, second, size);
+}
+
+float Atlas::ascent(unsigned size, Face face) const {
+    // DejaVu's capitals are 0.73 em tall and its descenders reach 0.24 em down; SFML tells neither.
+    (void)face;
+    return std::round(0.93f * static_cast<float>(size));
+}
+
+void Atlas::clear_glyphs() {
+    glyphs_.clear();
+    shelf_ = {0, glyphs_from_, 0};
+}
+
+std::u32string decode_utf8(std::string_view text) {
+    std::u32string out;
+    out.reserve(text.size());
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i++]);
+        const int more = lead < 0x80       ? 0
+                         : lead >> 5 == 6  ? 1
+                         : lead >> 4 == 14 ? 2
+                         : lead >> 3 == 30 ? 3
+                                           : -1;
+        char32_t c = more <= 0 ? lead : lead & (0x3Fu >> more);
+        bool valid = more >= 0;
+        for (int k = 0; k < more && valid; ++k) {
+            valid = i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+            if (valid) c = c << 6 | (static_cast<unsigned char>(text[i++]) & 0x3Fu);
+        }
+        out.push_back(valid && c <= 0x10FFFF ? c : U'\uFFFD');
+    }
+    return out;
+}
+
+}  // namespace fettle::app

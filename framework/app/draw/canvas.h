@@ -1,0 +1,137 @@
+#pragma once
+// Draws figures, text and a layer's triangles on a window or a picture. Everything but a layer's
+// own textures goes into one batch of triangles with one texture.
+
+#include <array>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/app/surface.h>
+#include <fettle/app/view.h>
+#include <fettle/property/painter.h>
+
+#include <draw/area.h>
+#include <draw/atlas.h>
+#include <draw/joined.h>
+#include <draw/outline.h>
+#include <draw/rim.h>
+#include <draw/sight.h>
+#include <sfml/sfml.h>
+
+namespace fettle::app {
+
+/// A vertex as SFML lays it out. SFML's own has constructors that are calls into its library, forty
+/// of them for a bordered box.
+struct CanvasVertex {
+    float x, y;
+    std::uint8_t r, g, b, a;
+    float u, v;  // texels
+};
+
+class Canvas : public property::Painter, public Surface {
+  public:
+    explicit Canvas(sf::RenderTarget& target) : target_(target) {}
+
+    void begin(property::Color background);
+    void set_view(const View& view);
+    /// Draws what is batched.
+    void flush();
+    void release_textures() { textures_.clear(); }
+
+    // Painter: world units, or pixels between begin_screen and end_screen.
+    void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
+    void ellipse(const property::Vec2& center, const property::Vec2& radii, double angle,
+                 const property::Paint& paint) override;
+    void polygon(std::span<const property::Vec2> vertices, double rounding,
+                 const property::Paint& paint) override;
+    void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
+              float width) override;
+    void point(const property::Vec2& position, property::Color color, float size) override;
+    void text(const property::Vec2& position, std::string_view text, double height,
+              property::Color color, property::TextAlign align) override;
+    void part_of(std::uint64_t whole) override { whole_ = whole; }
+    bool shows(property::Overlay overlay) const override { return view_.show.overlay(overlay); }
+    bool sees(const property::Vec2& lower, const property::Vec2& upper) const override;
+    void begin_screen() override;
+    void end_screen() override;
+
+    // Surface: pixels.
+    float width() const override { return static_cast<float>(target_.getSize().x); }
+    float height() const override { return static_cast<float>(target_.getSize().y); }
+    Texture create_texture(unsigned width, unsigned height, const std::uint8_t* rgba) override;
+    void update_texture(Texture texture, unsigned x, unsigned y, unsigned width, unsigned height,
+                        const std::uint8_t* rgba) override;
+    void destroy_texture(Texture texture) override;
+    void triangles(std::span<const SurfaceVertex> vertices, std::span<const std::uint16_t> indices,
+                   Texture texture, const ClipRectangle& clip) override;
+    float text(float x, float y, std::string_view line, float size, SurfaceColor color,
+               Face face) override;
+
+  private:
+    struct Line;  // of text, ready to be drawn
+
+    void draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType type,
+              const sf::Texture& texture);
+    property::Vec2 exact(const property::Vec2& position) const;  // px
+    sf::Vector2f pixel(const property::Vec2& position) const;
+    double pixels(double length) const;
+    bool outside(const property::Vec2& lower, const property::Vec2& upper) const;
+
+    // figures.cpp
+    /// Of corners_, which lie where they can be seen.
+    void figure(float rounding, const property::Paint& paint);
+    void large_figure(std::vector<property::Vec2> outline, const property::Paint& paint);
+    Sight sight(const property::Paint& paint) const;
+    void draw_outline(const property::Paint& paint);  // of outline_, convex
+    bool draw_sides(sf::Color fill);
+    void draw_any_outline(const property::Paint& paint);
+    void draw_disc(sf::Vector2f center, float radius, sf::Color color);
+    void draw_rings(bool filled);
+    void draw_inside(Area::Rule rule, sf::Color color);  // of area_
+    void draw_rim(const Rim& rim, std::span<const Bend> bends, bool closed);
+
+    // parts.cpp
+    bool joins(const property::Paint& paint);
+    void join();  // what outline_ is
+    /// Draws the parts of one thing that have come together.
+    void settle();
+    void draw_joined(const Rim& rim);
+    void draw_parts();
+
+    // lettering.cpp
+    bool lay_out(Line& line, float size, Face face);
+    void draw_line_of_text(const Line& line, sf::Vector2f baseline, sf::Color color);
+
+    CanvasVertex plain(sf::Vector2f position, sf::Color color) const;
+    CanvasVertex* start_strip(std::size_t count, sf::Vector2f first);
+    void add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color);
+
+    sf::RenderTarget& target_;
+    Atlas atlas_{};
+    View view_{};
+    bool in_pixels_ = false;
+    std::vector<CanvasVertex> strip_{};  // one strip of triangles; figures are joined by empty ones
+    Outline outline_{};
+    std::vector<sf::Vector2f> corners_{};
+    /// What its straight sides are to others: a tile beside others must leave no pixel out between;
+    /// a line is as wide as it is.
+    enum class Edge : std::uint8_t { touching, free };
+    Edge edge_ = Edge::free;             // of corners_
+    std::vector<sf::Vector2f> rings_{};  // of outline_, outermost first, one after another
+    std::array<sf::Color, 4> ring_colors_{};
+    Area area_{};
+    std::vector<Trapezoid> trapezoids_{};
+    std::uint64_t whole_ = 0;
+    Joined joined_{};  // parts of one thing, of one paint, until another is drawn
+    std::uint64_t joined_whole_ = 0;
+    property::Paint joined_paint_{};
+    std::unordered_map<Texture, std::unique_ptr<sf::Texture>> textures_{};
+    Texture next_texture_ = 1;
+    std::vector<CanvasVertex> layer_{};
+};
+
+bool is_finite(const property::Vec2& v);
+
+}  // namespace fettle::app

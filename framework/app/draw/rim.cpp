@@ -1,0 +1,75 @@
+#include <draw/rim.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fettle::app {
+
+using property::Paint;
+
+sf::Color native(property::Color color, float opacity) {
+    const auto channel = [](float value) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+    };
+    return {channel(color.r), channel(color.g), channel(color.b), channel(color.a * opacity)};
+}
+
+bool bordered(const Paint& paint) {
+    const bool drawn = paint.border.a > 0 && paint.border_width > 0;
+    return drawn && !(paint.border == paint.fill && opaque(native(paint.fill)));
+}
+
+Rim Rim::inside(const Paint& paint) {
+    Rim rim;
+    rim.fill = native(paint.fill);
+    if (!bordered(paint)) {
+        if (opaque(rim.fill)) {
+            rim.add_halo(rim.fill);
+            rim.add(0, rim.fill);
+            rim.add(0.5f, rim.fill);  // over where the inside begins, which has steps
+            rim.depth = 0.25f;
+        } else {
+            rim.add(-0.5f, clear(rim.fill));
+            rim.add(0.5f, rim.fill);
+            rim.depth = 0.5f;
+        }
+        return rim;
+    }
+    // A border thinner than a pixel is a paler one.
+    const float width = std::max(paint.border_width, 1.0f);
+    const sf::Color border = native(paint.border, std::min(paint.border_width, 1.0f));
+    if (opaque(border)) {  // it hides where the inside begins, and where two of its sides overlap
+        rim.add_halo(border);
+        rim.add(0, border);
+        rim.add(width - thinner - 0.5f, border);
+        rim.add(width - thinner + 0.5f, clear(border));
+        rim.depth = 0.5f * (width - thinner);
+        rim.overlap = width;
+    } else {
+        rim.add(-0.5f, clear(border));
+        rim.add(0.5f, border);
+        if (width > 1) rim.add(width - 0.5f, border);
+        rim.add(width + 0.5f, rim.fill.a > 0 ? rim.fill : clear(border));
+        rim.depth = width + 0.5f;
+    }
+    return rim;
+}
+
+Rim Rim::on_both_sides(const Paint& paint) {
+    Rim rim;
+    rim.fill = native(paint.fill);
+    const bool seen = bordered(paint);
+    // Without a border a line of its own color smooths the steps of the inside.
+    if (!seen && !opaque(rim.fill)) return rim;
+    const float width = seen ? std::max(paint.border_width, 1.0f) : 1.0f;
+    const sf::Color line =
+        seen ? native(paint.border, std::min(paint.border_width, 1.0f)) : rim.fill;
+    const float half = 0.5f * width, fade = seen ? 0.5f : 0.25f;
+    rim.add(-half - fade, clear(line));
+    rim.add(-half + fade, line);
+    rim.add(half - fade, line);
+    rim.add(half + fade, clear(line));
+    return rim;
+}
+
+}  // namespace fettle::app

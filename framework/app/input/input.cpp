@@ -1,0 +1,284 @@
+#include <fettle/app/input.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fettle/script/runtime.h>
+
+#include <input/input_state.h>
+
+namespace fettle::app {
+
+using property::Handle;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+std::string utf8(char32_t c) {
+    std::string text;
+    const auto put = [&](unsigned byte) { text.push_back(static_cast<char>(byte)); };
+    if (c < 0x80) {
+        put(c);
+    } else if (c < 0x800) {
+        put(0xC0u | (c >> 6)), put(0x80u | (c & 0x3F));
+    } else if (c < 0x10000) {
+        put(0xE0u | (c >> 12)), put(0x80u | ((c >> 6) & 0x3F)), put(0x80u | (c & 0x3F));
+    } else {
+        put(0xF0u | (c >> 18)), put(0x80u | ((c >> 12) & 0x3F));
+        put(0x80u | ((c >> 6) & 0x3F)), put(0x80u | (c & 0x3F));
+    }
+    return text;
+}
+
+/// Some windows tell escape, backspace, tab and delete as text as well. They are keys.
+bool is_control(char32_t c) {
+    return c < 0x20 || (c >= 0x7F && c < 0xA0);
+}
+
+std::string axis_name(std::string_view stick, int component) {
+    return std::string(stick) + (component == 0 ? "_x" : "_y");
+}
+
+/// Which property of a gamepad an axis is: a component of a stick, or a trigger.
+struct Axis {
+    std::string_view property;
+    int component = -1;  // -1: a trigger
+};
+
+std::optional<Axis> axis_named(std::string_view name) {
+    for (const std::string_view stick : gamepad_stick_names)
+        for (int component : {0, 1})
+            if (name == axis_name(stick, component)) return Axis{stick, component};
+    for (const std::string_view trigger : gamepad_trigger_names)
+        if (name == trigger) return Axis{trigger, -1};
+    return std::nullopt;
+}
+
+}  // namespace
+
+// --- State ---------------------------------------------------------------------------------------
+
+void Input::State::queue(std::string_view callback, std::vector<Value> arguments) {
+    calls.push_back({callback, std::move(arguments)});
+}
+
+void Input::State::move_mouse(const Vec2& pixels) {
+    if (!std::isfinite(pixels.x()) || !std::isfinite(pixels.y()))
+        throw std::invalid_argument("it is too far away to be a point of the screen");
+    mouse = pixels;
+    if (silent) return;
+    std::vector<Value> arguments{view.to_world(mouse), mouse};
+    // One call for a chain of moves: some mice send a thousand a second.
+    if (!calls.empty() && calls.back().callback == "mouse_moved")
+        calls.back().arguments = std::move(arguments);
+    else
+        queue("mouse_moved", std::move(arguments));
+}
+
+void Input::State::turn_wheel(double notches) {
+    const double delta = notches - wheel;
+    wheel = notches;
+    queue("wheel", {delta, view.to_world(mouse)});
+}
+
+void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& to) {
+    const Vec2 from = gamepad.sticks[stick];
+    gamepad.sticks[stick] = to;
+    for (const int axis : {0, 1})
+        if (to[axis] != from[axis])
+            queue("gamepad_axis",
+                  {number_of(gamepad), axis_name(gamepad_stick_names[stick], axis), to[axis]});
+}
+
+void Input::State::pull_trigger(Gamepad& gamepad, std::size_t trigger, double to) {
+    gamepad.triggers[trigger] = to;
+    queue("gamepad_axis", {number_of(gamepad), std::string(gamepad_trigger_names[trigger]), to});
+}
+
+void Input::State::connect(Gamepad& gamepad, bool connected) {
+    gamepad.connected = connected;
+    if (connected) return;
+    const Handle self = gamepad.instance;
+    for (const std::string_view stick : gamepad_stick_names) tree.set(self, stick, Vec2(0, 0));
+    for (const std::string_view trigger : gamepad_trigger_names) tree.set(self, trigger, 0.0);
+    for (const GamepadButton& button : gamepad_button_columns)
+        tree.set(self, "button_" + button.name, false);
+}
+
+// --- Input ---------------------------------------------------------------------------------------
+
+Input::Input(property::Tree& tree, View& view) : state_(std::make_unique<State>(tree, view)) {
+    state_->define();
+}
+
+Input::~Input() = default;
+
+void Input::apply(const InputEvent& event) {
+    State& s = *state_;
+    static std::function<std::string()> window = [] { return std::string("window"); };
+    const property::Tree::CauseScope cause(s.tree, property::Writer::module, &window);
+    switch (event.kind) {
+        case EventKind::key_pressed:
+            if (!event.repeated) set_switch(s.keys_instance, event.name, true);
+            break;
+        case EventKind::key_released:
+            set_switch(s.keys_instance, event.name, false);
+            break;
+        case EventKind::text:
+            if (!is_control(event.character)) s.queue("text_input", {utf8(event.character)});
+            break;
+        case EventKind::mouse_pressed:
+        case EventKind::mouse_released:
+            point(event, true);
+            set_switch(s.mouse_instance, event.name, event.kind == EventKind::mouse_pressed);
+            break;
+        case EventKind::mouse_moved:
+            point(event, true);
+            break;
+        case EventKind::wheel:
+            point(event, true);
+            s.tree.set(s.mouse_instance, "wheel", s.wheel + event.delta);
+            break;
+        case EventKind::resized:
+            s.view.screen = {std::max(1.0f, event.x), std::max(1.0f, event.y)};
+            s.queue("resized", {s.view.screen.x(), s.view.screen.y()});
+            break;
+        case EventKind::focus:
+            if (!event.focused) release_all();
+            s.queue("focus", {event.focused});
+            break;
+        case EventKind::closing:
+            s.queue("closing", {});
+            break;
+        default:
+            apply_gamepad(event);
+            break;
+    }
+}
+
+void Input::observe(const InputEvent& event) {
+    switch (event.kind) {
+        case EventKind::key_released:
+            if (key(event.name)) apply(event);
+            break;
+        case EventKind::mouse_released:
+            if (button(event.name)) apply(event);
+            break;
+        case EventKind::mouse_moved:
+            // A drag that began in the game goes on over whatever lies above it.
+            point(event, any_button());
+            break;
+        case EventKind::gamepad_released:
+        case EventKind::gamepad_axis:
+        case EventKind::gamepad_connected:
+        case EventKind::gamepad_disconnected:
+            apply(event);
+            break;
+        case EventKind::resized:
+        case EventKind::focus:
+        case EventKind::closing:
+            apply(event);
+            break;
+        default:
+            break;
+    }
+}
+
+void Input::point(const InputEvent& event, bool tell) {
+    State& s = *state_;
+    s.silent = !tell;
+    s.tree.set(s.mouse_instance, "screen", Vec2(event.x, event.y));
+    s.silent = false;
+}
+
+void Input::set_switch(Handle instance, std::string_view name, bool down) {
+    // Keys that nobody has a name for are no input.
+    if (const property::Property* found = state_->tree.find(instance, name);
+        found != nullptr && found->type == property::Type::boolean)
+        state_->tree.set(instance, *found, down);
+}
+
+void Input::apply_gamepad(const InputEvent& event) {
+    State& s = *state_;
+    if (event.gamepad < 1 || event.gamepad > gamepad_count) return;
+    State::Gamepad& pad = s.gamepads[static_cast<std::size_t>(event.gamepad - 1)];
+    s.tree.set(pad.instance, "connected", event.kind != EventKind::gamepad_disconnected);
+    if (event.kind == EventKind::gamepad_pressed || event.kind == EventKind::gamepad_released) {
+        set_switch(pad.instance, "button_" + event.name, event.kind == EventKind::gamepad_pressed);
+    } else if (event.kind == EventKind::gamepad_axis) {
+        const std::optional<Axis> axis = axis_named(event.name);
+        if (!axis || !std::isfinite(event.delta)) return;
+        const double value = std::clamp(static_cast<double>(event.delta), -1.0, 1.0);
+        if (axis->component < 0) {
+            s.tree.set(pad.instance, axis->property, 0.5 * (value + 1));
+        } else {
+            Vec2 stick = s.tree.get(pad.instance, axis->property).vec2();
+            stick[axis->component] = value;
+            s.tree.set(pad.instance, axis->property, stick);
+        }
+    }
+}
+
+void Input::release_all() {
+    State& s = *state_;
+    const auto release = [&](Handle instance, const auto& switches) {
+        for (const State::Switch& each : switches)
+            if (each.down) s.tree.set(instance, each.name, false);
+    };
+    release(s.keys_instance, s.keys);
+    release(s.mouse_instance, s.buttons);
+}
+
+bool Input::deliver(script::Runtime& runtime) {
+    // What a callback presses is delivered in the next frame.
+    state_->wheel_told = state_->wheel;
+    const std::vector<State::Call> calls = std::exchange(state_->calls, {});
+    const auto life = runtime.lifetime();  // what a callback calls may end it
+    for (const State::Call& call : calls) {
+        if (!runtime.call(call.callback, call.arguments)) return false;
+        if (life.expired() || runtime.quit_status()) break;
+    }
+    return true;
+}
+
+void Input::drop() {
+    state_->calls.clear();
+    state_->wheel_told = state_->wheel;
+}
+
+void Input::end_frame() {
+    // What a script has turned meanwhile is of the next frame, as its callback is.
+    state_->wheel -= std::exchange(state_->wheel_told, 0);
+}
+
+namespace {
+
+template <class Switches>
+bool is_down(const Switches& switches, std::string_view name) {
+    return std::any_of(switches.begin(), switches.end(),
+                       [&](const auto& each) { return each.down && each.name == name; });
+}
+
+}  // namespace
+
+bool Input::key(std::string_view name) const {
+    return is_down(state_->keys, name);
+}
+bool Input::button(std::string_view name) const {
+    return is_down(state_->buttons, name);
+}
+
+bool Input::any_button() const {
+    return std::any_of(state_->buttons.begin(), state_->buttons.end(),
+                       [](const State::Switch& each) { return each.down; });
+}
+
+Vec2 Input::mouse() const {
+    return state_->mouse;
+}
+
+}  // namespace fettle::app

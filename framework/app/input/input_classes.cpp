@@ -1,0 +1,249 @@
+#include <input/input_state.h>
+
+namespace fettle::app {
+
+using property::accessor;
+using property::Handle;
+using property::Native;
+using property::Property;
+using property::Row;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+using State = Input::State;
+
+Property key_property(State::Switch& key) {
+    return {.name = key.name,
+            .type = Type::boolean,
+            .default_value = false,
+            .doc = "Whether the key is held down.",
+            .binding = accessor(
+                key, [](State::Switch& k, Row) { return k.down; },
+                [](State::Switch& k, Row, const Value& down) {
+                    k.down = down.boolean();
+                    k.state->queue(k.down ? "key_pressed" : "key_released", {k.name});
+                }),
+            .transient = true};
+}
+
+Property button_property(State::Switch& button) {
+    return {.name = button.name,
+            .type = Type::boolean,
+            .default_value = false,
+            .doc = "Whether the button is held down.",
+            .binding = accessor(
+                button, [](State::Switch& b, Row) { return b.down; },
+                [](State::Switch& b, Row, const Value& down) {
+                    b.down = down.boolean();
+                    const Vec2 at = b.state->mouse;
+                    b.state->queue(b.down ? "mouse_pressed" : "mouse_released",
+                                   {b.name, b.state->view.to_world(at), at});
+                }),
+            .transient = true};
+}
+
+std::vector<Property> mouse_properties(State& state) {
+    // World and screen position say the same, and the view moves one against the other: the tree
+    // compares them at barriers.
+    return {{.name = "world",
+             .type = Type::vec2,
+             .unit = "m",
+             .doc = "Where the mouse is in the world. Setting it moves the mouse for the game.",
+             .binding = accessor(
+                 state, [](State& s, Row) { return s.view.to_world(s.mouse); },
+                 [](State& s, Row, const Value& world) {
+                     s.move_mouse(s.view.to_screen(world.vec2()));
+                 }),
+             .transient = true,
+             .simulated = true,
+             .derives_from = {"screen"}},
+            {.name = "screen",
+             .type = Type::vec2,
+             .unit = "px",
+             .doc = "Where the mouse is on the screen, from the top left corner, y down.",
+             .binding = accessor(
+                 state, [](State& s, Row) { return s.mouse; },
+                 [](State& s, Row, const Value& pixels) { s.move_mouse(pixels.vec2()); }),
+             .transient = true,
+             .simulated = true,
+             .derives_from = {"world"}},
+            {.name = "wheel",
+             .type = Type::number,
+             .doc = "Notches the wheel was turned in this frame, away from the user positive. "
+                    "Setting it turns it by the difference: `wheel` is called in the next frame, "
+                    "in which it reads these notches.",
+             .binding = accessor(
+                 state, [](State& s, Row) { return s.wheel; },
+                 [](State& s, Row, const Value& notches) { s.turn_wheel(notches.number()); }),
+             .transient = true,
+             .simulated = true}};
+}
+
+constexpr std::array<const char*, gamepad_stick_names.size()> stick_docs{
+    "The left stick, right and up positive. Setting it moves it: gamepad_axis is called with "
+    "\"left_x\" and \"left_y\".",
+    "The right stick, right and up positive. Setting it moves it: gamepad_axis is called with "
+    "\"right_x\" and \"right_y\".",
+    "The directional pad, right and up positive. A player moves it to -1, 0 or 1; a script may set "
+    "what lies between. Setting it moves it: gamepad_axis is called with \"pad_x\" and \"pad_y\"."};
+constexpr std::array<const char*, gamepad_trigger_names.size()> trigger_docs{
+    "How far the left trigger is pulled. Setting it pulls it: gamepad_axis is called with "
+    "\"left_trigger\".",
+    "How far the right trigger is pulled. Setting it pulls it: gamepad_axis is called with "
+    "\"right_trigger\"."};
+
+Property stick(State::GamepadAxis& stick) {
+    return {.name = std::string(gamepad_stick_names[stick.index]),
+            .type = Type::vec2,
+            .range = {-1, 1},
+            .doc = stick_docs[stick.index],
+            .binding = accessor(
+                stick,
+                [](State::GamepadAxis& s, Row row) -> Vec2 {
+                    return s.state->gamepads[row].sticks[s.index];
+                },
+                [](State::GamepadAxis& s, Row row, const Value& to) {
+                    s.state->move_stick(s.state->gamepads[row], s.index, to.vec2());
+                }),
+            .transient = true};
+}
+
+Property trigger(State::GamepadAxis& trigger) {
+    return {.name = std::string(gamepad_trigger_names[trigger.index]),
+            .type = Type::number,
+            .range = {0, 1},
+            .doc = trigger_docs[trigger.index],
+            .binding = accessor(
+                trigger,
+                [](State::GamepadAxis& t, Row row) -> double {
+                    return t.state->gamepads[row].triggers[t.index];
+                },
+                [](State::GamepadAxis& t, Row row, const Value& to) {
+                    t.state->pull_trigger(t.state->gamepads[row], t.index, to.number());
+                }),
+            .transient = true};
+}
+
+Property gamepad_button(State::GamepadButton& button) {
+    return {.name = "button_" + button.name,
+            .type = Type::boolean,
+            .default_value = false,
+            .doc =
+                "Whether the button is held down. Setting it presses or releases it: "
+                "gamepad_pressed or gamepad_released is called with \"" +
+                button.name + "\".",
+            .binding = accessor(
+                button,
+                [](State::GamepadButton& b, Row row) {
+                    return bool{b.state->gamepads[row].buttons[b.index]};
+                },
+                [](State::GamepadButton& b, Row row, const Value& down) {
+                    b.state->gamepads[row].buttons[b.index] = down.boolean();
+                    b.state->queue(down.boolean() ? "gamepad_pressed" : "gamepad_released",
+                                   {static_cast<int>(row) + 1, b.name});
+                }),
+            .transient = true};
+}
+
+Property connected(State& state) {
+    return {
+        .name = "connected",
+        .type = Type::boolean,
+        .default_value = false,
+        .doc = "Whether there is such a gamepad. One that goes lets go of everything first.",
+        .binding = accessor(
+            state, [](State& s, Row row) { return bool{s.gamepads[row].connected}; },
+            [](State& s, Row row, const Value& now) { s.connect(s.gamepads[row], now.boolean()); }),
+        .transient = true};
+}
+
+}  // namespace
+
+void Input::State::define() {
+    const property::Class& input_class = tree.define(
+        {.name = "Input",
+         .doc = "What the player does: keys, mouse, gamepads.",
+         .creatable = false,
+         .snapshots = property::Snapshots::never,
+         .properties = {{.name = "gamepads",
+                         .type = Type::list,
+                         .doc = "All gamepads, connected or not: input.gamepads[1].left.",
+                         .binding = accessor(*this,
+                                             [](State& s, Row) {
+                                                 property::List list;
+                                                 for (const Gamepad& pad : s.gamepads)
+                                                     list.emplace_back(pad.instance);
+                                                 return Value(std::move(list));
+                                             }),
+                         .read_only = true,
+                         .transient = true,
+                         .element = Type::reference,
+                         .reference_class = "Gamepad"}}});
+    const Handle input = tree.create(input_class, tree.root(), "input");
+    define_keys(input);
+    define_mouse(input);
+    define_gamepads(input);
+}
+
+void Input::State::define_keys(Handle input) {
+    std::vector<Property> properties;
+    keys.reserve(key_names().size());  // the properties are bound to its elements
+    for (const std::string_view name : key_names())
+        properties.push_back(key_property(keys.emplace_back(Switch{this, std::string(name)})));
+    const property::Class& keys_class =
+        tree.define({.name = "Keys",
+                     .doc = "Which keys are held down. Setting one presses or releases it.",
+                     .creatable = false,
+                     .snapshots = property::Snapshots::never,
+                     .properties = std::move(properties)});
+    keys_instance = tree.create(keys_class, input, "keys");
+}
+
+void Input::State::define_mouse(Handle input) {
+    std::vector<Property> properties = mouse_properties(*this);
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        buttons[i] = {this, std::string(mouse_button_names[i])};
+        properties.push_back(button_property(buttons[i]));
+    }
+    const property::Class& mouse_class =
+        tree.define({.name = "Mouse",
+                     .doc = "The mouse. Setting a button presses or releases it.",
+                     .creatable = false,
+                     .snapshots = property::Snapshots::never,
+                     .properties = std::move(properties)});
+    mouse_instance = tree.create(mouse_class, input, "mouse");
+}
+
+void Input::State::define_gamepads(Handle input) {
+    std::vector<Property> properties{connected(*this)};
+    for (std::size_t i = 0; i < gamepad_sticks.size(); ++i) {
+        gamepad_sticks[i] = {this, i};
+        properties.push_back(stick(gamepad_sticks[i]));
+    }
+    for (std::size_t i = 0; i < gamepad_triggers.size(); ++i) {
+        gamepad_triggers[i] = {this, i};
+        properties.push_back(trigger(gamepad_triggers[i]));
+    }
+    for (std::size_t i = 0; i < gamepad_button_columns.size(); ++i) {
+        gamepad_button_columns[i] = {this, i, std::to_string(i + 1)};
+        properties.push_back(gamepad_button(gamepad_button_columns[i]));
+    }
+    const property::Class& gamepad_class =
+        tree.define({.name = "Gamepad",
+                     .doc = "A gamepad: two sticks, a directional pad, two triggers and up to "
+                            "sixteen buttons, which have numbers. Setting one moves, pulls or "
+                            "presses it.",
+                     .creatable = false,
+                     .snapshots = property::Snapshots::never,
+                     .properties = std::move(properties)});
+    for (std::size_t i = 0; i < gamepads.size(); ++i) {
+        gamepads[i].instance =
+            tree.create(gamepad_class, input, "gamepad_" + std::to_string(i + 1));
+        tree.set_row(gamepads[i].instance, static_cast<Row>(i));
+    }
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,351 @@
+#include <fettle/app/loop.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+
+#include <time/state_hash.h>
+
+namespace fettle::app {
+
+/// Times the phases of a frame: each `lap` adds the time since the last to a phase.
+class Loop::Stopwatch {
+  public:
+    Stopwatch() : last_(Clock::now()) {}
+    void lap(double& phase) {
+        const Clock::time_point now = Clock::now();
+        phase += std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+    }
+    Timings phases{};
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_;
+};
+
+namespace {
+
+/// Moves `average` towards `sample` so that half a second of frames counts most.
+void smooth(double& average, double sample, double seconds) {
+    average += (sample - average) * (1 - std::exp(-seconds / 0.5));
+}
+
+class Witnessed {
+  public:
+    template <class Begin>
+    Witnessed(Witness* witness, Begin begin) : witness_(witness) {
+        if (witness_ != nullptr) begin(*witness_);
+    }
+    /// Throws what the witness throws, unless the frame itself is left by an exception.
+    ~Witnessed() noexcept(false) {
+        if (witness_ == nullptr) return;
+        try {
+            witness_->frame_ends();
+        } catch (...) {
+            if (std::uncaught_exceptions() == uncaught_) throw;
+        }
+    }
+    Witnessed(const Witnessed&) = delete;
+
+  private:
+    Witness* witness_;
+    const int uncaught_ = std::uncaught_exceptions();
+};
+
+}  // namespace
+
+Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
+    : tree_(tree),
+      runtime_(runtime),
+      runtime_life_(runtime.lifetime()),
+      services_(services),
+      time_(tree.child(tree.root(), "time")),
+      timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
+    runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
+    services_.clock.go_to = [this](std::int64_t step) {
+        timeline_.require(step);  // whoever asks can catch; what is kept may be less at the barrier
+        tree_.at_barrier([this, step] { timeline_.go_near(step); });
+    };
+}
+
+Loop::~Loop() {
+    if (!runtime_life_.expired()) runtime_.on_rewind({});
+    services_.clock.go_to = {};
+}
+
+void Loop::step_modules(double dt) {
+    for (const SteppedModule& module : modules_) module.step(dt);
+}
+
+void Loop::add(SteppedModule module) {
+    if (!module.step)
+        throw std::invalid_argument("the module \"" + module.name +
+                                    "\" needs a function that makes its step");
+    modules_.push_back(std::move(module));
+}
+void Loop::add(Layer& layer) {
+    layers_.push_back(&layer);
+}
+void Loop::before_step(std::function<void(std::uint64_t)> hook) {
+    before_step_ = std::move(hook);
+}
+void Loop::between_frames(std::function<void()> hook) {
+    between_frames_ = std::move(hook);
+}
+
+void Loop::handle(const InputEvent& event) {
+    bool taken = false;
+    for (auto layer = layers_.rbegin(); layer != layers_.rend() && !taken; ++layer)
+        taken = (*layer)->handle(event);
+    feed(event, taken);
+}
+
+void Loop::feed(const InputEvent& event, bool taken) {
+    if (witness_ != nullptr) witness_->event(event, taken);
+    if (event.kind == EventKind::closing) closing_ = true;
+    if (taken)
+        services_.input.observe(event);
+    else
+        services_.input.apply(event);
+}
+
+void Loop::after_barrier(std::function<void()> hook) {
+    after_barrier_ = std::move(hook);
+}
+
+void Loop::barrier(bool between_steps) {
+    std::exception_ptr problem;
+    const auto attempt = [&problem](const auto& what) {
+        try {
+            what();
+        } catch (...) {
+            if (!problem) problem = std::current_exception();
+        }
+    };
+    attempt([&] { deliver(between_steps); });
+    // It may put another in its place.
+    if (const auto hook = after_barrier_) attempt(hook);
+    if (problem) std::rethrow_exception(problem);
+}
+
+void Loop::deliver(bool between_steps) {
+    try {
+        tree_.barrier(between_steps);
+    } catch (const std::exception& error) {
+        // Handlers that never come to rest: the game's fault, and no reason to fall over.
+        const auto sink = on_error_;
+        if (!sink) throw;
+        script::ScriptError told;
+        told.message = property::exception_text(error);
+        told.context = "barrier";
+        sink(told);
+    }
+}
+
+/// Before anything moves.
+void Loop::require_ready() const {
+    if (runtime_life_.expired())
+        throw property::Error(property::ErrorKind::deleted,
+                              "the runtime of this loop was destroyed: nothing is left to run");
+    timeline_.require_between_steps("a frame cannot begin");
+    services_.clock.require_usable();
+}
+
+void Loop::on_error(std::function<void(const script::ScriptError&)> sink) {
+    on_error_ = std::move(sink);
+}
+
+void Loop::announce_next() {
+    const std::uint64_t next = lived_ + 1;
+    if (next == announced_ || !before_step_) return;
+    announced_ = next;
+    before_step_(next);
+}
+
+/// False when there is no next step.
+bool Loop::live_next() {
+    announce_next();
+    if (stopped()) return false;
+    ++lived_;
+    return true;
+}
+
+/// Input, barrier, update, barrier. False when the frame ends here.
+bool Loop::prelude(double dt, Stopwatch& watch) {
+    if (halted_) {
+        services_.input.drop();
+        barrier();  // edits from the console still take effect
+        return false;
+    }
+    services_.input.deliver(runtime_);
+    watch.lap(watch.phases.input);
+    if (stopped()) return false;
+    barrier();
+    watch.lap(watch.phases.handlers);
+    if (stopped() || closing_) return false;  // closing() is the last that a game does
+    runtime_.call("update", {dt});
+    watch.lap(watch.phases.update);
+    if (stopped()) return false;
+    barrier();
+    watch.lap(watch.phases.handlers);
+    return !stopped();
+}
+
+/// One fixed step. False when it was the last.
+bool Loop::make_step(Stopwatch& watch) {
+    Clock& clock = services_.clock;
+    clock.require_usable();  // a script's host may have set it since the frame began
+    const double dt = clock.dt;
+    struct Leave {
+        Timeline& timeline;
+        ~Leave() { timeline.leave_step(); }
+    } leave{timeline_};
+    timeline_.begin_step();
+    clock.advance();
+    tree_.set_step(static_cast<std::uint64_t>(clock.step));
+    runtime_.step(clock.now, dt);
+    watch.lap(watch.phases.scripts);
+    if (stopped()) return false;
+    barrier(false);  // time does not jump between the scripts and the modules of a step
+    watch.lap(watch.phases.handlers);
+    if (stopped()) return false;
+    {
+        const property::Tree::CauseScope cause(tree_, property::Writer::simulation);
+        timeline_.modules_step(dt);
+        step_modules(dt);
+        for (const SteppedModule& module : modules_)
+            if (module.report) module.report();
+        tree_.stepped();
+    }
+    watch.lap(watch.phases.modules);
+    barrier(false);
+    timeline_.end_step();
+    if (witness_ != nullptr) witness_->stepped();
+    barrier();
+    watch.lap(watch.phases.handlers);
+    return !stopped();
+}
+
+void Loop::frame(double seconds, std::int64_t step_limit) {
+    if (between_frames_) between_frames_();
+    require_ready();
+    if (!std::isfinite(seconds))
+        throw property::Error(
+            property::ErrorKind::out_of_range,
+            "a frame of " + property::number_text(seconds) + " seconds: expected how long it was");
+    const Witnessed witnessed(witness_, [&](Witness& w) { w.frame_begins(seconds, step_limit); });
+    Stopwatch watch;
+    Clock& clock = services_.clock;
+    seconds = std::max(0.0, seconds);
+    const double passed = clock.paused ? 0 : seconds * clock.scale;
+    const bool will_step = clock.paused ? clock.step_once : owed_ + passed >= clock.dt;
+    const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
+    if (will_step && !halted_ && lived_ < limit) announce_next();
+    // update is never told of more time than the frame may step through.
+    if (prelude(std::min(passed, clock.max_steps * clock.dt), watch)) {
+        if (clock.paused) {
+            // A step is due the moment the game goes on, and the picture shows the last one.
+            owed_ = clock.dt;
+            if (clock.step_once) {
+                if (live_next()) make_step(watch);
+                tree_.set(time_, "step_once", false);
+            }
+        } else {
+            if (clock.step_once) tree_.set(time_, "step_once", false);
+            owed_ += passed;
+            catch_up(limit, watch);
+        }
+    }
+    clock.alpha =
+        clock.paused || halted_ || lived_ >= limit ? 1.0 : std::clamp(owed_ / clock.dt, 0.0, 1.0);
+    end_frame(watch, seconds);
+}
+
+void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
+    Clock& clock = services_.clock;
+    // Sixty frames of 1/60 s are sixty steps although their sum is not quite one second.
+    const auto due = [&] { return owed_ >= clock.dt * (1 - 1e-9); };
+    for (int made = 0; due() && !clock.paused && lived_ < limit; ++made) {
+        if (made == clock.max_steps) {
+            const double dropped = std::floor(owed_ / clock.dt);
+            clock.dropped_steps += static_cast<std::int64_t>(dropped);
+            owed_ -= dropped * clock.dt;
+            break;
+        }
+        if (!live_next()) break;
+        owed_ = std::max(0.0, owed_ - clock.dt);
+        if (!make_step(watch)) break;
+    }
+}
+
+void Loop::turn() {
+    if (between_frames_) between_frames_();
+    require_ready();
+    const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
+    Stopwatch watch;
+    Clock& clock = services_.clock;
+    if (!live_next()) return;
+    if (!prelude(clock.paused ? 0 : clock.dt, watch)) return;
+    if (!clock.paused || clock.step_once) {
+        const bool once = clock.step_once;
+        make_step(watch);
+        if (once) tree_.set(time_, "step_once", false);
+    }
+    clock.alpha = 1;
+    end_frame(watch, 0);
+}
+
+void Loop::end_frame(const Stopwatch& watch, double seconds) {
+    Clock& clock = services_.clock;
+    services_.input.end_frame();
+    ++clock.frame;
+    if (seconds <= 0) return;
+    Timings& average = clock.timings;
+    smooth(average.input, watch.phases.input, seconds);
+    smooth(average.update, watch.phases.update, seconds);
+    smooth(average.scripts, watch.phases.scripts, seconds);
+    smooth(average.modules, watch.phases.modules, seconds);
+    smooth(average.handlers, watch.phases.handlers, seconds);
+    if (average.frame > 0)
+        smooth(average.frame, 1000 * seconds, seconds);
+    else
+        average.frame = 1000 * seconds;  // the first
+    clock.fps = average.frame > 0 ? 1000 / average.frame : 0;
+}
+
+void Loop::resume() {
+    halted_ = false;
+    owed_ = 0;
+}
+
+std::uint64_t Loop::hash() const {
+    StateHash hash;
+    hash.add(static_cast<std::uint64_t>(services_.clock.step));
+    hash.add(services_.clock.now);
+    hash.add_stored_values(tree_);
+    for (const SteppedModule& module : modules_) {
+        hash.add(module.name);
+        if (module.hash) hash.add(module.hash());
+    }
+    return hash.result();
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> Loop::hashes() const {
+    std::vector<std::pair<std::string, std::uint64_t>> all;
+    StateHash time, values;
+    time.add(services_.clock.now);
+    values.add_stored_values(tree_);
+    all.emplace_back("time", time.result());
+    all.emplace_back("values", values.result());
+    for (const SteppedModule& module : modules_)
+        if (module.hash) all.emplace_back(module.name, module.hash());
+    return all;
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,120 @@
+// Names of keys, buttons and axes.
+
+#include <array>
+#include <utility>
+
+#include <sfml/sfml.h>
+
+namespace fettle::app::sfml {
+
+std::string key_name(sf::Keyboard::Key key) {
+    using Key = sf::Keyboard::Key;
+    const auto numbered = [key](Key first, int count, int start, const char* prefix) {
+        const int offset = static_cast<int>(key) - static_cast<int>(first);
+        return offset >= 0 && offset < count ? prefix + std::to_string(start + offset)
+                                             : std::string();
+    };
+    const int letter = static_cast<int>(key) - static_cast<int>(Key::A);
+    if (letter >= 0 && letter < 26) return {static_cast<char>('a' + letter)};
+    if (std::string name = numbered(Key::Num0, 10, 0, ""); !name.empty()) return name;
+    if (std::string name = numbered(Key::Numpad0, 10, 0, "numpad_"); !name.empty()) return name;
+    if (std::string name = numbered(Key::F1, 15, 1, "f"); !name.empty()) return name;
+    static constexpr std::pair<Key, const char*> named[] = {
+        {Key::Space, "space"},
+        {Key::Enter, "enter"},
+        {Key::Escape, "escape"},
+        {Key::Tab, "tab"},
+        {Key::Backspace, "backspace"},
+        {Key::Delete, "delete"},
+        {Key::Insert, "insert"},
+        {Key::Left, "left"},
+        {Key::Right, "right"},
+        {Key::Up, "up"},
+        {Key::Down, "down"},
+        {Key::Home, "home"},
+        {Key::End, "end"},
+        {Key::PageUp, "page_up"},
+        {Key::PageDown, "page_down"},
+        {Key::LShift, "left_shift"},
+        {Key::RShift, "right_shift"},
+        {Key::LControl, "left_control"},
+        {Key::RControl, "right_control"},
+        {Key::LAlt, "left_alt"},
+        {Key::RAlt, "right_alt"},
+        {Key::LSystem, "left_system"},
+        {Key::RSystem, "right_system"},
+        {Key::Menu, "menu"},
+        {Key::Pause, "pause"},
+        {key_grave, "grave"},
+        {Key::Hyphen, "minus"},
+        {Key::Equal, "equal"},
+        {Key::LBracket, "left_bracket"},
+        {Key::RBracket, "right_bracket"},
+        {Key::Backslash, "backslash"},
+        {Key::Semicolon, "semicolon"},
+        {key_apostrophe, "apostrophe"},
+        {Key::Comma, "comma"},
+        {Key::Period, "period"},
+        {Key::Slash, "slash"},
+        {Key::Add, "numpad_add"},
+        {Key::Subtract, "numpad_subtract"},
+        {Key::Multiply, "numpad_multiply"},
+        {Key::Divide, "numpad_divide"},
+    };
+    for (const auto& [code, name] : named)
+        if (code == key) return name;
+    return {};
+}
+
+std::string button_name(sf::Mouse::Button button) {
+    switch (button) {
+        case sf::Mouse::Button::Left:
+            return "left";
+        case sf::Mouse::Button::Right:
+            return "right";
+        case sf::Mouse::Button::Middle:
+            return "middle";
+        case button_extra_1:
+            return "extra_1";
+        case button_extra_2:
+            return "extra_2";
+        default:
+            return {};
+    }
+}
+
+void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position) {
+    const float value = position / 100;
+    const auto is = [&](const char* name, float delta) {
+        event.name = name;
+        event.delta = delta;
+    };
+    switch (axis) {
+        case sf::Joystick::Axis::X:
+            is("left_x", value);
+            break;
+        case sf::Joystick::Axis::Y:
+            is("left_y", -value);
+            break;
+        case sf::Joystick::Axis::U:
+            is("right_x", value);
+            break;
+        case sf::Joystick::Axis::V:
+            is("right_y", -value);
+            break;
+        case sf::Joystick::Axis::Z:
+            is("left_trigger", value);
+            break;
+        case sf::Joystick::Axis::R:
+            is("right_trigger", value);
+            break;
+        case sf::Joystick::Axis::PovX:
+            is("pad_x", value);
+            break;
+        case sf::Joystick::Axis::PovY:
+            is("pad_y", -value);
+            break;
+    }
+}
+
+}  // namespace fettle::app::sfml

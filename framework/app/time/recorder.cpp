@@ -1,0 +1,126 @@
+// Writing a recording. A line is complete or it is not there: a reader leaves out a last line
+// without an end.
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include <fettle/app/recording.h>
+
+#include <time/recording_text.h>
+
+namespace fettle::app {
+Recorder::Recorder(const std::filesystem::path& file, const RunStart& start) : file_(file) {
+    out_ = std::fopen(file.c_str(), "wb");
+    if (out_ == nullptr)
+        throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
+    line("fettle-recording 2");
+    line("game " + in_quotes(start.game.string()));
+    for (const std::string& module : start.modules) line("module " + in_quotes(module));
+    line("seed " + hex(start.seed));
+    line("screen " + exact(start.width) + " " + exact(start.height));
+    for (const std::string& chunk : start.evals) line("eval " + in_quotes(chunk));
+    for (const auto& [step, chunk] : start.at)
+        line("at " + std::to_string(step) + " " + in_quotes(chunk));
+    for (const std::vector<std::string>& words : start.tweaks) {
+        std::string text = "tweak";
+        for (const std::string& word : words) text += " " + in_quotes(word);
+        line(text);
+    }
+    line("begin");
+    flush();
+    if (!problem_.empty()) {
+        std::fclose(std::exchange(out_, nullptr));
+        throw RecordingError(problem_);
+    }
+}
+
+Recorder::~Recorder() {
+    if (loop_ != nullptr) loop_->witness(nullptr);
+    if (tree_ != nullptr) tree_->unobserve(*this);
+    if (out_ != nullptr) std::fclose(out_);
+}
+
+void Recorder::begin(property::Tree& tree, Loop& loop) {
+    tree_ = &tree;
+    loop_ = &loop;
+    tree.observe(*this);
+    loop.witness(this);
+}
+
+void Recorder::line(const std::string& text) {
+    if (!problem_.empty()) return;
+    if (std::fwrite(text.data(), 1, text.size(), out_) != text.size() ||
+        std::fputc('\n', out_) == EOF)
+        problem_ = file_.string() + ": the recording ends here: " + std::strerror(errno);
+}
+
+void Recorder::flush() {
+    if (problem_.empty() && std::fflush(out_) != 0)
+        problem_ = file_.string() + ": the recording ends here: " + std::strerror(errno);
+}
+
+void Recorder::event(const InputEvent& event, bool taken) {
+    line(event_text(event, taken));
+    if (event.kind == EventKind::closing) flush();
+}
+
+void Recorder::command(std::string_view command) {
+    line("command " + in_quotes(command));
+    flush();
+}
+
+void Recorder::file(const RunFile& file) {
+    std::string text = (file.overwritten ? "overwritten " : "file ") + in_quotes(file.name);
+    if (file.overwritten && file.content)
+        text += " " + in_quotes(*file.content);
+    else if (!file.overwritten && file.checksum)
+        text += " " + hex(*file.checksum);
+    line(text);
+    if (file.overwritten) flush();  // the next to happen
+}
+
+void Recorder::frame_begins(double seconds, std::int64_t step_limit) {
+    line("frame " + exact(seconds) + " " + std::to_string(step_limit));
+    inside_ = true;
+}
+
+void Recorder::turn_begins() {
+    line("turn");
+    inside_ = true;
+}
+
+void Recorder::frame_ends() {
+    inside_ = false;
+    flush();
+}
+
+void Recorder::stepped() {
+    std::string text = "step " + std::to_string(tree_->step());
+    for (const auto& [part, hash] : loop_->hashes()) text += " " + part + " " + hex(hash);
+    line(text);
+}
+
+// What is written between frames by no command, no event and no formula, which do it again: by the
+// inspector, or by another layer.
+bool Recorder::writes_alone() const {
+    const property::Cause cause = tree_->cause();
+    return !inside_ && cause.writer != property::Writer::console &&
+           cause.writer != property::Writer::formula && cause.where != "window";
+}
+
+void Recorder::wrote(property::Handle instance, const property::Property& property,
+                     const property::Value& now) {
+    if (!writes_alone()) return;
+    line("write " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
+         encoded(property::Value(instance)) + " " + in_quotes(property.name) + " " + encoded(now));
+}
+
+void Recorder::was_reset(property::Handle instance, const property::Property& property) {
+    if (!writes_alone()) return;
+    line("reset " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
+         encoded(property::Value(instance)) + " " + in_quotes(property.name));
+}
+
+}  // namespace fettle::app

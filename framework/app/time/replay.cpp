@@ -1,0 +1,296 @@
+// Reading a recording and making its run again.
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include <fettle/app/recording.h>
+#include <fettle/property/exception_text.h>
+
+#include <time/recording_text.h>
+
+namespace fettle::app {
+
+using property::Handle;
+using property::Value;
+using property::Writer;
+
+namespace {
+
+constexpr std::int64_t format = 2;
+/// A recording of an hour of nothing but the fastest events is far below.
+constexpr std::uintmax_t greatest_file = std::uintmax_t{4} << 30;
+
+}  // namespace
+
+/// A line after `begin`.
+struct Recording::Item {
+    enum class Kind : std::uint8_t { event, command, write, reset, frame, turn, step };
+    Kind kind = Kind::turn;
+    InputEvent event{};
+    bool taken = false;
+    std::string text{};  // a command, a property
+    Writer writer = Writer::inspector;
+    Handle instance{};
+    Value value{};
+    double seconds = 0;
+    std::int64_t limit = 0;
+    std::uint64_t step = 0;
+    std::vector<std::pair<std::string, std::uint64_t>> hashes{};
+    int line = 0;
+};
+
+Recording::~Recording() = default;
+
+void Recording::fail(int number, const std::string& why) const {
+    throw RecordingError(file_.string() + (number > 0 ? ":" + std::to_string(number) : "") + ": " +
+                         why);
+}
+
+namespace {
+
+template <class Item>
+std::optional<Item> parse(const std::string& word, Words& words) {
+    using Kind = typename Item::Kind;
+    Item item;
+    if (word == "event") {
+        const auto event = parse_event(words);
+        if (!event) return std::nullopt;
+        item.kind = Kind::event;
+        std::tie(item.event, item.taken) = *event;
+    } else if (word == "command") {
+        const auto text = words.text();
+        if (!text) return std::nullopt;
+        item.kind = Kind::command;
+        item.text = *text;
+    } else if (word == "write" || word == "reset") {
+        const auto writer = words.integer();
+        const auto instance = words.value();
+        const auto name = words.text();
+        const auto value = word == "write" ? words.value() : std::optional<Value>(Value());
+        if (!writer || *writer < 0 || *writer > static_cast<int>(Writer::restore) || !instance ||
+            !instance->is(property::Type::reference) || !name || !value)
+            return std::nullopt;
+        item.kind = word == "write" ? Kind::write : Kind::reset;
+        item.writer = static_cast<Writer>(*writer);
+        item.instance = instance->reference();
+        item.text = *name;
+        item.value = *value;
+    } else if (word == "frame") {
+        const auto seconds = words.number();
+        const auto limit = words.integer();
+        if (!seconds || !limit) return std::nullopt;
+        item.kind = Kind::frame;
+        item.seconds = *seconds;
+        item.limit = *limit;
+    } else if (word == "turn") {
+        item.kind = Kind::turn;
+    } else if (word == "step") {
+        const auto step = words.integer();
+        if (!step || *step < 0) return std::nullopt;
+        item.kind = Kind::step;
+        item.step = static_cast<std::uint64_t>(*step);
+        while (!words.at_end()) {
+            const auto part = words.word();
+            const auto hash = words.bits();
+            if (!part || !hash) return std::nullopt;
+            item.hashes.emplace_back(*part, *hash);
+        }
+    } else {
+        return std::nullopt;
+    }
+    if (!words.at_end()) return std::nullopt;
+    return item;
+}
+
+}  // namespace
+
+Recording::Recording(const std::filesystem::path& file) : file_(file) {
+    std::error_code problem;
+    const std::uintmax_t size = std::filesystem::file_size(file, problem);
+    if (problem) fail(0, "cannot be read: " + problem.message());
+    if (size > greatest_file) fail(0, "is too large for a recording");
+    std::ifstream in(file, std::ios::binary);
+    if (!in) fail(0, "cannot be read");
+    std::string line;
+    bool begun = false;
+    for (int number = 1; std::getline(in, line); ++number) {
+        // The last line of a run that was cut off.
+        if (in.eof() && number > 1) break;
+        Words words(line);
+        const std::string word = words.word().value_or("");
+        if (number == 1) {
+            const auto version = words.integer();
+            if (word != "fettle-recording" || !version) fail(0, "is no recording of Fettle");
+            if (*version != format)
+                fail(0, "is a recording of format " + std::to_string(*version) +
+                            ", and this Fettle reads " + std::to_string(format));
+        } else if (!begun) {
+            begun = word == "begin";
+            if (!begun) read_start(word, line.substr(std::min(word.size(), line.size())), number);
+        } else if (word == "file" || word == "overwritten") {
+            if (!read_file(word, line.substr(word.size())))
+                fail(number, "is damaged: \"" + word + "\" says nothing");
+        } else {
+            auto item = parse<Item>(word, words);
+            if (!item) fail(number, "is damaged: \"" + line.substr(0, 60) + "\" is nothing known");
+            item->line = number;
+            items_.push_back(std::move(*item));
+        }
+    }
+    if (!begun) fail(0, "is damaged: it ends before the run begins");
+}
+
+void Recording::read_start(const std::string& word, const std::string& rest, int number) {
+    Words words(rest);
+    const auto require = [&](bool holds) {
+        if (!holds || !words.at_end()) fail(number, "is damaged: \"" + word + "\" says nothing");
+    };
+    if (word == "game") {
+        const auto path = words.text();
+        require(path.has_value());
+        start_.game = *path;
+    } else if (word == "module") {
+        const auto name = words.text();
+        require(name.has_value());
+        start_.modules.push_back(*name);
+    } else if (word == "tweak") {
+        std::vector<std::string>& tweak = start_.tweaks.emplace_back();
+        while (auto text = words.text()) tweak.push_back(std::move(*text));
+        require(!tweak.empty());
+    } else if (word == "seed") {
+        const auto seed = words.bits();
+        require(seed.has_value());
+        start_.seed = *seed;
+    } else if (word == "screen") {
+        const auto width = words.number(), height = words.number();
+        require(width && height && *width >= 0 && *width < 1e6 && *height >= 0 && *height < 1e6);
+        start_.width = *width;
+        start_.height = *height;
+    } else if (word == "eval") {
+        const auto chunk = words.text();
+        require(chunk.has_value());
+        start_.evals.push_back(*chunk);
+    } else if (word == "at") {
+        const auto step = words.integer();
+        const auto chunk = words.text();
+        require(step && *step > 0 && chunk);
+        start_.at.emplace_back(static_cast<std::uint64_t>(*step), *chunk);
+    } else {
+        fail(number, "is damaged: \"" + word + "\" is nothing known");
+    }
+}
+
+bool Recording::read_file(const std::string& word, const std::string& rest) {
+    Words words(rest);
+    const auto name = words.text();
+    if (!name) return false;
+    RunFile file{.name = *name, .overwritten = word == "overwritten"};
+    if (!words.at_end()) {
+        if (file.overwritten)
+            file.content = words.text();
+        else
+            file.checksum = words.bits();
+        if (!file.content && !file.checksum) return false;
+    }
+    files_.push_back(std::move(file));
+    return words.at_end();
+}
+
+std::uint64_t Recording::steps() const {
+    std::uint64_t count = 0;
+    for (const Item& item : items_) count += item.kind == Item::Kind::step;
+    return count;
+}
+
+// --- The run again
+// ----------------------------------------------------------------------------------------------------
+
+Replay::Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime,
+               Loop& loop)
+    : recording_(recording), tree_(tree), runtime_(runtime), loop_(loop) {
+    loop_.witness(this);
+}
+
+Replay::~Replay() {
+    loop_.witness(nullptr);
+}
+
+bool Replay::frame() {
+    using Kind = Recording::Item::Kind;
+    const auto& items = recording_.items_;
+    while (next_ < items.size() && difference_.empty()) {
+        const Recording::Item& item = items[next_++];
+        if (item.kind != Kind::frame && item.kind != Kind::turn) {
+            feed(item);
+            continue;
+        }
+        if (item.kind == Kind::frame)
+            loop_.frame(item.seconds, item.limit);
+        else
+            loop_.turn();
+        if (difference_.empty() && next_ < items.size() && items[next_].kind == Kind::step)
+            difference_ =
+                "step " + std::to_string(items[next_].step) + " was made then and is not made now";
+        return difference_.empty();
+    }
+    return false;
+}
+
+void Replay::feed(const Recording::Item& item) {
+    using Kind = Recording::Item::Kind;
+    switch (item.kind) {
+        case Kind::event:
+            return loop_.feed(item.event, item.taken);
+        case Kind::command:
+            (void)runtime_.evaluate(item.text);
+            return;
+        case Kind::step:
+            difference_ =
+                "step " + std::to_string(item.step) + " was made then and is not made now";
+            return;
+        default:
+            break;
+    }
+    const property::Tree::CauseScope cause(tree_, item.writer);
+    try {
+        const property::Property& property = tree_.property(item.instance, item.text);
+        if (item.kind == Kind::write)
+            tree_.set(item.instance, property, item.value);
+        else
+            tree_.reset(item.instance, property);
+    } catch (const std::exception& error) {
+        difference_ = "an edit that was made after step " + std::to_string(tree_.step()) +
+                      " is refused now: " + property::exception_text(error);
+    }
+}
+
+void Replay::stepped() {
+    if (!difference_.empty()) return;
+    const std::string now = "step " + std::to_string(tree_.step());
+    const auto& items = recording_.items_;
+    if (next_ >= items.size()) return;  // cut off in the middle of a frame
+    const Recording::Item& item = items[next_];
+    if (item.kind != Recording::Item::Kind::step || item.step != tree_.step()) {
+        difference_ = now + " is made now and was not made then";
+        return;
+    }
+    ++next_;
+    const auto hashes = loop_.hashes();
+    for (const auto& [part, hash] : item.hashes) {
+        const auto found =
+            std::find_if(hashes.begin(), hashes.end(),
+                         [&, name = part](const auto& h) { return h.first == name; });
+        if (found == hashes.end())
+            difference_ = now + ": there is no \"" + part + "\" in this game";
+        else if (found->second != hash)
+            difference_ = now + ": " + part + " differs: " + hex(hash) + " then, " +
+                          hex(found->second) + " now";
+        if (!difference_.empty()) return;
+    }
+    ++steps_;
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,93 @@
+#include <time/state_hash.h>
+
+#include <bit>
+
+namespace fettle::app {
+
+using property::BindingKind;
+using property::Type;
+
+void StateHash::add(std::uint64_t bits) {
+    // The finalizer of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
+    // generators, 2014), chained.
+    std::uint64_t z = (state_ ^ bits) + 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    state_ = z ^ (z >> 31);
+}
+
+void StateHash::add(double number) {
+    add(std::bit_cast<std::uint64_t>(number));
+}
+
+void StateHash::add(std::string_view text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        word = word << 8 | static_cast<unsigned char>(text[i]);
+        if (i % 8 == 7) add(word), word = 0;
+    }
+    add(word);
+}
+
+void StateHash::add(const property::Value& value, const property::Tree& tree) {
+    add(static_cast<std::uint64_t>(value.type()));
+    switch (value.type()) {
+        case Type::nil:
+            break;
+        case Type::boolean:
+            add(std::uint64_t{value.boolean()});
+            break;
+        case Type::integer:
+            add(static_cast<std::uint64_t>(value.integer()));
+            break;
+        case Type::number:
+            add(value.number());
+            break;
+        case Type::text:
+            add(std::string_view(value.text()));
+            break;
+        case Type::vec2:
+            add(value.vec2().x());
+            add(value.vec2().y());
+            break;
+        case Type::color:
+            for (const float channel :
+                 {value.color().r, value.color().g, value.color().b, value.color().a})
+                add(double{channel});
+            break;
+        case Type::reference:
+            // By path: a handle's number says how the run went, not where it is.
+            add(std::string_view(tree.alive(value.reference()) ? tree.path(value.reference())
+                                                               : std::string()));
+            break;
+        case Type::list:
+            add(static_cast<std::uint64_t>(value.list().size()));
+            for (const property::Value& element : value.list()) add(element, tree);
+            break;
+    }
+}
+
+void StateHash::add_stored_values(const property::Tree& tree) {
+    tree.each_below(tree.root(), [&](property::Handle instance) {
+        // Services are not the game's, a console may be there or not; but what a game adds to them
+        // is.
+        const bool service = !tree.class_of(instance).creatable();
+        if (!service) {
+            add(std::string_view(tree.name(instance)));
+            add(std::string_view(tree.class_of(instance).name()));
+        }
+        for (const property::Property* property : tree.properties(instance)) {
+            const BindingKind kind = property->binding.kind;
+            const bool kept = kind == BindingKind::ad_hoc ||
+                              (kind == BindingKind::stored && !service && !property->transient);
+            if (!kept) continue;
+            add(std::string_view(property->name));
+            // Settled; of a formula in error it is the last good value.
+            (void)tree.problem(instance, *property);
+            add(tree.peek(instance, *property), tree);
+        }
+    });
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,439 @@
+#include <fettle/app/timeline.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fettle/property/error.h>
+
+#include <time/packing.h>
+
+namespace fettle::app {
+
+using property::LoggedWrites;
+using property::Snapshot;
+
+namespace {
+
+constexpr std::int64_t least_spacing = 60, most_spacing = 480;  // steps
+// Where not even one keyframe has room, it is tried again so much later: the state may be smaller.
+constexpr std::int64_t tried_again = 600;  // steps
+// What is kept of a step besides what was written in it: parts of containers and their memory.
+constexpr std::size_t of_step = 256;                         // bytes
+constexpr std::size_t most_history = std::size_t{64} << 20;  // bytes
+
+double now() {
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(since).count();
+}
+
+}  // namespace
+
+/// Snapshots that somebody else restores: time has jumped.
+class Timeline::Jumps : public property::Observer {
+  public:
+    explicit Jumps(property::Tree& tree) : tree_(tree), tree_life_(tree.lifetime()) {
+        tree_.observe(*this);
+    }
+    ~Jumps() override {
+        if (!tree_life_.expired()) tree_.unobserve(*this);
+    }
+    void restored() override {
+        jumped = !travelling;
+        arrived = true;
+    }
+    void wrote_plain(const property::PlainWrites&) override {
+        // not one by one
+    }
+
+    bool jumped = false;
+    bool travelling = false;
+    bool arrived = false;
+
+  private:
+    property::Tree& tree_;
+    std::weak_ptr<const property::Tree*> tree_life_;
+};
+
+/// To write the next keyframe to.
+struct Timeline::Room {
+    PackedBytes::Buffer buffer;
+};
+
+Timeline::Timeline(property::Tree& tree, Clock& clock, std::function<void(double)> step_modules)
+    : tree_(tree),
+      clock_(clock),
+      step_modules_(std::move(step_modules)),
+      jumps_(std::make_unique<Jumps>(tree)),
+      spacing_(least_spacing) {}
+
+Timeline::~Timeline() = default;
+
+// --- Keeping
+// ----------------------------------------------------------------------------------------------------------
+
+bool Timeline::on() const {
+    return clock_.rewind_limit > 0;
+}
+
+void Timeline::clear() {
+    require_between_steps("the past cannot be forgotten");
+    forget_all();
+}
+
+void Timeline::forget_all() {
+    log_.reset();
+    keyframes_.clear();
+    steps_.clear();
+    tail_ = {};
+    logged_ = logged_since_ = 0;
+    spacing_ = least_spacing;
+    clock_.oldest = clock_.newest = clock_.step;
+}
+
+/// How much of the memory is for what. Lowered, it holds from the next step on.
+void Timeline::share_room() {
+    const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
+    if (room == room_) return;
+    room_ = room;
+    tree_.set_history_limit(std::min(room / 4, most_history));
+}
+
+bool Timeline::there_is_room() const {
+    return no_room_at_ < 0 || room_ > no_room_ || clock_.step >= no_room_at_ + tried_again ||
+           clock_.step < no_room_at_;
+}
+
+void Timeline::begin_log() {
+    log_ = std::make_unique<property::WriteLog>(tree_);
+    log_->set_most(room_ / 8);
+}
+
+void Timeline::begin_step() {
+    in_step_ = true;
+    share_room();
+    stepping_ = on() && there_is_room();
+    if (!stepping_) {
+        if (log_ != nullptr) forget_all();
+        clock_.oldest = clock_.newest = clock_.step;
+        return;
+    }
+    note_jump();
+    if (log_ == nullptr) {
+        begin_log();
+        Step begun;
+        note_changes(begun);
+    }
+    log_->set_most(room_ / 8);
+    if (keyframes_.empty()) {
+        here_ = clock_.step;
+        take_keyframe();
+    }
+    begun_ = now();
+    // From here on this is what has been.
+    if (here_ < newest()) {
+        drop_after(here_);
+        tail_ = {};
+    }
+    open_ = {};
+}
+
+void Timeline::modules_step(double dt) {
+    if (!stepping_) return;
+    open_ = std::move(tail_);
+    tail_ = {};
+    open_.dt = dt;
+    note_writes(open_, open_.before.emplace_back());
+}
+
+void Timeline::end_step() {
+    in_step_ = false;
+    if (!std::exchange(stepping_, false)) {
+        clock_.oldest = clock_.newest = clock_.step;
+        return;
+    }
+    open_.number = here_ = clock_.step;
+    note_writes(open_, open_.after);
+    note_changes(open_);
+    if (too_much(open_)) return begin_anew();
+    open_.bytes += sizeof(Step) + of_step;
+    logged_ += open_.bytes;
+    logged_since_ += open_.bytes;
+    steps_.push_back(std::move(open_));
+    worked_ += now() - begun_;
+    if (keyframe_is_due()) take_keyframe();
+    trim();
+    clock_.oldest = oldest();
+    clock_.newest = newest();
+}
+
+void Timeline::note_writes(Step& of, property::LoggedWrites& where) {
+    where = log_->take();
+    of.bytes += sizeof where + where.memory();
+}
+
+void Timeline::note_changes(Step& of) {
+    for (property::SnapshotPart* part : tree_.parts())
+        if (property::Memory changes = part->changes()) {
+            of.bytes += part->size_of(changes);
+            of.changes.emplace_back(part, std::move(changes));
+        }
+}
+
+bool Timeline::too_much(const Step& step) const {
+    return step.bytes > room_ / 2 || step.after.too_much ||
+           std::any_of(step.before.begin(), step.before.end(),
+                       [](const LoggedWrites& w) { return w.too_much; });
+}
+
+/// What cannot be done again cannot be gone back over.
+void Timeline::begin_anew() {
+    const std::int64_t step = clock_.step;
+    forget_all();
+    begin_log();
+    here_ = step;
+    take_keyframe();
+    trim();
+    clock_.oldest = clock_.newest = step;
+}
+
+void Timeline::take_keyframe() {
+    const double before = now();
+    Room room = room_of_packed();
+    Snapshot taken = tree_.snapshot(std::move(room.buffer.bytes));
+    (void)log_->take();  // it is in the snapshot
+    if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
+    Keyframe frame{.step = here_,
+                   .payload = nullptr,
+                   .memories = taken.memories(),
+                   .held = taken.held(),
+                   .history = tree_.history_bytes(),
+                   .forgotten = forgotten()};
+    room.buffer.bytes = std::move(taken).take_payload();
+    // The first state is that of bodies that touch nothing yet: what comes next takes more.
+    const std::size_t later = keyframes_.empty() ? 3 * room.buffer.bytes.size() : 0;
+    frame.payload =
+        std::make_shared<PackedBytes>(std::move(room.buffer), later <= room_ / 4 ? later : 0);
+    packer_->pack(frame.payload);
+    keyframes_.push_back(std::move(frame));
+    logged_since_ = 0;
+    cost_ = now() - before;
+    worked_ = 0;
+}
+
+/// Of a state that is packed by now, for the next one to be written to; others go back to the
+/// system.
+Timeline::Room Timeline::room_of_packed() {
+    Room found;
+    for (Keyframe& frame : keyframes_)
+        if (auto plain = frame.payload->settle()) found.buffer = std::move(*plain);
+    // Of a state that was far larger than they are by now.
+    if (!keyframes_.empty() && found.buffer.touched / 4 > keyframes_.back().payload->plain_size())
+        found = {};
+    return found;
+}
+
+/// Often enough to be quick at any moment, and not so often that the game is slower for it. Much
+/// that was written calls for one: what is before it can then be forgotten.
+bool Timeline::keyframe_is_due() const {
+    const Keyframe& last = keyframes_.back();
+    const std::int64_t since = here_ - last.step;
+    return since >= most_spacing || (since >= spacing_ && worked_ * share_ >= cost_) ||
+           logged_since_ > std::max(room_ / 8, last.payload->plain_size());
+}
+
+// A snapshot was restored by somebody else. What comes next starts from there; what was before the
+// step it was taken at may still be gone back to.
+void Timeline::note_jump() {
+    if (!std::exchange(jumps_->jumped, false) || log_ == nullptr) return;
+    const std::int64_t step = clock_.step;
+    if (keyframes_.empty() || step < oldest() || step > newest())
+        forget_all();
+    else
+        drop_after(step - 1);
+    if (log_ == nullptr) begin_log();
+    tail_ = {};
+    here_ = step;
+    take_keyframe();
+    keyframes_.back().jumped_to = true;
+}
+
+void Timeline::drop(std::deque<Step>::iterator step) {
+    logged_ -= step->bytes;
+    steps_.erase(step);
+}
+
+void Timeline::drop_after(std::int64_t step) {
+    while (!keyframes_.empty() && keyframes_.back().step > step) keyframes_.pop_back();
+    while (!steps_.empty() && steps_.back().number > step) drop(std::prev(steps_.end()));
+    logged_since_ = 0;
+    for (auto each = steps_.rbegin();
+         each != steps_.rend() && (keyframes_.empty() || each->number > keyframes_.back().step);
+         ++each)
+        logged_since_ += each->bytes;
+}
+
+void Timeline::drop_oldest() {
+    keyframes_.pop_front();
+    while (!steps_.empty() && steps_.front().number <= keyframes_.front().step)
+        drop(steps_.begin());
+}
+
+/// Half as many keyframes: going somewhere takes longer, and the past is as long.
+void Timeline::thin_out() {
+    spacing_ *= 2;
+    std::deque<Keyframe> kept;
+    for (Keyframe& frame : keyframes_)
+        if (kept.empty() || frame.jumped_to || frame.step - kept.back().step >= spacing_)
+            kept.push_back(std::move(frame));
+    keyframes_ = std::move(kept);
+}
+
+void Timeline::trim() {
+    const auto limit = static_cast<std::int64_t>(
+        std::clamp(std::ceil(clock_.rewind_limit / clock_.dt), 0.0, 1e15));
+    while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit) drop_oldest();
+    const std::size_t room = room_ - std::min(room_, tree_.history_bytes());
+    while (keyframes_.size() > 1 && memory() > room) {
+        if (spacing_ < most_spacing && keyframes_.size() > 2 && logged_ < room / 2)
+            thin_out();
+        else
+            drop_oldest();
+    }
+    no_room_at_ = -1;
+    if (memory() <= room) return;
+    no_room_at_ = clock_.step;
+    no_room_ = room_;
+    forget_all();
+}
+
+std::int64_t Timeline::oldest() const {
+    return keyframes_.empty() ? clock_.step : keyframes_.front().step;
+}
+
+std::int64_t Timeline::newest() const {
+    if (keyframes_.empty()) return clock_.step;
+    // After a jump the last keyframe is where no step leads.
+    const std::int64_t last = keyframes_.back().step;
+    return steps_.empty() ? last : std::max(last, steps_.back().number);
+}
+
+std::size_t Timeline::Keyframe::memory() const {
+    return payload->memory() + held + sizeof *this + of_step;
+}
+
+/// Bytes of edits that the history held once.
+std::size_t Timeline::forgotten() const {
+    return tree_.history_bytes_ever() - tree_.history_bytes();
+}
+
+std::size_t Timeline::memory() const {
+    std::size_t sum = logged_ + tail_.bytes + (log_ != nullptr ? log_->memory() : 0);
+    for (const Keyframe& frame : keyframes_) sum += frame.memory();
+    if (keyframes_.empty()) return sum;
+    // The history as it was at the beginning, as far as it is kept for that alone.
+    const Keyframe& first = keyframes_.front();
+    const std::size_t since = forgotten();
+    return sum + std::min(first.history, since - std::min(since, first.forgotten));
+}
+
+// --- Travelling
+// -------------------------------------------------------------------------------------------------------
+
+void Timeline::require(std::int64_t step) const {
+    if (!keeps())
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "there is no past to go to: no step was made, time.rewind_limit is "
+                              "0, or time.rewind_memory is too little for one state");
+    if (step < oldest() || step > newest())
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "step " + std::to_string(step) + ": the past is kept from step " +
+                                  std::to_string(oldest()) + " to " + std::to_string(newest()));
+}
+
+void Timeline::require_between_steps(const char* what) const {
+    if (in_step_ || jumps_->travelling)
+        throw property::Error(property::ErrorKind::bad_structure,
+                              std::string(what) +
+                                  (in_step_ ? " in the middle of a step" : " while time travels") +
+                                  ": wait for the next barrier between steps");
+}
+
+void Timeline::go_to(std::int64_t step) {
+    require_between_steps("the past cannot be gone back to");
+    settle();
+    require(step);
+    travel(step);
+}
+
+void Timeline::go_near(std::int64_t step) {
+    require_between_steps("the past cannot be gone back to");
+    settle();
+    if (keeps()) travel(std::clamp(step, oldest(), newest()));
+}
+
+void Timeline::rewind(double seconds) {
+    require_between_steps("the past cannot be gone back to");
+    clock_.require_usable();
+    if (std::isnan(seconds))
+        throw property::Error(property::ErrorKind::out_of_range,
+                              "rewind: nan: expected a time in seconds");
+    settle();
+    const double steps = std::clamp(std::round(seconds / clock_.dt), -1e15, 1e15);
+    if (!keeps()) return;
+    const std::int64_t to = clock_.step - static_cast<std::int64_t>(steps);
+    travel(std::clamp(to, oldest(), newest()));
+}
+
+void Timeline::redo_writes(const Step& step) {
+    for (const LoggedWrites& piece : step.before) log_->play(piece);
+    for (const auto& [part, changes] : step.changes) part->redo(changes);
+}
+
+void Timeline::redo(const Step& step) {
+    for (const LoggedWrites& piece : step.before) log_->play(piece);
+    tree_.set_step(static_cast<std::uint64_t>(step.number));
+    step_modules_(step.dt);
+    log_->play(step.after);
+    for (const auto& [part, changes] : step.changes) part->redo(changes);
+}
+
+/// What was done since the newest step is kept, so that one can come back to it.
+void Timeline::settle() {
+    note_jump();
+    if (log_ == nullptr || here_ != newest()) return;
+    note_writes(tail_, tail_.before.emplace_back());
+    note_changes(tail_);
+    if (too_much(tail_)) begin_anew();
+}
+
+void Timeline::travel(std::int64_t step) {
+    const auto frame =
+        std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
+                                   [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
+    const Snapshot from(frame->payload->payload(), frame->memories);
+    jumps_->travelling = true;
+    jumps_->arrived = false;
+    struct Arrive {
+        bool& travelling;
+        ~Arrive() { travelling = false; }
+    } arrive{jumps_->travelling};
+    try {
+        tree_.restore(from, [&] {
+            for (const Step& each : steps_)
+                if (each.number > frame->step && each.number <= step) redo(each);
+            if (step == newest()) redo_writes(tail_);
+        });
+    } catch (...) {
+        if (jumps_->arrived) begin_anew();  // wherever it has come; else nothing has changed
+        throw;
+    }
+    here_ = step;
+    clock_.step = step;
+    Step arrived;
+    note_changes(arrived);
+}
+
+}  // namespace fettle::app
