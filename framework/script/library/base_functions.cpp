@@ -156,6 +156,7 @@ bool before(const Key& a, const Key& b) {
 
 int sorted_pairs(lua_State* L) {
     luaL_checkany(L, 1);
+    lua_settop(L, 1);  // more arguments are of no use, and the places below count on it
     if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL) {
         lua_pushvalue(L, 1);
         lua_call(L, 1, 3);
