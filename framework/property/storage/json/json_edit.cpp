@@ -191,9 +191,26 @@ void JsonEdit::add(const Node& container, const std::string& item, const Node* a
     set(std::move(text));
 }
 
+/// The first comma behind a place, which is in no comment; the end of the text: there is none.
+std::size_t JsonEdit::comma_behind(std::size_t at) const {
+    const std::string& text = document_.source();
+    while (at < text.size() && text[at] != ',') {
+        const std::string_view rest = std::string_view(text).substr(at);
+        if (rest.starts_with("//"))
+            at = std::min(text.find('\n', at), text.size());
+        else if (rest.starts_with("/*"))
+            at = std::min(text.find("*/", at), text.size() - 2) + 2;
+        else
+            ++at;
+    }
+    return at;
+}
+
+/// With the comma behind it, if it needs one.
 bool JsonEdit::alone_on_its_lines(const Node& child) const {
     const std::string& text = document_.source();
     const std::size_t end = line_end(child.end);
+    if (document_.next(child) != nullptr && comma_behind(child.end) >= end) return false;
     return begins_line(start(child)) && end < text.size() &&
            (text[end] == '\n' || text[end] == '\r');
 }
@@ -249,19 +266,8 @@ void JsonEdit::remove(const Node& container, const Node& child) {
         text.erase(begin, child.end - begin);
         return set(std::move(text));
     }
-    if (next == nullptr && previous != nullptr) {  // its comma
-        std::size_t comma = previous->end;
-        while (comma < text.size() && text[comma] != ',') {
-            const std::string_view rest = std::string_view(text).substr(comma);
-            if (rest.starts_with("//"))
-                comma = std::min(text.find('\n', comma), text.size());
-            else if (rest.starts_with("/*"))
-                comma = std::min(text.find("*/", comma), text.size() - 2) + 2;
-            else
-                ++comma;
-        }
-        if (comma < text.size()) text.erase(comma, 1);
-    }
+    // Before what was erased.
+    if (next == nullptr && previous != nullptr) text.erase(comma_behind(previous->end), 1);
     set(std::move(text));
 }
 

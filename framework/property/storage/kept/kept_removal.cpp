@@ -1,5 +1,6 @@
 // Kept tweaks of instances that are deleted, and that come back when that is undone.
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -35,6 +36,10 @@ std::vector<std::string> KeptTweaks::remove_beside(const std::vector<std::string
         put_deleted(path);
     }
     return before;
+}
+
+bool KeptTweaks::deletes(const std::string& path) const {
+    return std::ranges::find(contents_.deleted, path) != contents_.deleted.end();
 }
 
 /// Of an instance that the file makes: a part of its scene goes.

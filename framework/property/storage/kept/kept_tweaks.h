@@ -66,6 +66,7 @@ class KeptTweaks {
     /// instance as it is now, since what it named may have gone or have got another name meanwhile.
     void put_back(const std::string& path, const std::string& taken_out, const std::string& scene);
     bool makes(const std::string& path) const;
+    bool deletes(const std::string& path) const;
     /// Instances that the file makes get other paths: all of them at once. Throws Error for one
     /// that it makes as a part of another one and that is to leave it.
     void require_movable(const std::string& from, const std::string& to) const;

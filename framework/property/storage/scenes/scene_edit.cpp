@@ -135,7 +135,7 @@ void SceneEdit::add_first_child(const Node& parent, std::string text) {
     json_.add_member(parent, "children", "[\n  " + text + "\n]");
 }
 
-std::string SceneEdit::remove(const SceneSteps& steps) {
+std::string SceneEdit::remove(const SceneSteps& steps, const std::string& home) {
     const Node& instance = find(steps);
     SceneSteps above = steps;
     above.pop_back();
@@ -157,7 +157,9 @@ std::string SceneEdit::remove(const SceneSteps& steps) {
         json_.remove(parent, children);
     else
         json_.remove(children, instance);
-    return taken_out + ", \"references\": [" + forget_references(path) + "]}";
+    std::vector<std::string> paths{path};
+    if (!home.empty()) paths.push_back(home);
+    return taken_out + ", \"references\": [" + forget_references(paths) + "]}";
 }
 
 std::vector<SceneEdit::NamingValue> SceneEdit::naming_values(const NewPath& path) const {
@@ -189,14 +191,14 @@ std::vector<SceneEdit::NamingValue> SceneEdit::naming_values(const NewPath& path
     return found;
 }
 
-/// What names the instance at that path from the top names nothing. Gives what it was: for each
-/// the steps to its instance, its section, its key and its text.
-std::string SceneEdit::forget_references(const std::string& path) {
+/// For each of them the steps to its instance, its section, its key and its text.
+std::string SceneEdit::forget_references(const std::vector<std::string>& paths) {
+    const PathSet set(paths);
     std::string before;
     std::vector<std::pair<const Node*, std::string>> replaced;
     for (NamingValue& each :
          naming_values([&](const std::string& named) -> std::optional<std::string> {
-             if (is_at_or_below(named, path)) return std::string();
+             if (!set.above(named).empty()) return std::string();
              return std::nullopt;
          })) {
         const std::string steps = steps_text(each.steps);
@@ -257,8 +259,12 @@ void SceneEdit::put_back(const SceneSteps& steps, const std::string& taken_out) 
     else
         json_.add_element(*children, text, after);
     if (const Node* references = before.member(before.root(), "references"))
-        for (const Node* each = before.first(*references); each; each = before.next(*each))
-            put_reference_back(before, *each);
+        put_references_back(before, *references);
+}
+
+void SceneEdit::put_references_back(const Document& before, const Node& list) {
+    for (const Node* each = before.first(list); each; each = before.next(*each))
+        put_reference_back(before, *each);
 }
 
 void SceneEdit::put_reference_back(const Document& before, const Node& reference) {

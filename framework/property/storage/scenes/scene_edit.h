@@ -28,6 +28,12 @@ class SceneEdit {
     /// Every value in which `path` changes the name of an instance.
     std::vector<NamingValue> naming_values(const NewPath& path) const;
 
+    /// What names one of the instances (paths as in the file), or what is below it, names nothing.
+    /// Gives what it was, the elements of a list for `put_references_back`.
+    std::string forget_references(const std::vector<std::string>& paths);
+    /// What still names nothing; `list` is a list of `document`.
+    void put_references_back(const Document& document, const Document::Node& list);
+
     // Each throws Error when the file has no such instance (any more).
 
     /// `written`: the path to write in the place of one from the root of the tree; none: all as
@@ -36,8 +42,9 @@ class SceneEdit {
              const NewPath& written = {});
     /// `scene`: the text of the new child as a scene of its own.
     void add_child(const SceneSteps& steps, const std::string& scene);
-    /// What it was in the file, for `put_back`.
-    std::string remove(const SceneSteps& steps);
+    /// What it was in the file, for `put_back`. `home`: its path from the root, by which the file
+    /// may name it as well.
+    std::string remove(const SceneSteps& steps, const std::string& home = {});
     void put_back(const SceneSteps& steps, const std::string& taken_out);
     /// What the instance and those below it name is what they name in another scene.
     void name_as_in(const SceneSteps& steps, const SceneEdit& other, const SceneSteps& other_steps);
@@ -50,7 +57,6 @@ class SceneEdit {
     const Node* find_or_none(const SceneSteps& steps) const;
     const Node& find(const SceneSteps& steps) const;
     const Node* child(const Node& instance, const SceneStep& step) const;
-    std::string forget_references(const std::string& path);
     void put_reference_back(const Document& before, const Node& reference);
     void add_first_child(const Node& parent, std::string text);
     void require_names_beside(const Node& instance, const Node& children) const;

@@ -211,8 +211,13 @@ class SceneLoader {
             if (left_open(index, property.name, node, pass, e)) return;
             throw e.about(plan_.path(index) + path_suffix(property.name));
         } catch (const Error& e) {
-            fail(e, node.begin, plan_.path(index) + path_suffix(property.name),
-                 made_.front().handle);
+            const std::string path = plan_.path(index) + path_suffix(property.name);
+            if (!property.simulated || e.kind() != ErrorKind::rejected)
+                fail(e, node.begin, path, made_.front().handle);
+            // Another value of the file forbids it, as `type = "static"` does a velocity.
+            const std::string reason = e.what();
+            plan_.warn(node.begin,
+                       path + ": " + reason.substr(reason.find(": ") + 2) + "; it is left out");
         }
     }
 

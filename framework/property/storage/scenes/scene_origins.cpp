@@ -104,6 +104,16 @@ void SceneOrigins::added(const Tree& tree, Handle parent, Handle child) {
     scene.names.push_back(tree.name(child));
 }
 
+void SceneOrigins::forget(const Tree& tree, Handle top) {
+    if (!places_.empty()) tree.each_below(top, [&](Handle handle) { places_.erase(key(handle)); });
+}
+
+std::set<std::filesystem::path> SceneOrigins::files() const {
+    std::set<std::filesystem::path> all;
+    for (const auto& [number, scene] : scenes_) all.insert(scene.file);
+    return all;
+}
+
 bool SceneOrigins::named_by_script(Handle top) const {
     const auto found = places_.find(key(top));
     return found != places_.end() && scenes_.at(found->second.scene).named_by_script;

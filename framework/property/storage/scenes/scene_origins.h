@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -48,6 +49,9 @@ class SceneOrigins {
     using Names = std::vector<std::pair<SceneSteps, std::string>>;
     void renamed(const std::filesystem::path& file, const Names& names);
     void added(const Tree& tree, Handle parent, Handle child);
+    /// No file describes the instance and what is below it any more.
+    void forget(const Tree& tree, Handle top);
+    std::set<std::filesystem::path> files() const;
     /// Whether a scene's topmost instance has its name from a script.
     bool named_by_script(Handle top) const;
     /// Nothing for an instance that no file describes.

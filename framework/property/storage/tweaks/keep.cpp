@@ -5,11 +5,13 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 
 #include <scenes/scene_check.h>
 #include <scenes/scene_names.h>
+#include <tweaks/other_scenes.h>
 #include <tweaks/row_paths.h>
 #include <tweaks/row_report.h>
 #include <tweaks/scene_keeping.h>
@@ -51,10 +53,13 @@ class Keeping {
             // A scene that goes as a whole, or comes back, is loaded by a script.
             const bool whole =
                 row->inside.empty() && (row->kind == Kind::deleted || row->kind == Kind::restored);
-            if (!file.empty() && !whole)
-                scenes_[file].push_back(row);
-            else
+            // The file of kept tweaks deletes what a script makes there, and then makes this.
+            const bool in_place =
+                row->kind == Kind::created && state_.deleted_by_path(paths_.home(*row));
+            if (file.empty() || whole || in_place)
                 kept_rows_.push_back(row);
+            else if (is_consistent(*row, file))
+                scenes_[file].push_back(row);
         }
         leave_scenes();
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
@@ -77,6 +82,19 @@ class Keeping {
         if (error || relative.empty() || *relative.begin() == ".." || !state_.files.exists(file))
             return {};
         return file;
+    }
+
+    /// Two instances of one scene have one value in the file.
+    bool is_consistent(const JournalRow& row, const fs::path& file) {
+        if (row.kind != Kind::value) return true;
+        const auto [first, is_first] = values_.try_emplace({file, row.inside, row.property}, &row);
+        const JournalRow& other = *first->second;
+        if (is_first || other.now == row.now ||
+            paths_.home_of_top(other) == paths_.home_of_top(row))
+            return true;
+        rows_.tell(row, file.filename().string() + " is the scene of " + path_of(other) +
+                            " as well, which has another value: drop one of the two tweaks");
+        return false;
     }
 
     // --- References out of a scene
@@ -142,6 +160,7 @@ class Keeping {
             if (!write(file, done, [&] { state_.files.write(file, scene.text()); })) return;
             forget_kept_by_path(without_moves(done));
             now_described(done);
+            gone_or_back_elsewhere(done);
             names_are_kept(file, moves_in(done));
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
@@ -198,14 +217,27 @@ class Keeping {
         }
         state_.origins.renamed(file, names);
         state_.steps_renamed(file, names);
-        const InstanceMoves all = homes_changed(moves);
+        const InstanceMoves all = homes_changed(moves, file);
         state_.kept.rename([&](const std::string& home) { return all.now(home); });
         state_.kept.write();
     }
 
+    void gone_or_back_elsewhere(const Rows& rows) {
+        OtherScenes others(state_, report_);
+        for (JournalRow* row : rows)
+            if (row->kind == Kind::deleted)
+                others.forget(*row);
+            else if (row->kind == Kind::restored)
+                others.put_back(*row);
+        others.write();
+    }
+
     /// What rows call the instances that the files call otherwise now.
-    InstanceMoves homes_changed(const std::vector<MoveStep>& moves) {
+    InstanceMoves homes_changed(const std::vector<MoveStep>& moves, const fs::path& file) {
         const InstanceMoves all = whole_moves(moves);
+        OtherScenes others(state_, report_);
+        others.rename(all, file);
+        others.write();
         std::vector<std::pair<JournalRow*, std::string>> homes;
         for (JournalRow& row : state_.earlier)
             if (row.state == RowState::open) homes.emplace_back(&row, all.now(paths_.home(row)));
@@ -232,7 +264,9 @@ class Keeping {
             for (JournalRow* row : rows)
                 if (row->kind != Kind::deleted && rows_.tried(*row, [&] { into_kept(*row); }))
                     done.push_back(row);
-            if (write(state_.kept.file(), done, [&] { state_.kept.write(); })) now_described(done);
+            if (!write(state_.kept.file(), done, [&] { state_.kept.write(); })) return;
+            now_described(done);
+            gone_or_back_elsewhere(done);
         } catch (const SceneError& error) {
             state_.kept.read_again();
             if (done.size() == 1) return rows_.tell(*done.front(), error.reason());
@@ -328,7 +362,7 @@ class Keeping {
                     state_.kept.move(moves);
                     state_.kept.write();
                 }))
-                homes_changed(moves);
+                homes_changed(moves, state_.kept.file());
         } catch (const SceneError& error) {
             state_.kept.read_again();
             report_.problems.emplace_back(error.what());
@@ -362,6 +396,8 @@ class Keeping {
     RowReport rows_;
     RowPaths paths_;
     std::map<fs::path, Rows> scenes_;
+    /// By file, steps in it and property.
+    std::map<std::tuple<fs::path, std::string, std::string>, const JournalRow*> values_;
     Rows kept_rows_;
 };
 

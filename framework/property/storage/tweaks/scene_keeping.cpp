@@ -138,7 +138,7 @@ void SceneKeeping::edit_scene(const JournalRow& row) {
             return edit_.add_child(steps, paths_.home_scene(row, in_file));
         case Kind::deleted:
             require_nothing_moved_out(paths_, row);
-            return taken_out(state_, row, edit_.remove(steps));
+            return taken_out(state_, row, edit_.remove(steps, row.instance));
         case Kind::restored:
             edit_.put_back(steps, row.was);
             return edit_.name_as_in(
@@ -170,6 +170,9 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
             throw Error(ErrorKind::rejected, "another parent cannot be kept: move it in the file");
         if (row.inside.empty()) require_named_by_file(row);
         moves.push_back({i, row.instance, path_below(parent, split_path(row.now).second)});
+        if (state_.deleted_by_path(moves.back().to))
+            throw Error(ErrorKind::rejected,
+                        "a script gives the name to what was deleted: choose another one");
     }
     for (const MoveStep& step : in_order(moves)) {
         const JournalRow& row = *rows[step.which];
@@ -184,8 +187,10 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
             in_file.add(from.substr(top.size()),
                         in_file.now(split_path(from).first.substr(top.size())) +
                             path_suffix(split_path(to).second));
+    const InstanceMoves homes = whole_moves(moves);
     set_text(scene_with_paths(state_.tree, text(), [&](const std::string& path) {
-        return std::optional(in_file.now(path));
+        const bool from_root = !path.starts_with('.') && !path.starts_with('[');
+        return std::optional(from_root ? homes.now(path) : in_file.now(path));
     }));
     take_marks_away();
     if (check) check_scene(state_.tree, edit_.document());

@@ -84,6 +84,7 @@ void Tweaks::State::settle_one(Handle instance) {
     created[key(instance)] = &its;
     its.row.file.clear();
     its.row.inside.clear();
+    origins.forget(tree, instance);  // it is kept as a whole, also one that came out of a file
     tell_origin(its, tree.parent(instance));
     touch(its);
 }

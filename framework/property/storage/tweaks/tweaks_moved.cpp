@@ -1,5 +1,7 @@
 // Tweaks: instances that get another name or another parent.
 
+#include <algorithm>
+
 #include <fettle/property/path.h>
 
 #include <scenes/scene_edit.h>
@@ -47,6 +49,14 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
 bool Tweaks::State::is_home(const Entry& move) const {
     return path_below(home_of(tree.parent(move.handle)), tree.name(move.handle)) ==
            move.row.instance;
+}
+
+bool Tweaks::State::deleted_by_path(const std::string& home) const {
+    return kept.deletes(home) || std::any_of(deleted.begin(), deleted.end(), [&](const auto& each) {
+               const Entry& its = *each.second;
+               return !its.gone && its.row.state == RowState::open && its.row.file.empty() &&
+                      its.row.instance == home;
+           });
 }
 
 /// After its deletion was undone: its instance may have got its earlier name again by then.

@@ -87,6 +87,8 @@ struct Tweaks::State : EditObserver {
     InstanceMoves moves() const;
     std::string home_of(Handle instance) const;
     bool is_home(const Entry& move) const;
+    /// Whether what has that home path is deleted in no scene, but by the file of kept tweaks.
+    bool deleted_by_path(const std::string& home) const;
     void find_again(Entry& its);
     bool rename_scene(Entry& made) const;
     /// Files call instances otherwise now.

@@ -1,0 +1,42 @@
+#pragma once
+// What scene files say of instances by their paths from the root: of those of other files and of
+// those that a script makes. A keep changes it where it changes these.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include <fettle/property/storage/tweaks.h>
+
+#include <scenes/scene_edit.h>
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+class OtherScenes {
+  public:
+    /// Reads the scene files that were loaded. What is wrong with one is told.
+    OtherScenes(Tweaks::State& state, TweakReport& report);
+
+    /// What names the deleted instance names nothing; the row remembers what it was.
+    void forget(const JournalRow& deletion);
+    void put_back(const JournalRow& restoration);
+    /// In all of them but one, which has the new names already.
+    void rename(const InstanceMoves& moves, const std::filesystem::path& except);
+    /// Those that have another text now.
+    void write();
+
+  private:
+    struct Scene {
+        SceneEdit edit;
+        std::string before;
+    };
+    template <class Change>
+    void change(const std::filesystem::path& file, Change change);
+
+    Tweaks::State& state_;
+    TweakReport& report_;
+    std::map<std::filesystem::path, Scene> scenes_;
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,110 @@
+// What files say of other files, of what scripts make, and of scenes that are loaded several times.
+
+#include <catch.h>
+
+#include "keep_run.h"
+
+namespace keep_places_test {
+
+using namespace program_test;
+
+namespace {
+
+constexpr const char* two =
+    "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"l\", \"children\": [\n"
+    "  {\"class\": \"Body\", \"name\": \"a\"},\n"
+    "  {\"class\": \"Body\", \"name\": \"c\"},\n"
+    "  {\"class\": \"WeldJoint\", \"name\": \"j\", \"properties\": {\n"
+    "    \"body_a\": \".a\", \"body_b\": \"world.l.c\"}}\n"
+    "]}\n";
+
+struct Game : Folder {
+    explicit Game(const std::string& script = {}) {
+        write("main.lua", "scene.load(\"l.json\", world)\n" + script);
+        write("l.json", two);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a scene file that names its instances from the root says their new names") {
+    const auto joined = [](const std::string& edit, const std::string& joint) {
+        const Game game;
+        run(game, {"2:" + edit, "3:keep(\"**\")"});
+        return next(game, "print(" + joint + ".body_a, " + joint + ".body_b)");
+    };
+    CHECK(joined("world.l.name=\"m\"", "world.m.j") == "world.m.a\tworld.m.c\n");
+    CHECK(joined("world.l.c.name=\"cc\"", "world.l.j") == "world.l.a\tworld.l.cc\n");
+    CHECK(joined("world.l.c:delete()", "world.l.j") == "world.l.a\tnil\n");
+    CHECK(joined("world.l.a.name=\"x\" world.l.c.name=\"a\" world.l.x.name=\"c\"", "world.l.j") ==
+          "world.l.c\tworld.l.a\n");
+}
+
+TEST_CASE("a scene file that names instances of another one says their new names") {
+    const Game game("scene.load(\"b.json\", world)");
+    game.write("b.json",
+               "{\"fettle_scene\": 1, \"class\": \"WeldJoint\", \"name\": \"b\",\n"
+               "  \"properties\": {\"body_a\": \"world.l.a\"}}\n");
+    const std::string before = game.text("b.json");
+    const std::string joint = "print(world.b.body_a)";
+    SECTION("renamed") {
+        run(game, {"2:world.l.a.name=\"aa\"", "3:keep(\"**\")"});
+        CHECK(next(game, joint) == "world.l.aa\n");
+    }
+    SECTION("deleted, and back") {
+        run(game, {"2:world.l.a:delete()", "3:keep(\"**\")", "4:print(1)"});
+        CHECK(next(game, joint) == "nil\n");
+    }
+    SECTION("deleted and brought back in one run") {
+        run(game, {"2:world.l.a:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+        CHECK(game.text("b.json") == before);
+        CHECK(next(game, joint) == "world.l.a\n");
+    }
+}
+
+TEST_CASE("a kept deletion does not delete what gets the name") {
+    const Game game("world.ball = Body {}");
+    const Outcome kept =
+        run(game, {"1:world.ball:delete()", "3:world.l.name=\"ball\"", "6:keep(\"**\")"});
+    CHECK(contains(kept.out, "a script gives the name to what was deleted: choose another one"));
+    CHECK(run(game, {}, "print(world.l, world:has(\"ball\"))").out == "world.l\tfalse\n");
+}
+
+TEST_CASE("a scene that is loaded by an edit is kept as a copy, with what was made in it") {
+    const Game game;
+    run(game, {"1:world.k = scene.load(\"l.json\")", "2:world.k.a.c = Circle {}",
+               "3:world.k.q = Body {}", "4:keep(\"**\")"});
+    CHECK(game.text("l.json") == two);
+    CHECK(next(game, "print(world.k.a.c, world.k.q, world.l:has(\"q\"))") ==
+          "world.k.a.c\tworld.k.q\tfalse\n");
+}
+
+TEST_CASE("a scene that is loaded twice has one value, and keeping says so") {
+    const Game game("scene.load(\"l.json\", world, \"m\")");
+    const Outcome kept =
+        run(game, {"1:world.l.a.angle=1", "2:world.m.a.angle=2", "3:keep(\"**\")"});
+    INFO(kept.out);
+    CHECK(contains(kept.out, "world.m.a.angle: l.json is the scene of world.l.a.angle as well"));
+}
+
+TEST_CASE("a value that another one of the file forbids is left out and told") {
+    const Game game;
+    run(game, {"1:world.l.a.velocity=vec(1, 0)", "2:keep(\"**\")", "3:world.l.a.type=\"static\"",
+               "4:keep(\"**\")"});
+    const Outcome next_run = run(game, {}, "print(world.l.a.type, world.l.c)");
+    CHECK(next_run.status == 0);
+    CHECK(contains(next_run.out, "static\tworld.l.c"));
+    CHECK(contains(next_run.out + next_run.err, "a static body does not move"));
+}
+
+TEST_CASE("a child whose comma stands on the next line is deleted") {
+    const Game game;
+    game.write("l.json",
+               "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"l\", \"children\": "
+               "[\n  {\"class\": \"Body\", \"name\": \"a\"}\n, {\"class\": \"Body\", "
+               "\"name\": \"c\"}\n, {\"class\": \"Body\", \"name\": \"d\"}\n]}\n");
+    run(game, {"1:world.l.a:delete()", "2:keep(\"**\")", "3:world.l.d:delete()", "4:keep(\"**\")"});
+    CHECK(next(game, "print(#world.l:children(), world.l.c)") == "1\tworld.l.c\n");
+}
+
+}  // namespace keep_places_test
