@@ -107,4 +107,25 @@ TEST_CASE("a child whose comma stands on the next line is deleted") {
     CHECK(next(game, "print(#world.l:children(), world.l.c)") == "1\tworld.l.c\n");
 }
 
+TEST_CASE("what is derived from a kept formula is right before the first step") {
+    const Folder game;
+    game.write("main.lua",
+               "time.paused = true world.s = Body { Circle { radius = 0.5 } } "
+               "world.foo = Body { Box {} }");
+    run(game, {"2:world.foo.box.density is world.s.mass", "3:keep(\"**\")"});
+    CHECK(contains(run(game, {"1:world.foo.mass"}).out, "0.7853982 kg"));
+}
+
+TEST_CASE("what was deleted below something stays deleted when that is back") {
+    const Game game("world.s = Object { h = Object {} }");
+    run(game, {"1:world.s.h:delete()", "2:world.s:delete()", "3:keep(\"**\")", "4:undo()",
+               "5:keep(\"**\")"});
+    CHECK(next(game, "print(world.s, world.s:has(\"h\"))") == "world.s\tfalse\n");
+    // Also where an edit has made it in an earlier run.
+    run(game, {"1:world.s.k = Object {}", "2:keep(\"**\")"});
+    run(game, {"1:world.s.k:delete()", "2:world.s:delete()", "3:keep(\"**\")", "4:undo()",
+               "5:keep(\"**\")"});
+    CHECK(next(game, "print(world.s, world.s:has(\"k\"))") == "world.s\tfalse\n");
+}
+
 }  // namespace keep_places_test

@@ -184,8 +184,8 @@ std::vector<unsigned> seeds() {
     std::vector<unsigned> all(wanted == nullptr ? 200 : std::stoul(wanted));
     std::iota(all.begin(), all.end(), 0);
     for (const unsigned seed :
-         {1023U, 1312U, 1377U, 1641U, 1681U, 1693U, 1856U, 1912U, 1934U, 2656U, 2868U,
-          2921U, 3069U, 3261U, 3390U, 4082U, 4464U, 4825U, 4901U, 6272U, 7091U})
+         {1023U, 1312U, 1377U, 1641U, 1681U, 1693U, 1856U, 1912U, 1934U, 2656U, 2868U, 2921U,
+          3069U, 3261U, 3390U, 4082U, 4464U, 4825U, 4901U, 6272U, 7091U, 7842U, 8941U})
         if (seed >= all.size()) all.push_back(seed);
     return all;
 }

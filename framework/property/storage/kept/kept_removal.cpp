@@ -12,7 +12,8 @@
 namespace fettle::property {
 
 /// What lies deeper goes first, so that what is told of an instance above it is without it.
-std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& paths) {
+std::vector<std::string> KeptTweaks::deepest_first(const std::vector<std::string>& paths,
+                                                   const Remove& remove) {
     std::map<std::size_t, std::vector<std::size_t>, std::greater<>> by_depth;
     for (std::size_t i = 0; i < paths.size(); ++i)
         by_depth[parse_path(paths[i]).size()].push_back(i);
@@ -20,22 +21,26 @@ std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& path
     for (const auto& [depth, places] : by_depth) {
         std::vector<std::string> of_depth;
         for (const std::size_t i : places) of_depth.push_back(paths[i]);
-        std::vector<std::string> told = remove_beside(of_depth);
+        std::vector<std::string> told = remove(of_depth);
         for (std::size_t i = 0; i < places.size(); ++i) before[places[i]] = std::move(told[i]);
     }
     return before;
 }
 
-/// None of them is below another one.
-std::vector<std::string> KeptTweaks::remove_beside(const std::vector<std::string>& paths) {
-    const std::unordered_set<std::string> created = created_;
-    std::vector<std::string> before = forget_below(paths);
-    fold();
-    for (const std::string& path : paths) {
-        if (created.contains(path) || part_removed(path)) continue;
-        put_deleted(path);
-    }
-    return before;
+std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& all) {
+    return deepest_first(all, [this](const std::vector<std::string>& paths) {
+        const std::unordered_set<std::string> created = created_;
+        std::vector<std::string> before = forget_beside(paths);
+        fold();
+        for (const std::string& path : paths)
+            if (!created.contains(path) && !part_removed(path)) put_deleted(path);
+        return before;
+    });
+}
+
+std::vector<std::string> KeptTweaks::forget_below(const std::vector<std::string>& all) {
+    return deepest_first(
+        all, [this](const std::vector<std::string>& paths) { return forget_beside(paths); });
 }
 
 bool KeptTweaks::deletes(const std::string& path) const {
@@ -58,7 +63,8 @@ bool KeptTweaks::part_removed(const std::string& path) {
     }
 }
 
-std::vector<std::string> KeptTweaks::forget_below(const std::vector<std::string>& paths) {
+/// None of them is below another one.
+std::vector<std::string> KeptTweaks::forget_beside(const std::vector<std::string>& paths) {
     fold();
     const PathSet set(paths);
     std::vector<std::string> before = about(set, paths);
@@ -95,10 +101,12 @@ std::vector<std::string> KeptTweaks::about(const PathSet& set,
             for (const std::size_t each : set.above(path)) all.insert(each);
         };
         note(value ? split_path(key).first : key);
-        (void)with_paths(section, key, [&](const std::string& named) {
-            note(named);
-            return std::optional<std::string>();
-        });
+        // What goes itself is told with what it belongs to.
+        if (meant.empty())
+            (void)with_paths(section, key, [&](const std::string& named) {
+                note(named);
+                return std::optional<std::string>();
+            });
         for (const std::size_t each : meant)
             if (value || made_above(paths[each]) != key || key == paths[each])
                 append(lists[each][value ? 0 : 1], section, key);

@@ -105,11 +105,15 @@ class KeptTweaks {
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
     void create_all();
+    void settle_formulas();
     void fold();
     std::string made_above(const std::string& path) const;
     void rename_values(const NewPath& now_at);
     std::vector<std::string> about(const PathSet& set, const std::vector<std::string>& paths) const;
-    std::vector<std::string> remove_beside(const std::vector<std::string>& paths);
+    using Remove = std::function<std::vector<std::string>(const std::vector<std::string>&)>;
+    static std::vector<std::string> deepest_first(const std::vector<std::string>& paths,
+                                                  const Remove& remove);
+    std::vector<std::string> forget_beside(const std::vector<std::string>& paths);
     void name_as_in(const std::string& path, const std::string& scene);
     bool part_removed(const std::string& path);
     static SceneSteps steps_between(const std::string& top, const std::string& path);

@@ -218,6 +218,20 @@ void KeptTweaks::apply_all() {
     apply_values(tree_.root());
     try_waiting(true);
     tell_values_of_nobody();
+    settle_formulas();
+}
+
+/// What modules derive from a formula's value is right before the first barrier, too.
+void KeptTweaks::settle_formulas() {
+    for (const auto& [path, values] : contents_.values)
+        if (const Handle instance = instance_or_none(tree_, path))
+            for (const Kept& each : values)
+                if (const Property* property = tree_.find(instance, each.property);
+                    property != nullptr && tree_.formula(instance, *property) != nullptr)
+                    try {
+                        (void)tree_.get(instance, *property);
+                    } catch (const Error&) {  // the property is in error, which it says when asked
+                    }
 }
 
 }  // namespace fettle::property

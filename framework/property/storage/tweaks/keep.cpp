@@ -14,6 +14,7 @@
 #include <tweaks/other_scenes.h>
 #include <tweaks/row_paths.h>
 #include <tweaks/row_report.h>
+#include <tweaks/row_stages.h>
 #include <tweaks/scene_keeping.h>
 #include <tweaks/tweaks_state.h>
 
@@ -26,15 +27,6 @@ namespace {
 using Kind = JournalRow::Kind;
 using RowState = JournalRow::State;
 
-/// In which order rows are written: what takes the place of something after that has gone, values
-/// when their instances are there, names last.
-bool comes_before(const JournalRow* a, const JournalRow* b) {
-    static constexpr std::array order{Kind::deleted, Kind::restored, Kind::created, Kind::value,
-                                      Kind::moved};
-    return std::find(order.begin(), order.end(), a->kind) <
-           std::find(order.begin(), order.end(), b->kind);
-}
-
 /// Keeps rows in files, each of which is read, changed and written once.
 class Keeping {
   public:
@@ -46,9 +38,8 @@ class Keeping {
     ~Keeping() { state_.kept.find_by({}); }
     Keeping(const Keeping&) = delete;
 
-    void keep(Rows rows) {
-        std::stable_sort(rows.begin(), rows.end(), comes_before);
-        for (JournalRow* row : rows) {
+    void keep(const Rows& rows) {
+        for (JournalRow* row : in_stages(rows)) {
             const fs::path file = scene_file(*row);
             // A scene that goes as a whole, or comes back, is loaded by a script.
             const bool whole =
@@ -63,12 +54,15 @@ class Keeping {
         }
         leave_scenes();
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
-        Rows first, last;  // new names may be those of what has gone, and new instances follow them
-        for (JournalRow* row : without_moves(kept_rows_))
-            (row->kind == Kind::created || row->kind == Kind::value ? last : first).push_back(row);
-        keep_by_path(first);
+        // New names may be those of what has gone, and new instances follow them.
+        std::array<Rows, 4> stages;
+        for (JournalRow* row : without_moves(kept_rows_)) {
+            const Stage stage = stage_of(*row, kept_rows_);
+            stages[std::min<std::size_t>(static_cast<std::size_t>(stage), 3)].push_back(row);
+        }
+        for (std::size_t i = 0; i < 3; ++i) keep_by_path(stages[i]);
         keep_moves_by_path(moves_in(kept_rows_));
-        keep_by_path(last);
+        keep_by_path(stages[3]);
     }
 
   private:

@@ -9,20 +9,6 @@ namespace fettle::property {
 
 using Kind = JournalRow::Kind;
 
-Rows without_moves(const Rows& rows) {
-    Rows others;
-    for (JournalRow* row : rows)
-        if (row->kind != Kind::moved) others.push_back(row);
-    return others;
-}
-
-Rows moves_in(const Rows& rows) {
-    Rows moves;
-    for (JournalRow* row : rows)
-        if (row->kind == Kind::moved) moves.push_back(row);
-    return moves;
-}
-
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row) {
     check_scene(state.tree, Document(paths.live_scene(row), "its scene"),
                 paths.instance(split_path(paths.home(row)).first), split_path(row.instance).second);

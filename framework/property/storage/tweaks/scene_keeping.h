@@ -9,12 +9,9 @@
 
 #include <scenes/scene_edit.h>
 #include <tweaks/row_report.h>
+#include <tweaks/row_stages.h>
 
 namespace fettle::property {
-
-using Rows = std::vector<JournalRow*>;
-Rows without_moves(const Rows& rows);
-Rows moves_in(const Rows& rows);
 
 inline constexpr const char* given_by_script =
     "a name or parent that a script gives cannot be kept: change the script";
