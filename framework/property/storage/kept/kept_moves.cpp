@@ -117,7 +117,7 @@ std::optional<std::string> KeptTweaks::with_paths(const std::string& section,
             const auto [instance, property] = split_path(key);
             Type type = Type::nil, element = Type::nil;
             // One that is not there says its type.
-            if (const Handle handle = find_ ? find_(instance) : instance_or_none(tree_, instance))
+            if (const Handle handle = this->instance(instance))
                 if (const Property* declared = tree_.class_of(handle).property(property))
                     type = declared_type(*declared), element = declared->element;
             now = value_with_paths(text, now_at, type, element);

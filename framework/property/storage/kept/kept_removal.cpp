@@ -134,8 +134,14 @@ void KeptTweaks::put_back(const std::string& path, const std::string& taken_out,
             put("deleted", document.text(*node), std::string(document.raw(*node)));
     for (const char* section : {"values", "created"})
         if (const Node* all = document.member(document.root(), section))
-            for (const Node* node = document.first(*all); node; node = document.next(*node))
-                put(section, document.key(*node), std::string(document.raw(*node)));
+            for (const Node* node = document.first(*all); node; node = document.next(*node)) {
+                const std::string& key = document.key(*node);
+                const std::string about =
+                    section == std::string_view("values") ? split_path(key).first : key;
+                // What named it may have been deleted itself.
+                if (is_at_or_below(about, path) || instance(about))
+                    put(section, key, std::string(document.raw(*node)));
+            }
     fold();
     name_as_in(path, scene);
 }

@@ -101,6 +101,10 @@ class KeptTweaks {
         std::shared_ptr<const Document> document;
         const Node* node;
     };
+    /// Null where there is none now.
+    Handle instance(const std::string& home) const {
+        return find_ ? find_(home) : instance_or_none(tree_, home);
+    }
     bool assign(const Assignment& to, bool last);
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
