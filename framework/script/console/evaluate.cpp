@@ -26,7 +26,6 @@
 #include <values/recording.h>
 #include <values/short_text.h>
 #include <values/values.h>
-#include <values/writes.h>
 
 namespace fettle::script {
 
@@ -138,9 +137,7 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
 enum class Compiled { expression, statements, incomplete, wrong };
 
 bool ends_early(lua_State* L) {
-    std::size_t length = 0;
-    const char* message = lua_tolstring(L, -1, &length);
-    return message && std::string_view(message, length).ends_with("<eof>");
+    return lua_type(L, -1) == LUA_TSTRING && view_at(L, -1).ends_with("<eof>");
 }
 
 // Leaves the function, or the message, on the stack.
@@ -265,12 +262,12 @@ class Session {
             machine.tree.begin_edit(std::string(command.substr(0, 80)));
         }
         machine.recording = {};
-        record(machine, true);
+        machine.recording.active = true;
         machine.recording.writer = property::Writer::console;
     }
     ~Session() {
         machine_.recording.writer = property::Writer::script;
-        record(machine_, false);
+        machine_.recording.active = false;
         if (edits_) machine_.tree.end_edit();
     }
     Session(const Session&) = delete;

@@ -107,7 +107,7 @@ bool descend(lua_State* L, Machine& machine, std::string_view name, lua_Integer 
     if (name.empty())
         lua_rawgeti(L, -1, index);
     else {
-        lua_pushlstring(L, name.data(), name.size());
+        push_text(L, name);
         lua_rawget(L, -2);
     }
     lua_remove(L, -2);
@@ -123,7 +123,7 @@ bool push_path(lua_State* L, Machine& machine, std::string_view path, const Prop
     if (i == 0) return false;
     const std::string first(path.substr(0, i));
     push_registry(L, machine.globals.table);
-    lua_pushlstring(L, first.data(), first.size());
+    push_text(L, first);
     lua_rawget(L, -2);
     lua_remove(L, -2);
     if (lua_isnil(L, -1)) {

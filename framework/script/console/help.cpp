@@ -202,7 +202,7 @@ void push_named(lua_State* L, std::string_view name) {
     for (std::size_t start = 0; start <= name.size();) {
         const std::size_t end = std::min(name.find('.', start), name.size());
         if (!lua_istable(L, -1)) break;
-        lua_pushlstring(L, name.data() + start, end - start);
+        push_text(L, name.substr(start, end - start));
         lua_rawget(L, -2);
         lua_remove(L, -2);
         start = end + 1;
@@ -417,8 +417,7 @@ int help(lua_State* L) {
 }
 
 int search(lua_State* L) {
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type, "find: needs a text, not " + describe_type(L, 1));
+    if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "find: needs a text");
     Machine& machine = machine_of(L);
     for (std::string& line : find_lines(machine, string_at(L, 1)))
         print_line(machine, std::move(line));

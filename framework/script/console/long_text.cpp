@@ -221,13 +221,8 @@ std::vector<std::string> long_text(lua_State* L, int index) {
     if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index);
     if (const DescriptionKind* kind = description_kind(L, index))
         return description_lines(L, index, *kind);
-    if (lua_type(L, index) == LUA_TSTRING) {
-        std::size_t length = 0;
-        const char* text = lua_tolstring(L, index, &length);
-        return {cut(property::value_text(
-                        Value(std::string_view(text, std::min<std::size_t>(length, 4000)))),
-                    2000)};
-    }
+    if (lua_type(L, index) == LUA_TSTRING)
+        return {cut(property::value_text(Value(view_at(L, index).substr(0, 4000))), 2000)};
     return {short_text(L, index)};
 }
 

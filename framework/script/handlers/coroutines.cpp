@@ -36,9 +36,7 @@ int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
 
 lua_State* thread_at(lua_State* L, int index, const char* what) {
     lua_State* thread = lua_tothread(L, index);
-    if (!thread)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a coroutine, not " + describe_type(L, index));
+    if (!thread) refuse_type(L, index, std::string(what) + ": needs a coroutine");
     return thread;
 }
 
@@ -56,9 +54,7 @@ const char* not_resumable(lua_State* L, lua_State* thread) {
 }
 
 int create(lua_State* L) {
-    if (lua_type(L, 1) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    "coroutine.create: needs a function, not " + describe_type(L, 1));
+    check_function(L, 1, "coroutine.create");
     machine_of(L).budget.charge(L, 100);
     lua_State* thread = lua_newthread(L);
     lua_pushvalue(L, 1);
@@ -155,7 +151,7 @@ int resume_thread(lua_State* L, lua_State* thread, int arguments) {
     // Raised as described, so that the outer handler knows it again.
     if (lua_type(L, -1) == LUA_TSTRING) {
         const std::string& message = machine.errors.thread_error->message;
-        lua_pushlstring(L, message.data(), message.size());
+        push_text(L, message);
     }
     return lua_error(L);
 }

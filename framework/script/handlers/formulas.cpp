@@ -72,8 +72,7 @@ class ScriptFormula {
 
 int formula(lua_State* L) {
     if (lua_type(L, 1) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    "formula: needs a function that returns the value, not " + describe_type(L, 1));
+        refuse_type(L, 1, "formula: needs a function that returns the value");
     lua_settop(L, 1);
     push_formula(L, function_source(L, machine_of(L), 1));
     return 1;
@@ -90,9 +89,9 @@ void push_formula(lua_State* L, const FunctionSource& source) {
     box->tag = Tag::formula;
     lua_insert(L, -2);
     lua_setiuservalue(L, -2, 1);
-    lua_pushlstring(L, source.text.data(), source.text.size());
+    push_text(L, source.text);
     lua_setiuservalue(L, -2, 2);
-    lua_pushlstring(L, source.not_saved.data(), source.not_saved.size());
+    push_text(L, source.not_saved);
     lua_setiuservalue(L, -2, 3);
     lua_newtable(L);
     name_metatable(L, "formula");
@@ -101,11 +100,9 @@ void push_formula(lua_State* L, const FunctionSource& source) {
 
 namespace {
 
-std::string text_at(lua_State* L, int index, int user_value) {
+std::string user_text(lua_State* L, int index, int user_value) {
     lua_getiuservalue(L, index, user_value);
-    std::size_t size = 0;
-    const char* chars = lua_tolstring(L, -1, &size);
-    std::string text(chars, size);
+    std::string text = string_at(L, -1);
     lua_pop(L, 1);
     return text;
 }
@@ -123,7 +120,7 @@ std::string what_is_wrong(std::string message) {
 
 void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
                     std::string_view name) {
-    const std::string source = text_at(L, index, 2), not_saved = text_at(L, index, 3);
+    const std::string source = user_text(L, index, 2), not_saved = user_text(L, index, 3);
     lua_getiuservalue(L, index, 1);
     const std::size_t holds = held_memory(L, machine, -1);
     const auto function = std::make_shared<FunctionRef>(L, machine);

@@ -27,7 +27,7 @@ using property::WatchOptions;
 namespace {
 
 void set_text(lua_State* L, const char* field, const std::string& text) {
-    lua_pushlstring(L, text.data(), text.size());
+    push_text(L, text);
     lua_setfield(L, -2, field);
 }
 
@@ -65,7 +65,7 @@ void push_occurrence(lua_State* L, const Occurrence& occurrence) {
 void take_answer(lua_State* L, property::Question& question) {
     const auto& fields = question.event().fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        lua_pushlstring(L, fields[i].name.data(), fields[i].name.size());
+        push_text(L, fields[i].name);
         lua_rawget(L, -2);
         question.answer(i, to_value(L, lua_gettop(L)));
         lua_pop(L, 1);
@@ -82,7 +82,7 @@ void push_existence(lua_State* L, const Existence& existence) {
     lua_setfield(L, -2, "step");
     lua_newtable(L);
     for (const auto& [property, value] : existence.last_values) {
-        lua_pushlstring(L, property->name.data(), property->name.size());
+        push_text(L, property->name);
         push_value(L, value);
         lua_rawset(L, -3);
     }
@@ -96,9 +96,7 @@ namespace {
 
 // The function at `index`, or an error.
 std::shared_ptr<FunctionRef> function_at(lua_State* L, int index, const char* what) {
-    if (lua_type(L, index) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a function, not " + describe_type(L, index));
+    check_function(L, index, what);
     lua_pushvalue(L, index);
     return std::make_shared<FunctionRef>(L, machine_of(L));
 }
@@ -186,10 +184,7 @@ int subscribe_event(lua_State* L) {
     lua_settop(L, 3);
     const Class* whole = class_object_at(L, 1);
     const Handle self = whole ? Handle{} : check_instance(L, 1, "on");
-    if (lua_type(L, 2) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type,
-                    "on: needs the name of an event, not " + describe_type(L, 2));
-    const std::string name = string_at(L, 2);
+    const std::string name = check_text(L, 2, "on: needs the name of an event");
     const Class& of = whole ? *whole : machine.tree.class_of(self);
     machine.connections.push(L, connect_event(L, machine, self, of, name, whole != nullptr));
     return 1;
@@ -207,10 +202,7 @@ int subscribe_property(lua_State* L) {
                                           : machine.tree.watch(self, handler, options));
         return 1;
     }
-    if (lua_type(L, 2) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type,
-                    "watch: needs the name of a property, not " + describe_type(L, 2));
-    const std::string name = string_at(L, 2);
+    const std::string name = check_text(L, 2, "watch: needs the name of a property");
     if (!whole) {
         machine.connections.push(L, machine.tree.watch(self, name, handler, options));
         return 1;
@@ -229,11 +221,8 @@ namespace {
 int watch_pattern(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 2);
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(
-            ErrorKind::wrong_type,
-            "watch: needs a pattern such as \"world.*.velocity\", not " + describe_type(L, 1));
-    const std::string pattern = string_at(L, 1);
+    const std::string pattern =
+        check_text(L, 1, "watch: needs a pattern such as \"world.*.velocity\"");
     if (pattern.find('*') == std::string::npos) {
         // Without a wildcard it names one thing; a slip in it must not go unnoticed.
         const property::Place place = property::resolve(machine.tree, pattern);

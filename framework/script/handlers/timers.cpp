@@ -228,9 +228,7 @@ int timer(lua_State* L, const char* what, bool repeated) {
         throw Error(ErrorKind::out_of_range,
                     "every: " + property::number_text(seconds) +
                         " s is shorter than 0.0001 s; every(0, ...) is each step");
-    if (lua_type(L, 2) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a function, not " + describe_type(L, 2));
+    check_function(L, 2, what);
     lua_settop(L, 2);
     Machine& machine = machine_of(L);
     push_timer_connection(

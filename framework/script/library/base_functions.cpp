@@ -43,7 +43,7 @@ void push_tostring(lua_State* L, int index) {
                 lua_tolstring(L, -1, nullptr);
             } else {
                 const std::string text = number_for_people(lua_tonumber(L, index));
-                lua_pushlstring(L, text.data(), text.size());
+                push_text(L, text);
             }
             return;
         case LUA_TBOOLEAN:
@@ -106,10 +106,8 @@ int print(lua_State* L) {
     const int given = lua_gettop(L);
     for (int i = 1; i <= given; ++i) {
         push_tostring(L, i);
-        std::size_t length = 0;
-        const char* text = lua_tolstring(L, -1, &length);
         if (i > 1) line += '\t';
-        line.append(text, length);
+        line += view_at(L, -1);
         lua_pop(L, 1);
     }
     Machine& machine = machine_of(L);
@@ -162,8 +160,7 @@ int sorted_pairs(lua_State* L) {
         lua_call(L, 1, 3);
         return 3;
     }
-    if (lua_type(L, 1) != LUA_TTABLE)
-        throw Error(ErrorKind::wrong_type, "pairs: needs a table, not " + describe_type(L, 1));
+    if (lua_type(L, 1) != LUA_TTABLE) refuse_type(L, 1, "pairs: needs a table");
     lua_newtable(L);  // 2: keys as found, which also keeps the texts alive
     std::vector<Key> keys;
     for (lua_pushnil(L); lua_next(L, 1) != 0;) {
@@ -209,7 +206,7 @@ int ipairs(lua_State* L) {
     const int type = lua_type(L, 1);
     if (type != LUA_TTABLE &&
         (type == LUA_TSTRING || luaL_getmetafield(L, 1, "__index") == LUA_TNIL))
-        throw Error(ErrorKind::wrong_type, "ipairs: needs a list, not " + describe_type(L, 1));
+        refuse_type(L, 1, "ipairs: needs a list");
     lua_settop(L, 1);
     return call_original(L);
 }
@@ -217,13 +214,9 @@ int ipairs(lua_State* L) {
 // --- Metatables
 
 int set_metatable(lua_State* L) {
-    if (lua_type(L, 1) != LUA_TTABLE)
-        throw Error(ErrorKind::wrong_type,
-                    "setmetatable: needs a table, not " + describe_type(L, 1));
+    if (lua_type(L, 1) != LUA_TTABLE) refuse_type(L, 1, "setmetatable: needs a table");
     if (!lua_isnoneornil(L, 2) && lua_type(L, 2) != LUA_TTABLE)
-        throw Error(
-            ErrorKind::wrong_type,
-            "setmetatable: the second argument is a table or nil, not " + describe_type(L, 2));
+        refuse_type(L, 2, "setmetatable: the second argument is a table or nil");
     lua_settop(L, 2);
     if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL)
         throw Error(ErrorKind::rejected, "cannot change a protected metatable");
@@ -283,17 +276,15 @@ int load_chunk(lua_State* L) {
     const bool own_environment = lua_gettop(L) >= 4;
     const bool text = lua_type(L, 1) == LUA_TSTRING;
     if (!text && lua_type(L, 1) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    "load: needs a text or a function, not " + describe_type(L, 1));
+        refuse_type(L, 1, "load: needs a text or a function");
     const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : "=(load)";
     lua_settop(L, 4);
     lua_pushnil(L);  // 5
     int status;
     if (text) {
-        std::size_t length = 0;
-        const char* chunk = lua_tolstring(L, 1, &length);
-        machine_of(L).budget.charge(L, length);
-        status = luaL_loadbufferx(L, chunk, length, name.c_str(), "t");
+        const std::string_view chunk = view_at(L, 1);
+        machine_of(L).budget.charge(L, chunk.size());
+        status = luaL_loadbufferx(L, chunk.data(), chunk.size(), name.c_str(), "t");
     } else {
         Pieces pieces;
         status = lua_load(L, read_piece, &pieces, name.c_str(), "t");
@@ -333,7 +324,7 @@ void tell_refusal(lua_State* L, int status) {
     if (status != LUA_ERRMEM) return;
     if (const std::string told = machine_of(L).budget.take_refusal(); !told.empty()) {
         lua_pop(L, 1);
-        lua_pushlstring(L, told.data(), told.size());
+        push_text(L, told);
     }
 }
 
@@ -370,8 +361,7 @@ int finish_xpcall(lua_State* L, int status, lua_KContext) {
 
 int protected_call_with_handler(lua_State* L) {
     if (lua_type(L, 2) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    "xpcall: the second argument is a function, not " + describe_type(L, 2));
+        refuse_type(L, 2, "xpcall: the second argument is a function");
     const int arguments = lua_gettop(L) - 2;
     lua_pushvalue(L, 2);
     lua_pushcclosure(L, guarded<call_handler>, 1);  // handler

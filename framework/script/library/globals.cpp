@@ -90,9 +90,7 @@ int read_global(lua_State* L) {
         lua_pushnil(L);
         return 1;
     }
-    std::size_t length = 0;
-    const char* key = lua_tolstring(L, 2, &length);
-    const std::string_view name(key, length);
+    const std::string_view name = view_at(L, 2);
     if (push_known_global(L, machine, name)) return 1;
     push_registry(L, machine.globals.declared);
     lua_pushvalue(L, 2);
@@ -117,9 +115,7 @@ int read_global(lua_State* L) {
 int write_global(lua_State* L) {
     Machine& machine = machine_of(L);
     if (lua_type(L, 2) == LUA_TSTRING) {
-        std::size_t length = 0;
-        const char* key = lua_tolstring(L, 2, &length);
-        const std::string_view name(key, length);
+        const std::string_view name = view_at(L, 2);
         if (name == "game" || machine.tree.child(machine.tree.root(), name))
             throw Error(
                 ErrorKind::bad_name,

@@ -62,11 +62,9 @@ int edit(lua_State* L) {
 
 Place property_at(lua_State* L, const char* what) {
     Machine& machine = machine_of(L);
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type, std::string(what) +
-                                               ": needs a path like \"world.ball.mass\", not " +
-                                               describe_type(L, 1));
-    Place place = property::resolve(machine.tree, string_at(L, 1));
+    Place place = property::resolve(
+        machine.tree,
+        check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\""));
     if (place.property == nullptr)
         throw Error(ErrorKind::wrong_type, std::string(what) + ": " +
                                                machine.tree.path(place.instance) +

@@ -9,6 +9,7 @@
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
 #include <text/patterns.h>
 #include <values/values.h>
 
@@ -43,14 +44,14 @@ void push_capture(lua_State* L, const PatternMatcher& matcher, std::string_view 
     if (capture.kind == PatternMatcher::Capture::place)
         lua_pushinteger(L, static_cast<lua_Integer>(capture.start) + 1);
     else
-        lua_pushlstring(L, subject.data() + capture.start, capture.length);
+        push_text(L, subject.substr(capture.start, capture.length));
 }
 
 int push_captures(lua_State* L, const PatternMatcher& matcher, std::string_view subject,
                   std::size_t start, std::size_t end, bool whole_if_none) {
     const std::size_t count = matcher.capture_count();
     if (count == 0 && whole_if_none) {
-        lua_pushlstring(L, subject.data() + start, end - start);
+        push_text(L, subject.substr(start, end - start));
         return 1;
     }
     luaL_checkstack(L, static_cast<int>(count), "too many captures");
@@ -150,9 +151,7 @@ void add_template(lua_State* L, std::string& out, std::string_view text,
                 throw Error(ErrorKind::rejected,
                             std::string("invalid capture index %") + c + " in replacement string");
             push_capture(L, matcher, subject, capture);
-            std::size_t length = 0;
-            const char* value = lua_tolstring(L, -1, &length);
-            out.append(value, length);
+            out += view_at(L, -1);
             lua_pop(L, 1);
         } else {
             throw Error(ErrorKind::rejected, "invalid use of '%' in replacement string");
@@ -172,7 +171,7 @@ void add_replacement(lua_State* L, std::string& out, const PatternMatcher& match
         }
         case LUA_TTABLE:
             if (matcher.capture_count() == 0)
-                lua_pushlstring(L, subject.data() + start, end - start);
+                push_text(L, subject.substr(start, end - start));
             else
                 push_capture(L, matcher, subject, 0);
             lua_gettable(L, 3);
@@ -184,9 +183,7 @@ void add_replacement(lua_State* L, std::string& out, const PatternMatcher& match
     if (!lua_toboolean(L, -1)) {
         out.append(subject.substr(start, end - start));
     } else if (lua_isstring(L, -1)) {
-        std::size_t length = 0;
-        const char* value = lua_tolstring(L, -1, &length);
-        out.append(value, length);
+        out += view_at(L, -1);
     } else {
         throw Error(ErrorKind::wrong_type,
                     "invalid replacement value (" + describe_type(L, -1) + ")");
@@ -209,9 +206,7 @@ int gsub(lua_State* L) {
     std::string_view pattern = text_at(L, 2);
     const int kind = lua_type(L, 3);
     if (kind != LUA_TNUMBER && kind != LUA_TSTRING && kind != LUA_TTABLE && kind != LUA_TFUNCTION)
-        throw Error(
-            ErrorKind::wrong_type,
-            "gsub: the replacement is a text, a table or a function, not " + describe_type(L, 3));
+        refuse_type(L, 3, "gsub: the replacement is a text, a table or a function");
     const lua_Integer most = luaL_optinteger(L, 4, static_cast<lua_Integer>(subject.size()) + 1);
     const bool anchored = !pattern.empty() && pattern.front() == '^';
     PatternMatcher matcher(subject, pattern, pay, L);
@@ -233,7 +228,7 @@ int gsub(lua_State* L) {
         if (out.size() > 4096) check_size(L, out);
     }
     if (start < subject.size()) out.append(subject.substr(start));
-    lua_pushlstring(L, out.data(), out.size());
+    push_text(L, out);
     lua_pushinteger(L, count);
     return 2;
 }

@@ -189,17 +189,13 @@ int text(lua_State* L) {
     const Color color = color_or(L, 4, "pen.text", {1, 1, 1, 1});
     const auto align = align_at(L, 5);
     push_tostring(L, 2);
-    std::size_t length = 0;
-    const char* chars = lua_tolstring(L, -1, &length);
-    painter(L).text(position, {chars, length}, height, color, align);
+    painter(L).text(position, view_at(L, -1), height, color, align);
     return 0;
 }
 
 int screen(lua_State* L) {
     drop_self(L);
-    if (lua_type(L, 1) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    "pen.screen: needs a function, not " + describe_type(L, 1));
+    check_function(L, 1, "pen.screen");
     struct Pixels {
         Painter& painter;
         bool& on;

@@ -62,9 +62,7 @@ fs::path existing(Machine& machine, const std::string& file, const std::string& 
 
 int require(lua_State* L) {
     Machine& machine = machine_of(L);
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type,
-                    "require: needs the name of a module, not " + describe_type(L, 1));
+    if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "require: needs the name of a module");
     lua_settop(L, 1);
     push_registry(L, machine.globals.loaded);
     lua_pushvalue(L, 1);

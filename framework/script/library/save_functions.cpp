@@ -7,6 +7,7 @@
 #include <library/sandbox.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -22,13 +23,7 @@ GameSaves& saves_of(Machine& machine, const char* what) {
 }
 
 std::string slot_at(lua_State* L, const char* what) {
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type, std::string(what) +
-                                               ": needs the name of a slot like \"first\", not " +
-                                               describe_type(L, 1));
-    std::size_t size = 0;
-    const char* chars = lua_tolstring(L, 1, &size);
-    return {chars, size};
+    return check_text(L, 1, std::string(what) + ": needs the name of a slot like \"first\"");
 }
 
 int save_game(lua_State* L) {
@@ -60,7 +55,7 @@ int saves(lua_State* L) {
     lua_Integer place = 0;
     for (const SaveInfo& save : all) {
         lua_createtable(L, 0, 5);
-        lua_pushlstring(L, save.slot.data(), save.slot.size());
+        push_text(L, save.slot);
         lua_setfield(L, -2, "slot");
         lua_pushinteger(L, static_cast<lua_Integer>(save.step));
         lua_setfield(L, -2, "step");
@@ -69,7 +64,7 @@ int saves(lua_State* L) {
         lua_pushboolean(L, save.thumbnail ? 1 : 0);
         lua_setfield(L, -2, "picture");
         if (!save.problem.empty()) {
-            lua_pushlstring(L, save.problem.data(), save.problem.size());
+            push_text(L, save.problem);
             lua_setfield(L, -2, "problem");
         }
         lua_rawseti(L, -2, ++place);

@@ -15,7 +15,6 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
-#include <lua/stack.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -25,12 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string file_name(lua_State* L, int index, const char* what) {
-    if (lua_type(L, index) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a file name, not " + describe_type(L, index));
-    std::size_t length = 0;
-    const char* chars = lua_tolstring(L, index, &length);
-    std::string name(chars, length);
+    const std::string name = check_text(L, index, std::string(what) + ": needs a file name");
     const fs::path path(name);
     bool leaves = path.is_absolute() || name.empty() || name.find('\0') != std::string::npos;
     for (const fs::path& part : path) leaves = leaves || part == "..";
@@ -56,13 +50,8 @@ int load(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string file = file_name(L, 1, "scene.load");
     const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "scene.load");
-    std::string name;
-    if (!lua_isnoneornil(L, 3)) {
-        if (lua_type(L, 3) != LUA_TSTRING)
-            throw Error(ErrorKind::wrong_type,
-                        "scene.load: needs a name, not " + describe_type(L, 3));
-        name = string_at(L, 3);
-    }
+    const std::string name =
+        lua_isnoneornil(L, 3) ? "" : check_text(L, 3, "scene.load: needs a name");
     const auto found = [&](const fs::path& folder) {
         return !folder.empty() && machine.sources.files.exists(folder / file);
     };

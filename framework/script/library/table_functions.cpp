@@ -8,7 +8,6 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <values/values.h>
-#include <values/writes.h>
 
 namespace fettle::script {
 
@@ -32,24 +31,6 @@ void check_list(lua_State* L) {
     if (luaL_getmetafield(L, 1, "__index") == LUA_TNIL || lua_type(L, 1) == LUA_TSTRING)
         luaL_checktype(L, 1, LUA_TTABLE);
     lua_pop(L, 1);
-}
-
-// --- Lists of properties
-
-Value list_value(lua_State* L, const ListBox& box) {
-    Value value = origin_read(machine_of(L), box.origin);
-    if (!value.is(Type::list))
-        throw Error(ErrorKind::wrong_type,
-                    origin_path(machine_of(L), box.origin) + ": is a list no longer");
-    return value;
-}
-
-void write_list(lua_State* L, const ListBox& box, const List& list) {
-    Machine& machine = machine_of(L);
-    if (box.origin.depth == 0)
-        write_property(machine, box.origin.instance, origin_property(machine, box.origin), list);
-    else
-        origin_write(machine, box.origin, nullptr, list);
 }
 
 std::size_t position(lua_State* L, int index, std::size_t most, const char* what) {

@@ -94,7 +94,7 @@ int describe(lua_State* L) {
         taken.empty() ? std::string("snapshot (taken at the next barrier)")
                       : "snapshot of step " + std::to_string(taken.step()) + ", " +
                             std::to_string((taken.payload().size() + 1023) / 1024) + " KiB";
-    lua_pushlstring(L, text.data(), text.size());
+    push_text(L, text);
     return 1;
 }
 
@@ -119,9 +119,7 @@ int snapshot(lua_State* L) {
 int restore(lua_State* L) {
     Machine& machine = machine_of(L);
     const auto* box = box_at<SnapshotBox>(L, 1, Tag::snapshot);
-    if (box == nullptr)
-        throw Error(ErrorKind::wrong_type,
-                    "restore: needs what snapshot() returned, not " + describe_type(L, 1));
+    if (box == nullptr) refuse_type(L, 1, "restore: needs what snapshot() returned");
     travel(machine, "restore",
            [&tree = machine.tree, held = *box->held] { tree.restore(held->snapshot); });
     return 0;

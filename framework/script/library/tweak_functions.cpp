@@ -26,13 +26,9 @@ property::Tweaks& tweaks_of(Machine& machine, const char* what) {
 }
 
 std::string pattern_at(lua_State* L, const char* what) {
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type, std::string(what) +
-                                               ": needs a pattern like \"world.ball.*\", not " +
-                                               describe_type(L, 1));
-    std::size_t size = 0;
-    const char* chars = lua_tolstring(L, 1, &size);
-    return property::Pattern(std::string_view(chars, size)).text();
+    return property::Pattern(
+               check_text(L, 1, std::string(what) + ": needs a pattern like \"world.ball.*\""))
+        .text();
 }
 
 std::string clock_text(std::int64_t seconds, const char* form) {

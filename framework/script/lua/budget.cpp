@@ -10,6 +10,7 @@
 #include <lua/interpreter.h>
 #include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
 #include <lua/watchdog.h>
 
 namespace fettle::script {
@@ -135,7 +136,7 @@ void Budget::arm(lua_State* running) noexcept {
 }
 
 void Budget::raise_stop(lua_State* L) {
-    lua_pushlstring(L, now_.reason.data(), now_.reason.size());
+    push_text(L, now_.reason);
     lua_error(L);
     std::terminate();  // not reached
 }

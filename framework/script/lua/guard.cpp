@@ -32,7 +32,7 @@ void raise_exception(lua_State* L, const std::exception& error) {
     luaL_checkstack(L, 4, "error message");
     {
         const std::string text = position(L) + property::exception_text(error);
-        lua_pushlstring(L, text.data(), text.size());
+        push_text(L, text);
     }
     lua_error(L);
     std::terminate();  // not reached
@@ -42,7 +42,7 @@ void raise_text(lua_State* L, const char* message) {
     luaL_checkstack(L, 4, "error message");
     {
         const std::string text = position(L) + message;
-        lua_pushlstring(L, text.data(), text.size());
+        push_text(L, text);
     }
     lua_error(L);
     std::terminate();  // not reached

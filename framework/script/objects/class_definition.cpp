@@ -28,11 +28,7 @@ Value default_of(lua_State* L, const std::string& class_name, const std::string&
                         ": a formula is no default, since each instance has formulas of its own; "
                         "give a plain value here and the formula to the instance, in function " +
                         class_name + ":ready() or in the constructor");
-    try {
-        return to_value(L, -1);
-    } catch (const Error& error) {
-        throw Error(error.kind(), class_name + "." + name + ": " + error.what());
-    }
+    return to_value(L, -1, [&] { return class_name + "." + name; });
 }
 
 // The property that `name = value` in a class declares; the value is on top of the stack.
@@ -67,7 +63,7 @@ std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int
     if (lua_istable(L, -1)) {
         const int doc = lua_gettop(L);
         for (const std::string& key : sorted_keys(L, doc, "doc")) {
-            lua_pushlstring(L, key.data(), key.size());
+            push_text(L, key);
             if (lua_rawget(L, doc) != LUA_TSTRING)
                 throw Error(ErrorKind::wrong_type,
                             "doc." + key + ": expected a text, got " + describe_type(L, -1));
@@ -147,7 +143,7 @@ int define_class(lua_State* L) {
     std::vector<std::string> functions;
     for (const std::string& key : sorted_keys(L, 1, definition.name)) {
         if (key == "doc") continue;
-        lua_pushlstring(L, key.data(), key.size());
+        push_text(L, key);
         if (lua_rawget(L, 1) == LUA_TFUNCTION) {
             functions.push_back(key);
         } else if (const Property* inherited = definition.base->property(key)) {
@@ -171,7 +167,7 @@ int define_class(lua_State* L) {
     check_documented(definition, docs);
     const Class& made = machine.classes.define(std::move(definition));
     for (const std::string& function : functions) {
-        lua_pushlstring(L, function.data(), function.size());
+        push_text(L, function);
         lua_rawget(L, 1);
         machine.classes.set_function(L, made, function);
     }
@@ -182,11 +178,8 @@ int define_class(lua_State* L) {
 int class_function(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 2);
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(
-            ErrorKind::wrong_type,
-            "class: needs a name, as in class(\"Ball\", Body) { }, not " + describe_type(L, 1));
-    const std::string name = string_at(L, 1);
+    const std::string name =
+        check_text(L, 1, "class: needs a name, as in class(\"Ball\", Body) { }");
     if (!property::is_identifier(name))
         throw Error(ErrorKind::bad_name, "class: \"" + name + "\" is no name for a class");
     if (lua_isnil(L, 2)) {
@@ -196,8 +189,7 @@ int class_function(lua_State* L) {
         machine.classes.push(L, machine.tree.class_named(string_at(L, 2)));
         lua_replace(L, 2);
     } else if (!class_object_at(L, 2)) {
-        throw Error(ErrorKind::wrong_type,
-                    "class: the base is a class or its name, not " + describe_type(L, 2));
+        refuse_type(L, 2, "class: the base is a class or its name");
     }
     const Class* base = class_object_at(L, 2);
     if (!base->creatable())

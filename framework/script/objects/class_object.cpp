@@ -30,9 +30,7 @@ std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string&
     std::vector<std::string> keys;
     for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
         if (lua_type(L, -2) == LUA_TSTRING) {
-            std::size_t length = 0;
-            const char* key = lua_tolstring(L, -2, &length);
-            keys.emplace_back(key, length);
+            keys.emplace_back(view_at(L, -2));
         } else if (!lua_isinteger(L, -2)) {
             const std::string type = describe_type(L, -2);
             lua_pop(L, 2);
@@ -71,7 +69,7 @@ bool is_orphan(lua_State* L, Machine& machine, int index) {
 
 // Pushes key `name` of the table at 2.
 int push_key(lua_State* L, const std::string& name) {
-    lua_pushlstring(L, name.data(), name.size());
+    push_text(L, name);
     return lua_rawget(L, 2);
 }
 
@@ -183,14 +181,13 @@ std::string named_by_class(const std::string& message, const std::string& path, 
 /// What happens meanwhile is not noted for the console.
 class Unrecorded {
   public:
-    explicit Unrecorded(Machine& machine) : machine_(machine), before_(machine.recording.active) {
-        record(machine_, false);
-    }
-    ~Unrecorded() { record(machine_, before_); }
+    explicit Unrecorded(Recording& recording)
+        : recording_(recording), before_(std::exchange(recording.active, false)) {}
+    ~Unrecorded() { recording_.active = before_; }
     Unrecorded(const Unrecorded&) = delete;
 
   private:
-    Machine& machine_;
+    Recording& recording_;
     bool before_;
 };
 
@@ -202,11 +199,10 @@ int construct(lua_State* L) {
         throw Error(ErrorKind::bad_structure,
                     of->name() + ": cannot be made; " + why_not_creatable(machine.tree, *of));
     if (lua_gettop(L) >= 2 && !lua_istable(L, 2))
-        throw Error(ErrorKind::wrong_type, of->name() + ": needs a table, as in " + of->name() +
-                                               " { }, not " + describe_type(L, 2));
+        refuse_type(L, 2, of->name() + ": needs a table, as in " + of->name() + " { }");
     lua_settop(L, 3);
     // Else the children would be echoed one by one.
-    const Unrecorded quiet(machine);
+    const Unrecorded quiet(machine.recording);
     Construction now(machine, *of);
     try {
         if (lua_istable(L, 2)) fill(L, machine, now);

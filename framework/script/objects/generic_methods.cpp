@@ -25,17 +25,11 @@ const Class* class_at(lua_State* L, Machine& machine, int index, const char* wha
     if (lua_isnoneornil(L, index)) return nullptr;
     if (const Class* found = class_object_at(L, index)) return found;
     if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(string_at(L, index));
-    throw Error(ErrorKind::wrong_type,
-                std::string(what) + ": needs a class or its name, not " + describe_type(L, index));
+    refuse_type(L, index, std::string(what) + ": needs a class or its name");
 }
 
 std::string text_at(lua_State* L, int index, const char* what) {
-    if (lua_type(L, index) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a text, not " + describe_type(L, index));
-    std::size_t length = 0;
-    const char* text = lua_tolstring(L, index, &length);
-    return {text, length};
+    return check_text(L, index, std::string(what) + ": needs a text");
 }
 
 std::vector<Handle> below(Machine& machine, Handle top, const Class* of) {
@@ -75,7 +69,7 @@ int problem(lua_State* L) {
     if (text.empty())
         lua_pushnil(L);
     else
-        lua_pushlstring(L, text.data(), text.size());
+        push_text(L, text);
     return 1;
 }
 

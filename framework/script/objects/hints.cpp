@@ -131,7 +131,7 @@ void Hints::look_at_globals() {
     const std::vector<std::string>& known = callback_names();
     for (const std::string& name : machine_.globals.assigned) {
         if (among(known, name)) continue;
-        lua_pushlstring(L, name.data(), name.size());
+        push_text(L, name);
         if (lua_rawget(L, -2) == LUA_TFUNCTION && lua_iscfunction(L, -1) == 0) {
             std::string meant;
             for (const std::string_view synonym : callback_synonyms(name))

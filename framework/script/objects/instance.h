@@ -17,6 +17,8 @@ void open_instance(lua_State* L, Machine& machine);
 /// stack index 3.
 void write_member(lua_State* L, Machine& machine, property::Handle instance,
                   const property::Class& of, std::string_view name);
+/// "world.ball.mass", whether there is such a name or not.
+std::string path_of(Machine& machine, property::Handle instance, std::string_view name);
 /// Every name that stands for something on the instance, for nearest spellings and completion.
 std::vector<std::string> names_of(Machine& machine, property::Handle instance);
 

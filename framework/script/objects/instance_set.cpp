@@ -36,9 +36,7 @@ bool is_set(lua_State* L, int index) {
 namespace {
 
 std::vector<Handle> members(lua_State* L, const char* what) {
-    if (!is_set(L, 1))
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a set, not " + describe_type(L, 1));
+    if (!is_set(L, 1)) refuse_type(L, 1, std::string(what) + ": needs a set");
     std::vector<Handle> handles;
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
     handles.reserve(static_cast<std::size_t>(length));
@@ -52,12 +50,7 @@ std::vector<Handle> members(lua_State* L, const char* what) {
 }
 
 std::string property_name(lua_State* L, const char* what) {
-    if (lua_type(L, 2) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type, std::string(what) +
-                                               ": needs the name of a property, "
-                                               "not " +
-                                               describe_type(L, 2));
-    return string_at(L, 2);
+    return check_text(L, 2, std::string(what) + ": needs the name of a property");
 }
 
 int set_all(lua_State* L) {
@@ -147,8 +140,7 @@ int set_index(lua_State* L) {
 
 int query(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type,
-                    "query: needs a pattern such as \"world.*.mass\", not " + describe_type(L, 1));
+        refuse_type(L, 1, "query: needs a pattern such as \"world.*.mass\"");
     Machine& machine = machine_of(L);
     const property::Pattern pattern(string_at(L, 1));
     std::vector<Handle> instances;
@@ -172,7 +164,7 @@ int query(lua_State* L) {
             formula != nullptr && !machine.tree.problem(handle, *property).empty())
             continue;
         const std::string path = machine.tree.path(handle, *property);
-        lua_pushlstring(L, path.data(), path.size());
+        push_text(L, path);
         push_value(L, machine.tree.get(handle, *property));
         lua_rawset(L, -3);
     }

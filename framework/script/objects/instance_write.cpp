@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
 #include <handlers/formulas.h>
@@ -18,10 +17,6 @@
 namespace fettle::script {
 
 namespace {
-
-std::string path_of(Machine& machine, Handle instance, std::string_view name) {
-    return machine.tree.path(instance) + property::path_suffix(name);
-}
 
 void refuse_near_miss(Machine& machine, Handle instance, const Class& of, std::string_view name) {
     std::vector<std::string> names = of.member_names();
@@ -109,16 +104,16 @@ void add_property(Machine& machine, Handle instance, std::string_view name, cons
 
 void write_member(lua_State* L, Machine& machine, Handle instance, const Class& of,
                   std::string_view name) {
+    const auto where = [&] { return path_of(machine, instance, name); };
     if (of.method(name) || generic_reference(L, machine, name) != LUA_NOREF)
-        throw Error(ErrorKind::bad_name,
-                    path_of(machine, instance, name) + ": is a method and cannot be assigned");
+        throw Error(ErrorKind::bad_name, where() + ": is a method and cannot be assigned");
     if (const Handle child = machine.tree.child(instance, name)) {
         write_child(L, machine, instance, child, name);
         return;
     }
     if (machine.classes.has_function(of, name))
-        throw Error(ErrorKind::bad_name, path_of(machine, instance, name) + ": is a function of " +
-                                             of.name() + " and cannot be assigned");
+        throw Error(ErrorKind::bad_name,
+                    where() + ": is a function of " + of.name() + " and cannot be assigned");
     if (const Property* property = machine.tree.find(instance, name)) {
         if (lua_isnil(L, 3)) {
             clear_property(machine, instance, *property);
@@ -132,12 +127,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
             write_over(machine, instance, *property, orphan);
             return;
         }
-        Value value;
-        try {
-            value = to_value(L, 3);
-        } catch (const Error& error) {
-            throw Error(error.kind(), path_of(machine, instance, name) + ": " + error.what());
-        }
+        const Value value = to_value(L, 3, where);
         write_property(machine, instance, *property, value);
         return;
     }
@@ -151,12 +141,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
         place(machine, orphan, instance, name, false);
         return;
     }
-    Value value;
-    try {
-        value = to_value(L, 3);
-    } catch (const Error& error) {
-        throw Error(error.kind(), path_of(machine, instance, name) + ": " + error.what());
-    }
+    const Value value = to_value(L, 3, where);
     add_property(machine, instance, name, value);
 }
 

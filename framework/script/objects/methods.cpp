@@ -78,13 +78,10 @@ int call_method(lua_State* L) {
             continue;
         }
         check_no_function(L, index, machine.tree.path(self->handle), method);
-        try {
-            values[static_cast<std::size_t>(i)] = to_value(L, i + 2);
-        } catch (const Error& error) {
-            throw Error(error.kind(), machine.tree.path(self->handle) + ":" + method.name + ": " +
-                                          method.parameters[static_cast<std::size_t>(i)].name +
-                                          ": " + error.what());
-        }
+        values[static_cast<std::size_t>(i)] = to_value(L, index, [&] {
+            return machine.tree.path(self->handle) + ":" + method.name + ": " +
+                   method.parameters[static_cast<std::size_t>(i)].name;
+        });
     }
     const Result result = machine.tree.call(
         self->handle, method, std::span(values.data(), static_cast<std::size_t>(given)));

@@ -33,7 +33,7 @@ const DescriptionKind event_kind{"a description of an event", {"name", "doc", "f
 // --- Into the table on top
 
 void put(lua_State* L, const char* field, std::string_view text) {
-    lua_pushlstring(L, text.data(), text.size());
+    push_text(L, text);
     lua_setfield(L, -2, field);
 }
 
@@ -53,7 +53,7 @@ void put_words(lua_State* L, Machine& machine, const char* field,
     lua_createtable(L, static_cast<int>(words.size()), 0);
     lua_Integer n = 0;
     for (const std::string& word : words) {
-        lua_pushlstring(L, word.data(), word.size());
+        push_text(L, word);
         lua_rawseti(L, -2, ++n);
     }
     seal_list(L, machine);
@@ -232,11 +232,8 @@ int describe_instance(lua_State* L) {
         push_properties(L, machine, machine.tree.properties(self));
         return 1;
     }
-    if (lua_type(L, 2) != LUA_TSTRING)
-        throw Error(
-            ErrorKind::wrong_type,
-            "describe: needs the name of a property, method or event, not " + describe_type(L, 2));
-    const std::string name = string_at(L, 2);
+    const std::string name =
+        check_text(L, 2, "describe: needs the name of a property, method or event");
     const Class& of = machine.tree.class_of(self);
     if (const Property* property = machine.tree.find(self, name)) {
         push_property(L, machine, *property);

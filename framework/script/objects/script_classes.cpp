@@ -124,7 +124,7 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
     }
     any_functions_ = true;
     push_registry(L, own.functions);
-    lua_pushlstring(L, name.data(), name.size());
+    push_text(L, name);
     lua_pushvalue(L, -3);
     lua_rawset(L, -3);
     lua_pop(L, 2);

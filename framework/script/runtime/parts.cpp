@@ -142,7 +142,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
       sources{.files = options.files != nullptr ? *options.files : files_on_disk,
               .folder = {},
               .texts = {}},
-      members(tree),
+      members(tree, recording),
       random(options.seed) {
     life.tree = tree.lifetime();
     lua_State* const L = lua_newstate(Arena::allocate, &arena);

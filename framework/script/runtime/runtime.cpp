@@ -112,7 +112,7 @@ void forget_game(Machine& machine) {
     // Globals the game assigned go; those of the language stay.
     lua_rawgeti(L, LUA_REGISTRYINDEX, machine.globals.table);
     for (const std::string& name : machine.globals.assigned) {
-        lua_pushlstring(L, name.data(), name.size());
+        push_text(L, name);
         lua_pushnil(L);
         lua_rawset(L, -3);
     }
@@ -131,7 +131,7 @@ bool run_chunk(Machine& machine, const std::string& text, const std::string& nam
 bool call_global(Machine& machine, std::string_view name, std::span<const Value> arguments) {
     return protected_run(machine, std::string(name), [&](lua_State* L) {
         push_registry(L, machine.globals.table);
-        lua_pushlstring(L, name.data(), name.size());
+        push_text(L, name);
         if (lua_rawget(L, -2) != LUA_TFUNCTION) return;
         luaL_checkstack(L, static_cast<int>(arguments.size()), "arguments");
         for (const Value& value : arguments) push_value(L, value);
@@ -306,7 +306,7 @@ bool Runtime::defines(std::string_view callback) const {
         machine, "defines",
         [&](lua_State* M) {
             push_registry(M, machine.globals.table);
-            lua_pushlstring(M, name.data(), name.size());
+            push_text(M, name);
             found = lua_rawget(M, -2) == LUA_TFUNCTION;
         },
         false);

@@ -5,10 +5,15 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/property/value.h>
+
 namespace fettle::script {
 
 inline constexpr std::size_t line_width = 100;  // characters of a value on one line
 
+/// What came from a float in memory reads as it was written: 0.1, not 0.10000000149011612.
+property::Precision shortest_precision(double number);
+property::Precision shortest_precision(const property::Vec2& vec);
 /// A number as people write it: floats of native memory short, integral floats with ".0".
 std::string number_for_people(double number);
 /// Columns of text, padded to their widest cell; the last is not.

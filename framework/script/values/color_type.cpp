@@ -92,7 +92,7 @@ int color_equal(lua_State* L) {
 
 int color_tostring(lua_State* L) {
     const std::string text = property::value_text(check_color(L, 1, "tostring"));
-    lua_pushlstring(L, text.data(), text.size());
+    push_text(L, text);
     return 1;
 }
 

@@ -23,7 +23,7 @@ const DescriptionKind list_kind{"a list of descriptions", {}};
 
 const DescriptionKind& self(lua_State* L) {
     if (const DescriptionKind* kind = description_kind(L, 1)) return *kind;
-    throw Error(ErrorKind::wrong_type, "needs a description, not " + describe_type(L, 1));
+    refuse_type(L, 1, "needs a description");
 }
 
 std::vector<std::string> names_in(lua_State* L, int table) {

@@ -1,28 +1,39 @@
 // Lists that are the value of a property: reading an element reads the property, writing one
 // replaces the whole list in one change, writing one past the end appends.
 
+#include <algorithm>
+
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
 #include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
 
 namespace fettle::script {
 
-namespace {
-
-ListBox& list_self(lua_State* L) {
-    auto* box = list_at(L, 1);
-    if (!box) throw Error(ErrorKind::wrong_type, "needs a list, not " + describe_type(L, 1));
-    return *box;
-}
-
-Value whole(lua_State* L, const ListBox& box) {
+Value list_value(lua_State* L, const ListBox& box) {
     Value value = origin_read(machine_of(L), box.origin);
     if (!value.is(Type::list))
         throw Error(ErrorKind::wrong_type,
                     origin_path(machine_of(L), box.origin) + ": is a list no longer");
     return value;
+}
+
+void write_list(lua_State* L, const ListBox& box, const List& list) {
+    Machine& machine = machine_of(L);
+    if (box.origin.depth == 0)
+        write_property(machine, box.origin.instance, origin_property(machine, box.origin), list);
+    else
+        origin_write(machine, box.origin, nullptr, list);
+}
+
+namespace {
+
+ListBox& list_self(lua_State* L) {
+    auto* box = list_at(L, 1);
+    if (!box) refuse_type(L, 1, "needs a list");
+    return *box;
 }
 
 Origin element_of(const ListBox& box, std::size_t index) {
@@ -48,7 +59,7 @@ int list_index(lua_State* L) {
         throw Error(ErrorKind::unknown_name, origin_path(machine_of(L), box.origin) +
                                                  ": a list has elements 1, 2, 3 ..., not " +
                                                  key_in_message(L, 2));
-    const Value value = whole(L, box);
+    const Value value = list_value(L, box);
     const List& list = value.list();
     if (index < 1 || static_cast<std::size_t>(index) > list.size()) {
         lua_pushnil(L);
@@ -64,56 +75,46 @@ int list_newindex(lua_State* L) {
     Machine& machine = machine_of(L);
     int whole_number = 0;
     const lua_Integer index = lua_tointegerx(L, 2, &whole_number);
-    const Value value = whole(L, box);
+    const Value value = list_value(L, box);
     const auto size = static_cast<lua_Integer>(value.list().size());
     if (!whole_number || index < 1 || index > size + 1)
         throw Error(ErrorKind::out_of_range, origin_path(machine, box.origin) +
                                                  ": has elements 1 to " + std::to_string(size) +
                                                  "; " + std::to_string(size + 1) + " appends");
-    if (lua_isnil(L, 3)) {
-        // Only the last one can go without leaving a gap.
-        if (index != size)
-            throw Error(ErrorKind::out_of_range,
-                        origin_path(machine, box.origin) + "[" + std::to_string(index) +
-                            "]: only the last element can be removed so; use table.remove");
-        List shorter = value.list();
-        shorter.pop_back();
-        if (box.origin.depth == 0)
-            write_property(machine, box.origin.instance, origin_property(machine, box.origin),
-                           shorter);
-        else
-            origin_write(machine, box.origin, nullptr, shorter);
+    const bool removes = lua_isnil(L, 3);
+    if (removes && index != size)  // only the last one can go without leaving a gap
+        throw Error(ErrorKind::out_of_range,
+                    origin_path(machine, box.origin) + "[" + std::to_string(index) +
+                        "]: only the last element can be removed so; use table.remove");
+    const auto place = static_cast<std::size_t>(index - 1);
+    if (!removes && box.origin.depth < Origin::deepest) {
+        origin_write(machine, element_of(box, place + 1), nullptr, to_value(L, 3));
         return 0;
     }
-    const Value element = to_value(L, 3);
-    if (box.origin.depth >= Origin::deepest) {
-        List changed = value.list();
-        if (index > size)
-            changed.push_back(element);
-        else
-            changed[static_cast<std::size_t>(index - 1)] = element;
-        origin_write(machine, box.origin, nullptr, changed);
-        return 0;
-    }
-    origin_write(machine, element_of(box, static_cast<std::size_t>(index)), nullptr, element);
+    List changed = value.list();
+    changed.resize(std::max(changed.size(), place + 1));
+    if (removes)
+        changed.pop_back();
+    else
+        changed[place] = to_value(L, 3);
+    write_list(L, box, changed);
     return 0;
 }
 
 int list_length(lua_State* L) {
     const ListBox& box = list_self(L);
-    lua_pushinteger(L, static_cast<lua_Integer>(whole(L, box).list().size()));
+    lua_pushinteger(L, static_cast<lua_Integer>(list_value(L, box).list().size()));
     return 1;
 }
 
 int list_equal(lua_State* L) {
     const auto *a = list_at(L, 1), *b = list_at(L, 2);
-    lua_pushboolean(L, a && b && whole(L, *a) == whole(L, *b));
+    lua_pushboolean(L, a && b && list_value(L, *a) == list_value(L, *b));
     return 1;
 }
 
 int list_tostring(lua_State* L) {
-    const std::string text = machine_of(L).tree.text(whole(L, list_self(L)));
-    lua_pushlstring(L, text.data(), text.size());
+    push_text(L, machine_of(L).tree.text(list_value(L, list_self(L))));
     return 1;
 }
 
@@ -128,7 +129,7 @@ int next_element(lua_State* L) {
 
 int list_pairs(lua_State* L) {
     const ListBox& box = list_self(L);
-    const Value value = whole(L, box);
+    const Value value = list_value(L, box);
     lua_createtable(L, static_cast<int>(value.list().size()), 0);
     for (std::size_t i = 0; i < value.list().size(); ++i) {
         push_element(L, box, value.list()[i], i + 1);

@@ -14,65 +14,50 @@
 #include <fettle/property/tree.h>
 
 #include <lua/lua_api.h>
+#include <values/recording.h>
 
 namespace fettle::script {
 
-enum class Member : std::uint8_t {
-    none,
-    property,     // declared by the class
-    number,       // a declared number that may be read and written without a Value in between
-    kept_number,  // the same, of a property that the tree keeps
-    vec2,         // a declared vector, of either kind
-    function,     // a method of the class or of every instance: `reference` is in the registry
-    dynamic       // not declared: a child, an ad-hoc property, or nothing
-};
+struct Recording;
 
-/// An entry. Its size is a power of two, for the sake of `DispatchTable::offset`.
-struct alignas(32) Dispatch {
-    static const property::Property no_property;
+/// What a class has under a name; neither a property nor a function: a child, an ad-hoc property,
+/// or nothing.
+struct Dispatch {
+    const void* key = nullptr;
+    const property::Property* property = nullptr;  // declared by the class
+    int reference = LUA_NOREF;  // in the registry: a method of the class or of every instance
 
-    const void* key = &no_property;  // of no name
-    /// Never null: one that is none can be neither read nor written the short way.
-    const property::Property* property = &no_property;
-    int reference = LUA_NOREF;
-    Member member = Member::none;
-    bool is_property() const { return property != &no_property; }
+    bool is_function() const { return reference != LUA_NOREF; }
+    bool is_dynamic() const { return property == nullptr && !is_function(); }
 };
 
 /// What a class has under the names that scripts have used with it.
 class DispatchTable {
   public:
-    DispatchTable(property::Tree& in, const property::Class& its_class, bool is_open);
+    DispatchTable(property::Tree& in, const property::Class& its_class, const Recording& noted)
+        : tree(in), of(its_class), recording(noted) {}
     DispatchTable(const DispatchTable&) = delete;
 
     property::Tree& tree;
     const property::Class& of;
+    const Recording& recording;
 
-    /// Where the name stands, unless another stands there (then its `key` is another): nearly
-    /// always it has its place to itself.
-    const Dispatch& at(const void* key) const {
-        // Offsets in bytes: nothing has to be multiplied on the shortest way of all.
-        const auto* const bytes = reinterpret_cast<const std::byte*>(open_);
-        return *reinterpret_cast<const Dispatch*>(bytes + (offset(key) & open_mask_));
-    }
     /// nullptr when nobody has looked for the name yet.
-    const Dispatch* find(const void* key) const;
+    const Dispatch* find(const void* key) const {
+        const Dispatch& found = entries_[place_of(key)];
+        return found.key != nullptr && found.key == key ? &found : nullptr;
+    }
     const Dispatch& add(const Dispatch& entry);
-    /// In a table that is closed every name is said to stand elsewhere.
-    void open(bool whether);
 
   private:
-    // The places of two names, 16 bytes or more apart as all that Lua allocates, are an entry
-    // apart.
-    static std::size_t offset(const void* key) {
-        return reinterpret_cast<std::uintptr_t>(key) * (sizeof(Dispatch) / 16);
+    /// Where the name stands, or is to stand. Lua allocates in steps of 16 bytes.
+    std::size_t place_of(const void* key) const {
+        std::size_t i = reinterpret_cast<std::uintptr_t>(key) / 16 & (size_ - 1);
+        while (entries_[i].key != nullptr && entries_[i].key != key) i = (i + 1) & (size_ - 1);
+        return i;
     }
-    std::size_t mask() const { return (size_ - 1) * sizeof(Dispatch); }
-    Dispatch& free_or_of(const void* key) const;
 
-    const Dispatch* open_ = nullptr;
-    std::size_t open_mask_ = 0;  // 0: closed
-    std::size_t size_ = 64;      // a power of two
+    std::size_t size_ = 64;  // a power of two
     std::size_t count_ = 0;
     std::unique_ptr<Dispatch[]> entries_ = std::make_unique<Dispatch[]>(size_);
 };
@@ -80,11 +65,10 @@ class DispatchTable {
 /// What the classes of a tree have under names, and the functions of Lua that call their methods.
 class MemberTables {
   public:
-    explicit MemberTables(property::Tree& tree) : tree_(tree) {}
+    MemberTables(property::Tree& tree, const Recording& recording)
+        : tree_(tree), recording_(recording) {}
 
     DispatchTable& of(const property::Class& of);
-    /// While the reads and writes of a console command are noted, all tables are closed.
-    void open(bool whether);
     /// The method a function of Lua stands for, nullptr for any other function.
     const property::Method* method_of(lua_State* L, int index) const;
 
@@ -96,7 +80,7 @@ class MemberTables {
 
   private:
     property::Tree& tree_;
-    bool open_ = true;
+    const Recording& recording_;
     std::vector<std::unique_ptr<DispatchTable>> tables_;  // by the number of the class
 };
 

@@ -20,7 +20,7 @@ struct Recording {
         bool replaced = false;  // there was a formula
         std::string note;       // instead of values: "new Body", "deleted"
     };
-    bool active = false;
+    bool active = false;  // what happens is noted, so all goes the long way
     property::Writer writer = property::Writer::script;  // who writes when a script runs
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // property read last, for its unit

@@ -56,7 +56,7 @@ int write_record(lua_State* L) {
 
 int record_text(lua_State* L) {
     const std::string text = short_text(L, 1);
-    lua_pushlstring(L, text.data(), text.size());
+    push_text(L, text);
     return 1;
 }
 
@@ -74,7 +74,7 @@ void push_record(lua_State* L, const Record& record) {
     lua_createtable(L, 0, static_cast<int>(count));
     for (std::size_t i = 0; i < count; ++i) {
         const std::string& name = (*record.fields)[i].name;
-        lua_pushlstring(L, name.data(), name.size());
+        push_text(L, name);
         const bool given = i < record.values.size();
         const bool nobody =
             given && record.values[i].is(Type::reference) && !record.values[i].reference();

@@ -113,15 +113,9 @@ std::string brief(lua_State* L, int index, int depth) {
         case LUA_TNUMBER:
             if (lua_isinteger(L, index)) return std::to_string(lua_tointeger(L, index));
             return property::number_text(lua_tonumber(L, index),
-                                         static_cast<double>(static_cast<float>(
-                                             lua_tonumber(L, index))) == lua_tonumber(L, index)
-                                             ? property::Precision::single_precision
-                                             : property::Precision::double_precision);
-        case LUA_TSTRING: {
-            std::size_t length = 0;
-            const char* text = lua_tolstring(L, index, &length);
-            return quoted_text({text, length});
-        }
+                                         shortest_precision(lua_tonumber(L, index)));
+        case LUA_TSTRING:
+            return quoted_text(view_at(L, index));
         case LUA_TTABLE:
             return table_text(L, index, depth);
         case LUA_TFUNCTION:
@@ -134,13 +128,8 @@ std::string brief(lua_State* L, int index, int depth) {
     if (vec_at(L, index) || color_at(L, index) || list_at(L, index)) {
         try {
             const Value value = to_value(L, index);
-            // Components that fit a float are shown as one.
-            if (const auto* v = vec_at(L, index))
-                return machine.tree.text(
-                    value, static_cast<double>(static_cast<float>(v->x)) == v->x &&
-                                   static_cast<double>(static_cast<float>(v->y)) == v->y
-                               ? property::Precision::single_precision
-                               : property::Precision::double_precision);
+            if (value.is(Type::vec2))
+                return machine.tree.text(value, shortest_precision(value.vec2()));
             return cut(machine.tree.text(value), line_width);
         } catch (const Error& error) {
             return std::string("(") + error.what() + ")";

@@ -143,7 +143,7 @@ void push_scalar(lua_State* L, const Value& value) {
             lua_pushnumber(L, value.number());
             break;
         case Type::text:
-            lua_pushlstring(L, value.text().data(), value.text().size());
+            push_text(L, value.text());
             break;
         case Type::reference:
             push_instance(L, value.reference());
@@ -256,11 +256,8 @@ Value to_value_nested(lua_State* L, int index, int depth) {
         case LUA_TNUMBER:
             if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
             return static_cast<double>(lua_tonumber(L, index));
-        case LUA_TSTRING: {
-            std::size_t length = 0;
-            const char* text = lua_tolstring(L, index, &length);
-            return std::string_view(text, length);
-        }
+        case LUA_TSTRING:
+            return view_at(L, index);
         case LUA_TTABLE:
             return table_to_list(L, index, depth);
         case LUA_TUSERDATA:
@@ -330,20 +327,25 @@ Value to_value(lua_State* L, int index) {
     return to_value_nested(L, index, 0);
 }
 
+void refuse_type(lua_State* L, int index, std::string_view needed) {
+    throw Error(ErrorKind::wrong_type, std::string(needed) + ", not " + describe_type(L, index));
+}
+
+std::string check_text(lua_State* L, int index, std::string_view needed) {
+    if (lua_type(L, index) != LUA_TSTRING) refuse_type(L, index, needed);
+    return string_at(L, index);
+}
+
 Handle check_instance(lua_State* L, int index, const char* what) {
     const auto* box = instance_at(L, index);
-    if (!box)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs an instance, not " + describe_type(L, index));
+    if (!box) refuse_type(L, index, std::string(what) + ": needs an instance");
     machine_of(L).tree.require(box->handle);
     return box->handle;
 }
 
 Vec2 check_vec(lua_State* L, int index, const char* what) {
     const auto* box = vec_at(L, index);
-    if (!box)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a vec, not " + describe_type(L, index));
+    if (!box) refuse_type(L, index, std::string(what) + ": needs a vec");
     return {box->x, box->y};
 }
 
@@ -356,20 +358,17 @@ property::Color check_color(lua_State* L, int index, const char* what) {
                     std::string(what) + ": \"" + string_at(L, index) + "\" is no color" +
                         property::suggestion(string_at(L, index), property::color_names()));
     }
-    throw Error(ErrorKind::wrong_type,
-                std::string(what) + ": needs a color, not " + describe_type(L, index));
+    refuse_type(L, index, std::string(what) + ": needs a color");
 }
 
 void check_function(lua_State* L, int index, const char* what) {
     if (lua_type(L, index) != LUA_TFUNCTION)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a function, not " + describe_type(L, index));
+        refuse_type(L, index, std::string(what) + ": needs a function");
 }
 
 double check_number(lua_State* L, int index, const char* what) {
     if (lua_type(L, index) != LUA_TNUMBER)
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": needs a number, not " + describe_type(L, index));
+        refuse_type(L, index, std::string(what) + ": needs a number");
     return lua_tonumber(L, index);
 }
 

@@ -120,8 +120,12 @@ inline const property::Class* class_object_at(lua_State* L, int index) {
 property::Handle check_instance(lua_State* L, int index, const char* what);
 property::Vec2 check_vec(lua_State* L, int index, const char* what);
 property::Color check_color(lua_State* L, int index, const char* what);
+/// The text at `index`; else an error: "on: needs the name of an event, not a number".
+std::string check_text(lua_State* L, int index, std::string_view needed);
 double check_number(lua_State* L, int index, const char* what);
 void check_function(lua_State* L, int index, const char* what);
+/// Throws Error(wrong_type): what is needed, "not a number".
+[[noreturn]] void refuse_type(lua_State* L, int index, std::string_view needed);
 
 void push_vec(lua_State* L, const property::Vec2& v);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);
@@ -140,6 +144,15 @@ void push_value(lua_State* L, const property::Value& value, const Origin& origin
 /// Throws property::Error(wrong_type) for what cannot be a value (a function, a table with named
 /// keys).
 property::Value to_value(lua_State* L, int index);
+/// The same; its errors begin with what `where()` gives: the path of a property.
+template <class Where>
+property::Value to_value(lua_State* L, int index, Where where) {
+    try {
+        return to_value(L, index);
+    } catch (const property::Error& error) {
+        throw property::Error(error.kind(), where() + ": " + error.what());
+    }
+}
 /// What a value of Lua is called in messages: "a number", "a Body", "a table".
 std::string describe_type(lua_State* L, int index);
 
@@ -152,6 +165,10 @@ void origin_write(Machine& machine, const Origin& origin, const char* component,
                   const property::Value& value);
 /// "world.ball.vertices[2]"
 std::string origin_path(Machine& machine, const Origin& origin);
+
+/// The list that a property, or a place in it, has now; and another in its place.
+property::Value list_value(lua_State* L, const ListBox& box);
+void write_list(lua_State* L, const ListBox& box, const property::List& list);
 
 /// The metatable of vectors, then what makes one.
 void define_vec(lua_State* L, Machine& machine);

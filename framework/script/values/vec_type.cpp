@@ -7,6 +7,8 @@
 
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
+#include <text/columns.h>
 #include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
@@ -74,11 +76,8 @@ int vec_equal(lua_State* L) {
 
 int vec_tostring(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "tostring");
-    const bool narrow = static_cast<double>(static_cast<float>(v.x())) == v.x() &&
-                        static_cast<double>(static_cast<float>(v.y())) == v.y();
-    const std::string text = property::value_text(
-        v, narrow ? property::Precision::single_precision : property::Precision::double_precision);
-    lua_pushlstring(L, text.data(), text.size());
+    const std::string text = property::value_text(v, shortest_precision(v));
+    push_text(L, text);
     return 1;
 }
 
@@ -182,8 +181,7 @@ int vec_newindex(lua_State* L) {
     if (v->has_origin) {
         Machine& machine = machine_of(L);
         if (lua_type(L, 3) != LUA_TNUMBER)
-            throw Error(ErrorKind::wrong_type, origin_path(machine, v->origin) + "." + key +
-                                                   ": needs a number, not " + describe_type(L, 3));
+            refuse_type(L, 3, origin_path(machine, v->origin) + "." + key + ": needs a number");
         const double number = lua_tonumber(L, 3);
         if (v->origin.depth == 0) {
             write_component(machine, *v, key[0], number);

@@ -7,7 +7,6 @@
 
 #include <lua/machine.h>
 #include <text/words.h>
-#include <values/members.h>
 #include <values/recording.h>
 #include <values/writes.h>
 
@@ -78,10 +77,6 @@ void note(Machine& machine, Handle instance, std::string path, std::string text)
 }
 
 }  // namespace
-
-void record(Machine& machine, bool whether) {
-    if (std::exchange(machine.recording.active, whether) != whether) machine.members.open(!whether);
-}
 
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {

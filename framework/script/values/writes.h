@@ -10,10 +10,6 @@ namespace fettle::script {
 
 struct Machine;
 
-/// Whether what happens from now on is noted in `Machine::recording`. What is noted is read and
-/// written the long way.
-void record(Machine& machine, bool whether);
-
 void write_property(Machine& machine, property::Handle instance, const property::Property& property,
                     const property::Value& value);
 /// nil: the default again; nil itself where that is a value; an ad-hoc property goes away.
