@@ -114,6 +114,14 @@ void require_name(lua_State* L, Machine& machine, Handle instance) {
 /// A number or a vector, where the tree has it without a Value in between.
 bool read_typed(lua_State* L, const property::Tree& tree, Handle instance,
                 const Property& property) {
+    // `read` would do here as well, and reading a number would take a tenth longer ("Lua: get
+    // ball.mass" and "Lua: get ball.angular_velocity" of fettle-bench tree).
+    if (property.shortcut.read == Property::Shortcut::Way::number) {
+        const property::Row* row = tree.readable(instance);
+        if (row == nullptr) return false;
+        lua_pushnumber(L, property.binding.number.get(property.binding, *row));
+        return true;
+    }
     if (double number; property.type == Type::number && tree.read(instance, property, number)) {
         lua_pushnumber(L, number);
         return true;
