@@ -63,7 +63,7 @@ TEST_CASE("a command that makes the tree grow without end is stopped and says wh
 
 TEST_CASE("what a command made and gave back does not count") {
     Stage s(small_memory());
-    const std::string many = std::to_string(slowly ? 10000 : 100000);
+    const std::string many = std::to_string(slowly ? 10000 : 50000);
     CHECK(s.console("for i = 1, " + many +
                     " do local o = Object { t = ('x'):rep(200) } o:delete() end "
                     "return 1") == "1");
@@ -178,7 +178,7 @@ for i = 1, 600 do bottom = bottom:add(Object {}) end
 TEST_CASE("children are reached by number however many there are") {
     Stage s;
     CHECK(s.prints(R"lua(
-local n = 300000
+local n = 100000
 local box = Object {}
 world.box = box
 while #box < n do box:add(Object {}) end
@@ -190,7 +190,7 @@ print(sum, box[n + 1], box[0], box[-1])
 while #box > n / 2 do box[#box]:delete() end
 while #box > 0 do box[1]:delete() end
 print(#box, box[1])
-)lua") == "900000\tnil\tnil\tnil|0\tnil");
+)lua") == "300000\tnil\tnil\tnil|0\tnil");
 }
 
 TEST_CASE("a child's number follows what comes and goes") {
@@ -222,7 +222,7 @@ end
 
 TEST_CASE("watchers and timers are stopped in any order however many there are") {
     Stage s;
-    const std::string many = std::to_string(slowly ? 30000 : 300000);
+    const std::string many = std::to_string(slowly ? 30000 : 100000);
     s.run("local n = " + many + R"lua(
 world.ball = Body {}
 local kept = {}
@@ -254,7 +254,7 @@ for i = 1, 20000 do kept[i]:stop() end
 TEST_CASE("any number of formulas may read one source and end in any order") {
     Stage s;
     s.run(R"lua(
-local n = 100000
+local n = 40000
 world.v = 1
 box = Object {}
 world.box = box

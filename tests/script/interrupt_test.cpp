@@ -49,7 +49,7 @@ TEST_CASE("what is not running when it is interrupted stops when it begins") {
 
 TEST_CASE("out of memory is told with its place and the limit") {
     fettle::script::Options options;
-    options.memory_limit = std::size_t{32} << 20;
+    options.memory_limit = std::size_t{16} << 20;
     Stage s(options);
     const std::string chunk = GENERATE(
         as<std::string>{}, "local t = {}\nfor i = 1, 1e9 do t[i] = i end",
@@ -63,7 +63,7 @@ TEST_CASE("out of memory is told with its place and the limit") {
     REQUIRE(s.errors.size() == 1);
     INFO(chunk << "\n" << s.errors[0].message);
     CHECK(s.errors[0].message.find("chunk:2: not enough memory: ") == 0);
-    CHECK(s.errors[0].message.find("the scripts of a game may use 32 MB") != std::string::npos);
+    CHECK(s.errors[0].message.find("the scripts of a game may use 16 MB") != std::string::npos);
     CHECK(s.errors[0].line == 2);
     s.errors.clear();
     s.run("assert(1 + 1 == 2)");
