@@ -83,9 +83,10 @@ class Candidates {
 
 // --- Candidates
 
-std::string facts_with_value(const Machine& machine, Handle instance, const Property& property) {
-    return cut(with_unit(machine.tree, machine.tree.get(instance, property), property), 40) +
-           " · " + property_facts(machine.tree, property);
+std::string facts_with_value(const property::Tree& tree, Handle instance,
+                             const Property& property) {
+    return cut(with_unit(tree, tree.get(instance, property), property), 40) + " · " +
+           property_facts(tree, property);
 }
 
 void add_functions(Machine& machine, const Class& of, Candidates& out) {
@@ -114,8 +115,8 @@ void add_instance(Machine& machine, Handle instance, bool methods_only, std::siz
         }
         for (const Property* property : tree.properties(instance)) {
             if (property->hidden) continue;
-            out.add(property->name, facts_with_value(machine, instance, *property), property->doc,
-                    Group::value);
+            out.add(property->name, facts_with_value(machine.tree, instance, *property),
+                    property->doc, Group::value);
         }
     }
     add_functions(machine, tree.class_of(instance), out);
@@ -247,16 +248,15 @@ void add_globals(lua_State* L, Machine& machine, Candidates& out) {
         out.add(word, {}, {}, Group::other);
 }
 
-void add_keys(Machine& machine, const Class& of, Candidates& out) {
+void add_keys(const property::Tree& tree, const Class& of, Candidates& out) {
     for (const Property* property : of.properties())
         if (!property->hidden && !property->read_only)
-            out.add(property->name, property_facts(machine.tree, *property), property->doc,
-                    Group::value);
+            out.add(property->name, property_facts(tree, *property), property->doc, Group::value);
 }
 
 // The class whose constructor the cursor is in, at a place where a key may stand.
-const Class* constructor_at(Machine& machine, std::string_view before, const Scan& scanned,
-                            std::size_t token) {
+const Class* constructor_at(const property::Tree& tree, std::string_view before,
+                            const Scan& scanned, std::size_t token) {
     if (scanned.braces.empty() || before[scanned.braces.back()] != '{') return nullptr;
     const std::size_t previous = skip_blanks_back(before, token);
     if (previous == 0 ||
@@ -264,8 +264,7 @@ const Class* constructor_at(Machine& machine, std::string_view before, const Sca
         return nullptr;
     std::size_t end = skip_blanks_back(before, scanned.braces.back());
     if (end > 0 && before[end - 1] == '(') end = skip_blanks_back(before, end - 1);
-    return machine.tree.find_class(
-        before.substr(word_start(before, end), end - word_start(before, end)));
+    return tree.find_class(before.substr(word_start(before, end), end - word_start(before, end)));
 }
 
 // The property that a value at `end` would be assigned to or compared with: `path =`, or a key in a
@@ -285,7 +284,7 @@ const Property* assigned_property(lua_State* L, Machine& machine, std::string_vi
     const bool found = push_path(L, machine, path, &read);
     lua_settop(L, top);
     if (found && read) return read;
-    if (const Class* of = constructor_at(machine, before, scanned, start))
+    if (const Class* of = constructor_at(machine.tree, before, scanned, start))
         return of->property(path);
     return nullptr;
 }
@@ -370,8 +369,8 @@ std::vector<Completion> complete(Machine& machine, std::string_view input, std::
             out.expect(true);
             if (const Property* property = assigned_property(L, machine, before, scanned, token))
                 add_enumerators(*property, false, out);
-            if (const Class* of = constructor_at(machine, before, scanned, token))
-                add_keys(machine, *of, out);
+            if (const Class* of = constructor_at(machine.tree, before, scanned, token))
+                add_keys(machine.tree, *of, out);
             out.expect(false);
             add_globals(L, machine, out);
         },

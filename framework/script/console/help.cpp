@@ -25,10 +25,10 @@ namespace fettle::script {
 
 using property::Method;
 
-std::vector<std::string> property_help(const Machine& machine, const Property& property) {
+std::vector<std::string> property_help(const property::Tree& tree, const Property& property) {
     std::vector<std::string> lines = {
         (property.owner ? property.owner->name() + "." : std::string()) + property.name + " · " +
-        property_facts(machine.tree, property)};
+        property_facts(tree, property)};
     if (!property.doc.empty()) lines.push_back("  " + property.doc);
     if (!property.derives_from.empty()) {
         std::string sources;
@@ -179,7 +179,7 @@ std::vector<std::string> value_help(std::string path) {
 
 // A member of an instance or class by name.
 std::vector<std::string> member_help(Machine& machine, const Class& of, std::string_view name) {
-    if (const Property* property = of.property(name)) return property_help(machine, *property);
+    if (const Property* property = of.property(name)) return property_help(machine.tree, *property);
     if (const Method* method = of.method(name)) return method_help(*method);
     if (const property::Event* event = of.event(name)) {
         std::vector<std::string> lines = {"event " + event->name + " of " + of.name()};
@@ -231,11 +231,11 @@ std::vector<std::string> function_help(lua_State* L, int index) {
 namespace {
 
 // Whether all of it but the last name is the path of an instance.
-bool leads_to_instance(const Machine& machine, const std::string& path) {
+bool leads_to_instance(const property::Tree& tree, const std::string& path) {
     const std::size_t last = path.find_last_of(".[");
     if (last == std::string::npos) return false;
     try {
-        const property::Place place = property::resolve(machine.tree, path.substr(0, last));
+        const property::Place place = property::resolve(tree, path.substr(0, last));
         return place.property == nullptr;
     } catch (const Error&) {
         return false;
@@ -275,10 +275,10 @@ std::vector<std::string> help_for(Machine& machine, const std::string& path) {
     try {
         const property::Place place = property::resolve(machine.tree, path);
         if (!place.property) return instance_help(machine, place.instance);
-        return property_help(machine, *place.property);
+        return property_help(machine.tree, *place.property);
     } catch (const Error& error) {
         auto lines = value_help(path);
-        if (lines.empty() && leads_to_instance(machine, path)) lines.push_back(error.what());
+        if (lines.empty() && leads_to_instance(machine.tree, path)) lines.push_back(error.what());
         return lines;
     }
 }
@@ -293,13 +293,12 @@ bool is_path(std::string_view text) {
     }
 }
 
-std::vector<std::string> known_names(const Machine& machine) {
+std::vector<std::string> known_names(const property::Tree& tree) {
     std::vector<std::string> names;
-    for (const Class* of : machine.tree.classes()) names.push_back(of->name());
+    for (const Class* of : tree.classes()) names.push_back(of->name());
     for (const auto* docs : {&global_docs(), &library_docs()})
         for (const GlobalDoc& doc : *docs) names.emplace_back(doc.name);
-    for (const Handle child : machine.tree.children(machine.tree.root()))
-        names.push_back(machine.tree.name(child));
+    for (const Handle child : tree.children(tree.root())) names.push_back(tree.name(child));
     return names;
 }
 
@@ -320,7 +319,8 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
         auto lines = help_for(machine, name);
         if (!lines.empty()) return lines;
         if (is_path(name))
-            return {name + ": no such name" + property::suggestion(name, known_names(machine))};
+            return {name + ": no such name" +
+                    property::suggestion(name, known_names(machine.tree))};
     }
     return {short_text(L, index) + " · " + describe_type(L, index)};
 }
@@ -360,9 +360,9 @@ class Search {
 
 }  // namespace
 
-std::vector<std::string> find_lines(Machine& machine, std::string_view word) {
+std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word) {
     Search search(word);
-    for (const Class* of : machine.tree.classes()) {
+    for (const Class* of : tree.classes()) {
         search.look(of->name(), of->name(), of->doc());
         for (const Property* property : of->properties())
             if (property->owner == of && !property->hidden)
@@ -382,12 +382,12 @@ std::vector<std::string> find_lines(Machine& machine, std::string_view word) {
         for (const MemberDoc& member : type.members)
             search.look(member.name, std::string(type.name) + "." + member.name, member.doc);
     std::size_t instances = 0;
-    machine.tree.each_below(machine.tree.root(), [&](Handle handle) {
-        if (handle == machine.tree.root() || instances >= 200) return;
-        const std::string name = machine.tree.name(handle);
+    tree.each_below(tree.root(), [&](Handle handle) {
+        if (handle == tree.root() || instances >= 200) return;
+        const std::string name = tree.name(handle);
         if (lower(name).find(lower(word)) == std::string::npos) return;
         ++instances;
-        search.look(name, machine.tree.path(handle), machine.tree.class_of(handle).name());
+        search.look(name, tree.path(handle), tree.class_of(handle).name());
     });
     std::vector<std::string> lines = search.lines();
     if (lines.empty()) lines.push_back("nothing has \"" + std::string(word) + "\"");
@@ -419,7 +419,7 @@ int help(lua_State* L) {
 int search(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "find: needs a text");
     Machine& machine = machine_of(L);
-    for (std::string& line : find_lines(machine, string_at(L, 1)))
+    for (std::string& line : find_lines(machine.tree, string_at(L, 1)))
         print_line(machine, std::move(line));
     return 0;
 }

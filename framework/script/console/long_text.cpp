@@ -26,26 +26,23 @@ void add_count(std::vector<std::string>& lines, std::size_t total, const char* w
 }
 
 // What stands for the value in a listing: a formula that is in error spoils its own line only.
-std::string listed_value(const Machine& machine, Handle handle, const Property& property,
+std::string listed_value(const property::Tree& tree, Handle handle, const Property& property,
                          bool unit) {
     try {
-        const Value value = machine.tree.get(handle, property);
-        return unit ? with_unit(machine.tree, value, property)
-                    : machine.tree.text(value, property.precision());
+        const Value value = tree.get(handle, property);
+        return unit ? with_unit(tree, value, property) : tree.text(value, property.precision());
     } catch (const Error&) {
         return "in error (why(path) tells more)";
     }
 }
 
 // name  value with unit, in order of name; then what hangs below.
-std::vector<std::string> instance_lines(Machine& machine, Handle handle) {
-    const property::Tree& tree = machine.tree;
+std::vector<std::string> instance_lines(const property::Tree& tree, Handle handle) {
     std::vector<std::string> lines = {tree.path(handle) + " · " + tree.class_of(handle).name()};
     std::vector<std::vector<std::string>> rows;
     for (const Property* property : tree.properties(handle)) {
         if (property->hidden) continue;
-        rows.push_back({"  " + property->name,
-                        cut(listed_value(machine, handle, *property, true), 60),
+        rows.push_back({"  " + property->name, cut(listed_value(tree, handle, *property, true), 60),
                         property->read_only ? "(read-only)" : ""});
     }
     std::sort(rows.begin(), rows.end());
@@ -65,8 +62,7 @@ bool worth_a_column(const Property& property) {
 
 // One row an instance: its path and the properties that all have, those first that differ from
 // their defaults somewhere.
-std::vector<std::string> set_lines(Machine& machine, std::vector<Handle> handles) {
-    const property::Tree& tree = machine.tree;
+std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handle> handles) {
     std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
     if (handles.empty()) return {"no instances"};
     std::vector<std::pair<std::string, Handle>> sorted;
@@ -98,7 +94,7 @@ std::vector<std::string> set_lines(Machine& machine, std::vector<Handle> handles
     for (const auto& [path, handle] : sorted) {
         std::vector<std::string> row = {path, tree.class_of(handle).name()};
         for (const Property* property : shared)
-            row.push_back(cut(listed_value(machine, handle, *property, false), 28));
+            row.push_back(cut(listed_value(tree, handle, *property, false), 28));
         rows.push_back(std::move(row));
     }
     std::vector<std::string> lines = columns(rows);
@@ -122,12 +118,12 @@ std::vector<Handle> only_instances(lua_State* L, int index) {
 }
 
 // The unit of a value in a table whose keys are paths, as `query` returns.
-std::string entry_text(lua_State* L, Machine& machine, const std::string& key) {
+std::string entry_text(lua_State* L, const property::Tree& tree, const std::string& key) {
     try {
-        const property::Place place = property::resolve(machine.tree, key);
+        const property::Place place = property::resolve(tree, key);
         if (place.property && place.part.empty()) {
             const Value value = to_value(L, -1);
-            return cut(with_unit(machine.tree, value, *place.property), line_width);
+            return cut(with_unit(tree, value, *place.property), line_width);
         }
     } catch (const Error&) {
         // an ordinary key
@@ -139,7 +135,7 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
     Machine& machine = machine_of(L);
     index = lua_absindex(L, index);
     if (const auto handles = only_instances(L, index); !handles.empty())
-        return set_lines(machine, handles);
+        return set_lines(machine.tree, handles);
     if (is_set(L, index)) return {"no instances"};
     std::string line = short_text(L, index);
     if (shown_width(line) <= 76 && line.find("…") == std::string::npos) return {line};
@@ -159,7 +155,7 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
         ++total;
         if (named.size() >= 10'000) continue;
         const std::string text = lua_type(L, -2) == LUA_TSTRING
-                                     ? entry_text(L, machine, string_at(L, -2))
+                                     ? entry_text(L, machine.tree, string_at(L, -2))
                                      : short_text(L, -1);
         const std::string key =
             lua_type(L, -2) == LUA_TSTRING ? cut(string_at(L, -2), 40) : key_text(L, -2);
@@ -216,7 +212,7 @@ std::vector<std::string> long_text(lua_State* L, int index) {
     Machine& machine = machine_of(L);
     if (const auto* box = instance_at(L, index)) {
         if (!machine.tree.alive(box->handle)) return {short_text(L, index)};
-        return instance_lines(machine, box->handle);
+        return instance_lines(machine.tree, box->handle);
     }
     if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index);
     if (const DescriptionKind* kind = description_kind(L, index))

@@ -156,9 +156,9 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
     return {ScriptFormula(machine, function), source};
 }
 
-void push_formula_function(lua_State* L, Machine& machine, Handle instance,
+void push_formula_function(lua_State* L, const property::Tree& tree, Handle instance,
                            const Property& property) {
-    const property::Formula* found = machine.tree.formula(instance, property);
+    const property::Formula* found = tree.formula(instance, property);
     const auto* ours = found != nullptr ? found->function.target<ScriptFormula>() : nullptr;
     if (ours != nullptr)
         ours->function()->push(L);

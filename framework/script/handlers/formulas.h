@@ -26,7 +26,7 @@ void push_formula(lua_State* L, const FunctionSource& source);
 /// Error(formula) with what is wrong with it.
 property::Formula compile_formula(Machine& machine, const std::string& source);
 /// Pushes the function of a property's formula, or nil.
-void push_formula_function(lua_State* L, Machine& machine, property::Handle instance,
+void push_formula_function(lua_State* L, const property::Tree& tree, property::Handle instance,
                            const property::Property& property);
 
 /// `formula` among the globals on top.

@@ -31,9 +31,9 @@ void set_text(lua_State* L, const char* field, const std::string& text) {
     lua_setfield(L, -2, field);
 }
 
-std::string path_if_alive(Machine& machine, Handle instance, const Property& property) {
-    if (!machine.tree.alive(instance)) return "(deleted)" + property::path_suffix(property.name);
-    return machine.tree.path(instance, property);
+std::string path_if_alive(const property::Tree& tree, Handle instance, const Property& property) {
+    if (!tree.alive(instance)) return "(deleted)" + property::path_suffix(property.name);
+    return tree.path(instance, property);
 }
 
 void push_change(lua_State* L, const Change& change) {
@@ -42,7 +42,7 @@ void push_change(lua_State* L, const Change& change) {
     push_instance(L, change.instance);
     lua_setfield(L, -2, "instance");
     set_text(L, "property", change.property->name);
-    set_text(L, "path", path_if_alive(machine, change.instance, *change.property));
+    set_text(L, "path", path_if_alive(machine.tree, change.instance, *change.property));
     set_text(L, "cause", change.cause.text());
     lua_pushinteger(L, static_cast<lua_Integer>(change.cause.step));
     lua_setfield(L, -2, "step");

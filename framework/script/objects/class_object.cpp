@@ -61,10 +61,10 @@ namespace {
 
 // --- Constructing
 
-bool is_orphan(lua_State* L, Machine& machine, int index) {
+bool is_orphan(lua_State* L, const property::Tree& tree, int index) {
     const auto* box = instance_at(L, index);
-    return box && machine.tree.alive(box->handle) && box->handle != machine.tree.root() &&
-           !machine.tree.parent(box->handle);
+    return box && tree.alive(box->handle) && box->handle != tree.root() &&
+           !tree.parent(box->handle);
 }
 
 // Pushes key `name` of the table at 2.
@@ -110,7 +110,7 @@ void adopt_unnamed(lua_State* L, Machine& machine, Construction& now) {
                                                    "; what has no name becomes a child, so it "
                                                    "must be an instance");
         machine.tree.require(box->handle);
-        if (!is_orphan(L, machine, -1))
+        if (!is_orphan(L, machine.tree, -1))
             throw Error(
                 ErrorKind::bad_structure,
                 now.of.name() + ": " + machine.tree.path(box->handle) + " has its place already");
@@ -144,7 +144,7 @@ void fill(lua_State* L, Machine& machine, Construction& now) {
         }
         push_key(L, key);
         lua_replace(L, 3);
-        if (is_orphan(L, machine, 3)) {
+        if (is_orphan(L, machine.tree, 3)) {
             now.adopts(instance_at(L, 3)->handle);
             write_member(L, machine, now.made, of, key);
         } else {

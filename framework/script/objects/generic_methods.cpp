@@ -21,10 +21,10 @@ namespace fettle::script {
 namespace {
 
 // A class given by name or as itself; nullptr where nothing is given.
-const Class* class_at(lua_State* L, Machine& machine, int index, const char* what) {
+const Class* class_at(lua_State* L, const property::Tree& tree, int index, const char* what) {
     if (lua_isnoneornil(L, index)) return nullptr;
     if (const Class* found = class_object_at(L, index)) return found;
-    if (lua_type(L, index) == LUA_TSTRING) return &machine.tree.class_named(string_at(L, index));
+    if (lua_type(L, index) == LUA_TSTRING) return &tree.class_named(string_at(L, index));
     refuse_type(L, index, std::string(what) + ": needs a class or its name");
 }
 
@@ -32,11 +32,11 @@ std::string text_at(lua_State* L, int index, const char* what) {
     return check_text(L, index, std::string(what) + ": needs a text");
 }
 
-std::vector<Handle> below(Machine& machine, Handle top, const Class* of) {
+std::vector<Handle> below(const property::Tree& tree, Handle top, const Class* of) {
     std::vector<Handle> found;
-    machine.tree.each_below(top, [&](Handle handle) {
+    tree.each_below(top, [&](Handle handle) {
         if (handle == top) return;
-        if (!of || machine.tree.class_of(handle).is_a(*of)) found.push_back(handle);
+        if (!of || tree.class_of(handle).is_a(*of)) found.push_back(handle);
     });
     return found;
 }
@@ -76,7 +76,7 @@ int problem(lua_State* L) {
 int formula_of(lua_State* L) {
     const Handle self = check_instance(L, 1, "formula");
     Machine& machine = machine_of(L);
-    push_formula_function(L, machine, self, property_at(L, machine, self, "formula"));
+    push_formula_function(L, machine.tree, self, property_at(L, machine, self, "formula"));
     return 1;
 }
 
@@ -93,7 +93,7 @@ int is_a(lua_State* L) {
     const auto* box = instance_at(L, 1);
     const auto remains = box ? machine.tree.remains(box->handle) : std::nullopt;
     const Class& is = remains ? remains->of : machine.tree.class_of(check_instance(L, 1, "is_a"));
-    const Class* of = class_at(L, machine, 2, "is_a");
+    const Class* of = class_at(L, machine.tree, 2, "is_a");
     if (!of) throw Error(ErrorKind::wrong_type, "is_a: needs a class or its name");
     lua_pushboolean(L, is.is_a(*of));
     return 1;
@@ -126,7 +126,7 @@ int move_instance(lua_State* L) {
 int children(lua_State* L) {
     const Handle self = check_instance(L, 1, "children");
     Machine& machine = machine_of(L);
-    const Class* of = class_at(L, machine, 2, "children");
+    const Class* of = class_at(L, machine.tree, 2, "children");
     std::vector<Handle> found = machine.tree.children(self);
     if (of) std::erase_if(found, [&](Handle h) { return !machine.tree.class_of(h).is_a(*of); });
     push_set(L, found);
@@ -136,7 +136,7 @@ int children(lua_State* L) {
 int all(lua_State* L) {
     const Handle self = check_instance(L, 1, "all");
     Machine& machine = machine_of(L);
-    push_set(L, below(machine, self, class_at(L, machine, 2, "all")));
+    push_set(L, below(machine.tree, self, class_at(L, machine.tree, 2, "all")));
     return 1;
 }
 
@@ -146,7 +146,8 @@ int find_below(lua_State* L) {
     lua_settop(L, 3);
     const bool filtered = !lua_isnil(L, 3);
     if (filtered) check_function(L, 3, "find");
-    const std::vector<Handle> all_found = below(machine, self, class_at(L, machine, 2, "find"));
+    const std::vector<Handle> all_found =
+        below(machine.tree, self, class_at(L, machine.tree, 2, "find"));
     std::vector<Handle> found;
     for (const Handle handle : all_found) {
         if (filtered) {
@@ -169,8 +170,8 @@ int each(lua_State* L) {
     Machine& machine = machine_of(L);
     const int function = lua_gettop(L);
     check_function(L, function, "each");
-    const Class* of = function > 2 ? class_at(L, machine, 2, "each") : nullptr;
-    for (const Handle handle : below(machine, self, of)) {
+    const Class* of = function > 2 ? class_at(L, machine.tree, 2, "each") : nullptr;
+    for (const Handle handle : below(machine.tree, self, of)) {
         if (!machine.tree.alive(handle)) continue;
         lua_pushvalue(L, function);
         push_instance(L, handle);
@@ -192,29 +193,29 @@ struct Copies {
     }
 };
 
-void require_creatable(Machine& machine, Handle original) {
-    const Class& of = machine.tree.class_of(original);
+void require_creatable(const property::Tree& tree, Handle original) {
+    const Class& of = tree.class_of(original);
     if (of.creatable()) return;
-    throw Error(ErrorKind::bad_structure, machine.tree.path(original) + ": cannot be cloned; " +
-                                              why_not_creatable(machine.tree, of));
+    throw Error(ErrorKind::bad_structure,
+                tree.path(original) + ": cannot be cloned; " + why_not_creatable(tree, of));
 }
 
-Handle copy_of(Machine& machine, Handle original, Handle parent) {
-    const Class& of = machine.tree.class_of(original);
-    const std::string name = machine.tree.name(original);
+Handle copy_of(property::Tree& tree, Handle original, Handle parent) {
+    const Class& of = tree.class_of(original);
+    const std::string name = tree.name(original);
     // What the copy has made by itself, as a world makes its statistics, is the copy of that.
-    const Handle own = machine.tree.child(parent, name);
-    if (own && &machine.tree.class_of(own) == &of) return own;
-    require_creatable(machine, original);
-    return machine.tree.create(of, parent, name);
+    const Handle own = tree.child(parent, name);
+    if (own && &tree.class_of(own) == &of) return own;
+    require_creatable(tree, original);
+    return tree.create(of, parent, name);
 }
 
 // Parents first, siblings in their order; without recursion, however deep the tree is.
-void copy_below(Machine& machine, Handle top, Handle copy, Copies& copies) {
+void copy_below(property::Tree& tree, Handle top, Handle copy, Copies& copies) {
     std::vector<std::pair<Handle, Handle>> open;  // what is to be copied, and below what
     const auto below = [&](Handle original, Handle made) {
         copies.add(original, made);
-        const std::vector<Handle> children = machine.tree.children(original);
+        const std::vector<Handle> children = tree.children(original);
         for (auto child = children.rbegin(); child != children.rend(); ++child)
             open.emplace_back(*child, made);
     };
@@ -222,28 +223,27 @@ void copy_below(Machine& machine, Handle top, Handle copy, Copies& copies) {
     while (!open.empty()) {
         const auto [original, parent] = open.back();
         open.pop_back();
-        below(original, copy_of(machine, original, parent));
+        below(original, copy_of(tree, original, parent));
     }
 }
 
 // References inside what is copied lead to the copies; those to nobody any more to nobody.
-Value redirected(const Machine& machine, const Value& value, const Copies& copies) {
+Value redirected(const property::Tree& tree, const Value& value, const Copies& copies) {
     if (value.is(Type::reference)) {
-        if (!machine.tree.alive(value.reference())) return Handle{};
+        if (!tree.alive(value.reference())) return Handle{};
         const auto copy = copies.of.find(Copies::key(value.reference()));
         return copy == copies.of.end() ? value : Value(copy->second);
     }
     if (value.is(Type::list)) {
         List list;
-        for (const Value& element : value.list())
-            list.push_back(redirected(machine, element, copies));
+        for (const Value& element : value.list()) list.push_back(redirected(tree, element, copies));
         return list;
     }
     return value;
 }
 
 /// The copies with what they are copied from: children before their parents, siblings in order.
-std::vector<std::pair<Handle, Handle>> children_first(const Machine& machine,
+std::vector<std::pair<Handle, Handle>> children_first(const property::Tree& tree,
                                                       const Copies& copies) {
     std::vector<std::pair<Handle, Handle>> list, open;
     const auto close = [&] {
@@ -251,7 +251,7 @@ std::vector<std::pair<Handle, Handle>> children_first(const Machine& machine,
         open.pop_back();
     };
     for (const auto& pair : copies.in_order) {
-        while (!open.empty() && open.back().second != machine.tree.parent(pair.second)) close();
+        while (!open.empty() && open.back().second != tree.parent(pair.second)) close();
         open.push_back(pair);
     }
     while (!open.empty()) close();
@@ -260,17 +260,17 @@ std::vector<std::pair<Handle, Handle>> children_first(const Machine& machine,
 
 // A parent gets its values after its children: a body whose centre of mass moves changes its
 // velocity.
-void copy_values(Machine& machine, const Copies& copies) {
-    for (const auto& [from, to] : children_first(machine, copies)) {
-        for (const Property* property : machine.tree.properties(from)) {
-            if (property->read_only || !machine.tree.overridden(from, *property)) continue;
+void copy_values(property::Tree& tree, const Copies& copies) {
+    for (const auto& [from, to] : children_first(tree, copies)) {
+        for (const Property* property : tree.properties(from)) {
+            if (property->read_only || !tree.overridden(from, *property)) continue;
             // Of a formula its value; of one in error the last good one.
-            (void)machine.tree.problem(from, *property);
-            const Value value = redirected(machine, machine.tree.peek(from, *property), copies);
+            (void)tree.problem(from, *property);
+            const Value value = redirected(tree, tree.peek(from, *property), copies);
             if (property->binding.kind == property::BindingKind::ad_hoc)
-                machine.tree.set_or_add(to, property->name, value);
+                tree.set_or_add(to, property->name, value);
             else
-                machine.tree.set(to, *property, value);
+                tree.set(to, *property, value);
         }
     }
 }
@@ -278,12 +278,12 @@ void copy_values(Machine& machine, const Copies& copies) {
 int clone(lua_State* L) {
     const Handle self = check_instance(L, 1, "clone");
     Machine& machine = machine_of(L);
-    require_creatable(machine, self);
+    require_creatable(machine.tree, self);
     const Handle made = machine.tree.create(machine.tree.class_of(self));
     try {
         Copies copies;
-        copy_below(machine, self, made, copies);
-        copy_values(machine, copies);
+        copy_below(machine.tree, self, made, copies);
+        copy_values(machine.tree, copies);
     } catch (...) {
         machine.tree.destroy(made);
         throw;

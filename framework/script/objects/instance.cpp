@@ -39,8 +39,8 @@ std::vector<std::string> names_of(Machine& machine, Handle instance) {
     return names;
 }
 
-std::string path_of(Machine& machine, Handle instance, std::string_view name) {
-    return machine.tree.path(instance) + property::path_suffix(name);
+std::string path_of(const property::Tree& tree, Handle instance, std::string_view name) {
+    return tree.path(instance) + property::path_suffix(name);
 }
 
 namespace {
@@ -91,10 +91,10 @@ const Property* known_property(lua_State* L, const InstanceBox& self) {
     return found != nullptr ? found->property : nullptr;
 }
 
-void require_name(lua_State* L, Machine& machine, Handle instance) {
+void require_name(lua_State* L, const property::Tree& tree, Handle instance) {
     if (lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name,
-                    machine.tree.path(instance) + ": a name is a text, not " + describe_type(L, 2));
+                    tree.path(instance) + ": a name is a text, not " + describe_type(L, 2));
 }
 
 [[noreturn]] void unknown_name(Machine& machine, Handle instance, std::string_view name) {
@@ -106,7 +106,7 @@ void require_name(lua_State* L, Machine& machine, Handle instance) {
                 std::find(names.begin(), names.end(), way.substr(0, way.find(' '))) != names.end())
                 hint = " (did you mean \"" + std::string(way.substr(0, way.find(' '))) + "\"?)";
     throw Error(ErrorKind::unknown_name,
-                path_of(machine, instance, name) + ": no such name" + hint);
+                path_of(machine.tree, instance, name) + ": no such name" + hint);
 }
 
 // --- Reading
@@ -144,18 +144,18 @@ int read_property(lua_State* L, Machine& machine, Handle instance, const Propert
 }
 
 /// What was deleted still tells what it was called and of which class it was.
-bool push_remains(lua_State* L, Machine& machine, Handle instance) {
-    if (machine.tree.alive(instance) || lua_type(L, 2) != LUA_TSTRING) return false;
+bool push_remains(lua_State* L, const property::Tree& tree, Handle instance) {
+    if (tree.alive(instance) || lua_type(L, 2) != LUA_TSTRING) return false;
     const std::string_view key = view_at(L, 2);
     if (key != "name" && key != "class") return false;
-    const auto remains = machine.tree.remains(instance);
+    const auto remains = tree.remains(instance);
     if (remains) push_text(L, key == "name" ? remains->name : remains->of.name());
     return remains.has_value();
 }
 
 int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     const Handle instance = self.handle;
-    if (push_remains(L, machine, instance)) return 1;
+    if (push_remains(L, machine.tree, instance)) return 1;
     const bool named = lua_type(L, 2) == LUA_TSTRING;
     // A method tells itself what a deleted instance cannot do; `alive` can be asked.
     if (named && look_up(L, machine, self).is_function()) {
@@ -170,7 +170,7 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
             L, n < 1 ? Handle{} : machine.tree.nth_child(instance, static_cast<std::uint64_t>(n)));
         return 1;
     }
-    require_name(L, machine, instance);
+    require_name(L, machine.tree, instance);
     if (const Property* declared = look_up(L, machine, self).property)
         return read_property(L, machine, instance, *declared);
     if (machine.classes.push_function(L, self.members->of)) return 1;
@@ -214,7 +214,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
 int write_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     machine.tree.require(self.handle);
     refresh_class(machine, self);
-    require_name(L, machine, self.handle);
+    require_name(L, machine.tree, self.handle);
     if (const Property* declared = look_up(L, machine, self).property)
         write_declared(L, machine, self.handle, *declared);
     else

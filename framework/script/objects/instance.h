@@ -18,7 +18,7 @@ void open_instance(lua_State* L, Machine& machine);
 void write_member(lua_State* L, Machine& machine, property::Handle instance,
                   const property::Class& of, std::string_view name);
 /// "world.ball.mass", whether there is such a name or not.
-std::string path_of(Machine& machine, property::Handle instance, std::string_view name);
+std::string path_of(const property::Tree& tree, property::Handle instance, std::string_view name);
 /// Every name that stands for something on the instance, for nearest spellings and completion.
 std::vector<std::string> names_of(Machine& machine, property::Handle instance);
 

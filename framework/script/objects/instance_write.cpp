@@ -23,17 +23,17 @@ void refuse_near_miss(Machine& machine, Handle instance, const Class& of, std::s
     machine.classes.add_function_names(of, names);
     for (const std::string& declared : names)
         if (property::near_miss(name, declared))
-            throw Error(ErrorKind::near_miss, path_of(machine, instance, name) +
+            throw Error(ErrorKind::near_miss, path_of(machine.tree, instance, name) +
                                                   ": no such name (did you mean \"" + declared +
                                                   "\"?)");
 }
 
 // The instance to adopt when the value at 3 is one that hangs nowhere, else null.
-Handle orphan_at(lua_State* L, Machine& machine) {
+Handle orphan_at(lua_State* L, const property::Tree& tree) {
     const auto* box = instance_at(L, 3);
     if (!box) return {};
-    machine.tree.require(box->handle);
-    if (machine.tree.parent(box->handle) || box->handle == machine.tree.root()) return {};
+    tree.require(box->handle);
+    if (tree.parent(box->handle) || box->handle == tree.root()) return {};
     return box->handle;
 }
 
@@ -45,18 +45,18 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
     }
     const auto* box = instance_at(L, 3);
     if (box && box->handle == child) return;
-    const Handle orphan = orphan_at(L, machine);
+    const Handle orphan = orphan_at(L, machine.tree);
     if (!orphan)
         throw Error(ErrorKind::bad_structure,
-                    path_of(machine, instance, name) + ": is a " +
+                    path_of(machine.tree, instance, name) + ": is a " +
                         machine.tree.class_of(child).name() +
                         " that hangs here; assign a new instance to replace it or nil to delete "
                         "it, not " +
                         (box ? machine.tree.path(box->handle) + ", which has its place elsewhere"
                              : describe_type(L, 3)));
     if (machine.tree.is_below(instance, orphan))
-        throw Error(ErrorKind::bad_structure,
-                    path_of(machine, instance, name) + ": an instance cannot hang below itself");
+        throw Error(ErrorKind::bad_structure, path_of(machine.tree, instance, name) +
+                                                  ": an instance cannot hang below itself");
     replace(machine, child, orphan);
 }
 
@@ -78,16 +78,16 @@ void write_over(Machine& machine, Handle instance, const Property& property, Han
 }
 
 /// What other engines call a property, or a key, is too far from its name for the letters to tell.
-void set_or_add(Machine& machine, Handle instance, std::string_view name, const Value& value) {
+void set_or_add(property::Tree& tree, Handle instance, std::string_view name, const Value& value) {
     try {
-        machine.tree.set_or_add(instance, name, value);
+        tree.set_or_add(instance, name, value);
     } catch (const Error& error) {
         const std::string_view told = error.what();
         if (error.kind() != ErrorKind::unknown_name ||
             told.find("did you mean") != std::string_view::npos)
             throw;
         for (const std::string_view meant : property_synonyms(name))
-            if (machine.tree.class_of(instance).property(meant) != nullptr)
+            if (tree.class_of(instance).property(meant) != nullptr)
                 throw Error(error.kind(),
                             std::string(told) + " (did you mean \"" + std::string(meant) + "\"?)");
         throw;
@@ -95,7 +95,7 @@ void set_or_add(Machine& machine, Handle instance, std::string_view name, const 
 }
 
 void add_property(Machine& machine, Handle instance, std::string_view name, const Value& value) {
-    set_or_add(machine, instance, name, value);
+    set_or_add(machine.tree, instance, name, value);
     note_added(machine, instance, name);
     machine.hints.property_added(instance, name);
 }
@@ -104,7 +104,7 @@ void add_property(Machine& machine, Handle instance, std::string_view name, cons
 
 void write_member(lua_State* L, Machine& machine, Handle instance, const Class& of,
                   std::string_view name) {
-    const auto where = [&] { return path_of(machine, instance, name); };
+    const auto where = [&] { return path_of(machine.tree, instance, name); };
     if (of.method(name) || generic_reference(L, machine, name) != LUA_NOREF)
         throw Error(ErrorKind::bad_name, where() + ": is a method and cannot be assigned");
     if (const Handle child = machine.tree.child(instance, name)) {
@@ -123,7 +123,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
             define_formula(L, machine, 3, instance, name);
             return;
         }
-        if (const Handle orphan = orphan_at(L, machine)) {
+        if (const Handle orphan = orphan_at(L, machine.tree)) {
             write_over(machine, instance, *property, orphan);
             return;
         }
@@ -137,7 +137,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
         define_formula(L, machine, 3, instance, name);
         return;
     }
-    if (const Handle orphan = orphan_at(L, machine)) {
+    if (const Handle orphan = orphan_at(L, machine.tree)) {
         place(machine, orphan, instance, name, false);
         return;
     }

@@ -33,18 +33,18 @@ void collect_references(const Value& value, std::vector<Handle>& found) {
     }
 }
 
-void references_below(const Machine& machine, Handle top, std::vector<Handle>& found) {
-    machine.tree.each_below(top, [&](Handle handle) {
-        for (const Property* property : machine.tree.properties(handle))
+void references_below(const property::Tree& tree, Handle top, std::vector<Handle>& found) {
+    tree.each_below(top, [&](Handle handle) {
+        for (const Property* property : tree.properties(handle))
             if (property->type == Type::reference || property->any_type ||
                 (property->type == Type::list &&
                  (property->element == Type::reference || property->element == Type::nil)))
-                collect_references(machine.tree.get(handle, *property), found);
+                collect_references(tree.get(handle, *property), found);
     });
 }
 
-Handle top_of(const Machine& machine, Handle handle) {
-    for (Handle up = machine.tree.parent(handle); up; up = machine.tree.parent(up)) handle = up;
+Handle top_of(const property::Tree& tree, Handle handle) {
+    for (Handle up = tree.parent(handle); up; up = tree.parent(up)) handle = up;
     return handle;
 }
 
@@ -71,10 +71,10 @@ void collect_unplaced(Machine& machine) {
             const Handle top = reachable.back();
             reachable.pop_back();
             std::vector<Handle> references;
-            references_below(machine, top, references);
+            references_below(machine.tree, top, references);
             for (const Handle handle : references) {
                 if (!machine.tree.alive(handle)) continue;
-                const Handle other = top_of(machine, handle);
+                const Handle other = top_of(machine.tree, handle);
                 if (rest.erase(bits_of(other)) > 0) reachable.push_back(other);
             }
         }

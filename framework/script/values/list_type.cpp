@@ -16,14 +16,15 @@ Value list_value(lua_State* L, const ListBox& box) {
     Value value = origin_read(machine_of(L), box.origin);
     if (!value.is(Type::list))
         throw Error(ErrorKind::wrong_type,
-                    origin_path(machine_of(L), box.origin) + ": is a list no longer");
+                    origin_path(machine_of(L).tree, box.origin) + ": is a list no longer");
     return value;
 }
 
 void write_list(lua_State* L, const ListBox& box, const List& list) {
     Machine& machine = machine_of(L);
     if (box.origin.depth == 0)
-        write_property(machine, box.origin.instance, origin_property(machine, box.origin), list);
+        write_property(machine, box.origin.instance, origin_property(machine.tree, box.origin),
+                       list);
     else
         origin_write(machine, box.origin, nullptr, list);
 }
@@ -56,7 +57,7 @@ int list_index(lua_State* L) {
     int whole_number = 0;
     const lua_Integer index = lua_tointegerx(L, 2, &whole_number);
     if (lua_type(L, 2) != LUA_TNUMBER || !whole_number)
-        throw Error(ErrorKind::unknown_name, origin_path(machine_of(L), box.origin) +
+        throw Error(ErrorKind::unknown_name, origin_path(machine_of(L).tree, box.origin) +
                                                  ": a list has elements 1, 2, 3 ..., not " +
                                                  key_in_message(L, 2));
     const Value value = list_value(L, box);
@@ -78,13 +79,13 @@ int list_newindex(lua_State* L) {
     const Value value = list_value(L, box);
     const auto size = static_cast<lua_Integer>(value.list().size());
     if (!whole_number || index < 1 || index > size + 1)
-        throw Error(ErrorKind::out_of_range, origin_path(machine, box.origin) +
+        throw Error(ErrorKind::out_of_range, origin_path(machine.tree, box.origin) +
                                                  ": has elements 1 to " + std::to_string(size) +
                                                  "; " + std::to_string(size + 1) + " appends");
     const bool removes = lua_isnil(L, 3);
     if (removes && index != size)  // only the last one can go without leaving a gap
         throw Error(ErrorKind::out_of_range,
-                    origin_path(machine, box.origin) + "[" + std::to_string(index) +
+                    origin_path(machine.tree, box.origin) + "[" + std::to_string(index) +
                         "]: only the last element can be removed so; use table.remove");
     const auto place = static_cast<std::size_t>(index - 1);
     if (!removes && box.origin.depth < Origin::deepest) {

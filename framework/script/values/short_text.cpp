@@ -68,10 +68,10 @@ std::string function_text(lua_State* L, int index) {
     return "function at " + std::string(info.short_src) + ":" + std::to_string(info.linedefined);
 }
 
-std::string instance_text(Machine& machine, Handle handle) {
+std::string instance_text(const property::Tree& tree, Handle handle) {
     try {
-        machine.tree.require(handle);
-        return machine.tree.path(handle);
+        tree.require(handle);
+        return tree.path(handle);
     } catch (const Error& error) {
         return std::string("(") + error.what() + ")";
     }
@@ -102,7 +102,7 @@ std::string brief(lua_State* L, int index, int depth) {
     Machine& machine = machine_of(L);
     if (const DescriptionKind* kind = description_kind(L, index))
         return description_text(L, index, *kind);
-    if (const auto* box = instance_at(L, index)) return instance_text(machine, box->handle);
+    if (const auto* box = instance_at(L, index)) return instance_text(machine.tree, box->handle);
     if (const Class* of = class_object_at(L, index)) return of->name();
     switch (lua_type(L, index)) {
         case LUA_TNIL:

@@ -190,7 +190,7 @@ void push_value(lua_State* L, const Value& value, const Origin& origin) {
         case Type::list: {
             if (origin.depth >= Origin::deepest)
                 throw Error(ErrorKind::bad_structure,
-                            origin_path(machine_of(L), origin) +
+                            origin_path(machine_of(L).tree, origin) +
                                 ": lists inside lists can be indexed four deep, no deeper");
             auto* box = new_box<ListBox>(L, sizeof(ListBox), machine_of(L).boxes.list);
             box->tag = Tag::list;
@@ -374,13 +374,13 @@ double check_number(lua_State* L, int index, const char* what) {
 
 // --- Origins
 
-const Property& origin_property(Machine& machine, const Origin& origin) {
-    const Class& of = machine.tree.class_of(origin.instance);
+const Property& origin_property(const property::Tree& tree, const Origin& origin) {
+    const Class& of = tree.class_of(origin.instance);
     // In a saved game the instance may be of another class.
     if (origin.property && of.is_a(*origin.property->owner)) return *origin.property;
     const property::Symbol name = origin.property ? origin.property->symbol : origin.symbol;
-    if (const Property* found = machine.tree.find(origin.instance, name)) return *found;
-    throw Error(ErrorKind::unknown_name, machine.tree.path(origin.instance) +
+    if (const Property* found = tree.find(origin.instance, name)) return *found;
+    throw Error(ErrorKind::unknown_name, tree.path(origin.instance) +
                                              property::path_suffix(name.text()) +
                                              ": no such name any more");
 }
@@ -396,9 +396,9 @@ std::vector<property::Segment> segments(const Origin& origin, const char* compon
 
 }  // namespace
 
-std::string origin_path(Machine& machine, const Origin& origin) {
+std::string origin_path(const property::Tree& tree, const Origin& origin) {
     std::string text =
-        machine.tree.path(origin.instance) +
+        tree.path(origin.instance) +
         property::path_suffix(origin.property ? origin.property->name : origin.symbol.text());
     for (std::uint32_t i = 0; i < origin.depth; ++i)
         text += "[" + std::to_string(origin.part[i]) + "]";
@@ -406,20 +406,20 @@ std::string origin_path(Machine& machine, const Origin& origin) {
 }
 
 Value origin_read(Machine& machine, const Origin& origin) {
-    Value whole = machine.tree.get(origin.instance, origin_property(machine, origin));
+    Value whole = machine.tree.get(origin.instance, origin_property(machine.tree, origin));
     if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size() / 8);
     if (origin.depth == 0) return whole;
-    return property::part_of(whole, segments(origin, nullptr), origin_path(machine, origin));
+    return property::part_of(whole, segments(origin, nullptr), origin_path(machine.tree, origin));
 }
 
 void origin_write(Machine& machine, const Origin& origin, const char* component,
                   const Value& value) {
-    const Property& property = origin_property(machine, origin);
+    const Property& property = origin_property(machine.tree, origin);
     const Value whole = machine.tree.get(origin.instance, property);
     if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size());
     write_property(machine, origin.instance, property,
                    property::with_part(whole, segments(origin, component), value,
-                                       origin_path(machine, origin)));
+                                       origin_path(machine.tree, origin)));
 }
 
 }  // namespace fettle::script

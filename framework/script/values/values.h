@@ -157,14 +157,14 @@ property::Value to_value(lua_State* L, int index, Where where) {
 std::string describe_type(lua_State* L, int index);
 
 /// The property an origin names; throws when the instance is deleted or has it no longer.
-const property::Property& origin_property(Machine& machine, const Origin& origin);
+const property::Property& origin_property(const property::Tree& tree, const Origin& origin);
 /// What is there now.
 property::Value origin_read(Machine& machine, const Origin& origin);
 /// Reads the whole property, replaces that part (or its component) and writes it: one change.
 void origin_write(Machine& machine, const Origin& origin, const char* component,
                   const property::Value& value);
 /// "world.ball.vertices[2]"
-std::string origin_path(Machine& machine, const Origin& origin);
+std::string origin_path(const property::Tree& tree, const Origin& origin);
 
 /// The list that a property, or a place in it, has now; and another in its place.
 property::Value list_value(lua_State* L, const ListBox& box);

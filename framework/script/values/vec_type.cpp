@@ -155,10 +155,11 @@ int vec_index(lua_State* L) {
 
 // The common case, a property that is a vec: the other component stays as it is now.
 void write_component(Machine& machine, VecBox& v, char component, double number) {
-    const Property& property = origin_property(machine, v.origin);
+    const Property& property = origin_property(machine.tree, v.origin);
     const Value whole = machine.tree.get(v.origin.instance, property);
     if (!whole.is(Type::vec2))
-        throw Error(ErrorKind::wrong_type, origin_path(machine, v.origin) + ": is a vec no longer");
+        throw Error(ErrorKind::wrong_type,
+                    origin_path(machine.tree, v.origin) + ": is a vec no longer");
     Vec2 next = whole.vec2();
     (component == 'x' ? next.x() : next.y()) = number;
     write_property(machine, v.origin.instance, property, Value(next));
@@ -181,7 +182,8 @@ int vec_newindex(lua_State* L) {
     if (v->has_origin) {
         Machine& machine = machine_of(L);
         if (lua_type(L, 3) != LUA_TNUMBER)
-            refuse_type(L, 3, origin_path(machine, v->origin) + "." + key + ": needs a number");
+            refuse_type(L, 3,
+                        origin_path(machine.tree, v->origin) + "." + key + ": needs a number");
         const double number = lua_tonumber(L, 3);
         if (v->origin.depth == 0) {
             write_component(machine, *v, key[0], number);
