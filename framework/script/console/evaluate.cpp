@@ -42,12 +42,10 @@ bool is_plain_path(std::string_view text, std::string& last) {
     last.clear();
     while (i < text.size()) {
         const char c = text[i];
-        if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') {
+        if (is_word(c) && std::isdigit(static_cast<unsigned char>(c)) == 0) {
             const std::size_t start = i;
-            while (i < text.size() &&
-                   (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_'))
-                ++i;
-            last = std::string(text.substr(start, i - start));
+            while (i < text.size() && is_word(text[i])) ++i;
+            last = text.substr(start, i - start);
         } else if (c == '.') {
             ++i;
         } else if (c == '[') {

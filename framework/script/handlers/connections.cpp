@@ -1,13 +1,10 @@
 #include <algorithm>
 
-#include <fettle/property/spelling.h>
-
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -58,13 +55,7 @@ int connection_active(lua_State* L) {
 }
 
 int connection_index(lua_State* L) {
-    const std::string name = key_in_message(L, 2);
-    luaL_getmetafield(L, 1, "methods");
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
-    const std::vector<std::string> names = {"stop", "active"};
-    throw Error(ErrorKind::unknown_name,
-                "a connection has no " + name + property::suggestion(name, names));
+    return push_method(L, "a connection");
 }
 
 }  // namespace

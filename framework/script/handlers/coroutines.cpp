@@ -12,15 +12,23 @@ namespace fettle::script {
 
 namespace {
 
-// Runs the thread; the status of lua_resume, results or error object on its stack.
-int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
+// What `go` returns, which runs the thread.
+template <class Go>
+int switch_to(lua_State* L, lua_State* thread, Go go) {
     Machine& machine = machine_of(L);
     machine.budget.enter(thread);
     machine.budget.check(L);
-    lua_State* outer = machine.lua.running;
-    machine.lua.running = thread;
-    const int status = lua_resume(thread, L, arguments, &results);
+    lua_State* outer = std::exchange(machine.lua.running, thread);
+    const int status = go();
     machine.lua.running = outer;
+    return status;
+}
+
+// Runs the thread; the status of lua_resume, results or error object on its stack.
+int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
+    Machine& machine = machine_of(L);
+    const int status =
+        switch_to(L, thread, [&] { return lua_resume(thread, L, arguments, &results); });
     if (status > LUA_YIELD && machine.budget.stopping()) {
         // Its hooks may be off for good; nothing of it may run again, not even __close.
         push_registry(L, machine.lua.killed);
@@ -122,12 +130,7 @@ int close(lua_State* L) {
         lua_pushboolean(L, 1);
         return 1;
     }
-    machine.budget.enter(thread);
-    machine.budget.check(L);
-    lua_State* outer = machine.lua.running;
-    machine.lua.running = thread;
-    const int status = lua_resetthread(thread);
-    machine.lua.running = outer;
+    const int status = switch_to(L, thread, [&] { return lua_resetthread(thread); });
     machine.budget.check(L);
     if (status == LUA_OK) {
         lua_pushboolean(L, 1);

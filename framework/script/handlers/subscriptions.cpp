@@ -26,11 +26,6 @@ using property::WatchOptions;
 
 namespace {
 
-void set_text(lua_State* L, const char* field, const std::string& text) {
-    push_text(L, text);
-    lua_setfield(L, -2, field);
-}
-
 std::string path_if_alive(const property::Tree& tree, Handle instance, const Property& property) {
     if (!tree.alive(instance)) return "(deleted)" + property::path_suffix(property.name);
     return tree.path(instance, property);
@@ -41,11 +36,10 @@ void push_change(lua_State* L, const Change& change) {
     lua_createtable(L, 0, 7);
     push_instance(L, change.instance);
     lua_setfield(L, -2, "instance");
-    set_text(L, "property", change.property->name);
-    set_text(L, "path", path_if_alive(machine.tree, change.instance, *change.property));
-    set_text(L, "cause", change.cause.text());
-    lua_pushinteger(L, static_cast<lua_Integer>(change.cause.step));
-    lua_setfield(L, -2, "step");
+    put(L, "property", change.property->name);
+    put(L, "path", path_if_alive(machine.tree, change.instance, *change.property));
+    put(L, "cause", change.cause.text());
+    put(L, "step", static_cast<lua_Integer>(change.cause.step));
     seal_record(L, machine);
 }
 
@@ -76,10 +70,9 @@ void push_existence(lua_State* L, const Existence& existence) {
     lua_createtable(L, 0, 5);
     push_instance(L, existence.instance);
     lua_setfield(L, -2, "instance");
-    set_text(L, "path", existence.path);
-    set_text(L, "cause", existence.cause.text());
-    lua_pushinteger(L, static_cast<lua_Integer>(existence.cause.step));
-    lua_setfield(L, -2, "step");
+    put(L, "path", existence.path);
+    put(L, "cause", existence.cause.text());
+    put(L, "step", static_cast<lua_Integer>(existence.cause.step));
     lua_newtable(L);
     for (const auto& [property, value] : existence.last_values) {
         push_text(L, property->name);

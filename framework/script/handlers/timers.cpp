@@ -213,17 +213,8 @@ bool Timers::fire(const Timer& timer) {
 
 namespace {
 
-double seconds_at(lua_State* L, const char* what) {
-    const double seconds = check_number(L, 1, what);
-    if (!(seconds >= 0) || std::isinf(seconds))
-        throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
-                                                 property::number_text(seconds) +
-                                                 " s; a time is finite and not negative");
-    return seconds;
-}
-
 int timer(lua_State* L, const char* what, bool repeated) {
-    const double seconds = seconds_at(L, what);
+    const double seconds = check_seconds(L, what);
     if (repeated && seconds > 0 && seconds < shortest_interval)
         throw Error(ErrorKind::out_of_range,
                     "every: " + property::number_text(seconds) +
@@ -244,7 +235,7 @@ int every(lua_State* L) {
 }
 
 int wait(lua_State* L) {
-    const double seconds = lua_gettop(L) == 0 ? 0 : seconds_at(L, "wait");
+    const double seconds = lua_gettop(L) == 0 ? 0 : check_seconds(L, "wait");
     if (!lua_isyieldable(L))
         throw Error(ErrorKind::bad_structure,
                     "wait: works inside a coroutine or a function given to after; here, use "

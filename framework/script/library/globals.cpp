@@ -13,6 +13,7 @@
 #include <objects/reflection.h>
 #include <objects/script_classes.h>
 #include <reference/language.h>
+#include <text/words.h>
 #include <values/recording.h>
 #include <values/values.h>
 
@@ -99,12 +100,10 @@ int read_global(lua_State* L) {
         return 1;
     }
     if (name == "it") throw Error(ErrorKind::unknown_name, "it: nothing is selected");
-    const auto& later = later_names();
-    if (std::find(later.begin(), later.end(), name) != later.end())
+    if (among(later_names(), name))
         throw Error(ErrorKind::unknown_name, std::string(name) + " is not available yet");
     // A callback the game does not define is not worth an error: a game may ask for it.
-    const auto& callbacks = callback_names();
-    if (std::find(callbacks.begin(), callbacks.end(), name) != callbacks.end()) {
+    if (among(callback_names(), name)) {
         lua_pushnil(L);
         return 1;
     }
@@ -124,9 +123,8 @@ int write_global(lua_State* L) {
                                     : "assign game." + std::string(name) + " to replace it"));
         // `function keypressed(key)` would never be called.
         if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {
-            const auto& callbacks = callback_names();
-            if (std::find(callbacks.begin(), callbacks.end(), name) == callbacks.end())
-                for (const std::string& callback : callbacks)
+            if (!among(callback_names(), name))
+                for (const std::string& callback : callback_names())
                     if (property::near_miss(name, callback))
                         throw Error(ErrorKind::near_miss,
                                     std::string(name) + ": would never be called (did you mean \"" +

@@ -14,8 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include <fettle/property/spelling.h>
-
 #include <library/pen.h>
 #include <library/sandbox.h>
 #include <lua/guard.h>
@@ -215,17 +213,11 @@ int screen(lua_State* L) {
 }
 
 int pen_index(lua_State* L) {
-    luaL_getmetafield(L, 1, "methods");
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
-    const std::vector<std::string> names = {"circle", "box",  "polygon", "line",
-                                            "point",  "text", "screen"};
-    const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : short_text(L, 2);
     // What other libraries call it is too far away for the letters to tell.
-    const std::string hint = name == "rect" || name == "rectangle"
-                                 ? " (did you mean \"box\"?)"
-                                 : property::suggestion(name, names);
-    throw Error(ErrorKind::unknown_name, "pen has no " + name + hint);
+    const std::string name = key_in_message(L, 2);
+    if (name == "rect" || name == "rectangle")
+        throw Error(ErrorKind::unknown_name, "pen has no " + name + " (did you mean \"box\"?)");
+    return push_method(L, "pen");
 }
 
 }  // namespace

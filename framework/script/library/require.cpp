@@ -1,6 +1,7 @@
 // require("enemies.boss") runs enemies/boss.lua of the game's folder once and returns what it
 // returned. Text only, and never outside the folder.
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fettle/property/spelling.h>
@@ -37,17 +38,10 @@ std::string module_file(const std::string& name) {
 }
 
 std::vector<std::string> modules_of(const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code code;
-    for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end;
-         it.increment(code)) {
-        if (names.size() > 1000 || it.depth() > 4) break;
-        if (it->path().extension() != ".lua") continue;
-        std::string name =
-            it->path().lexically_relative(folder).replace_extension().generic_string();
-        for (char& c : name)
-            if (c == '/') c = '.';
-        names.push_back(std::move(name));
+    std::vector<std::string> names = files_below(folder, ".lua");
+    for (std::string& name : names) {
+        name.resize(name.size() - 4);
+        std::replace(name.begin(), name.end(), '/', '.');
     }
     return names;
 }

@@ -55,18 +55,11 @@ int saves(lua_State* L) {
     lua_Integer place = 0;
     for (const SaveInfo& save : all) {
         lua_createtable(L, 0, 5);
-        push_text(L, save.slot);
-        lua_setfield(L, -2, "slot");
-        lua_pushinteger(L, static_cast<lua_Integer>(save.step));
-        lua_setfield(L, -2, "step");
-        lua_pushinteger(L, save.time);
-        lua_setfield(L, -2, "time");
-        lua_pushboolean(L, save.thumbnail ? 1 : 0);
-        lua_setfield(L, -2, "picture");
-        if (!save.problem.empty()) {
-            push_text(L, save.problem);
-            lua_setfield(L, -2, "problem");
-        }
+        put(L, "slot", save.slot);
+        put(L, "step", static_cast<lua_Integer>(save.step));
+        put(L, "time", static_cast<lua_Integer>(save.time));
+        put(L, "picture", save.thumbnail);
+        if (!save.problem.empty()) put(L, "problem", save.problem);
         lua_rawseti(L, -2, ++place);
     }
     return 1;

@@ -34,18 +34,6 @@ std::string file_name(lua_State* L, int index, const char* what) {
     return name;
 }
 
-std::vector<std::string> scenes_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code code;
-    for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end;
-         it.increment(code)) {
-        if (names.size() > 1000 || it.depth() > 4) break;
-        if (it->path().extension() == ".json")
-            names.push_back(it->path().lexically_relative(folder).generic_string());
-    }
-    return names;
-}
-
 int load(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string file = file_name(L, 1, "scene.load");
@@ -57,8 +45,8 @@ int load(lua_State* L) {
     };
     const bool own = found(machine.sources.folder);
     if (!own && !found(machine.options.assets)) {
-        std::vector<std::string> names = scenes_in(machine.sources.folder);
-        for (std::string& each : scenes_in(machine.options.assets))
+        std::vector<std::string> names = files_below(machine.sources.folder, ".json");
+        for (std::string& each : files_below(machine.options.assets, ".json"))
             names.push_back(std::move(each));
         throw Error(ErrorKind::unknown_name, "scene.load: there is no file \"" + file + "\"" +
                                                  property::suggestion(file, names));

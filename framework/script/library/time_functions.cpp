@@ -127,10 +127,7 @@ int restore(lua_State* L) {
 
 int rewind(lua_State* L) {
     Machine& machine = machine_of(L);
-    const double seconds = check_number(L, 1, "rewind");
-    if (!(seconds >= 0) || std::isinf(seconds))
-        throw Error(ErrorKind::out_of_range, "rewind: " + property::number_text(seconds) +
-                                                 " s; a time is finite and not negative");
+    const double seconds = check_seconds(L, "rewind");
     if (!machine.host.on_rewind)
         throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
     travel(machine, "rewind", [&machine, seconds] {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include <fettle/property/storage/game_files.h>
 
@@ -22,5 +23,9 @@ struct Sources {
     /// A line of a chunk, counted from 1; "" when it is not known.
     std::string line(const std::string& file, int line) const;
 };
+
+/// Files below the folder whose names end so, relative to it, for nearest spellings: not more than
+/// some thousand.
+std::vector<std::string> files_below(const std::filesystem::path& folder, const char* extension);
 
 }  // namespace fettle::script

@@ -27,6 +27,20 @@ inline std::string string_at(lua_State* L, int index) {
     return std::string(view_at(L, index));
 }
 
+// A field of the table on top.
+inline void put(lua_State* L, const char* field, std::string_view text) {
+    push_text(L, text);
+    lua_setfield(L, -2, field);
+}
+inline void put(lua_State* L, const char* field, bool flag) {
+    lua_pushboolean(L, flag ? 1 : 0);
+    lua_setfield(L, -2, field);
+}
+inline void put(lua_State* L, const char* field, lua_Integer number) {
+    lua_pushinteger(L, number);
+    lua_setfield(L, -2, field);
+}
+
 /// Pushes a table that does not keep its keys ("k") or its values ("v") alive.
 inline void push_weak_table(lua_State* L, const char* mode) {
     lua_newtable(L);

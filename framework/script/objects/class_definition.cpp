@@ -1,6 +1,5 @@
 // `Ball = class("Ball", Body) { ... }` defines a class.
 
-#include <algorithm>
 #include <utility>
 
 #include <fettle/property/path.h>
@@ -13,6 +12,7 @@
 #include <objects/class_object.h>
 #include <objects/script_classes.h>
 #include <reference/language.h>
+#include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>
 
@@ -84,7 +84,7 @@ void refuse_slips(const ScriptClasses& classes, const Class& base, const std::st
     if (base.method(name))
         throw Error(ErrorKind::bad_name,
                     class_name + "." + name + ": is a method of " + base.name());
-    if (std::find(generic_names().begin(), generic_names().end(), name) != generic_names().end())
+    if (among(generic_names(), name))
         throw Error(ErrorKind::bad_name, class_name + "." + name + ": every instance has that");
     const auto refuse = [&](const std::string& known) {
         if (property::near_miss(name, known))
@@ -112,7 +112,7 @@ void check_documented(const ScriptClasses::Definition& definition,
     std::vector<std::string> names;
     for (const Property& property : definition.properties) names.push_back(property.name);
     for (const auto& [name, doc] : docs)
-        if (std::find(names.begin(), names.end(), name) == names.end())
+        if (!among(names, name))
             throw Error(ErrorKind::unknown_name,
                         definition.name + ".doc: the class declares no property \"" + name + "\"" +
                             property::suggestion(name, names));

@@ -232,7 +232,7 @@ int class_index(lua_State* L) {
     if (!of || lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name, "a class has functions by name");
     const std::string name = string_at(L, 2);
-    if (machine.classes.push_function(L, *of)) return 1;
+    if (machine.classes.push_function(L, *of, 2)) return 1;
     if (push_class_field(L, machine, *of, name)) return 1;
     if (name == "on") {
         lua_pushcfunction(L, guarded<effect<subscribe_event>>);

@@ -186,10 +186,9 @@ struct Copies {
     std::vector<std::pair<Handle, Handle>> in_order;
     std::unordered_map<std::uint64_t, Handle> of;
 
-    static std::uint64_t key(Handle h) { return std::uint64_t{h.generation} << 32 | h.index; }
     void add(Handle from, Handle to) {
         in_order.emplace_back(from, to);
-        of.emplace(key(from), to);
+        of.emplace(bits_of(from), to);
     }
 };
 
@@ -231,7 +230,7 @@ void copy_below(property::Tree& tree, Handle top, Handle copy, Copies& copies) {
 Value redirected(const property::Tree& tree, const Value& value, const Copies& copies) {
     if (value.is(Type::reference)) {
         if (!tree.alive(value.reference())) return Handle{};
-        const auto copy = copies.of.find(Copies::key(value.reference()));
+        const auto copy = copies.of.find(bits_of(value.reference()));
         return copy == copies.of.end() ? value : Value(copy->second);
     }
     if (value.is(Type::list)) {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cctype>
 
 #include <fettle/property/spelling.h>
@@ -29,8 +28,11 @@ std::string did_you_mean(std::string_view what) {
     return " (did you mean " + std::string(what) + "?)";
 }
 
-bool among(const std::vector<std::string>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+/// The callback or event of the known ones that a function of that name is meant for; "": none.
+std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
+    for (const std::string_view synonym : callback_synonyms(name))
+        if (among(known, synonym)) return std::string(synonym);
+    return property::nearest(name, known);
 }
 
 }  // namespace
@@ -133,10 +135,7 @@ void Hints::look_at_globals() {
         if (among(known, name)) continue;
         push_text(L, name);
         if (lua_rawget(L, -2) == LUA_TFUNCTION && lua_iscfunction(L, -1) == 0) {
-            std::string meant;
-            for (const std::string_view synonym : callback_synonyms(name))
-                if (meant.empty() && among(known, synonym)) meant = synonym;
-            if (meant.empty()) meant = property::nearest(name, known);
+            const std::string meant = meant_by(name, known);
             if (!meant.empty() && !is_called(name))
                 tell(name, definition(L) + "nothing calls " + name + did_you_mean(meant));
         }
@@ -152,13 +151,10 @@ void Hints::look_at_classes() {
         for (const property::Event* event : of->events()) known.push_back(event->name);
         for (const std::string& name : machine_.classes.own_functions(*of)) {
             if (among(known, name)) continue;
-            std::string meant;
-            for (const std::string_view synonym : callback_synonyms(name))
-                if (meant.empty() && among(known, synonym)) meant = synonym;
-            if (meant.empty()) meant = property::nearest(name, known);
+            const std::string meant = meant_by(name, known);
             const bool global = among(callback_names(), name);
             if ((meant.empty() && !global) || is_called(name)) continue;
-            if (!machine_.classes.push_function(L, *of, name.c_str())) continue;
+            if (!machine_.classes.push_function(L, *of, name)) continue;
             const std::string note =
                 definition(L) + "nothing calls " + of->name() + ":" + name +
                 (meant.empty() ? "; only the global function " + name + " is called"

@@ -4,7 +4,6 @@
 // writes most: they are tried first, and everything else goes the slow way, which does the same and
 // more.
 
-#include <algorithm>
 #include <cmath>
 
 #include <fettle/property/path.h>
@@ -20,6 +19,7 @@
 #include <objects/script_classes.h>
 #include <reference/language.h>
 #include <text/synonyms.h>
+#include <text/words.h>
 #include <values/members.h>
 #include <values/recording.h>
 #include <values/short_text.h>
@@ -102,9 +102,9 @@ void require_name(lua_State* L, const property::Tree& tree, Handle instance) {
     std::string hint = property::suggestion(name, names);
     if (hint.empty())
         for (const std::string_view way : property_synonyms(name))
-            if (hint.empty() &&
-                std::find(names.begin(), names.end(), way.substr(0, way.find(' '))) != names.end())
-                hint = " (did you mean \"" + std::string(way.substr(0, way.find(' '))) + "\"?)";
+            if (const auto meant = way.substr(0, way.find(' '));
+                hint.empty() && among(names, meant))
+                hint = " (did you mean \"" + std::string(meant) + "\"?)";
     throw Error(ErrorKind::unknown_name,
                 path_of(machine.tree, instance, name) + ": no such name" + hint);
 }
@@ -173,7 +173,7 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     require_name(L, machine.tree, instance);
     if (const Property* declared = look_up(L, machine, self).property)
         return read_property(L, machine, instance, *declared);
-    if (machine.classes.push_function(L, self.members->of)) return 1;
+    if (machine.classes.push_function(L, self.members->of, 2)) return 1;
     const std::string_view name = view_at(L, 2);
     if (const Handle child = machine.tree.child(instance, name)) {
         push_instance(L, child);

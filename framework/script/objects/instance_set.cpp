@@ -1,7 +1,6 @@
 #include <string>
 
 #include <fettle/property/path.h>
-#include <fettle/property/spelling.h>
 
 #include <lua/budget.h>
 #include <lua/guard.h>
@@ -129,13 +128,7 @@ int set_index(lua_State* L) {
         lua_pushnil(L);  // past the end
         return 1;
     }
-    const std::string name = string_at(L, 2);
-    luaL_getmetafield(L, 1, "methods");
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
-    const std::vector<std::string> names = {"set", "add", "each", "delete"};
-    throw Error(ErrorKind::unknown_name,
-                "a set of instances has no " + name + property::suggestion(name, names));
+    return push_method(L, "a set of instances");
 }
 
 int query(lua_State* L) {

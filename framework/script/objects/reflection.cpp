@@ -32,16 +32,6 @@ const DescriptionKind event_kind{"a description of an event", {"name", "doc", "f
 
 // --- Into the table on top
 
-void put(lua_State* L, const char* field, std::string_view text) {
-    push_text(L, text);
-    lua_setfield(L, -2, field);
-}
-
-void put(lua_State* L, const char* field, bool flag) {
-    lua_pushboolean(L, flag ? 1 : 0);
-    lua_setfield(L, -2, field);
-}
-
 void put_class(lua_State* L, Machine& machine, const char* field, const Class* of) {
     if (of == nullptr) return;
     machine.classes.push(L, *of);

@@ -2,6 +2,7 @@
 // not ready yet.
 
 #include <lua/machine.h>
+#include <lua/stack.h>
 #include <objects/script_classes.h>
 #include <values/values.h>
 

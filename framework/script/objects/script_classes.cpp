@@ -14,6 +14,7 @@
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
 #include <reference/language.h>
+#include <text/words.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -39,40 +40,31 @@ const std::vector<int>& ScriptClasses::chain(const Class& of) {
     return chains_.emplace(&of, std::move(tables)).first->second;
 }
 
-bool ScriptClasses::push_function(lua_State* L, const Class& of) {
+bool ScriptClasses::push_function(lua_State* L, const Class& of, int name) {
     if (!any_functions_) return false;
     for (const int table : chain(of)) {
         push_registry(L, table);
-        lua_pushvalue(L, 2);
-        if (lua_rawget(L, -2) != LUA_TNIL) {
-            lua_remove(L, -2);
-            return true;
-        }
-        lua_pop(L, 2);
+        lua_pushvalue(L, name);
+        const bool found = lua_rawget(L, -2) != LUA_TNIL;
+        lua_remove(L, -2);
+        if (found) return true;
+        lua_pop(L, 1);
     }
     return false;
 }
 
-bool ScriptClasses::push_function(lua_State* L, const Class& of, const char* name) {
-    if (!any_functions_) return false;
-    for (const int table : chain(of)) {
-        push_registry(L, table);
-        lua_pushstring(L, name);
-        if (lua_rawget(L, -2) != LUA_TNIL) {
-            lua_remove(L, -2);
-            return true;
-        }
-        lua_pop(L, 2);
-    }
-    return false;
+bool ScriptClasses::push_function(lua_State* L, const Class& of, std::string_view name) {
+    push_text(L, name);
+    const bool found = push_function(L, of, lua_gettop(L));
+    lua_remove(L, found ? -2 : -1);
+    return found;
 }
 
 const Class* ScriptClasses::definer(const Class& of, std::string_view name) {
     for (const Class* c = &of; c; c = c->base()) {
         const auto found = infos_.find(c);
         if (found == infos_.end()) continue;
-        const auto& names = found->second.function_names;
-        if (std::find(names.begin(), names.end(), name) != names.end()) return c;
+        if (among(found->second.function_names, name)) return c;
     }
     return nullptr;
 }
@@ -90,8 +82,7 @@ void ScriptClasses::add_function_names(const Class& of, std::vector<std::string>
     for (const Class* c = &of; c; c = c->base())
         if (const auto found = infos_.find(c); found != infos_.end())
             for (const std::string& name : found->second.function_names)
-                if (std::find(names.begin(), names.end(), name) == names.end())
-                    names.push_back(name);
+                if (!among(names, name)) names.push_back(name);
 }
 
 void ScriptClasses::set_function(lua_State* L, const Class& of, const std::string& name) {
@@ -100,12 +91,8 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
     };
     if (of.property(name)) refuse("is a property already");
     if (of.method(name)) refuse("is a method already");
-    const auto& generic = generic_names();
-    if (std::find(generic.begin(), generic.end(), name) != generic.end())
-        refuse("every instance has that");
-    const auto& fields = class_fields();
-    if (std::find(fields.begin(), fields.end(), name) != fields.end())
-        refuse("every class has that");
+    if (among(generic_names(), name)) refuse("every instance has that");
+    if (among(class_fields(), name)) refuse("every class has that");
     const bool is_event = of.event(name) != nullptr || name == "deleted";
     if (is_callback(name) && !is_event && !scripted(of))
         refuse("only classes made with class(...) have it; derive one from " + of.name());
@@ -128,9 +115,7 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
     lua_pushvalue(L, -3);
     lua_rawset(L, -3);
     lua_pop(L, 2);
-    if (std::find(own.function_names.begin(), own.function_names.end(), name) ==
-        own.function_names.end())
-        own.function_names.push_back(name);
+    if (!among(own.function_names, name)) own.function_names.push_back(name);
     if (is_event && !is_callback(name)) connect(of, name);
 }
 
@@ -138,14 +123,14 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
 // redefinition takes effect and a derived class's function replaces the base's.
 void ScriptClasses::connect(const Class& of, const std::string& name) {
     Info& own = info(of);
-    if (std::find(own.connected.begin(), own.connected.end(), name) != own.connected.end()) return;
+    if (among(own.connected, name)) return;
     own.connected.push_back(name);
     const Class* here = &of;
     const auto run = [this, here, name](const Class& actual, Handle instance, auto push) {
         if (definer(actual, name) != here) return;
         protected_run(machine_, Context(actual.name() + ":" + name, instance), [&](lua_State* L) {
             push(L);
-            if (!push_function(L, actual, name.c_str())) return;
+            if (!push_function(L, actual, name)) return;
             push_instance(L, instance);
             lua_pushvalue(L, -3);
             lua_call(L, 2, 0);

@@ -24,10 +24,10 @@ class ScriptClasses {
 
     /// Pushes the one object of the class.
     void push(lua_State* L, const property::Class& of);
-    /// Pushes the function a script gave the class (or one of its bases) under the name at stack
-    /// index 2.
-    bool push_function(lua_State* L, const property::Class& of);
-    bool push_function(lua_State* L, const property::Class& of, const char* name);
+    /// Pushes the function a script gave the class (or one of its bases) under a name; the name on
+    /// the stack is given by its index.
+    bool push_function(lua_State* L, const property::Class& of, int name);
+    bool push_function(lua_State* L, const property::Class& of, std::string_view name);
     bool has_function(const property::Class& of, std::string_view name);
     void add_function_names(const property::Class& of, std::vector<std::string>& names);
     /// Of the class itself.

@@ -3,6 +3,7 @@
 #include <handlers/timers.h>
 #include <library/random.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
 #include <runtime/runtime_part.h>

@@ -1,9 +1,11 @@
 #pragma once
 // Letters, words and blanks of a text.
 
+#include <algorithm>
 #include <cctype>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fettle::script {
 
@@ -17,6 +19,11 @@ inline std::string lower(std::string_view text) {
     std::string result(text);
     for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return result;
+}
+
+/// Whether a list of names has that one.
+inline bool among(const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Without the blanks at its beginning and its end.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -11,6 +12,7 @@
 #include <lua/stack.h>
 #include <values/description.h>
 #include <values/members.h>
+#include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -79,8 +81,7 @@ void push_instance(lua_State* L, Handle handle) {
         return;
     }
     Machine& machine = machine_of(L);
-    const auto key = static_cast<lua_Integer>(std::uint64_t{handle.generation} << 32 |
-                                              std::uint64_t{handle.index});
+    const auto key = static_cast<lua_Integer>(bits_of(handle));
     push_registry(L, machine.boxes.proxies);
     if (lua_rawgeti(L, -1, key) == LUA_TUSERDATA) {
         lua_remove(L, -2);
@@ -327,6 +328,18 @@ Value to_value(lua_State* L, int index) {
     return to_value_nested(L, index, 0);
 }
 
+int push_method(lua_State* L, const std::string& noun, std::vector<std::string> fields) {
+    luaL_getmetafield(L, 1, "methods");
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+    lua_pop(L, 1);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) fields.push_back(string_at(L, -2));
+    std::sort(fields.begin(), fields.end());  // Lua has them in no order
+    const std::string name = key_in_message(L, 2);
+    throw Error(ErrorKind::unknown_name,
+                noun + " has no " + name + property::suggestion(name, fields));
+}
+
 void refuse_type(lua_State* L, int index, std::string_view needed) {
     throw Error(ErrorKind::wrong_type, std::string(needed) + ", not " + describe_type(L, index));
 }
@@ -359,6 +372,15 @@ property::Color check_color(lua_State* L, int index, const char* what) {
                         property::suggestion(string_at(L, index), property::color_names()));
     }
     refuse_type(L, index, std::string(what) + ": needs a color");
+}
+
+double check_seconds(lua_State* L, const char* what) {
+    const double seconds = check_number(L, 1, what);
+    if (!(seconds >= 0) || std::isinf(seconds))
+        throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
+                                                 property::number_text(seconds) +
+                                                 " s; a time is finite and not negative");
+    return seconds;
 }
 
 void check_function(lua_State* L, int index, const char* what) {

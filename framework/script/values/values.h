@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <fettle/property/class.h>
 #include <fettle/property/symbol.h>
@@ -123,7 +124,12 @@ property::Color check_color(lua_State* L, int index, const char* what);
 /// The text at `index`; else an error: "on: needs the name of an event, not a number".
 std::string check_text(lua_State* L, int index, std::string_view needed);
 double check_number(lua_State* L, int index, const char* what);
+/// The time that is argument 1: finite and not negative.
+double check_seconds(lua_State* L, const char* what);
 void check_function(lua_State* L, int index, const char* what);
+/// The `__index` of a kind of values whose metatable has `methods`: pushes the one whose name is at
+/// 2. Throws for any other: "a vec has no lenght (did you mean ...)"; `fields`: names besides.
+int push_method(lua_State* L, const std::string& noun, std::vector<std::string> fields = {});
 /// Throws Error(wrong_type): what is needed, "not a number".
 [[noreturn]] void refuse_type(lua_State* L, int index, std::string_view needed);
 

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstring>
 
-#include <fettle/property/spelling.h>
-
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -130,12 +128,6 @@ int vec_angle(lua_State* L) {
     return 1;
 }
 
-const std::vector<std::string>& vec_names() {
-    static const std::vector<std::string> names = {
-        "x", "y", "length", "normalized", "dot", "cross", "rotated", "lerp", "angle"};
-    return names;
-}
-
 int vec_index(lua_State* L) {
     const auto* v = static_cast<const VecBox*>(lua_touserdata(L, 1));
     if (lua_type(L, 2) == LUA_TSTRING) {
@@ -144,11 +136,7 @@ int vec_index(lua_State* L) {
             lua_pushnumber(L, key[0] == 'x' ? v->x : v->y);
             return 1;
         }
-        luaL_getmetafield(L, 1, "methods");
-        lua_pushvalue(L, 2);
-        if (lua_rawget(L, -2) != LUA_TNIL) return 1;
-        throw Error(ErrorKind::unknown_name,
-                    std::string("a vec has no ") + key + property::suggestion(key, vec_names()));
+        return push_method(L, "a vec", {"x", "y"});
     }
     throw Error(ErrorKind::unknown_name, "a vec has x and y, not element " + key_in_message(L, 2));
 }
