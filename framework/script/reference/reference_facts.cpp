@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <reference/reference_facts.h>
+#include <reference/signature.h>
 #include <text/columns.h>
 
 namespace fettle::script {
@@ -114,17 +115,11 @@ std::string property_facts(const property::Tree& tree, const Property& property)
 }
 
 std::string signature(const property::Method& method) {
-    std::string text = method.name + "(";
-    for (std::size_t i = 0; i < method.parameters.size(); ++i) {
-        const bool optional = i >= method.required;
-        if (optional)
-            text += i ? " [, " : "[";
-        else if (i)
-            text += ", ";
-        text += method.parameters[i].name;
-        if (optional) text += "]";
-    }
-    return text + ")";
+    Signature shown{.name = method.name, .parameters = {}, .returns = {}};
+    for (std::size_t i = 0; i < method.parameters.size(); ++i)
+        shown.parameters.push_back(
+            {.name = method.parameters[i].name, .type = {}, .optional = i >= method.required});
+    return plain(shown);
 }
 
 std::string flags_text(const Property& property) {

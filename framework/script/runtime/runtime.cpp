@@ -251,9 +251,12 @@ Handle Runtime::it() const {
 void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
     require_seconds("limit_calls: seconds", seconds);
     if (!go_on) return state_->watchdog.limit(seconds, {});
-    state_->watchdog.limit(seconds, [this, go_on = std::move(go_on)](lua_State* L, double lasted) {
-        return go_on({.where = describe_place(state_->machine, L), .seconds = lasted});
-    });
+    // What runs may outlive this runtime, but not its parts.
+    const auto ask = [&machine = state_->machine, go_on = std::move(go_on)](lua_State* L,
+                                                                            double s) {
+        return go_on({.where = describe_place(machine, L), .seconds = s});
+    };
+    state_->watchdog.limit(seconds, ask);
 }
 
 void Runtime::on_command_memory(std::function<std::size_t()> bytes, std::string property) {

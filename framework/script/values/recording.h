@@ -25,7 +25,15 @@ struct Recording {
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // property read last, for its unit
     std::vector<std::string> lines;                 // printed
-    std::size_t dropped = 0;                        // lines beyond the limit
+    std::size_t dropped = 0;                        // lines and edits beyond the limit
+
+    /// What was noted of a property, to be added to; nullptr beyond the limit.
+    Edit* edit_of(property::Handle of, property::Symbol written);
+    /// Something else that was done, if what happens is noted.
+    void note(property::Handle of, std::string path, std::string text);
+
+  private:
+    Edit* add(property::Handle of);
 };
 
 }  // namespace fettle::script

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 
 #include <fettle/property/formula_problems.h>
@@ -16,26 +15,6 @@ using property::BindingKind;
 
 namespace {
 
-// A command that edits a thousand cells keeps a thousand records, no more.
-constexpr std::size_t most_recorded = 1000;
-
-Recording::Edit* edit_of(Machine& machine, Handle instance, property::Symbol symbol) {
-    auto& edits = machine.recording.edits;
-    const auto same = [&](const Recording::Edit& edit) {
-        return edit.instance == instance && edit.symbol == symbol && edit.note.empty();
-    };
-    const auto found = std::find_if(edits.begin(), edits.end(), same);
-    if (found != edits.end()) return &*found;
-    if (edits.size() >= most_recorded) {
-        ++machine.recording.dropped;
-        return nullptr;
-    }
-    edits.emplace_back();
-    edits.back().instance = instance;
-    edits.back().symbol = symbol;
-    return &edits.back();
-}
-
 // Performs `write` and, during a console command, notes the property's value before and after.
 template <class Write>
 void recorded(Machine& machine, Handle instance, const Property& property, Write write) {
@@ -51,7 +30,7 @@ void recorded(Machine& machine, Handle instance, const Property& property, Write
     const bool replaced = machine.tree.formula(instance, property) != nullptr;
     write();  // may remove the property
     const Property* after = machine.tree.find(instance, symbol);
-    if (Recording::Edit* edit = edit_of(machine, instance, symbol)) {
+    if (Recording::Edit* edit = machine.recording.edit_of(instance, symbol)) {
         if (edit->path.empty()) {
             edit->path = path;
             edit->before = before;
@@ -61,19 +40,6 @@ void recorded(Machine& machine, Handle instance, const Property& property, Write
         edit->after = after ? machine.tree.peek(instance, *after) : Value();
         if (replaced) edit->replaced = true;
     }
-}
-
-void note(Machine& machine, Handle instance, std::string path, std::string text) {
-    if (!machine.recording.active) return;
-    if (machine.recording.edits.size() >= most_recorded) {
-        ++machine.recording.dropped;
-        return;
-    }
-    Recording::Edit edit;
-    edit.instance = instance;
-    edit.path = std::move(path);
-    edit.note = std::move(text);
-    machine.recording.edits.push_back(std::move(edit));
 }
 
 }  // namespace
@@ -95,13 +61,13 @@ void write_formula(Machine& machine, Handle instance, std::string_view name,
     if (!property.unit.empty()) told += " " + property.unit;
     if (!problem.empty()) told = "is " + source + ", in error: " + problem;
     property::formula_problem_told(machine.tree, instance, property);
-    note(machine, instance, machine.tree.path(instance, property), told);
+    machine.recording.note(instance, machine.tree.path(instance, property), told);
 }
 
 void note_added(Machine& machine, Handle instance, std::string_view name) {
     if (!machine.recording.active) return;
     const Property& property = machine.tree.property(instance, name);
-    if (Recording::Edit* edit = edit_of(machine, instance, property.symbol)) {
+    if (Recording::Edit* edit = machine.recording.edit_of(instance, property.symbol)) {
         if (edit->path.empty()) edit->path = machine.tree.path(instance, property);
         edit->after = machine.tree.get(instance, property);
     }
@@ -121,8 +87,8 @@ namespace {
 void note_placed(Machine& machine, Handle instance) {
     if (machine.options.tweaks != nullptr) machine.options.tweaks->placed(instance);
     if (machine.recording.active && machine.tree.is_below(instance, machine.tree.root()))
-        note(machine, instance, machine.tree.path(instance),
-             "new " + machine.tree.class_of(instance).name());
+        machine.recording.note(instance, machine.tree.path(instance),
+                               "new " + machine.tree.class_of(instance).name());
 }
 
 }  // namespace
@@ -137,7 +103,7 @@ void replace(Machine& machine, Handle old, Handle by) {
     const bool placed = machine.tree.is_below(old, machine.tree.root());
     const std::string path = machine.recording.active ? machine.tree.path(old) : "";
     machine.tree.replace(old, by);
-    if (placed) note(machine, old, path, "deleted");
+    if (placed) machine.recording.note(old, path, "deleted");
     note_placed(machine, by);
 }
 
@@ -150,7 +116,7 @@ void destroy(Machine& machine, Handle instance) {
     const bool placed = machine.tree.is_below(instance, machine.tree.root());
     const std::string path = machine.recording.active ? machine.tree.path(instance) : "";
     machine.tree.destroy(instance);
-    if (placed) note(machine, instance, path, "deleted");
+    if (placed) machine.recording.note(instance, path, "deleted");
 }
 
 }  // namespace fettle::script

@@ -1,0 +1,36 @@
+#include <algorithm>
+
+#include <lua/tree_names.h>
+#include <values/recording.h>
+
+namespace fettle::script {
+
+Recording::Edit* Recording::add(Handle of) {
+    constexpr std::size_t most = 1000;  // of a command that edits many more cells
+    if (edits.size() >= most) {
+        ++dropped;
+        return nullptr;
+    }
+    edits.emplace_back().instance = of;
+    return &edits.back();
+}
+
+Recording::Edit* Recording::edit_of(Handle of, property::Symbol written) {
+    const auto found = std::find_if(edits.begin(), edits.end(), [&](const Edit& edit) {
+        return edit.instance == of && edit.symbol == written && edit.note.empty();
+    });
+    if (found != edits.end()) return &*found;
+    Edit* const added = add(of);
+    if (added != nullptr) added->symbol = written;
+    return added;
+}
+
+void Recording::note(Handle of, std::string path, std::string text) {
+    if (!active) return;
+    if (Edit* const added = add(of)) {
+        added->path = std::move(path);
+        added->note = std::move(text);
+    }
+}
+
+}  // namespace fettle::script
