@@ -281,24 +281,8 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
     const size_t n = w.joints.size();
     findings.require(w.joint_generations.size() == n, "joints");
     if (findings.result()) return;
-    std::vector<size_t> sizes;
-    std::apply(
-        [&](const auto&... lists) {
-            (sizes.push_back(lists.size()), ...);
-            const auto places = [&](const auto& list) {
-                for (const auto& data : list)
-                    findings.require(data.joint < n, "the joints of a type");
-            };
-            (places(lists), ...);
-        },
-        w.joint_lists);
-    for (const RatchetData& ratchet : std::get<std::vector<RatchetData>>(w.joint_lists))
-        findings.require(are_bools(ratchet.backwards, ratchet.impulses.engaged), "a ratchet");
-    for (size_t i = 0; i < n; ++i) {
-        const JointRecord& joint = w.joints[i];
-        const auto type = size_t(joint.type);
-        const bool used = w.joint_generations[i] != 0;
-        findings.require(type < sizes.size() && (!used || joint.place < sizes[type]) &&
+    for (const JointRecord& joint : w.joints) {
+        findings.require(size_t(joint.type) < joint_type_count &&
                              joint.bodies[0] < w.bodies.size() &&
                              joint.bodies[1] < w.bodies.size() &&
                              are_bools(joint.enabled, joint.collide, joint.broken) &&
@@ -319,7 +303,7 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
                              joint.awake_index < w.awake_joints[size_t(joint.type)].size(),
                          "the awake joints");
     findings.require(
-        list_ends(w.joint_slots.free, n, [&](uint32_t i) { return w.joints[i].next_free; }),
+        list_ends(w.joint_slots.free, n, [&](uint32_t i) { return w.joints[i].edges[0].next; }),
         "free joints");
 }
 

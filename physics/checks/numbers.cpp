@@ -1,5 +1,6 @@
 #include <checks/arguments.h>
 #include <checks/saved_world.h>
+#include <state/joint_kind.h>
 #include <state/limits.h>
 
 #include <cmath>
@@ -144,123 +145,19 @@ void check(const ContactRecord& contact, size_t slot) {
 
 // --- Joints: as their setters do
 
-void check(const JointRecord& joint) {
+void check(const JointRecord& joint, size_t slot) {
     check_coordinates("anchor_a", to_vec2(joint.anchors[0]));
     check_coordinates("anchor_b", to_vec2(joint.anchors[1]));
     check_finite("force", to_vec2(joint.force));
     check_finite("torque", joint.torque);
     check_strength("break_force", joint.break_force);
     check_strength("break_torque", joint.break_torque);
-}
-
-void check(const RailSettings& rail) {
-    check_direction("axis", to_vec2(rail.axis));
-    check_limit("lower_translation", rail.lower);
-    check_limit("upper_translation", rail.upper);
-    check_finite("motor_speed", rail.motor_speed);
-    check_strength("max_motor_force", rail.max_motor_force);
-    check_not_negative("hertz", rail.hertz);
-    check_not_negative("damping_ratio", rail.damping_ratio);
-    check_finite("target_translation", rail.target);
-}
-
-void check(const MouseData& d) {
-    check_not_negative("hertz", d.hertz);
-    check_not_negative("damping_ratio", d.damping_ratio);
-    check_strength("max_force", d.max_force);
-}
-void check(const DistanceData& d) {
-    check_not_negative("length", d.length);
-    check_not_negative("min_length", d.min_length);
-    check_strength("max_length", d.max_length);
-    check_strength("hertz", d.hertz);
-    check_not_negative("damping_ratio", d.damping_ratio);
-}
-void check(const RevoluteData& d) {
-    check_finite("reference_angle", d.reference_angle);
-    check_limit("lower_angle", d.lower_angle);
-    check_limit("upper_angle", d.upper_angle);
-    check_finite("motor_speed", d.motor_speed);
-    check_strength("max_motor_torque", d.max_motor_torque);
-    check_not_negative("hertz", d.hertz);
-    check_not_negative("damping_ratio", d.damping_ratio);
-    check_finite("target_angle", d.target_angle);
-}
-void check(const PrismaticData& d) {
-    check(d.rail);
-    check_finite("reference_angle", d.reference_angle);
-}
-void check(const WheelData& d) {
-    check(d.rail);
-    check_finite("motor_speed", d.motor_speed);
-    check_strength("max_motor_torque", d.max_motor_torque);
-}
-void check(const WeldData& d) {
-    check_finite("reference_angle", d.reference_angle);
-    check_strength("hertz", d.hertz);
-    check_not_negative("damping_ratio", d.damping_ratio);
-    check_strength("angular_hertz", d.angular_hertz);
-    check_not_negative("angular_damping_ratio", d.angular_damping_ratio);
-}
-void check(const MotorData& d) {
-    check_finite("linear_velocity", to_vec2(d.linear_velocity));
-    check_finite("angular_velocity", d.angular_velocity);
-    check_strength("max_force", d.max_force);
-    check_strength("max_torque", d.max_torque);
-    check_coordinates("linear_offset", to_vec2(d.linear_offset));
-    check_finite("angular_offset", d.angular_offset);
-    check_not_negative("hertz", d.hertz);
-    check_not_negative("damping_ratio", d.damping_ratio);
-}
-void check(const PulleyData& d) {
-    check_coordinates("ground_a", to_vec2(d.ground_a));
-    check_coordinates("ground_b", to_vec2(d.ground_b));
-    check_range("ratio", d.ratio, 1e-3f, 1e3f);
-    check_not_negative("length", d.length);
-}
-void check(const GearData& d) {
-    check_finite("ratio", d.ratio);
-    check_finite("phase", d.phase);
-}
-void check(const GrooveData& d) {
-    check_coordinates("end", to_vec2(d.end));
-}
-void check(const PinSlotData& d) {
-    check(d.rail);
-}
-void check(const RatchetData& d) {
-    check_not_negative("tooth", d.tooth);
-    check_finite("reference_angle", d.reference_angle);
-    check_finite("caught_angle", d.impulses.caught);
-}
-
-/// What an impulse of warm starting holds is numbers, and nothing else that counts.
-template <class Data>
-void check_impulses(const Data& data, size_t slot) {
-    if constexpr (std::is_same_v<Data, RatchetData>) {
-        require(are_finite(data.impulses.pawl), "the impulses of joint", slot);
-    } else {
-        float numbers[sizeof data.impulses / sizeof(float)];
-        static_assert(sizeof numbers == sizeof data.impulses);
-        std::memcpy(numbers, static_cast<const void*>(&data.impulses), sizeof numbers);
-        for (const float number : numbers)
-            require(are_finite(number), "the impulses of joint", slot);
-    }
+    joint_kind(joint.type).check(joint);
+    for (const float impulse : joint.impulses.as<std::array<float, 6>>())
+        require(are_finite(impulse), "the impulses of joint", slot);
 }
 
 // --- All of it
-
-void check_numbers_of_joints(const WorldState& w) {
-    for (size_t i = 0; i < w.joints.size(); ++i)
-        if (w.joint_generations[i] != 0) check(w.joints[i]);
-    const auto check_list = [](const auto& list) {
-        for (const auto& data : list) {
-            check(data);
-            check_impulses(data, data.joint);
-        }
-    };
-    std::apply([&](const auto&... lists) { (check_list(lists), ...); }, w.joint_lists);
-}
 
 void check_all(const WorldState& w) {
     check(w.settings);
@@ -272,7 +169,8 @@ void check_all(const WorldState& w) {
         if (w.shape_generations[i] != 0) check_shape(w, i);
     for (size_t i = 0; i < w.contacts.size(); ++i)
         if (w.contacts[i].shape_a != none) check(w.contacts[i], i);
-    check_numbers_of_joints(w);
+    for (size_t i = 0; i < w.joints.size(); ++i)
+        if (w.joint_generations[i] != 0) check(w.joints[i], i);
     for (const FieldRecord& field : w.fields) check(field.def);
     const StepStatistics& s = w.statistics;
     require(are_finite(w.last_substep, s.edits_ms, s.pairs_ms, s.narrow_ms, s.solve_ms, s.finish_ms,

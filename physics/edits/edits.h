@@ -81,22 +81,13 @@ void share_surface(ObjectState& objects, uint32_t shape);
 
 // joints.cpp
 
-uint32_t add_joint(const Editing& editing, const JointRecord& record, JointType type,
-                   uint32_t place);
-template <class Data>
-uint32_t create_joint(const Editing& editing, const JointRecord& record, const Data& data) {
-    auto& list = std::get<std::vector<Data>>(editing.objects.joint_lists);
-    list.push_back(data);
-    const uint32_t slot = add_joint(editing, record, joint_type<Data>, uint32_t(list.size() - 1));
-    list.back().joint = slot;
-    return slot;
-}
+uint32_t create_joint(const Editing& editing, const JointRecord& record);
 void destroy_joint(const Editing& editing, uint32_t joint);
 void set_joint_body(const Editing& editing, uint32_t joint, uint32_t side, uint32_t body);
 void set_joint_enabled(const Editing& editing, uint32_t joint, bool enabled);
 void set_joint_collide(const Editing& editing, uint32_t joint, bool collide);
 void set_joint_broken(const Editing& editing, uint32_t joint, bool broken);
-/// Breaks the joints that bore more than they can, as the mean over the step.
-void break_joints(const Editing& editing, const JointScratch& scratch, const JointStep& step);
+/// Breaks the joints that bore more than they can, as the mean over a step: impulses times `rate`.
+void break_joints(const Editing& editing, const JointScratch& scratch, float rate);
 
 }  // namespace fettle::physics::detail

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-// A joint has a slot for what all joints have, linked into the lists of both bodies, and an entry
-// in the list of its type for the rest. Joints that act on an awake body are also listed by type.
+// A joint has a slot, which is linked into the lists of both bodies. Joints that act on an awake
+// body are also listed by type.
 
 namespace fettle::physics::detail {
 namespace {
@@ -50,18 +50,16 @@ void update_joint(const Editing& e, uint32_t joint) {
 
 }  // namespace
 
-uint32_t add_joint(const Editing& e, const JointRecord& record, JointType type, uint32_t place) {
+uint32_t create_joint(const Editing& e, const JointRecord& record) {
     uint32_t slot = e.objects.joint_slots.free;
     if (slot != none) {
-        e.objects.joint_slots.free = e.objects.joints[slot].next_free;
+        e.objects.joint_slots.free = e.objects.joints[slot].edges[0].next;
     } else {
         slot = uint32_t(e.objects.joints.size());
         e.objects.joints.emplace_back();
         e.columns.joint_generations.push_back(0);
     }
     e.objects.joints[slot] = record;
-    e.objects.joints[slot].type = type;
-    e.objects.joints[slot].place = place;
     e.columns.joint_generations[slot] = e.generations.take();
     ++e.objects.joint_slots.count;
     link_joint(e.objects, slot, 0);
@@ -77,15 +75,8 @@ void destroy_joint(const Editing& e, uint32_t joint) {
     refilter_joint(e, joint);
     unlink_joint(e.objects, joint, 0);
     unlink_joint(e.objects, joint, 1);
-    const uint32_t place = e.objects.joints[joint].place;
-    auto erase = [&](auto& list) {
-        list[place] = list.back();
-        e.objects.joints[list[place].joint].place = place;
-        list.pop_back();
-    };
-    with_list(e.objects.joint_lists, e.objects.joints[joint].type, erase);
     e.objects.joints[joint] = {};
-    e.objects.joints[joint].next_free = e.objects.joint_slots.free;
+    e.objects.joints[joint].edges[0].next = e.objects.joint_slots.free;
     e.objects.joint_slots.free = joint;
     e.columns.joint_generations[joint] = 0;
     --e.objects.joint_slots.count;
@@ -113,8 +104,7 @@ void set_joint_broken(const Editing& e, uint32_t joint, bool broken) {
     update_joint(e, joint);
 }
 
-void break_joints(const Editing& e, const JointScratch& scratch, const JointStep& step) {
-    const float rate = step.inverse_h / float(e.settings.substeps);
+void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
     for (const Strain& strain : scratch.strains) {
         const JointRecord& joint = e.objects.joints[strain.joint];
         const V2 force = rate * strain.force;

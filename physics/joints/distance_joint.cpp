@@ -1,5 +1,9 @@
-#include <joints/distance_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
+// A rod (the stiffness is infinite), a spring, or a rope between two points.
+//
 // With d = p_b - p_a between the anchors and n = d/|d|, all rows have the same Jacobian:
 //
 //     C = |d| - length,   Ċ = n·(v_b + ω_b×r_b - v_a - ω_a×r_a),
@@ -9,93 +13,135 @@
 // an impulse that only pushes its way. The axis is found anew in each pass: a pendulum follows its
 // circle.
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void DistanceConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
-                                 const SolverBody& a, const SolverBody& b) {
-    upper = data.max_length;
-    lower = min(data.min_length, upper);  // where they cross, the upper one counts
-    rigid = data.hertz == infinity;
-    springy = !rigid && data.hertz > 0.0f;
-    length = rigid ? clamp(data.length, lower, upper) : data.length;
-    limited = !rigid && (lower > 0.0f || upper < infinity);
-    if (springy) spring = Spring::make(data.hertz, data.damping_ratio, step.h);
-    // What no longer acts starts at nothing when it acts again.
-    if (!rigid && !springy) impulses.along = 0.0f;
-    if (!limited) impulses.lower = impulses.upper = 0.0f;
-    follow(a, b);
-}
+struct DistanceSettings {
+    static constexpr JointType type = JointType::distance;
+    float length = 1.0f;
+    Limits limits = {0.0f, infinity};
+    Stiffness stiffness = {infinity, 0.0f};
 
-/// Turns the levers and the axis with the bodies; the distance.
-float DistanceConstraint::follow(const SolverBody& a, const SolverBody& b) {
-    ends.follow(a, b);
-    const V2 d = ends.gap(a, b);
-    const float distance = physics::detail::length(d);
-    // Points that coincide keep the axis they had, or take any.
-    if (distance > 1e-9f) axis = (1.0f / distance) * d;
-    if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
-    lever_a = cross(ends.lever_a, axis);
-    lever_b = cross(ends.lever_b, axis);
-    mass = inverse_or_zero(ends.inverse_along(axis) + a.inverse_inertia * lever_a * lever_a +
-                           b.inverse_inertia * lever_b * lever_b);
-    return distance;
-}
-
-float DistanceConstraint::velocity(const SolverBody& a, const SolverBody& b) const {
-    return dot(axis, b.velocity - a.velocity) +
-           (lever_b * b.angular_velocity - lever_a * a.angular_velocity);
-}
-
-void DistanceConstraint::push_along(SolverBody& a, SolverBody& b, float p) const {
-    a.velocity = a.velocity - p * scaled(ends.inverse_a, axis);
-    a.angular_velocity -= a.inverse_inertia * lever_a * p;
-    b.velocity = b.velocity + p * scaled(ends.inverse_b, axis);
-    b.angular_velocity += b.inverse_inertia * lever_b * p;
-}
-
-void DistanceConstraint::warm_start(SolverBody& a, SolverBody& b) const {
-    push_along(a, b, impulses.along + impulses.lower - impulses.upper);
-}
-
-void DistanceConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-    const float distance = follow(a, b);
-    const float error = distance - length;
-    float change = 0.0f;
-    if (springy) {
-        change = spring.impulse(mass, velocity(a, b), error, impulses.along);
-    } else if (rigid) {
-        const Softness& soft = step.rigid;
-        change = -mass * soft.mass_scale * (velocity(a, b) + soft.bias_rate * error) -
-                 soft.impulse_scale * impulses.along;
+    void check() const {
+        check_not_negative("length", length);
+        check_not_negative("min_length", limits.lower);
+        check_strength("max_length", limits.upper);
+        check_stiffness("hertz", stiffness.hertz);
+        check_not_negative("damping_ratio", stiffness.damping_ratio);
     }
-    impulses.along += change;
-    push_along(a, b, change);
-    if (limited) solve_limits<true>(a, b, distance, step);
+};
+
+struct DistanceConstraint {
+    using Settings = DistanceSettings;
+    struct Impulses {
+        float along = 0.0f;  ///< of the rod or the spring; positive pushes apart
+        LimitImpulses limits;
+        void scale(float s) { along *= s, limits.scale(s); }
+        float sum() const { return along + limits.lower - limits.upper; }
+    };
+
+    JointEnds ends;
+    Impulses impulses;
+    bool rigid = true, springy = false, limited = false;
+    float length = 0.0f;
+    Limits limits;
+    Spring spring;
+    Line line;  ///< from a to b
+
+    void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b) {
+        limits = settings.limits.in_order();
+        rigid = settings.stiffness.is_rigid();
+        springy = settings.stiffness.is_spring();
+        length = rigid ? clamp(settings.length, limits.lower, limits.upper) : settings.length;
+        if (springy) spring = settings.stiffness.spring(step.h);
+        if (rigid || !(limits.lower > 0.0f)) limits.lower = -infinity;
+        if (rigid) limits.upper = infinity;
+        limited = limits.any();
+        // What no longer acts starts at nothing when it acts again.
+        if (!rigid && !springy) impulses.along = 0.0f;
+        if (!limited) impulses.limits = {};
+        follow(a, b);
+    }
+
+    /// Turns the levers and the axis with the bodies; the distance.
+    float follow(const SolverBody& a, const SolverBody& b) {
+        ends.follow(a, b);
+        const V2 d = ends.gap(a, b);
+        const float distance = detail::length(d);
+        V2 axis = line.direction;
+        // Points that coincide keep the axis they had, or take any.
+        if (distance > 1e-9f) axis = (1.0f / distance) * d;
+        if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
+        line.aim(ends, axis, ends.lever_a, a, b);
+        return distance;
+    }
+
+    void warm_start(SolverBody& a, SolverBody& b) const { line.push(ends, a, b, impulses.sum()); }
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
+        const float distance = follow(a, b), error = distance - length;
+        if (springy) {
+            const float change =
+                spring.impulse(line.mass, line.velocity(a, b), error, impulses.along);
+            impulses.along += change;
+            line.push(ends, a, b, change);
+        } else if (rigid) {
+            hold<true>(a, b, error, step);
+        }
+        limit<true>(a, b, distance, step);
+    }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
+        if (!rigid && !limited) return;
+        const float distance = follow(a, b);
+        if (rigid) hold<false>(a, b, distance - length, step);
+        limit<false>(a, b, distance, step);
+    }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        const float distance = follow(a, b), error = distance - length;
+        const Jacobian along = line.jacobian(ends);
+        if (springy)
+            rows.spring(along, spring, line.mass, error, impulses.along);
+        else if (rigid)
+            rows.hold(along, error, impulses.along);
+        write_limits(limits, impulses.limits, distance, along, rows);
+    }
+    V2 push() const { return impulses.sum() * line.direction; }
+    float twist() const { return 0.0f; }
+
+  private:
+    template <bool biased>
+    void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
+        line.push(ends, a, b,
+                  push_rigid<biased>(impulses.along, line.mass, line.velocity(a, b), error, step));
+    }
+    template <bool biased>
+    void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
+        solve_limits<biased>(
+            limits, impulses.limits, line.mass, distance, step, [&] { return line.velocity(a, b); },
+            [&](float p) { line.push(ends, a, b, p); });
+    }
+};
+
+constinit const JointKind distance_joint = JointFunctions<DistanceConstraint>::kind("distance");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_NUMBER(Distance, length, length)
+FETTLE_JOINT_NUMBER(Distance, min_length, limits.lower)
+FETTLE_JOINT_NUMBER(Distance, max_length, limits.upper)
+FETTLE_JOINT_NUMBER(Distance, hertz, stiffness.hertz)
+FETTLE_JOINT_NUMBER(Distance, damping_ratio, stiffness.damping_ratio)
+
+float DistanceJoint::distance() const {
+    return gap_between(*this).norm();
 }
 
-void DistanceConstraint::relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-    if (!rigid && !limited) return;
-    const float distance = follow(a, b);
-    if (rigid) {
-        const float change = -mass * velocity(a, b);
-        impulses.along += change;
-        push_along(a, b, change);
-    }
-    if (limited) solve_limits<false>(a, b, distance, step);
+DistanceJoint World::create_distance_joint(const JointDef& def) {
+    auto joint = make_joint<DistanceJoint>(*this, populate(__func__), def, DistanceSettings());
+    joint.set_length(joint.distance());
+    return joint;
 }
 
-template <bool biased>
-void DistanceConstraint::solve_limits(SolverBody& a, SolverBody& b, float distance,
-                                      const JointStep& step) {
-    if (lower > 0.0f) {
-        push_along(
-            a, b, push_limit<biased>(impulses.lower, mass, velocity(a, b), distance - lower, step));
-    }
-    if (upper < infinity) {
-        push_along(
-            a, b,
-            -push_limit<biased>(impulses.upper, mass, -velocity(a, b), upper - distance, step));
-    }
-}
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

@@ -1,5 +1,9 @@
-#include <joints/gear_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
+// Turns b with a, by a ratio.
+//
 //     C = θ_b - ratio·θ_a - phase,   Ċ = ω_b - ratio·ω_a,   K = I_b⁻¹ + ratio²·I_a⁻¹
 //
 // The ratio of two wheels that mesh is -r_a/r_b; of two that a belt joins, r_a/r_b. An impulse
@@ -7,33 +11,79 @@
 // a gear box. Angles count from the world and over any number of turns: from the states, not from
 // their small difference.
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void GearConstraint::prepare(const Data& data, const JointFrame& frame, const JointStep&,
-                             const SolverBody& a, const SolverBody& b) {
-    ratio = data.ratio;
-    mass = inverse_or_zero(b.inverse_inertia + ratio * ratio * a.inverse_inertia);
-    start = float(frame.angle_b - double(ratio) * frame.angle_a - double(data.phase));
+struct GearSettings {
+    static constexpr JointType type = JointType::gear;
+    float ratio = 1.0f, phase = 0.0f;
+
+    void check() const {
+        check_finite("ratio", ratio);
+        check_finite("phase", phase);
+    }
+};
+
+struct GearConstraint {
+    using Settings = GearSettings;
+    struct Impulses {
+        float angle = 0.0f;
+        void scale(float s) { angle *= s; }
+    };
+
+    JointEnds ends;
+    Impulses impulses;
+    float ratio = 1.0f, mass = 0.0f;
+    float start = 0.0f;  ///< C when the step began
+
+    void prepare(const Settings& settings, const JointFrame& frame, const JointStep&,
+                 const SolverBody& a, const SolverBody& b) {
+        ratio = settings.ratio;
+        mass = inverse_or_zero(b.inverse_inertia + ratio * ratio * a.inverse_inertia);
+        start = float(frame.angle_b - double(ratio) * frame.angle_a - double(settings.phase));
+    }
+    void warm_start(SolverBody& a, SolverBody& b) const { mesh(a, b, impulses.angle); }
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { hold<true>(a, b, step); }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { hold<false>(a, b, step); }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        rows.hold(Jacobian::turning(ends, ratio), error(a, b), impulses.angle);
+    }
+    V2 push() const { return {}; }
+    float twist() const { return impulses.angle; }
+
+  private:
+    float error(const SolverBody& a, const SolverBody& b) const {
+        return start + (b.turn - ratio * a.turn);
+    }
+    void mesh(SolverBody& a, SolverBody& b, float p) const {
+        a.angular_velocity -= a.inverse_inertia * ratio * p;
+        b.angular_velocity += b.inverse_inertia * p;
+    }
+    template <bool biased>
+    void hold(SolverBody& a, SolverBody& b, const JointStep& step) {
+        const float velocity = b.angular_velocity - ratio * a.angular_velocity;
+        mesh(a, b, push_rigid<biased>(impulses.angle, mass, velocity, error(a, b), step));
+    }
+};
+
+constinit const JointKind gear_joint = JointFunctions<GearConstraint>::kind("gear");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_NUMBER(Gear, ratio, ratio)
+FETTLE_JOINT_NUMBER(Gear, phase, phase)
+
+float GearJoint::phase_now() const {
+    const Body a = body_a(), b = body_b();
+    return (b ? b.angle() : 0.0f) - ratio() * (a ? a.angle() : 0.0f);
 }
 
-void GearConstraint::mesh(SolverBody& a, SolverBody& b, float p) const {
-    a.angular_velocity -= a.inverse_inertia * ratio * p;
-    b.angular_velocity += b.inverse_inertia * p;
+GearJoint World::create_gear_joint(const JointDef& def) {
+    auto joint = make_joint<GearJoint>(*this, populate(__func__), def, GearSettings());
+    joint.set_phase(joint.phase_now());
+    return joint;
 }
 
-template <bool biased>
-void GearConstraint::hold(SolverBody& a, SolverBody& b, const JointStep& step) {
-    const float error = start + (b.turn - ratio * a.turn);
-    const float velocity = b.angular_velocity - ratio * a.angular_velocity;
-    mesh(a, b, push_rigid<biased>(impulses.angle, mass, velocity, error, step));
-}
-
-void GearConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-    hold<true>(a, b, step);
-}
-
-void GearConstraint::relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-    hold<false>(a, b, step);
-}
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

@@ -1,77 +1,134 @@
 #pragma once
 
-#include <fettle/physics/types.h>
-#include <joints/distance_joint.h>
-#include <joints/gear_joint.h>
-#include <joints/motor_joint.h>
-#include <joints/mouse_joint.h>
-#include <joints/pin_slot_joint.h>
-#include <joints/prismatic_joint.h>
-#include <joints/pulley_joint.h>
-#include <joints/ratchet_joint.h>
-#include <joints/revolute_joint.h>
-#include <joints/weld_joint.h>
-#include <joints/wheel_joint.h>
-#include <partition/strips.h>
+#include <solver/joint_passes.h>
 
-#include <array>
-#include <tuple>
-#include <utility>
-#include <vector>
+#include <cmath>
+#include <memory>
+#include <type_traits>
+
+// All types of joints. A type is one file: what it is set to (`Settings`), how it is solved
+// (`Constraint`), and its handle, which is declared in the public headers.
 
 namespace fettle::physics::detail {
 
-/// All types of joints, in the order of `JointType`.
-template <template <class...> class List>
-using OfAllJoints =
-    List<MouseConstraint, DistanceConstraint, RevoluteConstraint, PrismaticConstraint,
-         WheelConstraint, WeldConstraint, MotorConstraint, PulleyConstraint, GearConstraint,
-         GrooveConstraint, PinSlotConstraint, RatchetConstraint>;
-inline constexpr const char* joint_type_names[] = {"mouse", "distance", "revolute", "prismatic",
-                                                   "wheel", "weld",     "motor",    "pulley",
-                                                   "gear",  "groove",   "pin-slot", "ratchet"};
-inline constexpr size_t joint_type_count = std::size(joint_type_names);
+/// In the order of `JointType`.
+#define FETTLE_JOINT_TYPES(type)                                                                 \
+    type(mouse) type(distance) type(revolute) type(prismatic) type(wheel) type(weld) type(motor) \
+        type(pulley) type(gear) type(groove) type(pin_slot) type(ratchet)
 
-template <class... Constraint>
-using DataLists = std::tuple<std::vector<typename Constraint::Data>...>;
-template <class... Constraint>
-using ConstraintLists = std::tuple<std::vector<Constraint>...>;
+#define FETTLE_DECLARE_JOINT(type) extern const JointKind type##_joint;
+FETTLE_JOINT_TYPES(FETTLE_DECLARE_JOINT)
+#undef FETTLE_DECLARE_JOINT
 
-using JointLists = OfAllJoints<DataLists>;              ///< what joints are set to
-using JointConstraints = OfAllJoints<ConstraintLists>;  ///< what they are in a step
-static_assert(std::tuple_size_v<JointLists> == joint_type_count);
+/// The functions of a type of joint.
+template <class Constraint>
+class JointFunctions {
+    using Settings = typename Constraint::Settings;
+    using Impulses = decltype(Constraint::impulses);
+    static_assert(std::is_trivially_copyable_v<Settings> && std::is_trivially_copyable_v<Impulses>);
 
-/// The type of joint that is set to `Data`.
-template <class Data>
-inline constexpr JointType joint_type = [] {
-    size_t type = 0;
-    [&]<class... List>(std::tuple<List...>*) {
-        (void)((std::is_same_v<typename List::value_type, Data> || (++type, false)) || ...);
-    }(static_cast<JointLists*>(nullptr));
-    return JointType(type);
-}();
-
-/// Calls `visit` with the list of that type.
-template <class Lists, class Visit>
-void with_list(Lists& lists, JointType type, Visit&& visit) {
-    [&]<size_t... I>(std::index_sequence<I...>) {
-        ((size_t(type) == I ? visit(std::get<I>(lists)) : void()), ...);
+  public:
+    static constexpr JointKind kind(const char* name) {
+        return {name, sizeof(Constraint), check, prepare, warm_start, solve, relax,
+                load, write_rows,         store};
     }
-    (std::make_index_sequence<joint_type_count>());
-}
 
-/// The joints of a type that act in a step, in the order of the nodes they belong to.
-struct JointPlan {
-    std::vector<uint32_t> joints;  ///< slots
-    NodeRanges nodes;
-};
+  private:
+    static void check(const JointRecord& joint) { joint.settings.as<Settings>().check(); }
 
-struct JointPlans {
-    std::array<JointPlan, joint_type_count> of_type;
+    static bool prepare(const JointSource& source, JointArray& array, const JointStep& step,
+                        JointRange range) {
+        bool heavy = false;
+        for (size_t i = range.begin; i < range.end; ++i) {
+            const JointRecord& joint = source.objects.joints[array.joints[i]];
+            Constraint& c = *std::construct_at(array.as<Constraint>() + i);
+            c.ends = source.ends_of(joint);
+            c.impulses = joint.impulses.as<Impulses>();
+            c.impulses.scale(step.impulse_ratio);
+            const SolverBody &a = source.bodies.solver_bodies[c.ends.a],
+                             &b = source.bodies.solver_bodies[c.ends.b];
+            c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
+            heavy |= bears_heavy_load(a, b);
+        }
+        return heavy;
+    }
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        for (auto& plan : self.of_type) io(plan.joints);
+    /// A joint gives by load / (m·ω²), and m is that of its light body: hung from light links, a
+    /// heavy body would stretch them at the usual stiffness. Twice the stiffness is stable only if
+    /// the sweeps over the joints come nearer to agreeing: four instead of one.
+    static bool bears_heavy_load(const SolverBody& a, const SolverBody& b) {
+        constexpr float most = 10.0f;  // as heavy as the other
+        if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return false;
+        return a.inverse_mass > most * b.inverse_mass || b.inverse_mass > most * a.inverse_mass;
+    }
+
+    /// Other threads may read a body that does not move: a joint to it gets a copy, and the body is
+    /// not written.
+    template <typename Act>
+    static void on_ends(std::span<SolverBody> bodies, Constraint& c, Act&& act) {
+        const auto still = [](const SolverBody& body) {
+            return body.inverse_mass == 0.0f && body.inverse_inertia == 0.0f;
+        };
+        SolverBody *a = &bodies[c.ends.a], *b = &bodies[c.ends.b];
+        SolverBody copy;
+        if (still(*a)) {
+            copy = *a;
+            a = &copy;
+        } else if (still(*b)) {
+            copy = *b;
+            b = &copy;
+        }
+        act(*a, *b);
+    }
+
+    static void warm_start(JointArray& array, std::span<SolverBody> bodies, JointRange range) {
+        for (size_t i = range.begin; i < range.end; ++i) {
+            Constraint& c = array.as<Constraint>()[i];
+            on_ends(bodies, c, [&](SolverBody& a, SolverBody& b) { c.warm_start(a, b); });
+        }
+    }
+    static void solve(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
+                      JointRange range) {
+        for (size_t i = range.begin; i < range.end; ++i) {
+            Constraint& c = array.as<Constraint>()[i];
+            on_ends(bodies, c, [&](SolverBody& a, SolverBody& b) { c.solve(a, b, step); });
+        }
+    }
+    static void relax(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
+                      JointRange range) {
+        for (size_t i = range.end; i-- > range.begin;) {
+            Constraint& c = array.as<Constraint>()[i];
+            on_ends(bodies, c, [&](SolverBody& a, SolverBody& b) { c.relax(a, b, step); });
+        }
+    }
+
+    static JointLoad load(const JointArray& array, size_t index) {
+        const Constraint& c = array.as<Constraint>()[index];
+        return {c.push(), c.twist()};
+    }
+
+    static void write_rows(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows) {
+        for (size_t i = 0; i < array.joints.size(); ++i) {
+            Constraint& c = array.as<Constraint>()[i];
+            c.write_rows(rows, bodies[c.ends.a], bodies[c.ends.b]);
+        }
+    }
+
+    static void store(const JointArray& array, ObjectState& objects, const JointStep& step,
+                      JointRange range) {
+        for (size_t i = range.begin; i < range.end; ++i) {
+            const Constraint& c = array.as<Constraint>()[i];
+            JointRecord& joint = objects.joints[array.joints[i]];
+            const V2 push = c.push();
+            const float twist = c.twist();
+            // What overflowed would begin the next step, and so last for ever.
+            if (std::isfinite(push.x + push.y + twist))
+                joint.impulses.become(c.impulses);
+            else
+                joint.impulses = {};
+            joint.force = bounded(step.inverse_h * push, greatest_impulse);
+            joint.torque = bounded(step.inverse_h * twist, greatest_impulse);
+        }
     }
 };
 

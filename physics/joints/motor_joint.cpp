@@ -1,5 +1,9 @@
-#include <joints/motor_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
+// Drives b against a with a force and a torque that have a limit.
+//
 // The velocity of anchor b as body a sees it, which turns, is driven to (u, w):
 //
 //     Ċ = v_b + ω_b×r_b - v_a - ω_a×(r_a + d) - u,   Ċ_θ = ω_b - ω_a - w,   d = p_b - p_a,
@@ -9,69 +13,148 @@
 // turns with it) and the angle are springs besides, within the same limits: then it is a position
 // that is driven. A force alone, it is no part of the relax pass while it is a spring.
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void MotorConstraint::prepare(const Data& data, const JointFrame& frame, const JointStep& step,
-                              const SolverBody& a, const SolverBody& b) {
-    speed = rotate(frame.a, data.linear_velocity);
-    offset = rotate(frame.a, data.linear_offset);
-    turn_speed = data.angular_velocity;
-    angle = data.angular_offset;
-    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
-    greatest_force = data.max_force * step.h;
-    greatest_torque = data.max_torque * step.h;
-    springy = data.hertz > 0.0f;
-    if (springy) spring = Spring::make(data.hertz, data.damping_ratio, step.h);
-    if (angular_mass == 0.0f) impulses.torque = 0.0f;
-    follow(a, b);
-}
+struct MotorSettings {
+    static constexpr JointType type = JointType::motor;
+    V2 linear_velocity;  ///< of anchor b against a, in the coordinates of body a
+    float angular_velocity = 0.0f;
+    float max_force = 0.0f, max_torque = 0.0f;
+    V2 linear_offset;  ///< of anchor b from anchor a, in the coordinates of body a
+    float angular_offset = 0.0f;
+    Stiffness stiffness = {0.0f, 1.0f};
 
-void MotorConstraint::warm_start(SolverBody& a, SolverBody& b) const {
-    ends.push(a, b, impulses.force);
-    detail::twist(a, b, impulses.torque);
-}
-
-/// Turns the levers with the bodies; from anchor a to anchor b.
-V2 MotorConstraint::follow(const SolverBody& a, const SolverBody& b) {
-    ends.follow(a, b);
-    const V2 gap = ends.gap(a, b);
-    ends.lever_a = ends.lever_a + gap;
-    return gap;
-}
-
-void MotorConstraint::drive(SolverBody& a, SolverBody& b, bool springs) {
-    const V2 gap = follow(a, b);
-    const float turning = b.angular_velocity - a.angular_velocity - turn_speed;
-    float torque = -angular_mass * turning;
-    if (springs) {
-        torque =
-            spring.impulse(angular_mass, turning, ends.angle_now(a, b) - angle, impulses.torque);
+    void check() const {
+        check_finite("linear_velocity", to_vec2(linear_velocity));
+        check_finite("angular_velocity", angular_velocity);
+        check_strength("max_force", max_force);
+        check_strength("max_torque", max_torque);
+        check_coordinates("linear_offset", to_vec2(linear_offset));
+        check_finite("angular_offset", angular_offset);
+        stiffness.check();
     }
-    const float turned_by = clamp(impulses.torque + torque, -greatest_torque, greatest_torque);
-    detail::twist(a, b, turned_by - impulses.torque);
-    impulses.torque = turned_by;
+};
 
-    const V2 moving = ends.velocity(a, b) - turned(speed, a.turn);
-    const PointMass mass = PointMass::make(ends, a, b);
-    V2 total = impulses.force - mass * moving;
-    if (springs) {
-        const V2 error = gap - turned(offset, a.turn);
-        total = (1.0f - spring.impulse_scale) * impulses.force -
-                mass * (spring.mass_scale * moving + spring.push * error);
+struct MotorConstraint {
+    using Settings = MotorSettings;
+    struct Impulses {
+        V2 force;
+        float torque = 0.0f;
+        void scale(float s) { force = s * force, torque *= s; }
+    };
+
+    JointEnds ends;
+    Impulses impulses;
+    V2 speed, offset;  ///< when the step began, world axes
+    float turn_speed = 0.0f, angle = 0.0f, angular_mass = 0.0f;
+    float greatest_force = 0.0f, greatest_torque = 0.0f;
+    bool springy = false;
+    Spring spring;
+
+    void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b) {
+        speed = rotate(frame.a, settings.linear_velocity);
+        offset = rotate(frame.a, settings.linear_offset);
+        turn_speed = settings.angular_velocity;
+        angle = settings.angular_offset;
+        angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
+        greatest_force = settings.max_force * step.h;
+        greatest_torque = settings.max_torque * step.h;
+        springy = settings.stiffness.is_spring();
+        if (springy) spring = settings.stiffness.spring(step.h);
+        if (angular_mass == 0.0f) impulses.torque = 0.0f;
+        follow(a, b);
     }
-    const float size = length(total);
-    if (size > greatest_force) total = (greatest_force / size) * total;
-    ends.push(a, b, total - impulses.force);
-    impulses.force = total;
+    /// Turns the levers with the bodies; from anchor a to anchor b.
+    V2 follow(const SolverBody& a, const SolverBody& b) {
+        ends.follow(a, b);
+        const V2 gap = ends.gap(a, b);
+        ends.lever_a = ends.lever_a + gap;
+        return gap;
+    }
+    void warm_start(SolverBody& a, SolverBody& b) const {
+        ends.push(a, b, impulses.force);
+        detail::twist(a, b, impulses.torque);
+    }
+    void solve(SolverBody& a, SolverBody& b, const JointStep&) { drive(a, b, springy); }
+    void relax(SolverBody& a, SolverBody& b, const JointStep&) {
+        if (!springy) drive(a, b, false);
+    }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        const V2 gap = follow(a, b);
+        const V2 velocity = turned(speed, a.turn);
+        const Jacobian turning = Jacobian::turning(ends);
+        if (!springy) {
+            rows.motor(turning, turn_speed, greatest_torque, impulses.torque);
+            rows.motors(ends, velocity, greatest_force, impulses.force);
+            return;
+        }
+        // A spring whose velocity counts from that of the motor: v - u + (push/mass_scale)·C.
+        const auto ahead = [this](float wanted) {
+            return spring.push > 0.0f ? wanted * spring.mass_scale / spring.push : 0.0f;
+        };
+        DirectRow& torque =
+            rows.spring(turning, spring, angular_mass,
+                        ends.angle_now(a, b) - angle - ahead(turn_speed), impulses.torque);
+        if (rows.biased()) {
+            torque.low = -double(greatest_torque);
+            torque.high = double(greatest_torque);
+        }
+        const V2 error = gap - turned(offset, a.turn) - V2{ahead(velocity.x), ahead(velocity.y)};
+        rows.springs(ends, spring, PointMass::make(ends, a, b), error, greatest_force,
+                     impulses.force);
+    }
+    V2 push() const { return impulses.force; }
+    float twist() const { return impulses.torque; }
+
+  private:
+    void drive(SolverBody& a, SolverBody& b, bool springs) {
+        const V2 gap = follow(a, b);
+        const float turning = b.angular_velocity - a.angular_velocity - turn_speed;
+        float torque = -angular_mass * turning;
+        if (springs) {
+            torque = spring.impulse(angular_mass, turning, ends.angle_now(a, b) - angle,
+                                    impulses.torque);
+        }
+        const float turned_by = clamp(impulses.torque + torque, -greatest_torque, greatest_torque);
+        detail::twist(a, b, turned_by - impulses.torque);
+        impulses.torque = turned_by;
+
+        const V2 moving = ends.velocity(a, b) - turned(speed, a.turn);
+        const PointMass mass = PointMass::make(ends, a, b);
+        V2 total = impulses.force - mass * moving;
+        if (springs) {
+            const V2 error = gap - turned(offset, a.turn);
+            total = (1.0f - spring.impulse_scale) * impulses.force -
+                    mass * (spring.mass_scale * moving + spring.push * error);
+        }
+        const float size = length(total);
+        if (size > greatest_force) total = (greatest_force / size) * total;
+        ends.push(a, b, total - impulses.force);
+        impulses.force = total;
+    }
+};
+
+constinit const JointKind motor_joint = JointFunctions<MotorConstraint>::kind("motor");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_VECTOR(Motor, linear_velocity, linear_velocity)
+FETTLE_JOINT_NUMBER(Motor, angular_velocity, angular_velocity)
+FETTLE_JOINT_NUMBER(Motor, max_force, max_force)
+FETTLE_JOINT_NUMBER(Motor, max_torque, max_torque)
+FETTLE_JOINT_VECTOR(Motor, linear_offset, linear_offset)
+FETTLE_JOINT_NUMBER(Motor, angular_offset, angular_offset)
+FETTLE_JOINT_NUMBER(Motor, hertz, stiffness.hertz)
+FETTLE_JOINT_NUMBER(Motor, damping_ratio, stiffness.damping_ratio)
+
+MotorJoint World::create_motor_joint(const JointDef& def) {
+    auto joint = make_joint<MotorJoint>(*this, populate(__func__), def, MotorSettings());
+    joint.set_angular_offset(angle_between(joint));
+    return joint;
 }
 
-void MotorConstraint::solve(SolverBody& a, SolverBody& b, const JointStep&) {
-    drive(a, b, springy);
-}
-
-void MotorConstraint::relax(SolverBody& a, SolverBody& b, const JointStep&) {
-    if (springy) return;
-    drive(a, b, false);
-}
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

@@ -1,32 +1,118 @@
-#include <joints/mouse_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
+// Pulls a point of a body (b) softly towards a point of the world (a).
+//
 // A soft point (C = p_b - p_a, both coordinates) whose impulse has a greatest length. It is a
 // force, not a constraint: the relax pass leaves it alone. The levers stay those of the step's
 // begin, which brakes the turning a little: what is dragged comes to hang still.
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void MouseConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
-                              const SolverBody& a, const SolverBody& b) {
-    greatest = data.max_force * step.h;
-    softness = make_softness(data.hertz, data.damping_ratio, step.h);
-    // A slack joint pulls nothing.
-    if (data.hertz > 0.0f) mass = PointMass::make(ends, a, b);
+struct MouseSettings {
+    static constexpr JointType type = JointType::mouse;
+    Stiffness stiffness;
+    float max_force;
+
+    void check() const {
+        stiffness.check();
+        check_strength("max_force", max_force);
+    }
+};
+
+struct MouseConstraint {
+    using Settings = MouseSettings;
+    struct Impulses {
+        V2 pull;
+        void scale(float s) { pull = s * pull; }
+    };
+
+    JointEnds ends;
+    Impulses impulses;
+    float greatest = 0.0f;
+    Softness softness;
+    PointMass mass;
+
+    void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b) {
+        const auto [hertz, damping_ratio] = settings.stiffness;
+        greatest = settings.max_force * step.h;
+        softness = make_softness(hertz, damping_ratio, step.h);
+        // A slack joint pulls nothing.
+        if (hertz > 0.0f) mass = PointMass::make(ends, a, b);
+    }
+    void warm_start(SolverBody& a, SolverBody& b) const { ends.push(a, b, impulses.pull); }
+    void solve(SolverBody& a, SolverBody& b, const JointStep&) {
+        const V2 velocity = ends.velocity(a, b) + softness.bias_rate * gap(a, b);
+        const V2 wanted = -softness.mass_scale * (mass * velocity);
+        V2 total = impulses.pull + (wanted - softness.impulse_scale * impulses.pull);
+        const float size = length(total);
+        if (size > greatest) total = (greatest / size) * total;
+        ends.push(a, b, total - impulses.pull);
+        impulses.pull = total;
+    }
+    void relax(SolverBody&, SolverBody&, const JointStep&) {}
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        // Its softness in the form of a spring: λ = -m·(mass_scale·v + mass_scale·bias_rate·C).
+        const Softness& soft = softness;
+        const Spring spring = {soft.mass_scale * soft.bias_rate, soft.mass_scale,
+                               soft.impulse_scale};
+        // A slack one has no mass; its softness would be rigid.
+        const bool slack = !(soft.impulse_scale > 0.0f);
+        rows.springs(ends, slack ? Spring{} : spring, mass, gap(a, b), greatest, impulses.pull);
+    }
+    V2 push() const { return impulses.pull; }
+    float twist() const { return 0.0f; }
+
+  private:
+    V2 gap(const SolverBody& a, const SolverBody& b) const {
+        return ends.gap(a, b) + cross(b.turn, ends.lever_b);
+    }
+};
+
+constinit const JointKind mouse_joint = JointFunctions<MouseConstraint>::kind("mouse");
+
+}  // namespace detail
+
+using namespace detail;
+
+void MouseJoint::set_body(const Body& body) {
+    own<MouseSettings>();
+    set_body_b(body);
+}
+void MouseJoint::set_anchor(const Vec2& anchor) {
+    own<MouseSettings>();
+    set_anchor_b(anchor);
+}
+void MouseJoint::set_target(const Vec2& target) {
+    own<MouseSettings>();
+    set_anchor_a(check_coordinates("target", target));
+}
+FETTLE_JOINT_NUMBER(Mouse, hertz, stiffness.hertz)
+FETTLE_JOINT_NUMBER(Mouse, damping_ratio, stiffness.damping_ratio)
+FETTLE_JOINT_NUMBER(Mouse, max_force, max_force)
+
+MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
+    WorldData& data = populate(__func__);
+    if (def.body == BodyId()) throw std::invalid_argument("body: a mouse joint drags a body");
+    JointRecord record;
+    record.bodies[1] = slot_of(*this, "body", def.body);
+    if (record.bodies[1] == 0)
+        throw std::invalid_argument(
+            "body: a mouse joint drags a body, not the bounds of the world");
+    record.anchors[0] = to_v2(check_coordinates("target", def.target));
+    // A target at one end of the world may be farther from a body at the other than an anchor is
+    // ever set to.
+    record.anchors[1] =
+        def.anchor ? to_v2(check_coordinates("anchor", *def.anchor))
+                   : bounded(to_v2(body(def.body).local_point(def.target)), greatest_coordinate);
+    record.enabled = def.enabled;
+    record.user_data = def.user_data;
+    const MouseSettings settings = {{def.hertz, def.damping_ratio}, def.max_force};
+    settings.check();
+    return make_joint<MouseJoint>(*this, data, record, settings);
 }
 
-void MouseConstraint::warm_start(SolverBody& a, SolverBody& b) const {
-    ends.push(a, b, impulses.pull);
-}
-
-void MouseConstraint::solve(SolverBody& a, SolverBody& b, const JointStep&) {
-    const V2 gap = ends.gap(a, b) + cross(b.turn, ends.lever_b);
-    const V2 velocity = ends.velocity(a, b) + softness.bias_rate * gap;
-    const V2 wanted = -softness.mass_scale * (mass * velocity);
-    V2 total = impulses.pull + (wanted - softness.impulse_scale * impulses.pull);
-    const float size = length(total);
-    if (size > greatest) total = (greatest / size) * total;
-    ends.push(a, b, total - impulses.pull);
-    impulses.pull = total;
-}
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

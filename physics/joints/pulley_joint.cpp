@@ -1,5 +1,9 @@
-#include <joints/pulley_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
+// A rope from a over two wheels of the world to b.
+//
 // With l the distance from a wheel g to its anchor p and u = (p - g)/l, the rope only pulls:
 //
 //     room = length - l_a - ratio·l_b >= 0,   d(room)/dt = -u_a·ṗ_a - ratio·u_b·ṗ_b,
@@ -7,64 +11,135 @@
 //
 // A tension λ pulls a by -λu_a and b by -ratio·λu_b: a block and tackle of `ratio` parts at b.
 
-namespace fettle::physics::detail {
-namespace {
+namespace fettle::physics {
+namespace detail {
 
-void follow_side(PulleyConstraint::Side& side, V2 lever, const SolverBody& body) {
-    const V2 rope = side.start + body.shift + lever;
-    side.length = length(rope);
-    // An anchor at its wheel hangs from the direction it came from, or pulls nothing.
-    if (side.length > 1e-6f) side.direction = (1.0f / side.length) * rope;
-    side.lever = cross(lever, side.direction);
+struct PulleySettings {
+    static constexpr JointType type = JointType::pulley;
+    V2 ground_a = {-1.0f, 1.0f}, ground_b = {1.0f, 1.0f};  ///< world
+    float ratio = 1.0f;
+    float length = 2.0f;  ///< of a's part and ratio times b's
+
+    void check() const {
+        check_coordinates("ground_a", to_vec2(ground_a));
+        check_coordinates("ground_b", to_vec2(ground_b));
+        check_range("ratio", ratio, 1e-3f, 1e3f);
+        check_not_negative("length", length);
+    }
+};
+
+struct PulleyImpulses {
+    float tension = 0.0f;
+    void scale(float s) { tension *= s; }
+};
+
+struct PulleyConstraint {
+    using Settings = PulleySettings;
+
+    /// One side of the rope: from a wheel to a body.
+    struct Side {
+        V2 start;  ///< from the wheel to the center of mass when the step began
+        V2 direction;
+        float lever = 0.0f, length = 0.0f;
+
+        void follow(V2 anchor_lever, const SolverBody& body) {
+            const V2 rope = start + body.shift + anchor_lever;
+            length = detail::length(rope);
+            // An anchor at its wheel hangs from the direction it came from, or pulls nothing.
+            if (length > 1e-6f) direction = (1.0f / length) * rope;
+            lever = cross(anchor_lever, direction);
+        }
+        float inverse(V2 inverse_mass, const SolverBody& body) const {
+            return dot(direction, scaled(inverse_mass, direction)) +
+                   body.inverse_inertia * lever * lever;
+        }
+        void pull(V2 inverse_mass, SolverBody& body, float p) const {
+            body.velocity = body.velocity - p * scaled(inverse_mass, direction);
+            body.angular_velocity -= body.inverse_inertia * lever * p;
+        }
+        float lengthening(const SolverBody& body) const {
+            return dot(direction, body.velocity) + lever * body.angular_velocity;
+        }
+        void write(float times, double (&on)[3]) const {
+            on[0] = -double(times) * double(direction.x);
+            on[1] = -double(times) * double(direction.y);
+            on[2] = -double(times) * double(lever);
+        }
+    };
+
+    JointEnds ends;
+    PulleyImpulses impulses;
+    Side side_a, side_b;
+    float ratio = 1.0f, length = 0.0f, mass = 0.0f;
+
+    void prepare(const Settings& settings, const JointFrame& frame, const JointStep&,
+                 const SolverBody& a, const SolverBody& b) {
+        ratio = settings.ratio;
+        length = settings.length;
+        side_a.start = frame.center_a - settings.ground_a;
+        side_b.start = frame.center_b - settings.ground_b;
+        follow(a, b);
+    }
+    void warm_start(SolverBody& a, SolverBody& b) const { pull(a, b, impulses.tension); }
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { hold<true>(a, b, step); }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { hold<false>(a, b, step); }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        follow(a, b);
+        Jacobian rope = {ends.a, ends.b, {}, {}};
+        side_a.write(1.0f, rope.on_a);
+        side_b.write(ratio, rope.on_b);
+        rows.limit(rope, room(), impulses.tension);
+    }
+    V2 push() const { return -(ratio * impulses.tension) * side_b.direction; }
+    float twist() const { return 0.0f; }
+
+  private:
+    void follow(const SolverBody& a, const SolverBody& b) {
+        ends.follow(a, b);
+        side_a.follow(ends.lever_a, a);
+        side_b.follow(ends.lever_b, b);
+        mass = inverse_or_zero(side_a.inverse(ends.inverse_a, a) +
+                               ratio * ratio * side_b.inverse(ends.inverse_b, b));
+    }
+    float room() const { return length - side_a.length - ratio * side_b.length; }
+    void pull(SolverBody& a, SolverBody& b, float tension) const {
+        side_a.pull(ends.inverse_a, a, tension);
+        side_b.pull(ends.inverse_b, b, ratio * tension);
+    }
+    template <bool biased>
+    void hold(SolverBody& a, SolverBody& b, const JointStep& step) {
+        follow(a, b);
+        const float velocity = -side_a.lengthening(a) - ratio * side_b.lengthening(b);
+        pull(a, b, push_limit<biased>(impulses.tension, mass, velocity, room(), step));
+    }
+};
+
+constinit const JointKind pulley_joint = JointFunctions<PulleyConstraint>::kind("pulley");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_VECTOR(Pulley, ground_a, ground_a)
+FETTLE_JOINT_VECTOR(Pulley, ground_b, ground_b)
+FETTLE_JOINT_NUMBER(Pulley, ratio, ratio)
+FETTLE_JOINT_NUMBER(Pulley, length, length)
+FETTLE_JOINT_FORCE(Pulley, tension, tension)
+
+float PulleyJoint::length_a() const {
+    return (world_anchor_a() - ground_a()).norm();
+}
+float PulleyJoint::length_b() const {
+    return (world_anchor_b() - ground_b()).norm();
+}
+float PulleyJoint::length_now() const {
+    return length_a() + ratio() * length_b();
 }
 
-float inverse_of(const PulleyConstraint::Side& side, V2 inverse_mass, const SolverBody& body) {
-    return dot(side.direction, scaled(inverse_mass, side.direction)) +
-           body.inverse_inertia * side.lever * side.lever;
+PulleyJoint World::create_pulley_joint(const JointDef& def) {
+    auto joint = make_joint<PulleyJoint>(*this, populate(__func__), def, PulleySettings());
+    joint.set_length(joint.length_now());
+    return joint;
 }
 
-void pull_side(const PulleyConstraint::Side& side, V2 inverse_mass, SolverBody& body, float p) {
-    body.velocity = body.velocity - p * scaled(inverse_mass, side.direction);
-    body.angular_velocity -= body.inverse_inertia * side.lever * p;
-}
-
-float lengthening(const PulleyConstraint::Side& side, const SolverBody& body) {
-    return dot(side.direction, body.velocity) + side.lever * body.angular_velocity;
-}
-
-}  // namespace
-
-void PulleyConstraint::prepare(const Data& data, const JointFrame& frame, const JointStep&,
-                               const SolverBody& a, const SolverBody& b) {
-    ratio = data.ratio;
-    length = data.length;
-    side_a.start = frame.center_a - data.ground_a;
-    side_b.start = frame.center_b - data.ground_b;
-    follow(a, b);
-}
-
-void PulleyConstraint::follow(const SolverBody& a, const SolverBody& b) {
-    ends.follow(a, b);
-    follow_side(side_a, ends.lever_a, a);
-    follow_side(side_b, ends.lever_b, b);
-    mass = inverse_or_zero(inverse_of(side_a, ends.inverse_a, a) +
-                           ratio * ratio * inverse_of(side_b, ends.inverse_b, b));
-}
-
-void PulleyConstraint::pull(SolverBody& a, SolverBody& b, float tension) const {
-    pull_side(side_a, ends.inverse_a, a, tension);
-    pull_side(side_b, ends.inverse_b, b, ratio * tension);
-}
-
-template <bool biased>
-void PulleyConstraint::hold(SolverBody& a, SolverBody& b, const JointStep& step) {
-    follow(a, b);
-    const float room = length - side_a.length - ratio * side_b.length;
-    const float velocity = -lengthening(side_a, a) - ratio * lengthening(side_b, b);
-    pull(a, b, push_limit<biased>(impulses.tension, mass, velocity, room, step));
-}
-
-template void PulleyConstraint::hold<true>(SolverBody&, SolverBody&, const JointStep&);
-template void PulleyConstraint::hold<false>(SolverBody&, SolverBody&, const JointStep&);
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

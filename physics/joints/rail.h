@@ -1,38 +1,35 @@
 #pragma once
 
-#include <fettle/physics/types.h>
-#include <joints/joint_constraint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
 
 // A line that body a carries and a point of body b that slides along it: what prismatic, wheel,
-// groove and pin-slot joints have in common.
+// groove and pin-slot joints have in common. The axis u and its perpendicular n turn with body a.
+// With d = p_b - p_a and R = r_a + d, the arm from the center of a to the anchor of b:
+//
+//     s = u·d,   ṡ = u·(v_b - v_a) + (r_b×u)·ω_b - (R×u)·ω_a      translation
+//     C = n·d,   Ċ = n·(v_b - v_a) + (r_b×n)·ω_b - (R×n)·ω_a      across, to be 0
+//
+// since u̇ = ω_a×u adds ω_a·(u×d) to the plain difference of the anchors' velocities, which is what
+// makes the arm of a reach to b. The effective mass of a row is 1 / (uᵀ(M_a⁻¹ + M_b⁻¹)u +
+// I_a⁻¹(R×u)² + I_b⁻¹(r_b×u)²).
 
 namespace fettle::physics::detail {
 
-/// A row along a direction that turns with body a.
-struct Line {
-    V2 direction;
-    float lever_a = 0.0f, lever_b = 0.0f, mass = 0.0f;
-
-    /// `arm`: from the center of mass of a to the anchor of b.
-    void aim(const JointEnds& ends, V2 towards, V2 arm, const SolverBody& a, const SolverBody& b);
-    float velocity(const SolverBody& a, const SolverBody& b) const {
-        return dot(direction, b.velocity - a.velocity) +
-               (lever_b * b.angular_velocity - lever_a * a.angular_velocity);
-    }
-    void push(const JointEnds& ends, SolverBody& a, SolverBody& b, float p) const;
-};
-
 struct RailSettings {
     V2 axis = {1.0f, 0.0f};  ///< in the coordinates of body a, of any length
-    float lower = -infinity, upper = infinity;
-    float motor_speed = 0.0f, max_motor_force = 0.0f;
-    float hertz = 0.0f, damping_ratio = 0.0f, target = 0.0f;
+    CoordinateSettings along;
+
+    void check() const {
+        check_direction("axis", to_vec2(axis));
+        along.check(CoordinateSettings::of_translation);
+    }
 };
 
 struct RailImpulses {
-    float across = 0.0f, spring = 0.0f, motor = 0.0f, lower = 0.0f, upper = 0.0f;
-    void scale(float s) { across *= s, spring *= s, motor *= s, lower *= s, upper *= s; }
-    float along() const { return spring + motor + lower - upper; }
+    float across = 0.0f;
+    CoordinateImpulses along;
+    void scale(float s) { across *= s, along.scale(s); }
 };
 
 struct Rail {
@@ -40,27 +37,101 @@ struct Rail {
     Line along, across;
     float translation = 0.0f;  ///< of b along the axis
     float offset = 0.0f;       ///< of b across it: to be 0
-    float lower = 0.0f, upper = 0.0f, motor_speed = 0.0f, greatest_motor = 0.0f, target = 0.0f;
-    bool springy = false, driven = false, limited = false;
-    Spring spring;
+    Coordinate coordinate;     ///< the translation
 
     void prepare(const RailSettings& settings, RailImpulses& impulses, JointEnds& ends,
                  const JointFrame& frame, const JointStep& step, const SolverBody& a,
-                 const SolverBody& b);
+                 const SolverBody& b) {
+        start_axis = rotate(frame.a, normalized(settings.axis));
+        coordinate.prepare(settings.along, impulses.along, step.h, true);
+        follow(ends, a, b);
+    }
     /// Turns levers and directions with the bodies.
-    void follow(JointEnds& ends, const SolverBody& a, const SolverBody& b);
-    void push_both(const RailImpulses& impulses, const JointEnds& ends, SolverBody& a,
-                   SolverBody& b) const;
+    void follow(JointEnds& ends, const SolverBody& a, const SolverBody& b) {
+        ends.follow(a, b);
+        const V2 axis = turned(start_axis, a.turn), normal = {-axis.y, axis.x};
+        const V2 gap = ends.gap(a, b);
+        translation = dot(axis, gap);
+        offset = dot(normal, gap);
+        along.aim(ends, axis, ends.lever_a + gap, a, b);
+        across.aim(ends, normal, ends.lever_a + gap, a, b);
+    }
+    void warm_start(const RailImpulses& impulses, const JointEnds& ends, SolverBody& a,
+                    SolverBody& b) const {
+        along.push(ends, a, b, impulses.along.sum());
+        across.push(ends, a, b, impulses.across);
+    }
     template <bool biased>
     void solve_along(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
-                     const JointStep& step) const;
+                     const JointStep& step) const {
+        if (!(biased ? coordinate.acts() : coordinate.acts_relaxed())) return;
+        coordinate.solve<biased>(
+            impulses.along, along.mass, translation, step, [&] { return along.velocity(a, b); },
+            [&](float p) { along.push(ends, a, b, p); });
+    }
     template <bool biased>
     void solve_across(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
-                      const JointStep& step) const;
-    bool acts_along() const { return springy || driven || limited; }
+                      const JointStep& step) const {
+        across.push(
+            ends, a, b,
+            push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b), offset, step));
+    }
+    void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
+        coordinate.write_rows(impulses.along, along.mass, translation, along.jacobian(ends), rows);
+        rows.hold(across.jacobian(ends), offset, impulses.across);
+    }
     V2 force(const RailImpulses& impulses) const {
-        return impulses.along() * along.direction + impulses.across * across.direction;
+        return impulses.along.sum() * along.direction + impulses.across * across.direction;
+    }
+};
+
+/// A rail alone: nothing is said about the angle.
+struct SlotConstraint {
+    struct Impulses {
+        RailImpulses rail;
+        void scale(float s) { rail.scale(s); }
+    };
+
+    JointEnds ends;
+    Impulses impulses;
+    Rail rail;
+
+    void warm_start(SolverBody& a, SolverBody& b) const {
+        rail.warm_start(impulses.rail, ends, a, b);
+    }
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { pass<true>(a, b, step); }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { pass<false>(a, b, step); }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        rail.follow(ends, a, b);
+        rail.write_rows(impulses.rail, ends, rows);
+    }
+    V2 push() const { return rail.force(impulses.rail); }
+    float twist() const { return 0.0f; }
+
+  private:
+    template <bool biased>
+    void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
+        rail.follow(ends, a, b);
+        rail.solve_along<biased>(impulses.rail, ends, a, b, step);
+        rail.solve_across<biased>(impulses.rail, ends, a, b, step);
     }
 };
 
 }  // namespace fettle::physics::detail
+
+// The properties of the handle of a joint on a rail. `Of` is what its name begins with.
+#define FETTLE_RAIL(Of)                                                        \
+    FETTLE_JOINT_VECTOR(Of, axis, rail.axis)                                   \
+    FETTLE_JOINT_NUMBER(Of, lower_translation, rail.along.limits.lower)        \
+    FETTLE_JOINT_NUMBER(Of, upper_translation, rail.along.limits.upper)        \
+    FETTLE_JOINT_NUMBER(Of, hertz, rail.along.stiffness.hertz)                 \
+    FETTLE_JOINT_NUMBER(Of, damping_ratio, rail.along.stiffness.damping_ratio) \
+    float Of##Joint::translation() const {                                     \
+        return detail::translation_along(*this, axis());                       \
+    }
+// Of one whose motor drives along the rail.
+#define FETTLE_RAIL_MOTOR(Of)                                           \
+    FETTLE_JOINT_NUMBER(Of, motor_speed, rail.along.motor.speed)        \
+    FETTLE_JOINT_NUMBER(Of, max_motor_force, rail.along.motor.greatest) \
+    FETTLE_JOINT_NUMBER(Of, target_translation, rail.along.target)      \
+    FETTLE_JOINT_FORCE(Of, motor_force, rail.along.motor)

@@ -1,41 +1,122 @@
-#include <joints/ratchet_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
 #include <cmath>
 
+// Lets b turn against a one way.
+//
 // With θ = ±(θ_b - θ_a - reference), positive the way that is free, a pawl falls behind every tooth
 // that passes: caught = tooth·⌊θ/tooth⌋, and never less than it was; a tooth of 0 is a continuous
 // ratchet, caught = θ. From there on θ - caught >= 0 is a limit that only pushes one way, with the
 // effective mass 1/(I_a⁻¹ + I_b⁻¹). Where the pawl is, is part of the state.
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void RatchetConstraint::prepare(const Data& data, const JointFrame&, const JointStep&,
-                                const SolverBody& a, const SolverBody& b) {
-    way = data.backwards ? -1.0f : 1.0f;
-    reference = data.reference_angle;
-    mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
-    const float angle = way * (ends.angle - reference);
-    float tooth = angle;
-    if (data.tooth > 0.0f) {
-        // Lying at a tooth, it may be pressed under it a little by what it holds.
-        const float slack = min(0.01f, 0.1f * data.tooth);
-        const float passed = data.tooth * std::floor((angle + slack) / data.tooth);
-        // Teeth too small to be counted are as good as none.
-        if (std::isfinite(passed)) tooth = passed;
+struct RatchetSettings {
+    static constexpr JointType type = JointType::ratchet;
+    float tooth = 0.0f;  ///< rad
+    float way = 1.0f;    ///< in which b may turn: 1, or -1 for backwards
+    float reference_angle = 0.0f;
+
+    void check() const {
+        check_not_negative("tooth", tooth);
+        check_range("way", std::fabs(way), 1.0f, 1.0f);
+        check_finite("reference_angle", reference_angle);
     }
-    if (!impulses.engaged || tooth > impulses.caught) impulses.caught = tooth;
-    impulses.engaged = true;
+};
+
+struct RatchetImpulses {
+    float pawl = 0.0f;
+    float caught = 0.0f;   ///< the tooth that the pawl is behind, rad
+    float engaged = 0.0f;  ///< 1: it is behind one
+    void scale(float s) { pawl *= s; }
+};
+
+struct RatchetConstraint {
+    using Settings = RatchetSettings;
+
+    JointEnds ends;
+    RatchetImpulses impulses;
+    float way = 1.0f, reference = 0.0f, mass = 0.0f;
+
+    void prepare(const Settings& settings, const JointFrame&, const JointStep&, const SolverBody& a,
+                 const SolverBody& b) {
+        way = settings.way;
+        reference = settings.reference_angle;
+        mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
+        const float angle = way * (ends.angle - reference);
+        float tooth = angle;
+        if (settings.tooth > 0.0f) {
+            // Lying at a tooth, it may be pressed under it a little by what it holds.
+            const float slack = min(0.01f, 0.1f * settings.tooth);
+            const float passed = settings.tooth * std::floor((angle + slack) / settings.tooth);
+            // Teeth too small to be counted are as good as none.
+            if (std::isfinite(passed)) tooth = passed;
+        }
+        if (impulses.engaged == 0.0f || tooth > impulses.caught) impulses.caught = tooth;
+        impulses.engaged = 1.0f;
+    }
+    void warm_start(SolverBody& a, SolverBody& b) const { detail::twist(a, b, twist()); }
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { hold<true>(a, b, step); }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { hold<false>(a, b, step); }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        const Jacobian turning = Jacobian::turning(ends);
+        rows.limit(way > 0.0f ? turning : turning.opposite(), room(a, b), impulses.pawl);
+    }
+    V2 push() const { return {}; }
+    float twist() const { return way * impulses.pawl; }
+
+  private:
+    float room(const SolverBody& a, const SolverBody& b) const {
+        return way * (ends.angle_now(a, b) - reference) - impulses.caught;
+    }
+    template <bool biased>
+    void hold(SolverBody& a, SolverBody& b, const JointStep& step) {
+        const float velocity = way * (b.angular_velocity - a.angular_velocity);
+        detail::twist(a, b,
+                      way * push_limit<biased>(impulses.pawl, mass, velocity, room(a, b), step));
+    }
+};
+
+constinit const JointKind ratchet_joint = JointFunctions<RatchetConstraint>::kind("ratchet");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_NUMBER(Ratchet, tooth, tooth)
+
+float RatchetJoint::reference_angle() const {
+    return own<RatchetSettings>().reference_angle;
+}
+void RatchetJoint::set_reference_angle(float angle) {
+    own<RatchetSettings>();
+    const float checked = check_finite("reference_angle", angle);
+    edit<RatchetSettings>("RatchetJoint", __func__).reference_angle = checked;
+    live().joints[id().index].impulses = {};  // the teeth are elsewhere: the pawl falls anew
+}
+bool RatchetJoint::backwards() const {
+    return own<RatchetSettings>().way < 0.0f;
+}
+void RatchetJoint::set_backwards(bool backwards) {
+    edit<RatchetSettings>("RatchetJoint", __func__).way = backwards ? -1.0f : 1.0f;
+    live().joints[id().index].impulses = {};
+}
+float RatchetJoint::angle() const {
+    return angle_between(*this) - reference_angle();
+}
+float RatchetJoint::caught_angle() const {
+    const float way = own<RatchetSettings>().way;
+    const auto& pawl = live().joints[id().index].impulses.as<RatchetImpulses>();
+    return pawl.engaged == 0.0f ? angle() : way * pawl.caught;
 }
 
-template <bool biased>
-void RatchetConstraint::hold(SolverBody& a, SolverBody& b, const JointStep& step) {
-    const float room = way * (ends.angle_now(a, b) - reference) - impulses.caught;
-    const float velocity = way * (b.angular_velocity - a.angular_velocity);
-    const float change = push_limit<biased>(impulses.pawl, mass, velocity, room, step);
-    detail::twist(a, b, way * change);
+RatchetJoint World::create_ratchet_joint(const JointDef& def) {
+    auto joint = make_joint<RatchetJoint>(*this, populate(__func__), def, RatchetSettings());
+    joint.set_reference_angle(angle_between(joint));
+    return joint;
 }
 
-template void RatchetConstraint::hold<true>(SolverBody&, SolverBody&, const JointStep&);
-template void RatchetConstraint::hold<false>(SolverBody&, SolverBody&, const JointStep&);
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

@@ -1,5 +1,10 @@
-#include <joints/revolute_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
+// Holds two points together and lets the bodies turn, freely or as a spring, a motor and limits
+// allow (`Coordinate`).
+//
 // Two rows hold the point, solved as one block since the inertia couples them:
 //
 //     C = p_b - p_a,   Ċ = v_b + ω_b×r_b - v_a - ω_a×r_a,   λ = -K⁻¹·(Ċ + bias)   (`PointMass`).
@@ -10,79 +15,107 @@
 // motor that is a velocity with a greatest torque, and limits θ - lower >= 0, upper - θ >= 0. They
 // come first, and the point has the last word: what it misses is seen at once.
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void RevoluteConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
-                                 const SolverBody& a, const SolverBody& b) {
-    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
-    const bool turns = angular_mass > 0.0f;
-    reference = data.reference_angle;
-    target = data.target_angle;
-    upper = data.upper_angle;
-    lower = min(data.lower_angle, upper);  // where they cross, the upper one counts
-    motor_speed = data.motor_speed;
-    greatest_motor = data.max_motor_torque * step.h;
-    springy = turns && data.hertz > 0.0f;
-    driven = turns && data.max_motor_torque > 0.0f;
-    limited = turns && (lower > -infinity || upper < infinity);
-    if (springy) spring = Spring::make(data.hertz, data.damping_ratio, step.h);
-    // What no longer acts starts at nothing when it acts again.
-    if (!springy) impulses.spring = 0.0f;
-    if (!driven) impulses.motor = 0.0f;
-    if (!limited) impulses.lower = impulses.upper = 0.0f;
-    mass = PointMass::make(ends, a, b);
-}
+struct RevoluteSettings {
+    static constexpr JointType type = JointType::revolute;
+    float reference_angle = 0.0f;
+    CoordinateSettings angle;
 
-void RevoluteConstraint::warm_start(SolverBody& a, SolverBody& b) const {
-    ends.push(a, b, impulses.point);
-    detail::twist(a, b, twist());
-}
-
-template <bool biased>
-void RevoluteConstraint::solve_angle(SolverBody& a, SolverBody& b, const JointStep& step) {
-    auto velocity = [&] { return b.angular_velocity - a.angular_velocity; };
-    const float angle = ends.angle_now(a, b) - reference;
-    if (biased && springy) {
-        const float change =
-            spring.impulse(angular_mass, velocity(), angle - target, impulses.spring);
-        impulses.spring += change;
-        detail::twist(a, b, change);
+    void check() const {
+        check_finite("reference_angle", reference_angle);
+        angle.check(CoordinateSettings::of_angle);
     }
-    if (driven) {
-        detail::twist(
-            a, b,
-            push_motor(impulses.motor, angular_mass, velocity(), motor_speed, greatest_motor));
+};
+
+struct RevoluteImpulses {
+    V2 point;
+    CoordinateImpulses angle;
+    void scale(float s) { point = s * point, angle.scale(s); }
+};
+
+struct RevoluteConstraint {
+    using Settings = RevoluteSettings;
+
+    JointEnds ends;
+    RevoluteImpulses impulses;
+    PointMass mass;  ///< of the levers as they are: bodies turn between the two passes only
+    float angular_mass = 0.0f, reference = 0.0f;
+    Coordinate angle;
+
+    void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b) {
+        angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
+        reference = settings.reference_angle;
+        angle.prepare(settings.angle, impulses.angle, step.h, angular_mass > 0.0f);
+        mass = PointMass::make(ends, a, b);
     }
-    if (!limited) return;
-    if (lower > -infinity) {
-        detail::twist(
-            a, b,
-            push_limit<biased>(impulses.lower, angular_mass, velocity(), angle - lower, step));
+    void warm_start(SolverBody& a, SolverBody& b) const {
+        ends.push(a, b, impulses.point);
+        detail::twist(a, b, twist());
     }
-    if (upper < infinity) {
-        detail::twist(
-            a, b,
-            -push_limit<biased>(impulses.upper, angular_mass, -velocity(), upper - angle, step));
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
+        if (angle.acts()) solve_angle<true>(a, b, step);
+        // The bodies are where the last relax pass, or the begin of the step, has seen them.
+        const Softness& soft = step.rigid;
+        const V2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.gap(a, b);
+        push_point(a, b,
+                   -soft.mass_scale * (mass * velocity) - soft.impulse_scale * impulses.point);
     }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
+        if (angle.acts_relaxed()) solve_angle<false>(a, b, step);
+        ends.follow(a, b);
+        mass = PointMass::make(ends, a, b);
+        push_point(a, b, -(mass * ends.velocity(a, b)));
+    }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        ends.follow(a, b);
+        angle.write_rows(impulses.angle, angular_mass, ends.angle_now(a, b) - reference,
+                         Jacobian::turning(ends), rows);
+        rows.hold_point(ends, ends.gap(a, b), impulses.point);
+    }
+    V2 push() const { return impulses.point; }
+    float twist() const { return impulses.angle.sum(); }
+
+  private:
+    template <bool biased>
+    void solve_angle(SolverBody& a, SolverBody& b, const JointStep& step) {
+        angle.solve<biased>(
+            impulses.angle, angular_mass, ends.angle_now(a, b) - reference, step,
+            [&] { return b.angular_velocity - a.angular_velocity; },
+            [&](float p) { detail::twist(a, b, p); });
+    }
+    void push_point(SolverBody& a, SolverBody& b, V2 change) {
+        impulses.point = impulses.point + change;
+        ends.push(a, b, change);
+    }
+};
+
+constinit const JointKind revolute_joint = JointFunctions<RevoluteConstraint>::kind("revolute");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_NUMBER(Revolute, reference_angle, reference_angle)
+FETTLE_JOINT_NUMBER(Revolute, lower_angle, angle.limits.lower)
+FETTLE_JOINT_NUMBER(Revolute, upper_angle, angle.limits.upper)
+FETTLE_JOINT_NUMBER(Revolute, motor_speed, angle.motor.speed)
+FETTLE_JOINT_NUMBER(Revolute, max_motor_torque, angle.motor.greatest)
+FETTLE_JOINT_NUMBER(Revolute, hertz, angle.stiffness.hertz)
+FETTLE_JOINT_NUMBER(Revolute, damping_ratio, angle.stiffness.damping_ratio)
+FETTLE_JOINT_NUMBER(Revolute, target_angle, angle.target)
+FETTLE_JOINT_FORCE(Revolute, motor_torque, angle.motor)
+
+float RevoluteJoint::angle() const {
+    return angle_between(*this) - reference_angle();
 }
 
-void RevoluteConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-    if (springy || driven || limited) solve_angle<true>(a, b, step);
-    // The bodies are where the last relax pass, or the begin of the step, has seen them.
-    const Softness& soft = step.rigid;
-    const V2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.gap(a, b);
-    const V2 change = -soft.mass_scale * (mass * velocity) - soft.impulse_scale * impulses.point;
-    impulses.point = impulses.point + change;
-    ends.push(a, b, change);
+RevoluteJoint World::create_revolute_joint(const JointDef& def) {
+    auto joint = make_joint<RevoluteJoint>(*this, populate(__func__), def, RevoluteSettings());
+    joint.set_reference_angle(angle_between(joint));
+    return joint;
 }
 
-void RevoluteConstraint::relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-    if (driven || limited) solve_angle<false>(a, b, step);
-    ends.follow(a, b);
-    mass = PointMass::make(ends, a, b);
-    const V2 change = -(mass * ends.velocity(a, b));
-    impulses.point = impulses.point + change;
-    ends.push(a, b, change);
-}
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

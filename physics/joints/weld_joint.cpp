@@ -1,5 +1,9 @@
-#include <joints/weld_joint.h>
+#include <joints/coordinate.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
+// Holds two bodies together at a point and an angle, rigidly or as a spring.
+//
 // Three rows: C = p_b - p_a and C_θ = θ_b - θ_a - reference. The inertia couples them,
 //
 //     K = | M + I_a⁻¹·a aᵀ + I_b⁻¹·b bᵀ    I_a⁻¹·a + I_b⁻¹·b |     M = M_a⁻¹ + M_b⁻¹,
@@ -12,92 +16,156 @@
 // for the point, written out so that nothing cancels; then λ_θ = -(v_θ + k·λ)/(I_a⁻¹ + I_b⁻¹) with
 // k = I_a⁻¹·a + I_b⁻¹·b. Where the point or the angle is a spring, each is solved by itself.
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void WeldConstraint::prepare(const Data& data, const JointFrame&, const JointStep& step,
-                             const SolverBody& a, const SolverBody& b) {
-    reference = data.reference_angle;
-    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
-    rigid_point = data.hertz == infinity;
-    rigid_angle = data.angular_hertz == infinity;
-    springy_point = !rigid_point && data.hertz > 0.0f;
-    springy_angle = !rigid_angle && data.angular_hertz > 0.0f;
-    if (springy_point) point_spring = Spring::make(data.hertz, data.damping_ratio, step.h);
-    if (springy_angle)
-        angle_spring = Spring::make(data.angular_hertz, data.angular_damping_ratio, step.h);
-    // What no longer acts starts at nothing when it acts again.
-    if (!rigid_point && !springy_point) impulses.point = {};
-    if ((!rigid_angle && !springy_angle) || angular_mass == 0.0f) impulses.angle = 0.0f;
-}
+struct WeldSettings {
+    static constexpr JointType type = JointType::weld;
+    float reference_angle = 0.0f;
+    Stiffness point = {infinity, 0.0f}, angle = {infinity, 0.0f};
 
-void WeldConstraint::warm_start(SolverBody& a, SolverBody& b) const {
-    ends.push(a, b, impulses.point);
-    detail::twist(a, b, impulses.angle);
-}
-
-void WeldConstraint::apply(SolverBody& a, SolverBody& b, V2 point, float angle) {
-    impulses.point = impulses.point + point;
-    impulses.angle += angle;
-    ends.push(a, b, point);
-    detail::twist(a, b, angle);
-}
-
-template <bool biased>
-void WeldConstraint::solve_rigid(SolverBody& a, SolverBody& b, const JointStep& step) {
-    V2 v = ends.velocity(a, b);
-    float w = b.angular_velocity - a.angular_velocity;
-    float scale = 1.0f, rest = 0.0f;
-    if (biased) {
-        v = v + step.rigid.bias_rate * ends.gap(a, b);
-        w += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
-        scale = step.rigid.mass_scale;
-        rest = step.rigid.impulse_scale;
+    void check() const {
+        check_finite("reference_angle", reference_angle);
+        check_stiffness("hertz", point.hertz);
+        check_not_negative("damping_ratio", point.damping_ratio);
+        check_stiffness("angular_hertz", angle.hertz);
+        check_not_negative("angular_damping_ratio", angle.damping_ratio);
     }
-    const float ia = a.inverse_inertia, ib = b.inverse_inertia;
-    if (!rigid_angle || angular_mass == 0.0f) {
-        const PointMass mass = PointMass::make(ends, a, b);
-        return apply(a, b, -scale * (mass * v) - rest * impulses.point, 0.0f);
+};
+
+struct WeldConstraint {
+    using Settings = WeldSettings;
+    struct Impulses {
+        V2 point;
+        float angle = 0.0f;
+        void scale(float s) { point = s * point, angle *= s; }
+    };
+
+    JointEnds ends;
+    Impulses impulses;
+    float reference = 0.0f, angular_mass = 0.0f;
+    bool rigid_point = true, rigid_angle = true, springy_point = false, springy_angle = false;
+    Spring point_spring, angle_spring;
+
+    void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b) {
+        reference = settings.reference_angle;
+        angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
+        rigid_point = settings.point.is_rigid();
+        rigid_angle = settings.angle.is_rigid();
+        springy_point = settings.point.is_spring();
+        springy_angle = settings.angle.is_spring();
+        if (springy_point) point_spring = settings.point.spring(step.h);
+        if (springy_angle) angle_spring = settings.angle.spring(step.h);
+        // What no longer acts starts at nothing when it acts again.
+        if (!rigid_point && !springy_point) impulses.point = {};
+        if ((!rigid_angle && !springy_angle) || angular_mass == 0.0f) impulses.angle = 0.0f;
     }
-    if (!rigid_point) return apply(a, b, {}, -scale * angular_mass * w - rest * impulses.angle);
-    const V2 arm_a = cross(1.0f, ends.lever_a), arm_b = cross(1.0f, ends.lever_b);
-    const V2 k = ia * arm_a + ib * arm_b, between = arm_a - arm_b;
-    const float shared = ia * ib * angular_mass;
-    const float xx = ends.inverse_a.x + ends.inverse_b.x + shared * between.x * between.x;
-    const float yy = ends.inverse_a.y + ends.inverse_b.y + shared * between.y * between.y;
-    const float xy = shared * between.x * between.y;
-    const float inverse = inverse_or_zero(xx * yy - xy * xy);
-    const V2 free = v - (w * angular_mass) * k;  // with the angle at rest
-    const V2 point = {-inverse * (yy * free.x - xy * free.y),
-                      -inverse * (xx * free.y - xy * free.x)};
-    const float angle = -angular_mass * (w + dot(k, point));
-    apply(a, b, scale * point - rest * impulses.point, scale * angle - rest * impulses.angle);
-}
-
-void WeldConstraint::solve_springs(SolverBody& a, SolverBody& b) {
-    if (springy_angle && angular_mass > 0.0f) {
-        const float change =
-            angle_spring.impulse(angular_mass, b.angular_velocity - a.angular_velocity,
-                                 ends.angle_now(a, b) - reference, impulses.angle);
-        apply(a, b, {}, change);
+    void warm_start(SolverBody& a, SolverBody& b) const {
+        ends.push(a, b, impulses.point);
+        detail::twist(a, b, impulses.angle);
     }
-    if (springy_point) {
-        const PointMass mass = PointMass::make(ends, a, b);
-        const V2 wanted =
-            point_spring.mass_scale * ends.velocity(a, b) + point_spring.push * ends.gap(a, b);
-        apply(a, b, -(mass * wanted) - point_spring.impulse_scale * impulses.point, 0.0f);
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
+        ends.follow(a, b);
+        solve_springs(a, b);
+        if (rigid_point || rigid_angle) solve_rigid<true>(a, b, step);
     }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
+        if (!rigid_point && !rigid_angle) return;
+        ends.follow(a, b);
+        solve_rigid<false>(a, b, step);
+    }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        ends.follow(a, b);
+        const Jacobian turning = Jacobian::turning(ends);
+        const float angle = ends.angle_now(a, b) - reference;
+        const V2 gap = ends.gap(a, b);
+        if (rigid_angle)
+            rows.hold(turning, angle, impulses.angle);
+        else if (springy_angle)
+            rows.spring(turning, angle_spring, angular_mass, angle, impulses.angle);
+        if (rigid_point)
+            rows.hold_point(ends, gap, impulses.point);
+        else if (springy_point)
+            rows.springs(ends, point_spring, PointMass::make(ends, a, b), gap, infinity,
+                         impulses.point);
+    }
+    V2 push() const { return impulses.point; }
+    float twist() const { return impulses.angle; }
+
+  private:
+    template <bool biased>
+    void solve_rigid(SolverBody& a, SolverBody& b, const JointStep& step) {
+        V2 v = ends.velocity(a, b);
+        float w = b.angular_velocity - a.angular_velocity;
+        float scale = 1.0f, rest = 0.0f;
+        if (biased) {
+            v = v + step.rigid.bias_rate * ends.gap(a, b);
+            w += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
+            scale = step.rigid.mass_scale;
+            rest = step.rigid.impulse_scale;
+        }
+        const float ia = a.inverse_inertia, ib = b.inverse_inertia;
+        if (!rigid_angle || angular_mass == 0.0f) {
+            const PointMass mass = PointMass::make(ends, a, b);
+            return apply(a, b, -scale * (mass * v) - rest * impulses.point, 0.0f);
+        }
+        if (!rigid_point) return apply(a, b, {}, -scale * angular_mass * w - rest * impulses.angle);
+        const V2 arm_a = cross(1.0f, ends.lever_a), arm_b = cross(1.0f, ends.lever_b);
+        const V2 k = ia * arm_a + ib * arm_b, between = arm_a - arm_b;
+        const float shared = ia * ib * angular_mass;
+        const float xx = ends.inverse_a.x + ends.inverse_b.x + shared * between.x * between.x;
+        const float yy = ends.inverse_a.y + ends.inverse_b.y + shared * between.y * between.y;
+        const float xy = shared * between.x * between.y;
+        const float inverse = inverse_or_zero(xx * yy - xy * xy);
+        const V2 free = v - (w * angular_mass) * k;  // with the angle at rest
+        const V2 point = {-inverse * (yy * free.x - xy * free.y),
+                          -inverse * (xx * free.y - xy * free.x)};
+        const float angle = -angular_mass * (w + dot(k, point));
+        apply(a, b, scale * point - rest * impulses.point, scale * angle - rest * impulses.angle);
+    }
+    void solve_springs(SolverBody& a, SolverBody& b) {
+        if (springy_angle && angular_mass > 0.0f) {
+            const float change =
+                angle_spring.impulse(angular_mass, b.angular_velocity - a.angular_velocity,
+                                     ends.angle_now(a, b) - reference, impulses.angle);
+            apply(a, b, {}, change);
+        }
+        if (springy_point) {
+            const PointMass mass = PointMass::make(ends, a, b);
+            const V2 wanted =
+                point_spring.mass_scale * ends.velocity(a, b) + point_spring.push * ends.gap(a, b);
+            apply(a, b, -(mass * wanted) - point_spring.impulse_scale * impulses.point, 0.0f);
+        }
+    }
+    void apply(SolverBody& a, SolverBody& b, V2 point, float angle) {
+        impulses.point = impulses.point + point;
+        impulses.angle += angle;
+        ends.push(a, b, point);
+        detail::twist(a, b, angle);
+    }
+};
+
+constinit const JointKind weld_joint = JointFunctions<WeldConstraint>::kind("weld");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_NUMBER(Weld, reference_angle, reference_angle)
+FETTLE_JOINT_NUMBER(Weld, hertz, point.hertz)
+FETTLE_JOINT_NUMBER(Weld, damping_ratio, point.damping_ratio)
+FETTLE_JOINT_NUMBER(Weld, angular_hertz, angle.hertz)
+FETTLE_JOINT_NUMBER(Weld, angular_damping_ratio, angle.damping_ratio)
+
+float WeldJoint::angle() const {
+    return angle_between(*this) - reference_angle();
 }
 
-void WeldConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-    ends.follow(a, b);
-    solve_springs(a, b);
-    if (rigid_point || rigid_angle) solve_rigid<true>(a, b, step);
+WeldJoint World::create_weld_joint(const JointDef& def) {
+    auto joint = make_joint<WeldJoint>(*this, populate(__func__), def, WeldSettings());
+    joint.set_reference_angle(angle_between(joint));
+    return joint;
 }
 
-void WeldConstraint::relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-    if (!rigid_point && !rigid_angle) return;
-    ends.follow(a, b);
-    solve_rigid<false>(a, b, step);
-}
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

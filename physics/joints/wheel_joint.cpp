@@ -1,45 +1,92 @@
-#include <joints/wheel_joint.h>
+#include <joints/joint_types.h>
+#include <joints/rail.h>
 
-// A point of b on a line of a (`Rail`), with the suspension as the spring along it, and a motor
-// about the axle: Ċ = ω_b - ω_a - speed with at most max_motor_torque, effective mass
-// 1/(I_a⁻¹ + I_b⁻¹).
+// A wheel (b) that turns freely or by a motor and is sprung along an axis of a: a point of b on a
+// line of a (`Rail`), with the suspension as the spring along it, and a motor about the axle:
+// Ċ = ω_b - ω_a - speed with at most max_motor_torque, effective mass 1/(I_a⁻¹ + I_b⁻¹).
 
-namespace fettle::physics::detail {
+namespace fettle::physics {
+namespace detail {
 
-void WheelConstraint::prepare(const Data& data, const JointFrame& frame, const JointStep& step,
-                              const SolverBody& a, const SolverBody& b) {
-    rail.prepare(data.rail, impulses.rail, ends, frame, step, a, b);
-    angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
-    driven = angular_mass > 0.0f && data.max_motor_torque > 0.0f;
-    motor_speed = data.motor_speed;
-    greatest_motor = data.max_motor_torque * step.h;
-    if (!driven) impulses.motor = 0.0f;
+struct WheelSettings {
+    static constexpr JointType type = JointType::wheel;
+    RailSettings rail = {.axis = {0.0f, 1.0f}, .along = {{}, {}, {4.0f, 0.7f}}};
+    Motor motor;
+
+    void check() const {
+        rail.check();
+        check_finite("motor_speed", motor.speed);
+        check_strength("max_motor_torque", motor.greatest);
+    }
+};
+
+struct WheelImpulses {
+    RailImpulses rail;
+    float motor = 0.0f;
+    void scale(float s) { rail.scale(s), motor *= s; }
+};
+
+struct WheelConstraint {
+    using Settings = WheelSettings;
+
+    JointEnds ends;
+    WheelImpulses impulses;
+    Rail rail;
+    Motor motor;
+    float angular_mass = 0.0f;
+    bool driven = false;
+
+    void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b) {
+        rail.prepare(settings.rail, impulses.rail, ends, frame, step, a, b);
+        angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
+        driven = angular_mass > 0.0f && settings.motor.greatest > 0.0f;
+        motor = {settings.motor.speed, settings.motor.greatest * step.h};
+        if (!driven) impulses.motor = 0.0f;
+    }
+    void warm_start(SolverBody& a, SolverBody& b) const {
+        rail.warm_start(impulses.rail, ends, a, b);
+        detail::twist(a, b, impulses.motor);
+    }
+    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { pass<true>(a, b, step); }
+    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { pass<false>(a, b, step); }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        rail.follow(ends, a, b);
+        if (driven)
+            rows.motor(Jacobian::turning(ends), motor.speed, motor.greatest, impulses.motor);
+        rail.write_rows(impulses.rail, ends, rows);
+    }
+    V2 push() const { return rail.force(impulses.rail); }
+    float twist() const { return impulses.motor; }
+
+  private:
+    template <bool biased>
+    void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
+        if (driven) {
+            const float velocity = b.angular_velocity - a.angular_velocity;
+            detail::twist(
+                a, b,
+                push_motor(impulses.motor, angular_mass, velocity, motor.speed, motor.greatest));
+        }
+        rail.follow(ends, a, b);
+        rail.solve_along<biased>(impulses.rail, ends, a, b, step);
+        rail.solve_across<biased>(impulses.rail, ends, a, b, step);
+    }
+};
+
+constinit const JointKind wheel_joint = JointFunctions<WheelConstraint>::kind("wheel");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_RAIL(Wheel)
+FETTLE_JOINT_NUMBER(Wheel, motor_speed, motor.speed)
+FETTLE_JOINT_NUMBER(Wheel, max_motor_torque, motor.greatest)
+FETTLE_JOINT_FORCE(Wheel, motor_torque, motor)
+
+WheelJoint World::create_wheel_joint(const JointDef& def) {
+    return make_joint<WheelJoint>(*this, populate(__func__), def, WheelSettings());
 }
 
-void WheelConstraint::warm_start(SolverBody& a, SolverBody& b) const {
-    rail.push_both(impulses.rail, ends, a, b);
-    detail::twist(a, b, impulses.motor);
-}
-
-void WheelConstraint::drive(SolverBody& a, SolverBody& b) {
-    if (!driven) return;
-    detail::twist(a, b,
-                  push_motor(impulses.motor, angular_mass, b.angular_velocity - a.angular_velocity,
-                             motor_speed, greatest_motor));
-}
-
-void WheelConstraint::solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-    drive(a, b);
-    rail.follow(ends, a, b);
-    if (rail.acts_along()) rail.solve_along<true>(impulses.rail, ends, a, b, step);
-    rail.solve_across<true>(impulses.rail, ends, a, b, step);
-}
-
-void WheelConstraint::relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-    drive(a, b);
-    rail.follow(ends, a, b);
-    if (rail.limited) rail.solve_along<false>(impulses.rail, ends, a, b, step);
-    rail.solve_across<false>(impulses.rail, ends, a, b, step);
-}
-
-}  // namespace fettle::physics::detail
+}  // namespace fettle::physics

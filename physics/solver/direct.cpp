@@ -74,10 +74,9 @@ class DirectSolver {
     void write(DirectPass pass) {
         RowWriter writer(rows_, scales_, h_, pass);
         follow_curved_contacts(input_);
-        const auto joints = [&](auto& list) {
-            for (auto& c : list) write_rows(writer, c, bodies_[c.ends.a], bodies_[c.ends.b]);
-        };
-        std::apply([&](auto&... list) { (joints(list), ...); }, input_.joints.joint_constraints);
+        for (size_t type = 0; type < joint_type_count; ++type)
+            joint_kind(JointType(type))
+                .write_rows(input_.joints.joint_arrays[type], bodies_, writer);
         for (ContactConstraint& c : constraints_) {
             write_rows(writer, c, c.extra != 0 ? &extras_[c.extra - 1] : nullptr, bodies_[c.a],
                        bodies_[c.b], input_.settings.push_speed,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <joints/joint_constraint.h>
+#include <constraints/joint_rows.h>
 
 #include <algorithm>
 #include <limits>
@@ -101,6 +101,11 @@ class RowWriter {
     DirectRow& hold(const Jacobian& jacobian, float error, float& impulse) {
         return rigid(jacobian, biased() ? double(direct_correction) * double(error) / h_ : 0.0,
                      impulse);
+    }
+    /// Keeps the gap between the anchors at 0.
+    void hold_point(const JointEnds& ends, V2 gap, V2& impulse) {
+        hold(Jacobian::at_anchors(ends, {1.0f, 0.0f}), gap.x, impulse.x);
+        hold(Jacobian::at_anchors(ends, {0.0f, 1.0f}), gap.y, impulse.y);
     }
     /// Keeps room from becoming negative.
     DirectRow& limit(const Jacobian& jacobian, float room, float& impulse) {

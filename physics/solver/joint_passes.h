@@ -1,7 +1,6 @@
 #pragma once
 
-#include <state/step_scratch.h>
-#include <state/world_state.h>
+#include <state/joint_kind.h>
 #include <threads/pool.h>
 
 // A step writes the joints that act into constraints, by type and in the order of the nodes they
@@ -9,11 +8,53 @@
 
 namespace fettle::physics::detail {
 
+/// What constraints are written from.
+struct JointSource {
+    const ObjectState& objects;
+    const Columns& columns;
+    const BodyScratch& bodies;
+
+    JointEnds ends_of(const JointRecord& joint) const {
+        const auto [a, b] = joint.bodies;
+        const BodyRecord &body_a = objects.bodies[a], &body_b = objects.bodies[b];
+        JointEnds ends;
+        ends.a = body_a.solver_index;
+        ends.b = body_b.solver_index;
+        ends.start_a = rotate(rotation_of(a), joint.anchors[0] - body_a.local_center);
+        ends.start_b = rotate(rotation_of(b), joint.anchors[1] - body_b.local_center);
+        ends.lever_a = ends.start_a;
+        ends.lever_b = ends.start_b;
+        ends.apart = body_b.center - body_a.center;
+        ends.angle = (columns.states[b].angle - columns.states[a].angle) +
+                     (body_b.angle_rest - body_a.angle_rest);
+        const float mass_a = bodies.solver_bodies[ends.a].inverse_mass;
+        const float mass_b = bodies.solver_bodies[ends.b].inverse_mass;
+        ends.inverse_a = {body_a.locked_x ? 0.0f : mass_a, body_a.locked_y ? 0.0f : mass_a};
+        ends.inverse_b = {body_b.locked_x ? 0.0f : mass_b, body_b.locked_y ? 0.0f : mass_b};
+        return ends;
+    }
+
+    JointFrame frame_of(const JointRecord& joint) const {
+        const auto [a, b] = joint.bodies;
+        return {.a = rotation_of(a),
+                .center_a = objects.bodies[a].center,
+                .center_b = objects.bodies[b].center,
+                .anchor_a = joint.anchors[0],
+                .angle_a = double(columns.states[a].angle) + double(objects.bodies[a].angle_rest),
+                .angle_b = double(columns.states[b].angle) + double(objects.bodies[b].angle_rest)};
+    }
+
+  private:
+    Rotation rotation_of(uint32_t body) const {
+        return {columns.states[body].cosine, columns.states[body].sine};
+    }
+};
+
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          const BodyScratch& bodies, JointScratch& joints, float h,
                          float impulse_ratio, ThreadPool* threads);
 /// Which bodies have joints, for `JointShare`.
-void find_jointed(JointScratch& joints, const Strips& strips);
+void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
 // Passes over the joints of some nodes.
 void warm_start_joints(JointScratch& joints, std::span<SolverBody> bodies, const StripNodes& nodes);

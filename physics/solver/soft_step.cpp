@@ -184,7 +184,7 @@ struct alignas(line_size) SoftStep {
         if (!contacts.rolling_contacts.empty()) return false;  // their direction has changed
         if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
             return false;
-        find_jointed(input.joints, input.strips);
+        find_jointed(input.objects, input.joints, input.strips);
         return true;
     }
 };

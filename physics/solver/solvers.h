@@ -1,5 +1,6 @@
 #pragma once
 
+#include <constraints/joint_ends.h>
 #include <constraints/stiffness.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>

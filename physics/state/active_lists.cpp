@@ -13,10 +13,10 @@ JointRole role_of(const ObjectState& objects, const JointRecord& joint) {
 }
 
 void forget_impulses(ObjectState& objects, uint32_t joint) {
-    auto forget = [&](auto& list) { list[objects.joints[joint].place].impulses = {}; };
-    with_list(objects.joint_lists, objects.joints[joint].type, forget);
-    objects.joints[joint].force = {};
-    objects.joints[joint].torque = 0.0f;
+    JointRecord& record = objects.joints[joint];
+    record.impulses = {};
+    record.force = {};
+    record.torque = 0.0f;
 }
 
 void add_awake(ObjectState& objects, ActiveLists& active, uint32_t body) {

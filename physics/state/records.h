@@ -7,8 +7,10 @@
 #include <geometry/vector.h>
 
 #include <cmath>
-#include <cstring>
+#include <cstddef>
 #include <limits>
+#include <new>
+#include <type_traits>
 
 // What a world keeps per body, shape, contact and joint. Indices instead of pointers and no
 // ownership anywhere, so that the vectors of these records can be copied as they are.
@@ -124,25 +126,31 @@ struct ShapeForm {
     bool is_small_polygon() const { return kind == FormKind::convex && (count == 3 || count == 4); }
 };
 
-/// Circle, Box, Segment or Ellipse, as the type of the shape says. All use the same memory.
-class Figure {
+/// A value of any plain type, which is known from elsewhere. All types use the same memory.
+template <size_t capacity>
+class PlainValue {
   public:
-    template <class Kind>
-    Kind as() const {
-        static_assert(sizeof(Kind) <= sizeof numbers_);
-        Kind kind;
-        std::memcpy(static_cast<void*>(&kind), numbers_, sizeof kind);
-        return kind;
+    template <class Type>
+    Type& as() {
+        static_assert(sizeof(Type) <= capacity && alignof(Type) <= alignof(float));
+        static_assert(std::is_trivially_destructible_v<Type>);
+        return *std::launder(reinterpret_cast<Type*>(bytes_));
     }
-    template <class Kind>
-    void become(const Kind& kind) {
-        static_assert(sizeof(Kind) <= sizeof numbers_);
-        std::memcpy(numbers_, static_cast<const void*>(&kind), sizeof kind);
+    template <class Type>
+    const Type& as() const {
+        return const_cast<PlainValue*>(this)->as<Type>();
+    }
+    template <class Type>
+    void become(const Type& value) {
+        new (bytes_) Type(value);
     }
 
   private:
-    float numbers_[6] = {};
+    alignas(float) std::byte bytes_[capacity] = {};
 };
+
+/// Circle, Box, Segment or Ellipse, as the type of the shape says.
+using Figure = PlainValue<24>;
 
 /// What a polygon has besides its vertices.
 struct PolygonFigure {
@@ -218,22 +226,23 @@ struct ContactLinks {
     uint32_t began = 0;  ///< the last digits of the step in which it began to touch
 };
 
-/// What all joints have. What a type adds is in the list of that type, without gaps.
+inline constexpr size_t joint_type_count = size_t(JointType::ratchet) + 1;
+
 struct JointRecord {
     JointType type = JointType::mouse;
     bool enabled = true;
     bool collide = false;         ///< the two bodies, with each other
     bool broken = false;          ///< it does not act until it is repaired
     uint32_t awake_index = none;  ///< in the list of the awake ones of its type
-    uint32_t place = none;        ///< in the list of its type
     uint32_t bodies[2] = {0, 0};  ///< 0: the world
     V2 anchors[2];                ///< body coordinates
-    ListEdge edges[2];            ///< in the joint lists of body a and b
+    ListEdge edges[2];            ///< in the joint lists of body a and b; of a free slot: the next
     V2 force;                     ///< of the last step, on body b
     float torque = 0.0f;
     float break_force = infinity, break_torque = infinity;  ///< N, N m: it breaks above
+    PlainValue<44> settings;                                ///< `Settings` of its type
+    PlainValue<24> impulses;  ///< `Impulses` of its type, of the last sub-step; all 0: none
     uint64_t user_data = 0;
-    uint32_t next_free = none;
 
     bool acts() const { return enabled && !broken; }
     bool breakable() const { return break_force < infinity || break_torque < infinity; }

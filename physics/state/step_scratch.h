@@ -5,11 +5,10 @@
 #include <constraints/rolling_contact.h>
 #include <constraints/wide_contact.h>
 #include <fettle/physics/events.h>
-#include <joints/joint_share.h>
-#include <joints/joint_types.h>
 #include <partition/acting.h>
 #include <partition/blocks.h>
 #include <partition/hubs.h>
+#include <partition/joint_share.h>
 #include <partition/strips.h>
 #include <state/member_list.h>
 #include <state/step_notes.h>
@@ -61,23 +60,44 @@ struct BodyScratch {
     }
 };
 
+/// The joints of one type that act in a step, in the order of the nodes they belong to.
+struct JointArray {
+    std::vector<uint32_t> joints;  ///< slots
+    NodeRanges nodes;
+    std::vector<std::byte> constraints;  ///< of the same joints, as their type defines them
+
+    template <class Constraint>
+    Constraint* as() {
+        static_assert(alignof(Constraint) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+        return std::launder(reinterpret_cast<Constraint*>(constraints.data()));
+    }
+    template <class Constraint>
+    const Constraint* as() const {
+        return const_cast<JointArray*>(this)->as<Constraint>();
+    }
+
+    template <class Io, class Self>
+    static void scratch(Io& io, Self& s) {
+        list_members<JointArray>(io, named("step", s.joints, s.nodes, s.constraints));
+    }
+};
+
 struct JointScratch {
     JointShare joint_share;
-    JointPlans joint_plans;
-    JointConstraints joint_constraints;
+    std::array<JointArray, joint_type_count> joint_arrays;  ///< by type
     std::vector<uint8_t> joint_notes;
     std::vector<Strain> strains;
 
     size_t acting_joints() const {
         size_t count = 0;
-        for (const JointPlan& plan : joint_plans.of_type) count += plan.joints.size();
+        for (const JointArray& array : joint_arrays) count += array.joints.size();
         return count;
     }
 
     template <class Io, class Self>
     static void scratch(Io& io, Self& s) {
-        list_members<JointScratch>(io, named("step", s.joint_share, s.joint_plans,
-                                             s.joint_constraints, s.joint_notes, s.strains));
+        list_members<JointScratch>(
+            io, named("step", s.joint_share, s.joint_arrays, s.joint_notes, s.strains));
     }
 };
 

@@ -4,7 +4,6 @@
 #include <broad_phase/tree.h>
 #include <fettle/physics/world.h>
 #include <geometry/vertex_pool.h>
-#include <joints/joint_types.h>
 #include <partition/strips.h>
 #include <state/member_list.h>
 #include <state/records.h>
@@ -36,7 +35,6 @@ struct ObjectState {
     std::vector<ContactRecord> contacts;
     std::vector<ContactLinks> contact_links;  ///< of the same
     std::vector<JointRecord> joints;
-    JointLists joint_lists;
     std::vector<FieldRecord> fields;
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
 
@@ -125,8 +123,7 @@ struct ObjectState {
             io, named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots),
             named("shapes", s.shapes, s.forms, s.shape_slots), named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.contact_slots),
-            named("joints", s.joints, s.joint_lists, s.joint_slots),
-            named("fields", s.fields, s.field_slots));
+            named("joints", s.joints, s.joint_slots), named("fields", s.fields, s.field_slots));
     }
 };
 

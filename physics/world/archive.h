@@ -69,10 +69,6 @@ class ArchiveOutput {
             sink_(list.data(), list.size() * sizeof(T));
         }
     }
-    template <class... T>
-    void operator()(const std::tuple<T...>& lists) {
-        each_of(*this, lists);
-    }
     template <class T, std::size_t n>
     void operator()(const std::array<std::vector<T>, n>& lists) {
         each_of(*this, lists);
@@ -130,10 +126,6 @@ class ArchiveReader {
             for (T& element : list) (*this)(element);
         else
             raw(list.data(), list.size(), sizeof(T));
-    }
-    template <class... T>
-    void operator()(std::tuple<T...>& lists) {
-        each_of(*this, lists);
     }
     template <class T, std::size_t n>
     void operator()(std::array<std::vector<T>, n>& lists) {

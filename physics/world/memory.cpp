@@ -42,12 +42,8 @@ class MemoryLines {
         add(lists);
         for (const std::vector<T>& list : lists) (*this)(list);
     }
-    template <class... T>
-    void operator()(const std::tuple<T...>& lists) {
-        each_of(*this, lists);
-    }
     template <class T, std::size_t n>
-    void operator()(const std::array<std::vector<T>, n>& lists) {
+    void operator()(const std::array<T, n>& lists) {
         each_of(*this, lists);
     }
     void operator()(const Events& events) { event_members(*this, events); }
@@ -78,8 +74,8 @@ struct MemoryRelease {
     void operator()(std::vector<T>& list) {
         list = std::vector<T>();
     }
-    template <class... T>
-    void operator()(std::tuple<T...>& lists) {
+    template <class T, std::size_t n>
+    void operator()(std::array<T, n>& lists) {
         each_of(*this, lists);
     }
     template <class T>

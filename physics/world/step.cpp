@@ -90,7 +90,7 @@ void WorldData::step(float dt) {
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
     store_joints(objects, joint_scratch, joint_step, threads);
-    break_joints(editing(), joint_scratch, joint_step);
+    break_joints(editing(), joint_scratch, joint_step.inverse_h / float(settings.substeps));
     store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
     if (settings.persist_events)
         report_persisting(objects, columns, active, uint32_t(steps), settings.substeps, events);

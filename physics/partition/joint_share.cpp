@@ -1,4 +1,4 @@
-#include <joints/joint_share.h>
+#include <partition/joint_share.h>
 
 #include <algorithm>
 

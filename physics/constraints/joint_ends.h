@@ -38,7 +38,6 @@ inline V2 scaled(V2 by, V2 v) {
 /// The two bodies of a joint and where it holds them.
 struct JointEnds {
     uint32_t a = 0, b = 0;    ///< solver bodies
-    uint32_t place = 0;       ///< among the joints of its type
     V2 start_a, start_b;      ///< from the centers of mass to the anchors when the step began
     V2 lever_a, lever_b;      ///< the same now
     V2 apart;                 ///< center of mass of b minus that of a when the step began
@@ -88,86 +87,5 @@ inline void twist(SolverBody& a, SolverBody& b, float p) {
     a.angular_velocity -= a.inverse_inertia * p;
     b.angular_velocity += b.inverse_inertia * p;
 }
-
-/// A spring in the form that a row needs: Δλ = -m·(mass_scale·v + push·C) - impulse_scale·λ. The
-/// force is -k·C - d·v with the position before the sub-step and the velocity after it: this
-/// neither gains nor loses energy while h·ω is small, so a spring swings with the frequency and the
-/// damping it was told. Above that (h·ω > ½) the stiffness is taken from the position after the
-/// sub-step more and more, which damps, and is stable for any stiffness.
-struct Spring {
-    float push = 0.0f;
-    float mass_scale = 0.0f;
-    float impulse_scale = 1.0f;
-
-    static Spring make(float hertz, float damping_ratio, float h) {
-        const float turn = 6.2831853f * hertz * h;  // h·ω
-        const float implicit = clamp(turn - 0.5f, 0.0f, 1.0f);
-        const float a = turn * (2.0f * damping_ratio + implicit * turn);
-        const float rest = 1.0f / (1.0f + a);
-        return {turn * turn / h * rest, a * rest, rest};
-    }
-    float impulse(float mass, float velocity, float error, float so_far) const {
-        return -mass * (mass_scale * velocity + push * error) - impulse_scale * so_far;
-    }
-};
-
-/// A row that keeps an error at 0. `velocity` is that of the error. Returns the change of
-/// `impulse`.
-template <bool biased>
-float push_rigid(float& impulse, float mass, float velocity, float error, const JointStep& step) {
-    float change = -mass * velocity;
-    if constexpr (biased) {
-        const Softness& soft = step.rigid;
-        change = -mass * soft.mass_scale * (velocity + soft.bias_rate * error) -
-                 soft.impulse_scale * impulse;
-    }
-    impulse += change;
-    return change;
-}
-
-/// A row that only pushes one way: it keeps `room` from becoming negative.
-/// `velocity` is that of the room. Returns the change of `impulse`.
-template <bool biased>
-float push_limit(float& impulse, float mass, float velocity, float room, const JointStep& step) {
-    float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;
-    if (room > 0.0f) {
-        bias = room * step.inverse_h;  // it may just close the room
-    } else if (biased) {
-        bias = step.rigid.bias_rate * room;
-        mass_scale = step.rigid.mass_scale;
-        impulse_scale = step.rigid.impulse_scale;
-    }
-    const float wanted = -mass * mass_scale * (velocity + bias) - impulse_scale * impulse;
-    const float total = max(impulse + wanted, 0.0f);
-    const float change = total - impulse;
-    impulse = total;
-    return change;
-}
-
-/// A row that drives a velocity to `speed` with at most `greatest` (impulse). Returns the change.
-inline float push_motor(float& impulse, float mass, float velocity, float speed, float greatest) {
-    const float total = clamp(impulse - mass * (velocity - speed), -greatest, greatest);
-    const float change = total - impulse;
-    impulse = total;
-    return change;
-}
-
-/// Two rows that hold a point: the inverse of K = M_a⁻¹ + M_b⁻¹ + I_a⁻¹·r_a⊥ r_a⊥ᵀ +
-/// I_b⁻¹·r_b⊥ r_b⊥ᵀ.
-struct PointMass {
-    float xx = 0.0f, xy = 0.0f, yy = 0.0f;
-
-    static PointMass make(const JointEnds& e, const SolverBody& a, const SolverBody& b) {
-        const float ia = a.inverse_inertia, ib = b.inverse_inertia;
-        const float xx = e.inverse_a.x + e.inverse_b.x + ia * e.lever_a.y * e.lever_a.y +
-                         ib * e.lever_b.y * e.lever_b.y;
-        const float yy = e.inverse_a.y + e.inverse_b.y + ia * e.lever_a.x * e.lever_a.x +
-                         ib * e.lever_b.x * e.lever_b.x;
-        const float xy = -ia * e.lever_a.x * e.lever_a.y - ib * e.lever_b.x * e.lever_b.y;
-        const float inverse = inverse_or_zero(xx * yy - xy * xy);
-        return {inverse * yy, -inverse * xy, inverse * xx};
-    }
-    V2 operator*(V2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }
-};
 
 }  // namespace fettle::physics::detail

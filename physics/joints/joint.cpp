@@ -1,16 +1,75 @@
-#include <world/live_joint.h>
+#include <joints/joint_handle.h>
+#include <joints/joint_types.h>
 
-// The handles of joints: what all have, and the mouse.
+#include <string>
+
+// The handles of joints: what all types have.
 
 namespace fettle::physics {
 
 using namespace detail;
 
 namespace detail {
+namespace {
+
+#define FETTLE_LIST_TYPE(type) JointType::type,
+constexpr JointType listed_types[] = {FETTLE_JOINT_TYPES(FETTLE_LIST_TYPE)};
+#undef FETTLE_LIST_TYPE
+
+constexpr bool are_in_order() {
+    for (size_t i = 0; i < joint_type_count; ++i)
+        if (listed_types[i] != JointType(i)) return false;
+    return std::size(listed_types) == joint_type_count;
+}
+static_assert(are_in_order());
+
+}  // namespace
+
+const JointKind& joint_kind(JointType type) {
+#define FETTLE_LIST_KIND(type) &type##_joint,
+    static constexpr const JointKind* kinds[] = {FETTLE_JOINT_TYPES(FETTLE_LIST_KIND)};
+#undef FETTLE_LIST_KIND
+    return *kinds[size_t(type)];
+}
 
 void wrong_joint(JointType expected, JointType is) {
-    throw std::invalid_argument(std::string("expected a ") + joint_type_names[size_t(expected)] +
-                                " joint, got a " + joint_type_names[size_t(is)] + " joint");
+    throw std::invalid_argument(std::string("expected a ") + joint_kind(expected).name +
+                                " joint, got a " + joint_kind(is).name + " joint");
+}
+
+uint32_t slot_of(const World& world, const char* name, BodyId id) {
+    if (!world.is_valid(id)) foreign(name, "body", id.index, id.generation);
+    return id.index;
+}
+
+JointRecord checked(const World& world, const JointDef& def) {
+    JointRecord record;
+    if (def.body_a != BodyId()) record.bodies[0] = slot_of(world, "body_a", def.body_a);
+    if (def.body_b != BodyId()) record.bodies[1] = slot_of(world, "body_b", def.body_b);
+    if (record.bodies[0] == record.bodies[1])
+        throw std::invalid_argument("body_a and body_b: expected two different bodies");
+    record.anchors[0] = to_v2(check_coordinates("anchor_a", def.anchor_a));
+    record.anchors[1] = to_v2(check_coordinates("anchor_b", def.anchor_b));
+    record.collide = def.collide;
+    record.enabled = def.enabled;
+    record.user_data = def.user_data;
+    return record;
+}
+
+float angle_between(const Joint& joint) {
+    const Body a = joint.body_a(), b = joint.body_b();
+    return (b ? b.angle() : 0.0f) - (a ? a.angle() : 0.0f);
+}
+
+Vec2 gap_between(const Joint& joint) {
+    return joint.world_anchor_b() - joint.world_anchor_a();
+}
+
+float translation_along(const Joint& joint, const Vec2& direction) {
+    const V2 axis = normalized(to_v2(direction));
+    const Body a = joint.body_a();
+    const Vec2 turned = a ? a.world_vector(to_vec2(axis)) : to_vec2(axis);
+    return turned.dot(gap_between(joint));
 }
 
 }  // namespace detail
@@ -172,23 +231,5 @@ void Joint::set_user_data(uint64_t value) {
     data.self.may_populate("Joint", __func__);
     data.joints[id_.index].user_data = value;
 }
-
-void MouseJoint::set_body(const Body& body) {
-    (void)own<MouseData>();
-    set_body_b(body);
-}
-void MouseJoint::set_anchor(const Vec2& anchor) {
-    (void)own<MouseData>();
-    set_anchor_b(anchor);
-}
-void MouseJoint::set_target(const Vec2& target) {
-    (void)own<MouseData>();
-    set_anchor_a(check_coordinates("target", target));
-}
-FETTLE_JOINT_SETTING(MouseJoint, MouseData, hertz, check_not_negative("hertz", value))
-FETTLE_JOINT_SETTING(MouseJoint, MouseData, damping_ratio,
-                     check_not_negative("damping_ratio", value))
-FETTLE_JOINT_SETTING(MouseJoint, MouseData, max_force,
-                     check_range("max_force", value, 0.0f, infinity))
 
 }  // namespace fettle::physics

@@ -1,0 +1,169 @@
+#pragma once
+
+#include <checks/arguments.h>
+#include <constraints/joint_rows.h>
+#include <solver/direct_row.h>
+
+// Parts that several types of joints have: of their settings, and what acts along one coordinate of
+// a joint that is free, an angle or a translation: a spring to a target, a motor that is a velocity
+// with a greatest force (or torque), and limits, q - lower >= 0 and upper - q >= 0.
+
+namespace fettle::physics::detail {
+
+/// A row along a direction that turns with a body, or with a line between two.
+struct Line {
+    V2 direction;
+    float lever_a = 0.0f, lever_b = 0.0f, mass = 0.0f;
+
+    /// `arm_a`: from the center of mass of a to where it is pushed.
+    void aim(const JointEnds& ends, V2 towards, V2 arm_a, const SolverBody& a,
+             const SolverBody& b) {
+        direction = towards;
+        lever_a = cross(arm_a, towards);
+        lever_b = cross(ends.lever_b, towards);
+        mass = inverse_or_zero(ends.inverse_along(towards) + a.inverse_inertia * lever_a * lever_a +
+                               b.inverse_inertia * lever_b * lever_b);
+    }
+    float velocity(const SolverBody& a, const SolverBody& b) const {
+        return dot(direction, b.velocity - a.velocity) +
+               (lever_b * b.angular_velocity - lever_a * a.angular_velocity);
+    }
+    void push(const JointEnds& ends, SolverBody& a, SolverBody& b, float p) const {
+        a.velocity = a.velocity - p * scaled(ends.inverse_a, direction);
+        a.angular_velocity -= a.inverse_inertia * lever_a * p;
+        b.velocity = b.velocity + p * scaled(ends.inverse_b, direction);
+        b.angular_velocity += b.inverse_inertia * lever_b * p;
+    }
+    Jacobian jacobian(const JointEnds& ends) const {
+        return Jacobian::along(ends, direction, lever_a, lever_b);
+    }
+};
+
+/// Of a spring. 0 Hz: none; infinitely many, where a joint allows that: rigid.
+struct Stiffness {
+    float hertz = 0.0f, damping_ratio = 0.0f;
+
+    bool is_rigid() const { return hertz == infinity; }
+    bool is_spring() const { return !is_rigid() && hertz > 0.0f; }
+    Spring spring(float h) const { return Spring::make(hertz, damping_ratio, h); }
+    void check() const {
+        check_not_negative("hertz", hertz);
+        check_not_negative("damping_ratio", damping_ratio);
+    }
+};
+
+struct Limits {
+    float lower = -infinity, upper = infinity;
+
+    bool any() const { return lower > -infinity || upper < infinity; }
+    /// Where they cross, the upper one counts.
+    Limits in_order() const { return {min(lower, upper), upper}; }
+};
+
+struct Motor {
+    float speed = 0.0f;
+    float greatest = 0.0f;  ///< N or N m; in a step as an impulse
+};
+
+struct LimitImpulses {
+    float lower = 0.0f, upper = 0.0f;
+    void scale(float s) { lower *= s, upper *= s; }
+    float sum() const { return lower - upper; }
+};
+
+/// Solves limits of a row: `velocity()` and `push(impulse)` are those of the row.
+template <bool biased, class Velocity, class Push>
+void solve_limits(const Limits& limits, LimitImpulses& impulses, float mass, float position,
+                  const JointStep& step, Velocity&& velocity, Push&& push) {
+    if (limits.lower > -infinity)
+        push(push_limit<biased>(impulses.lower, mass, velocity(), position - limits.lower, step));
+    if (limits.upper < infinity)
+        push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step));
+}
+
+inline void write_limits(const Limits& limits, LimitImpulses& impulses, float position,
+                         const Jacobian& jacobian, RowWriter& rows) {
+    if (limits.lower > -infinity) rows.limit(jacobian, position - limits.lower, impulses.lower);
+    if (limits.upper < infinity)
+        rows.limit(jacobian.opposite(), limits.upper - position, impulses.upper);
+}
+
+struct CoordinateSettings {
+    Limits limits;
+    Motor motor;
+    Stiffness stiffness;
+    float target = 0.0f;  ///< of the spring
+
+    struct Names {
+        const char *lower, *upper, *greatest, *target;
+    };
+    static constexpr Names of_angle = {"lower_angle", "upper_angle", "max_motor_torque",
+                                       "target_angle"};
+    static constexpr Names of_translation = {"lower_translation", "upper_translation",
+                                             "max_motor_force", "target_translation"};
+    void check(const Names& names) const {
+        check_limit(names.lower, limits.lower);
+        check_limit(names.upper, limits.upper);
+        check_finite("motor_speed", motor.speed);
+        check_strength(names.greatest, motor.greatest);
+        stiffness.check();
+        check_finite(names.target, target);
+    }
+};
+
+struct CoordinateImpulses {
+    float spring = 0.0f, motor = 0.0f;
+    LimitImpulses limits;
+    void scale(float s) { spring *= s, motor *= s, limits.scale(s); }
+    float sum() const { return spring + motor + limits.sum(); }
+};
+
+struct Coordinate {
+    Limits limits;
+    Motor motor;
+    Spring spring;
+    float target = 0.0f;
+    bool springy = false, driven = false, limited = false;
+
+    /// `moves`: an impulse along the coordinate changes something.
+    void prepare(const CoordinateSettings& settings, CoordinateImpulses& impulses, float h,
+                 bool moves) {
+        if (moves) {
+            limits = settings.limits.in_order();
+            springy = settings.stiffness.is_spring();
+            driven = settings.motor.greatest > 0.0f;
+            limited = limits.any();
+        }
+        motor = {settings.motor.speed, settings.motor.greatest * h};
+        target = settings.target;
+        if (springy) spring = settings.stiffness.spring(h);
+        // What no longer acts starts at nothing when it acts again.
+        if (!springy) impulses.spring = 0.0f;
+        if (!driven) impulses.motor = 0.0f;
+        if (!limited) impulses.limits = {};
+    }
+    bool acts() const { return springy || driven || limited; }
+    bool acts_relaxed() const { return driven || limited; }
+
+    /// `velocity()` and `push(impulse)` are those along the coordinate.
+    template <bool biased, class Velocity, class Push>
+    void solve(CoordinateImpulses& impulses, float mass, float position, const JointStep& step,
+               Velocity&& velocity, Push&& push) const {
+        if (biased && springy) {
+            const float change =
+                spring.impulse(mass, velocity(), position - target, impulses.spring);
+            impulses.spring += change;
+            push(change);
+        }
+        if (driven) push(push_motor(impulses.motor, mass, velocity(), motor.speed, motor.greatest));
+        solve_limits<biased>(limits, impulses.limits, mass, position, step, velocity, push);
+    }
+    void write_rows(CoordinateImpulses& impulses, float mass, float position,
+                    const Jacobian& jacobian, RowWriter& rows) const {
+        if (springy) rows.spring(jacobian, spring, mass, position - target, impulses.spring);
+        if (driven) rows.motor(jacobian, motor.speed, motor.greatest, impulses.motor);
+        write_limits(limits, impulses.limits, position, jacobian, rows);
+    }
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,47 @@
+#include <joints/joint_types.h>
+#include <joints/rail.h>
+
+// A pin of b in a groove of a from one point to another: a slot that is given by its two ends. The
+// axis is the line between them and the limits are 0 and its length |end - begin|.
+
+namespace fettle::physics {
+namespace detail {
+
+struct GrooveSettings {
+    static constexpr JointType type = JointType::groove;
+    V2 end = {1.0f, 0.0f};  ///< in the coordinates of body a; it begins at the anchor there
+
+    void check() const { check_coordinates("end", to_vec2(end)); }
+};
+
+struct GrooveConstraint : SlotConstraint {
+    using Settings = GrooveSettings;
+
+    void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
+                 const SolverBody& a, const SolverBody& b) {
+        const V2 run = settings.end - frame.anchor_a;
+        RailSettings slot;
+        slot.along.limits = {0.0f, length(run)};
+        // Ends at the same point hold the pin there: any direction serves.
+        if (slot.along.limits.upper > 1e-6f) slot.axis = run;
+        rail.prepare(slot, impulses.rail, ends, frame, step, a, b);
+    }
+};
+
+constinit const JointKind groove_joint = JointFunctions<GrooveConstraint>::kind("groove");
+
+}  // namespace detail
+
+using namespace detail;
+
+FETTLE_JOINT_VECTOR(Groove, end, end)
+
+float GrooveJoint::translation() const {
+    return translation_along(*this, end() - anchor_a());
+}
+
+GrooveJoint World::create_groove_joint(const JointDef& def) {
+    return make_joint<GrooveJoint>(*this, populate(__func__), def, GrooveSettings());
+}
+
+}  // namespace fettle::physics

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <checks/arguments.h>
+#include <state/joint_kind.h>
+#include <world/world_data.h>
+
+#include <stdexcept>
+
+// For the handles of joints: how they are made, and how they read and write settings.
+
+namespace fettle::physics {
+
+namespace detail {
+
+[[noreturn]] void wrong_joint(JointType expected, JointType is);
+
+/// The slot of a body; `name` is what a definition calls it.
+uint32_t slot_of(const World& world, const char* name, BodyId id);
+/// What all joints have.
+JointRecord checked(const World& world, const JointDef& def);
+
+template <class Handle, class Settings>
+Handle make_joint(World& world, WorldData& data, JointRecord record, const Settings& settings) {
+    record.type = Settings::type;
+    record.settings.become(settings);
+    const uint32_t slot = create_joint(data.editing(), record);
+    return {&world, {slot, data.joint_generations[slot]}};
+}
+template <class Handle, class Settings>
+Handle make_joint(World& world, WorldData& data, const JointDef& def, const Settings& settings) {
+    return make_joint<Handle>(world, data, checked(world, def), settings);
+}
+
+/// Of b relative to a, rad.
+float angle_between(const Joint& joint);
+/// From anchor a to anchor b, world axes, m.
+Vec2 gap_between(const Joint& joint);
+/// How far anchor b is from anchor a along a direction in the coordinates of a.
+float translation_along(const Joint& joint, const Vec2& direction);
+
+}  // namespace detail
+
+template <class Settings>
+Settings& Joint::own() const {
+    detail::JointRecord& record = live().joints[id_.index];
+    if (record.type != Settings::type) detail::wrong_joint(Settings::type, record.type);
+    return record.settings.as<Settings>();
+}
+
+template <class Settings>
+Settings& Joint::edit(const char* of, const char* function) const {
+    Settings& settings = own<Settings>();
+    detail::WorldData& data = live();
+    data.self.may_edit(of, function);
+    wake_joint(data.activity(), id_.index);
+    return settings;
+}
+
+}  // namespace fettle::physics
+
+// A property that is a member of the settings. `Of` is what the name of the joint begins with.
+#define FETTLE_JOINT_PROPERTY(Of, Value, Argument, name, member, inside, outside) \
+    Value Of##Joint::name() const {                                               \
+        return outside(own<detail::Of##Settings>().member);                       \
+    }                                                                             \
+    void Of##Joint::set_##name(Argument value) {                                  \
+        auto wanted = own<detail::Of##Settings>();                                \
+        wanted.member = inside(value);                                            \
+        wanted.check();                                                           \
+        edit<detail::Of##Settings>(#Of "Joint", __func__) = wanted;               \
+    }
+#define FETTLE_JOINT_NUMBER(Of, name, member) \
+    FETTLE_JOINT_PROPERTY(Of, float, float, name, member, float, float)
+#define FETTLE_JOINT_VECTOR(Of, name, member) \
+    FETTLE_JOINT_PROPERTY(Of, Vec2, const Vec2&, name, member, detail::to_v2, detail::to_vec2)
+// A force or a torque in the last step, from a member of the impulses.
+#define FETTLE_JOINT_FORCE(Of, name, member)                                                  \
+    float Of##Joint::name() const {                                                           \
+        own<detail::Of##Settings>();                                                          \
+        const auto& impulses = live().joints[id().index].impulses.as<detail::Of##Impulses>(); \
+        return per_substep(impulses.member);                                                  \
+    }

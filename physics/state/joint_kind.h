@@ -1,0 +1,54 @@
+#pragma once
+
+#include <constraints/joint_ends.h>
+#include <state/step_scratch.h>
+#include <state/world_state.h>
+
+// What the rest of the library knows of a type of joint: a table of functions. A function of a step
+// takes a range of the joints of a type, so that there is one call for many joints; what it does
+// for each of them is compiled for the type.
+
+namespace fettle::physics::detail {
+
+struct JointSource;
+class RowWriter;
+
+/// Joints of an array.
+struct JointRange {
+    size_t begin = 0, end = 0;
+};
+
+/// What a joint does to body b in a sub-step, as impulses.
+struct JointLoad {
+    V2 push;
+    float twist = 0.0f;
+};
+
+struct JointKind {
+    const char* name;
+    size_t constraint_size;
+    /// Throws std::invalid_argument where a setter would.
+    void (*check)(const JointRecord& joint);
+
+    /// Writes constraints from the records of the joints. True if one bears a heavy load.
+    bool (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
+                    JointRange range);
+    void (*warm_start)(JointArray& array, std::span<SolverBody> bodies, JointRange range);
+    void (*solve)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
+                  JointRange range);
+    /// From the last joint of the range to the first.
+    void (*relax)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
+                  JointRange range);
+    JointLoad (*load)(const JointArray& array, size_t index);
+    /// The rows of all joints, where their bodies are now. What holds in `solve` and `relax` holds
+    /// here, at once.
+    void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows);
+    /// Writes impulses back to the records.
+    void (*store)(const JointArray& array, ObjectState& objects, const JointStep& step,
+                  JointRange range);
+};
+
+/// Each type is defined in its file in `joints`, and listed in joints/joint_types.h.
+const JointKind& joint_kind(JointType type);
+
+}  // namespace fettle::physics::detail
