@@ -1,7 +1,6 @@
 #pragma once
 
 #include <collision/climb.h>
-#include <collision/nearest.h>
 #include <collision/solid.h>
 
 #include <vector>

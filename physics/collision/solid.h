@@ -26,4 +26,11 @@ struct Solid {
     const V2* normals = nullptr;  ///< of a piece: of its edges, body coordinates
 };
 
+/// The points of two shapes that are nearest to each other, from the center of mass of a.
+struct Nearest {
+    float distance = 0.0f;  ///< 0 where they overlap: then the points are the same, inside both
+    V2 on_a, on_b;
+    V2 normal;  ///< from a to b; of no length where they overlap
+};
+
 }  // namespace fettle::physics::detail

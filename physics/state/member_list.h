@@ -1,10 +1,13 @@
 #pragma once
 
+#include <fettle/physics/events.h>
+
 #include <concepts>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 // Lists of the members of a struct that the compiler checks: a member that is not listed is an
 // error. One list serves writing, reading, counting memory and releasing it.
@@ -67,6 +70,27 @@ void list_members(Io& io, const Line&... lines) {
         std::apply([&io](auto&... each) { (io(each), ...); }, line.members);
     };
     (show(lines), ...);
+}
+
+/// Has a `members` of its own.
+template <class T, class Io>
+concept ListsMembers = requires(Io& io, T& value) {
+    std::remove_const_t<T>::members(io, value);
+};
+
+/// What happened, list by list.
+template <class Io, class Happened>
+void event_members(Io& io, Happened& e) {
+    static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
+    io(e.contact_begin), io(e.contact_persist), io(e.contact_end), io(e.contact_hit);
+    io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke);
+    io(e.slept), io(e.woke);
+}
+
+/// Every part of what has parts of one kind.
+template <class Io, class T>
+void each_of(Io& io, T& parts) {
+    std::apply([&io](auto&... each) { (io(each), ...); }, parts);
 }
 
 }  // namespace fettle::physics::detail

@@ -1,7 +1,6 @@
 #include <collision/piece.h>
-#include <collision/probe.h>
-#include <collision/sweep.h>
 #include <contacts/border.h>
+#include <distance/distance.h>
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
 #include <step/finish.h>

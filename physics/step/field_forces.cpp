@@ -1,7 +1,7 @@
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
 #include <collision/piece.h>
-#include <collision/submerged.h>
+#include <distance/submerged.h>
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
 #include <step/field_forces.h>

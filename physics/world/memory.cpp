@@ -1,4 +1,4 @@
-#include <world/archive.h>
+#include <state/member_list.h>
 #include <world/world_data.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #include <geometry/trigonometry.h>
-#include <world/asking.h>
 #include <world/live_shape.h>
 
 #include <stdexcept>
@@ -274,16 +273,6 @@ Vec2 Shape::world_center() const {
     data.read_all();
     const Vec2 local = to_vec2(record.centroid);
     return form.body == none ? local : body().world_point(local);
-}
-
-bool Shape::contains(const Vec2& world_point) const {
-    FETTLE_LIVE_SHAPE
-    data.read_all();
-    if (record.type == ShapeType::border) return false;
-    bool inside = false;
-    data.for_each_solid(id_.index,
-                        [&](uint32_t s) { inside |= shape_contains(data, s, to_v2(world_point)); });
-    return inside;
 }
 
 bool Shape::is_touching() const {

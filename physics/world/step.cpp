@@ -7,10 +7,10 @@
 #include <solver/serial_contacts.h>
 #include <solver/solvers.h>
 #include <solver/store_contacts.h>
+#include <state/member_list.h>
 #include <step/field_forces.h>
 #include <step/finish.h>
 #include <step/gather.h>
-#include <world/archive.h>
 #include <world/world_data.h>
 
 #include <chrono>

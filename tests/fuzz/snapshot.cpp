@@ -16,7 +16,7 @@
 #include <fettle/property/snapshot.h>
 #include <fettle/property/storage/scene.h>
 #include <fettle/script/runtime.h>
-#include <world/seal.h>
+#include <saving/seal.h>
 
 #include "game.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <fettle/physics/physics.h>
-#include <world/seal.h>
+#include <saving/seal.h>
 
 using namespace fettle::physics;
 

@@ -1,8 +1,8 @@
 #include <broad_phase/pair_set.h>
 #include <broad_phase/tree.h>
 #include <geometry/trigonometry.h>
+#include <saving/archive.h>
 #include <wide/kernels.h>
-#include <world/archive.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "scenes.h"
 
-#include <collision/submerged.h>
+#include <distance/submerged.h>
 
 namespace field_test {
 

@@ -1,5 +1,5 @@
 #include <collision/ellipse.h>
-#include <collision/probe.h>
+#include <distance/distance.h>
 
 #include <set>
 

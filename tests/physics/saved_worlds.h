@@ -3,7 +3,7 @@
 #include "catch.h"
 #include "scenes.h"
 
-#include <world/seal.h>
+#include <saving/seal.h>
 
 #include <cstring>
 #include <vector>

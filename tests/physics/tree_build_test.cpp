@@ -1,6 +1,6 @@
 #include <broad_phase/tree.h>
+#include <saving/archive.h>
 #include <wide/kernels.h>
-#include <world/archive.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "catch.h"
 #include "game.h"
 
-#include <world/seal.h>
+#include <saving/seal.h>
 
 namespace snapshot_test {
 

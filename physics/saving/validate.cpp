@@ -1,4 +1,4 @@
-#include <checks/saved_world.h>
+#include <saving/saved_world.h>
 #include <world/world_data.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
-#include <collision/nearest.h>
-#include <collision/sweep.h>
 #include <collision/turned_copy.h>
+#include <distance/distance.h>
 
 #include <utility>
 

@@ -1,9 +1,8 @@
 #include <checks/arguments.h>
-#include <collision/nearest.h>
-#include <collision/probe.h>
 #include <contacts/border.h>
-#include <world/asking.h>
-#include <world/world_data.h>
+#include <distance/distance.h>
+#include <queries/asking.h>
+#include <world/live_shape.h>
 
 #include <algorithm>
 
@@ -11,17 +10,13 @@ namespace fettle::physics {
 
 using namespace detail;
 
-namespace detail {
+namespace {
 
 bool shape_contains(const WorldData& data, uint32_t shape, V2 point) {
     const uint32_t body = data.forms[shape].body;
     return signed_distance(data.solid(shape),
                            body == none ? point : point - data.bodies[body].center) <= 0.0f;
 }
-
-}  // namespace detail
-
-namespace {
 
 /// A shape of many parts is met in several of them.
 void add_once(std::vector<Shape>& found, const Shape& shape) {
@@ -64,6 +59,16 @@ void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, 
 }
 
 }  // namespace
+
+bool Shape::contains(const Vec2& world_point) const {
+    FETTLE_LIVE_SHAPE
+    data.read_all();
+    if (record.type == ShapeType::border) return false;
+    bool inside = false;
+    data.for_each_solid(id_.index,
+                        [&](uint32_t s) { inside |= shape_contains(data, s, to_v2(world_point)); });
+    return inside;
+}
 
 std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filter) const {
     check_coordinates("point", point);

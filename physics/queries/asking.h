@@ -23,6 +23,5 @@ class Asking {
 
 /// The filter of a query accepts the shape.
 bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shape);
-bool shape_contains(const WorldData& data, uint32_t shape, V2 point);
 
 }  // namespace fettle::physics::detail

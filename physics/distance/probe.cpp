@@ -1,7 +1,7 @@
 #include <collision/climb.h>
 #include <collision/ellipse.h>
 #include <collision/piece.h>
-#include <collision/probe.h>
+#include <distance/distance.h>
 
 namespace fettle::physics::detail {
 namespace {

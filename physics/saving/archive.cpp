@@ -1,6 +1,6 @@
-#include <checks/saved_world.h>
-#include <world/archive.h>
-#include <world/seal.h>
+#include <saving/archive.h>
+#include <saving/saved_world.h>
+#include <saving/seal.h>
 #include <world/world_data.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <fettle/physics/events.h>
+#include <state/member_list.h>
 
 #include <array>
 #include <cstddef>
@@ -18,31 +18,10 @@
 
 namespace fettle::physics::detail {
 
-/// Has a `members` of its own.
-template <class T, class Io>
-concept ListsMembers = requires(Io& io, T& value) {
-    std::remove_const_t<T>::members(io, value);
-};
-
 /// What may be copied byte by byte. Not `is_trivially_copyable`, which Eigen's vectors are not:
 /// a type that owns memory has a destructor that is not trivial.
 template <class T>
 inline constexpr bool bytewise = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
-
-/// What happened, list by list.
-template <class Io, class Happened>
-void event_members(Io& io, Happened& e) {
-    static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
-    io(e.contact_begin), io(e.contact_persist), io(e.contact_end), io(e.contact_hit);
-    io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke);
-    io(e.slept), io(e.woke);
-}
-
-/// Every part of what has parts of one kind.
-template <class Io, class T>
-void each_of(Io& io, T& parts) {
-    std::apply([&io](auto&... each) { (io(each), ...); }, parts);
-}
 
 /// Writes, or only counts (`ArchiveSize`).
 template <class Sink>

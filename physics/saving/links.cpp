@@ -1,5 +1,5 @@
-#include <checks/saved_world.h>
 #include <collision/climb.h>
+#include <saving/saved_world.h>
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
-#include <collision/nearest.h>
-#include <collision/sweep.h>
+#include <collision/climb.h>
 #include <collision/turned_copy.h>
+#include <distance/distance.h>
 #include <geometry/trigonometry.h>
 
 namespace fettle::physics::detail {

@@ -1,9 +1,7 @@
 #include <checks/arguments.h>
-#include <collision/nearest.h>
-#include <collision/probe.h>
-#include <collision/sweep.h>
 #include <contacts/border.h>
-#include <world/asking.h>
+#include <distance/distance.h>
+#include <queries/asking.h>
 #include <world/world_data.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <world/seal.h>
+#include <saving/seal.h>
 
 #include <cstring>
 

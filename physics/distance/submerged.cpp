@@ -1,5 +1,5 @@
 #include <collision/ellipse.h>
-#include <collision/submerged.h>
+#include <distance/submerged.h>
 #include <geometry/trigonometry.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <checks/arguments.h>
-#include <checks/saved_world.h>
+#include <saving/saved_world.h>
 #include <state/joint_kind.h>
 #include <state/limits.h>
 

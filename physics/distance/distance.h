@@ -1,0 +1,50 @@
+#pragma once
+
+#include <collision/solid.h>
+
+// Nearest points, distances, rays and sweeps. Where two shapes are given, `offset` is the center of
+// mass of b minus that of a.
+
+namespace fettle::physics::detail {
+
+Nearest nearest_points(const Convex& a, const Convex& b, V2 offset);
+Nearest nearest_points(const Solid& a, const Solid& b, V2 offset);
+
+/// 0 where they overlap.
+float distance(const Convex& a, const Convex& b, V2 offset);
+float distance(const Solid& a, const Solid& b, V2 offset);
+
+/// A moving shape: where its center of mass starts, how far it goes and turns. `end` is the shape
+/// as it is rotated at the end of the motion.
+struct Sweep {
+    Solid end;
+    V2 start;
+    V2 shift;
+    float turn = 0.0f;
+    float extent = 0.0f;  ///< farthest point from the center of mass
+};
+
+/// The fraction of the motion, 0 … 1, up to which the shape keeps at least `gap` from `obstacle`
+/// (center of mass at `center`), by conservative advancement. 1 if it never gets that near; 0 if it
+/// starts nearer.
+float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap);
+
+/// Distance from a point to the surface of a shape, negative inside; `p` relative to the shape's
+/// center of mass.
+float signed_distance(const Convex& shape, V2 p);
+float signed_distance(const Solid& shape, V2 p);
+
+/// How far a shape reaches along a unit vector from the center of mass of its body.
+float reach(const Solid& shape, V2 direction);
+
+struct Probe {
+    float fraction = 2.0f;  ///< more than 1: missed
+    V2 normal;
+};
+
+/// Where the segment from `p` along `d` enters the shape. A start inside is a miss.
+Probe cast_segment(const Convex& shape, V2 p, V2 d);
+/// A piece is entered through its part of the outline only, a segment of a chain from its front.
+Probe cast_segment(const Solid& shape, V2 p, V2 d);
+
+}  // namespace fettle::physics::detail
