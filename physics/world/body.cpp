@@ -68,10 +68,37 @@ void Body::destroy() {
     detail::destroy_body(data.editing(), id_.index);
 }
 
-BodyType Body::type() const {
-    FETTLE_LIVE_BODY
-    return record.type;
-}
+FETTLE_BODY_READ(BodyType, type, record.type)
+FETTLE_BODY_READ(Vec2, position, state.position)
+FETTLE_BODY_READ(float, angle, state.angle)
+FETTLE_BODY_READ(Pose, previous_pose, data.previous[id_.index])
+FETTLE_BODY_DERIVED(Vec2, velocity, state.velocity)  // a center of mass that moves changes it
+FETTLE_BODY_READ(float, angular_velocity, state.angular_velocity)
+FETTLE_BODY_READ(Vec2, force, to_vec2(record.force))
+FETTLE_BODY_READ(Vec2, applied_force, to_vec2(record.step_force))
+FETTLE_BODY_READ(float, applied_torque, record.step_torque)
+FETTLE_BODY_DERIVED(bool, awake, record.solver_index != 0)  // an infinite mass does not wake
+FETTLE_BODY_READ(bool, can_sleep, record.can_sleep)
+FETTLE_BODY_READ(bool, bullet, record.bullet)
+FETTLE_BODY_READ(bool, is_touching, record.touching > 0)
+FETTLE_BODY_READ(uint64_t, user_data, record.user_data)
+
+FETTLE_BODY_NUMBER(torque, check_finite)
+FETTLE_BODY_NUMBER(gravity_scale, check_finite)
+FETTLE_BODY_NUMBER(linear_damping, check_not_negative)
+FETTLE_BODY_NUMBER(angular_damping, check_not_negative)
+
+#define FETTLE_BODY_LOCK(name)                 \
+    FETTLE_BODY_READ(bool, name, record.name)  \
+    void Body::set_##name(bool locked) {       \
+        FETTLE_EDIT_BODY                       \
+        record.name = locked;                  \
+        mark_mass(data, data, id_.index);      \
+        wake_body(data.activity(), id_.index); \
+    }
+FETTLE_BODY_LOCK(locked_x)
+FETTLE_BODY_LOCK(locked_y)
+FETTLE_BODY_LOCK(locked_rotation)
 
 void Body::set_type(BodyType type) {
     FETTLE_EDIT_BODY
@@ -84,19 +111,9 @@ void Body::set_type(BodyType type) {
         id_.index);  // at once: reading `awake` or setting a velocity next depends on it
 }
 
-Vec2 Body::position() const {
-    FETTLE_LIVE_BODY
-    return state.position;
-}
-
 void Body::set_position(const Vec2& position) {
     FETTLE_EDIT_BODY
     teleport(data, id_.index, check_coordinates("position", position), state.angle);
-}
-
-float Body::angle() const {
-    FETTLE_LIVE_BODY
-    return state.angle;
 }
 
 void Body::set_angle(float angle) {
@@ -112,54 +129,35 @@ void Body::set_pose(const Pose& pose) {
     teleport(data, id_.index, pose.position, pose.angle);
 }
 
-Vec2 Body::velocity() const {
-    FETTLE_LIVE_BODY
-    data.read_mass(id_.index);  // a center of mass that moves changes it
-    return data.states[id_.index].velocity;
+namespace {
+
+/// Whether the body may have a velocity; then it is awake.
+bool moves_after_edit(WorldData& data, uint32_t body) {
+    data.read_mass(body);
+    if (data.bodies[body].mobility == Mobility::fixed) return false;
+    wake_for_edit(data.activity(), body);
+    return true;
 }
+
+}  // namespace
 
 void Body::set_velocity(const Vec2& velocity) {
     FETTLE_EDIT_BODY
     check_finite("velocity", velocity);
-    data.read_mass(id_.index);
-    if (record.mobility == Mobility::fixed) return;
-    wake_for_edit(data.activity(), id_.index);
+    if (!moves_after_edit(data, id_.index)) return;
     state.velocity = velocity;
-}
-
-float Body::angular_velocity() const {
-    FETTLE_LIVE_BODY
-    return state.angular_velocity;
 }
 
 void Body::set_angular_velocity(float angular_velocity) {
     FETTLE_EDIT_BODY
     check_finite("angular_velocity", angular_velocity);
-    data.read_mass(id_.index);
-    if (record.mobility == Mobility::fixed) return;
-    wake_for_edit(data.activity(), id_.index);
+    if (!moves_after_edit(data, id_.index)) return;
     state.angular_velocity = angular_velocity;
-}
-
-Vec2 Body::force() const {
-    FETTLE_LIVE_BODY
-    return to_vec2(record.force);
 }
 
 void Body::set_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     record.force = to_v2(check_finite("force", force));
-    wake_body(data.activity(), id_.index);
-}
-
-float Body::torque() const {
-    FETTLE_LIVE_BODY
-    return record.torque;
-}
-
-void Body::set_torque(float torque) {
-    FETTLE_EDIT_BODY
-    record.torque = check_finite("torque", torque);
     wake_body(data.activity(), id_.index);
 }
 
@@ -207,15 +205,6 @@ void Body::apply_torque(float torque) {
     record.step_torque = bounded(record.step_torque + torque, greatest_force);
 }
 
-Vec2 Body::applied_force() const {
-    FETTLE_LIVE_BODY
-    return to_vec2(record.step_force);
-}
-float Body::applied_torque() const {
-    FETTLE_LIVE_BODY
-    return record.step_torque;
-}
-
 void Body::apply_impulse(const Vec2& impulse) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
@@ -241,45 +230,6 @@ void Body::apply_angular_impulse(float impulse) {
     kick(record, state, {}, impulse);
 }
 
-float Body::gravity_scale() const {
-    FETTLE_LIVE_BODY
-    return record.gravity_scale;
-}
-
-void Body::set_gravity_scale(float scale) {
-    FETTLE_EDIT_BODY
-    record.gravity_scale = check_finite("gravity_scale", scale);
-    wake_body(data.activity(), id_.index);
-}
-
-float Body::linear_damping() const {
-    FETTLE_LIVE_BODY
-    return record.linear_damping;
-}
-
-void Body::set_linear_damping(float damping) {
-    FETTLE_EDIT_BODY
-    record.linear_damping = check_not_negative("linear_damping", damping);
-    wake_body(data.activity(), id_.index);
-}
-
-float Body::angular_damping() const {
-    FETTLE_LIVE_BODY
-    return record.angular_damping;
-}
-
-void Body::set_angular_damping(float damping) {
-    FETTLE_EDIT_BODY
-    record.angular_damping = check_not_negative("angular_damping", damping);
-    wake_body(data.activity(), id_.index);
-}
-
-bool Body::awake() const {
-    FETTLE_LIVE_BODY
-    data.read_mass(id_.index);  // an infinite mass does not wake
-    return record.solver_index != 0;
-}
-
 void Body::set_awake(bool awake) {
     FETTLE_EDIT_BODY
     if (awake) {
@@ -290,65 +240,15 @@ void Body::set_awake(bool awake) {
     }
 }
 
-bool Body::can_sleep() const {
-    FETTLE_LIVE_BODY
-    return record.can_sleep;
-}
-
 void Body::set_can_sleep(bool can_sleep) {
     FETTLE_EDIT_BODY
     record.can_sleep = can_sleep;
     if (!can_sleep) wake_body(data.activity(), id_.index);
 }
 
-bool Body::bullet() const {
-    FETTLE_LIVE_BODY
-    return record.bullet;
-}
-
 void Body::set_bullet(bool bullet) {
     FETTLE_EDIT_BODY
     record.bullet = bullet;
-}
-
-namespace {
-
-void set_lock(WorldData& data, uint32_t body, bool BodyRecord::*lock, bool locked) {
-    data.bodies[body].*lock = locked;
-    mark_mass(data, data, body);
-    wake_body(data.activity(), body);
-}
-
-}  // namespace
-
-bool Body::locked_x() const {
-    FETTLE_LIVE_BODY
-    return record.locked_x;
-}
-void Body::set_locked_x(bool locked) {
-    FETTLE_EDIT_BODY
-    set_lock(data, id_.index, &BodyRecord::locked_x, locked);
-}
-bool Body::locked_y() const {
-    FETTLE_LIVE_BODY
-    return record.locked_y;
-}
-void Body::set_locked_y(bool locked) {
-    FETTLE_EDIT_BODY
-    set_lock(data, id_.index, &BodyRecord::locked_y, locked);
-}
-bool Body::locked_rotation() const {
-    FETTLE_LIVE_BODY
-    return record.locked_rotation;
-}
-void Body::set_locked_rotation(bool locked) {
-    FETTLE_EDIT_BODY
-    set_lock(data, id_.index, &BodyRecord::locked_rotation, locked);
-}
-
-Pose Body::previous_pose() const {
-    FETTLE_LIVE_BODY
-    return data.previous[id_.index];
 }
 
 Pose Body::interpolated(float fraction) const {
@@ -421,11 +321,6 @@ std::vector<Shape> Body::shapes() const {
     return all;
 }
 
-bool Body::is_touching() const {
-    FETTLE_LIVE_BODY
-    return record.touching > 0;
-}
-
 std::vector<Contact> Body::contacts() const {
     FETTLE_LIVE_BODY
     std::vector<Contact> all;
@@ -434,11 +329,6 @@ std::vector<Contact> Body::contacts() const {
         if (c.touching && !c.sensor) all.push_back(view_of(data, data, data.last_substep, c));
     });
     return all;
-}
-
-uint64_t Body::user_data() const {
-    FETTLE_LIVE_BODY
-    return record.user_data;
 }
 
 void Body::set_user_data(uint64_t value) {

@@ -14,11 +14,13 @@ std::optional<float> if_given(float value) {
 
 }  // namespace
 
-float Body::mass() const {
-    FETTLE_LIVE_BODY
-    data.read_mass(id_.index);
-    return record.mass;
-}
+FETTLE_BODY_DERIVED(float, mass, record.mass)
+FETTLE_BODY_DERIVED(float, inertia, record.inertia)
+FETTLE_BODY_DERIVED(Vec2, center, to_vec2(record.local_center))
+FETTLE_BODY_DERIVED(Vec2, world_center, to_vec2(record.center))
+FETTLE_BODY_READ(std::optional<float>, mass_override, if_given(record.given_mass))
+FETTLE_BODY_READ(std::optional<float>, inertia_override, if_given(record.given_inertia))
+FETTLE_BODY_READ(uint32_t, rebuilds, record.rebuilds)
 
 void Body::set_mass(std::optional<float> mass) {
     FETTLE_EDIT_BODY
@@ -27,33 +29,11 @@ void Body::set_mass(std::optional<float> mass) {
     mark_mass(data, data, id_.index);
 }
 
-std::optional<float> Body::mass_override() const {
-    FETTLE_LIVE_BODY
-    return if_given(record.given_mass);
-}
-
-float Body::inertia() const {
-    FETTLE_LIVE_BODY
-    data.read_mass(id_.index);
-    return record.inertia;
-}
-
 void Body::set_inertia(std::optional<float> inertia) {
     FETTLE_EDIT_BODY
     record.given_inertia = check_inertial("inertia", inertia).value_or(not_given);
     wake_body(data.activity(), id_.index);
     mark_mass(data, data, id_.index);
-}
-
-std::optional<float> Body::inertia_override() const {
-    FETTLE_LIVE_BODY
-    return if_given(record.given_inertia);
-}
-
-Vec2 Body::center() const {
-    FETTLE_LIVE_BODY
-    data.read_mass(id_.index);
-    return to_vec2(record.local_center);
 }
 
 void Body::set_center(std::optional<Vec2> center) {
@@ -68,12 +48,6 @@ std::optional<Vec2> Body::center_override() const {
     FETTLE_LIVE_BODY
     if (!is_given(record.given_center.x)) return std::nullopt;
     return to_vec2(record.given_center);
-}
-
-Vec2 Body::world_center() const {
-    FETTLE_LIVE_BODY
-    data.read_mass(id_.index);
-    return to_vec2(record.center);
 }
 
 float Body::area() const {
@@ -93,11 +67,6 @@ Aabb Body::aabb() const {
     for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
         if (data.is_solid(s)) box = unite(box, data.boxes[s]);
     return {to_vec2(box.low), to_vec2(box.high)};
-}
-
-uint32_t Body::rebuilds() const {
-    FETTLE_LIVE_BODY
-    return record.rebuilds;
 }
 
 namespace {

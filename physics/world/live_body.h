@@ -31,3 +31,25 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
 #define FETTLE_EDIT_BODY \
     FETTLE_LIVE_BODY     \
     may_edit_body(data, id_, __func__);
+
+// A property that is read and no more than that.
+#define FETTLE_BODY_READ(Value, name, value) \
+    Value Body::name() const {               \
+        FETTLE_LIVE_BODY                     \
+        return value;                        \
+    }
+// One that follows from the shapes and may be out of date.
+#define FETTLE_BODY_DERIVED(Value, name, value) \
+    Value Body::name() const {                  \
+        FETTLE_LIVE_BODY                        \
+        data.read_mass(id_.index);              \
+        return value;                           \
+    }
+// A number that a step reads: it is checked, and writing it wakes the body.
+#define FETTLE_BODY_NUMBER(name, check)        \
+    FETTLE_BODY_READ(float, name, record.name) \
+    void Body::set_##name(float value) {       \
+        FETTLE_EDIT_BODY                       \
+        record.name = check(#name, value);     \
+        wake_body(data.activity(), id_.index); \
+    }

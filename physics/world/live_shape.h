@@ -22,3 +22,10 @@ inline WorldData& live(WorldLink* link, ShapeId id) {
 #define FETTLE_EDIT_SHAPE \
     FETTLE_LIVE_SHAPE     \
     data.self.may_edit("Shape", __func__);
+
+// A property that is read and no more than that.
+#define FETTLE_SHAPE_READ(Value, name, value) \
+    Value Shape::name() const {               \
+        FETTLE_LIVE_SHAPE                     \
+        return value;                         \
+    }

@@ -68,11 +68,6 @@ void Shape::destroy() {
     detail::destroy_shape(data.editing(), id_.index);
 }
 
-ShapeType Shape::type() const {
-    FETTLE_LIVE_SHAPE
-    return record.type;
-}
-
 Body Shape::body() const {
     FETTLE_LIVE_SHAPE
     World* const world = link_->world;
@@ -99,10 +94,42 @@ void Shape::detach() {
     if (form.body != none) detail::detach_shape(data.editing(), id_.index);
 }
 
-float Shape::density() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.density;
-}
+FETTLE_SHAPE_READ(ShapeType, type, record.type)
+FETTLE_SHAPE_READ(float, density, record.surface.density)
+FETTLE_SHAPE_READ(bool, sensor, record.surface.sensor)
+FETTLE_SHAPE_READ(bool, hit_events, record.surface.hit_events)
+FETTLE_SHAPE_READ(bool, is_touching, record.touching > 0)
+FETTLE_SHAPE_READ(uint32_t, rebuilds, record.rebuilds)
+FETTLE_SHAPE_READ(uint64_t, user_data, record.surface.user_data)
+
+// A number of the surface. The border refuses it by `refuse`, its value is `checked`.
+#define FETTLE_SURFACE(name, refuse, checked)           \
+    FETTLE_SHAPE_READ(float, name, record.surface.name) \
+    void Shape::set_##name(float value) {               \
+        FETTLE_EDIT_SHAPE                               \
+        refuse;                                         \
+        record.surface.name = checked;                  \
+        surface_changed(data, id_.index);               \
+    }
+FETTLE_SURFACE(friction, refuse_border(record, "bounds_friction"),
+               check_not_negative("friction", value))
+FETTLE_SURFACE(restitution, refuse_border(record, "bounds_restitution"),
+               check_range("restitution", value, 0.0f, 1.0f))
+FETTLE_SURFACE(rolling_resistance, refuse_border_any(record, "rolling_resistance"),
+               check_not_negative("rolling_resistance", value))
+FETTLE_SURFACE(surface_speed, refuse_border_any(record, "surface_speed"),
+               check_finite("surface_speed", value))
+
+#define FETTLE_FILTER(Value, name)                              \
+    FETTLE_SHAPE_READ(Value, name, record.surface.name)         \
+    void Shape::set_##name(Value value) {                       \
+        FETTLE_EDIT_SHAPE                                       \
+        refuse_border_any(record, #name);                       \
+        set_filtering(data, id_.index, &ShapeDef::name, value); \
+    }
+FETTLE_FILTER(uint64_t, category)
+FETTLE_FILTER(uint64_t, mask)
+FETTLE_FILTER(int32_t, group)
 
 void Shape::set_density(float density) {
     FETTLE_EDIT_SHAPE
@@ -111,59 +138,6 @@ void Shape::set_density(float density) {
     if (form.body == none) return;
     wake_body(data.activity(), form.body);
     mark_mass(data, data, form.body);
-}
-
-float Shape::friction() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.friction;
-}
-
-void Shape::set_friction(float friction) {
-    FETTLE_EDIT_SHAPE
-    refuse_border(record, "bounds_friction");
-    record.surface.friction = check_not_negative("friction", friction);
-    surface_changed(data, id_.index);
-}
-
-float Shape::restitution() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.restitution;
-}
-
-void Shape::set_restitution(float restitution) {
-    FETTLE_EDIT_SHAPE
-    refuse_border(record, "bounds_restitution");
-    record.surface.restitution = check_range("restitution", restitution, 0.0f, 1.0f);
-    surface_changed(data, id_.index);
-}
-
-float Shape::rolling_resistance() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.rolling_resistance;
-}
-
-void Shape::set_rolling_resistance(float resistance) {
-    FETTLE_EDIT_SHAPE
-    refuse_border_any(record, "rolling_resistance");
-    record.surface.rolling_resistance = check_not_negative("rolling_resistance", resistance);
-    surface_changed(data, id_.index);
-}
-
-float Shape::surface_speed() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.surface_speed;
-}
-
-void Shape::set_surface_speed(float speed) {
-    FETTLE_EDIT_SHAPE
-    refuse_border_any(record, "surface_speed");
-    record.surface.surface_speed = check_finite("surface_speed", speed);
-    surface_changed(data, id_.index);
-}
-
-bool Shape::sensor() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.sensor;
 }
 
 void Shape::set_sensor(bool sensor) {
@@ -181,50 +155,12 @@ void Shape::set_sensor(bool sensor) {
         data.for_each_solid(id_.index, [&](uint32_t solid) { mark_moved(data, data, solid); });
 }
 
-bool Shape::hit_events() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.hit_events;
-}
-
 void Shape::set_hit_events(bool enabled) {
     FETTLE_EDIT_SHAPE
     refuse_border_any(record, "hit_events");
     record.surface.hit_events = enabled;
     share_surface(data, id_.index);
     remix_shape(data, data.settings, id_.index);
-}
-
-uint64_t Shape::category() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.category;
-}
-
-void Shape::set_category(uint64_t category) {
-    FETTLE_EDIT_SHAPE
-    refuse_border_any(record, "category");
-    set_filtering(data, id_.index, &ShapeDef::category, category);
-}
-
-uint64_t Shape::mask() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.mask;
-}
-
-void Shape::set_mask(uint64_t mask) {
-    FETTLE_EDIT_SHAPE
-    refuse_border_any(record, "mask");
-    set_filtering(data, id_.index, &ShapeDef::mask, mask);
-}
-
-int32_t Shape::group() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.group;
-}
-
-void Shape::set_group(int32_t group) {
-    FETTLE_EDIT_SHAPE
-    refuse_border_any(record, "group");
-    set_filtering(data, id_.index, &ShapeDef::group, group);
 }
 
 float Shape::area() const {
@@ -273,21 +209,6 @@ Vec2 Shape::world_center() const {
     data.read_all();
     const Vec2 local = to_vec2(record.centroid);
     return form.body == none ? local : body().world_point(local);
-}
-
-bool Shape::is_touching() const {
-    FETTLE_LIVE_SHAPE
-    return record.touching > 0;
-}
-
-uint32_t Shape::rebuilds() const {
-    FETTLE_LIVE_SHAPE
-    return record.rebuilds;
-}
-
-uint64_t Shape::user_data() const {
-    FETTLE_LIVE_SHAPE
-    return record.surface.user_data;
 }
 
 void Shape::set_user_data(uint64_t value) {

@@ -33,24 +33,33 @@ inline constexpr ShapeType type_of<Segment> = ShapeType::segment;
 template <>
 inline constexpr ShapeType type_of<Ellipse> = ShapeType::ellipse;
 
-/// A measure of the figure that the shape is. `name`: as the error calls it for other shapes.
-template <class Kind, class T>
-T measure(const ShapeRecord& record, const char* name, T Kind::*member) {
-    if (record.type != type_of<Kind>) wrong_type(name, record.type);
-    return record.figure.as<Kind>().*member;
+/// A measure of the figure that the shape is, if it is one of those that have it. `name`: as the
+/// error calls it for other shapes.
+template <class Kind, class T, class... Others>
+T measure(const ShapeRecord& record, const char* name, T Kind::*member, Others... others) {
+    if (record.type == type_of<Kind>) return record.figure.as<Kind>().*member;
+    if constexpr (sizeof...(others) > 0)
+        return measure(record, name, others...);
+    else
+        wrong_type(name, record.type);
 }
 
 /// The figure is written only if it is sound afterwards.
-template <class Kind, class T>
-void set_measure(WorldData& data, uint32_t shape, const char* name, T Kind::*member,
-                 const std::type_identity_t<T>& value) {
+template <class Kind, class T, class... Others>
+void set_measure(WorldData& data, uint32_t shape, const char* name,
+                 const std::type_identity_t<T>& value, T Kind::*member, Others... others) {
     ShapeRecord& record = data.shapes[shape];
-    if (record.type != type_of<Kind>) wrong_type(name, record.type);
-    Kind kind = record.figure.as<Kind>();
-    kind.*member = value;
-    check(Geometry(kind));
-    record.figure.become(kind);
-    geometry_changed(data, shape);
+    if (record.type == type_of<Kind>) {
+        Kind kind = record.figure.as<Kind>();
+        kind.*member = value;
+        check(Geometry(kind));
+        record.figure.become(kind);
+        geometry_changed(data, shape);
+    } else if constexpr (sizeof...(others) > 0) {
+        set_measure(data, shape, name, value, others...);
+    } else {
+        wrong_type(name, record.type);
+    }
 }
 
 float polygon_rounding(const ShapeRecord& record) {
@@ -106,114 +115,38 @@ void Shape::set_geometry(const Geometry& geometry) {
     detail::set_form(data.editing(), id_.index, geometry, hull);
 }
 
-float Shape::radius() const {
-    FETTLE_LIVE_SHAPE
-    return measure(record, "radius", &Circle::radius);
-}
-
-void Shape::set_radius(float radius) {
-    FETTLE_EDIT_SHAPE
-    set_measure(data, id_.index, "radius", &Circle::radius, radius);
-}
-
-Vec2 Shape::center() const {
-    FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::circle) return record.figure.as<Circle>().center;
-    if (record.type == ShapeType::box) return record.figure.as<Box>().center;
-    return measure(record, "center", &Ellipse::center);
-}
-
-void Shape::set_center(const Vec2& center) {
-    FETTLE_EDIT_SHAPE
-    if (record.type == ShapeType::circle)
-        set_measure(data, id_.index, "center", &Circle::center, center);
-    else if (record.type == ShapeType::box)
-        set_measure(data, id_.index, "center", &Box::center, center);
-    else
-        set_measure(data, id_.index, "center", &Ellipse::center, center);
-}
-
-float Shape::radius_x() const {
-    FETTLE_LIVE_SHAPE
-    return measure(record, "radius_x", &Ellipse::radius_x);
-}
-void Shape::set_radius_x(float radius) {
-    FETTLE_EDIT_SHAPE
-    set_measure(data, id_.index, "radius_x", &Ellipse::radius_x, radius);
-}
-float Shape::radius_y() const {
-    FETTLE_LIVE_SHAPE
-    return measure(record, "radius_y", &Ellipse::radius_y);
-}
-void Shape::set_radius_y(float radius) {
-    FETTLE_EDIT_SHAPE
-    set_measure(data, id_.index, "radius_y", &Ellipse::radius_y, radius);
-}
-
-float Shape::width() const {
-    FETTLE_LIVE_SHAPE
-    return measure(record, "width", &Box::width);
-}
-void Shape::set_width(float width) {
-    FETTLE_EDIT_SHAPE
-    set_measure(data, id_.index, "width", &Box::width, width);
-}
-float Shape::height() const {
-    FETTLE_LIVE_SHAPE
-    return measure(record, "height", &Box::height);
-}
-void Shape::set_height(float height) {
-    FETTLE_EDIT_SHAPE
-    set_measure(data, id_.index, "height", &Box::height, height);
-}
-float Shape::angle() const {
-    FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::ellipse) return record.figure.as<Ellipse>().angle;
-    return measure(record, "angle", &Box::angle);
-}
-void Shape::set_angle(float angle) {
-    FETTLE_EDIT_SHAPE
-    if (record.type == ShapeType::ellipse)
-        set_measure(data, id_.index, "angle", &Ellipse::angle, angle);
-    else
-        set_measure(data, id_.index, "angle", &Box::angle, angle);
-}
+#define FETTLE_MEASURE(Value, Argument, name, ...)               \
+    Value Shape::name() const {                                  \
+        FETTLE_LIVE_SHAPE                                        \
+        return measure(record, #name, __VA_ARGS__);              \
+    }                                                            \
+    void Shape::set_##name(Argument value) {                     \
+        FETTLE_EDIT_SHAPE                                        \
+        set_measure(data, id_.index, #name, value, __VA_ARGS__); \
+    }
+FETTLE_MEASURE(float, float, radius, &Circle::radius)
+FETTLE_MEASURE(float, float, radius_x, &Ellipse::radius_x)
+FETTLE_MEASURE(float, float, radius_y, &Ellipse::radius_y)
+FETTLE_MEASURE(float, float, width, &Box::width)
+FETTLE_MEASURE(float, float, height, &Box::height)
+FETTLE_MEASURE(float, float, angle, &Ellipse::angle, &Box::angle)
+FETTLE_MEASURE(Vec2, const Vec2&, center, &Circle::center, &Box::center, &Ellipse::center)
+FETTLE_MEASURE(Vec2, const Vec2&, from, &Segment::from)
+FETTLE_MEASURE(Vec2, const Vec2&, to, &Segment::to)
 
 float Shape::rounding() const {
     FETTLE_LIVE_SHAPE
-    if (record.type == ShapeType::box) return record.figure.as<Box>().rounding;
     if (record.type == ShapeType::polygon) return polygon_rounding(record);
-    return measure(record, "rounding", &Segment::rounding);
+    return measure(record, "rounding", &Box::rounding, &Segment::rounding);
 }
 
 void Shape::set_rounding(float rounding) {
     FETTLE_EDIT_SHAPE
-    if (record.type == ShapeType::box) {
-        set_measure(data, id_.index, "rounding", &Box::rounding, rounding);
-    } else if (record.type == ShapeType::polygon) {
-        record.figure.become(PolygonFigure{check_range("rounding", rounding, 0.0f, 1e6f)});
-        geometry_changed(data, id_.index);
-    } else {
-        set_measure(data, id_.index, "rounding", &Segment::rounding, rounding);
-    }
-}
-
-Vec2 Shape::from() const {
-    FETTLE_LIVE_SHAPE
-    return measure(record, "from", &Segment::from);
-}
-void Shape::set_from(const Vec2& from) {
-    FETTLE_EDIT_SHAPE
-    set_measure(data, id_.index, "from", &Segment::from, from);
-}
-
-Vec2 Shape::to() const {
-    FETTLE_LIVE_SHAPE
-    return measure(record, "to", &Segment::to);
-}
-void Shape::set_to(const Vec2& to) {
-    FETTLE_EDIT_SHAPE
-    set_measure(data, id_.index, "to", &Segment::to, to);
+    if (record.type != ShapeType::polygon)
+        return set_measure(data, id_.index, "rounding", rounding, &Box::rounding,
+                           &Segment::rounding);
+    record.figure.become(PolygonFigure{check_range("rounding", rounding, 0.0f, 1e6f)});
+    geometry_changed(data, id_.index);
 }
 
 std::span<const Vec2> Shape::vertices() const {

@@ -72,137 +72,40 @@ void World::step(float dt) {
     lock.finish();
 }
 
-Vec2 World::gravity() const {
-    return data_->settings.gravity;
-}
-void World::set_gravity(const Vec2& gravity) {
-    WorldData& data = edit(__func__);
-    data.settings.gravity = check_finite("gravity", gravity);
-    detail::wake_all(data.activity());
-}
+// A setting: read, and written after a check; `then` is what else the change does.
+#define FETTLE_WORLD_SETTING(Value, Argument, name, checked, then) \
+    Value World::name() const {                                    \
+        return data_->settings.name;                               \
+    }                                                              \
+    void World::set_##name(Argument value) {                       \
+        WorldData& data = edit(__func__);                          \
+        data.settings.name = checked;                              \
+        then;                                                      \
+    }
+#define FETTLE_WORLD_NUMBER(name, check, then) \
+    FETTLE_WORLD_SETTING(float, float, name, check(#name, value), then)
 
-int World::substeps() const {
-    return data_->settings.substeps;
-}
-void World::set_substeps(int substeps) {
-    WorldData& data = edit(__func__);
-    data.settings.substeps = check_count("substeps", substeps, 1, 64);
-}
-
-const std::optional<Aabb>& World::bounds() const {
-    return data_->settings.bounds;
-}
-void World::set_bounds(const std::optional<Aabb>& bounds) {
-    WorldData& data = edit(__func__);
-    if (bounds) check_box("bounds", *bounds);
-    data.settings.bounds = bounds;
-    detail::apply_bounds(data.editing());
-}
-
-float World::bounds_friction() const {
-    return data_->settings.bounds_friction;
-}
-void World::set_bounds_friction(float friction) {
-    WorldData& data = edit(__func__);
-    data.settings.bounds_friction = check_not_negative("bounds_friction", friction);
-    detail::apply_bounds(data.editing());
-}
-
-float World::bounds_restitution() const {
-    return data_->settings.bounds_restitution;
-}
-void World::set_bounds_restitution(float restitution) {
-    WorldData& data = edit(__func__);
-    data.settings.bounds_restitution = check_range("bounds_restitution", restitution, 0.0f, 1.0f);
-    detail::apply_bounds(data.editing());
-}
-
-bool World::sleeping() const {
-    return data_->settings.sleeping;
-}
-void World::set_sleeping(bool enabled) {
-    WorldData& data = edit(__func__);
-    data.settings.sleeping = enabled;
-    if (!enabled) detail::wake_all(data.activity());
-}
-
-bool World::continuous() const {
-    return data_->settings.continuous;
-}
-void World::set_continuous(bool enabled) {
-    WorldData& data = edit(__func__);
-    data.settings.continuous = enabled;
-}
-
-float World::restitution_threshold() const {
-    return data_->settings.restitution_threshold;
-}
-void World::set_restitution_threshold(float speed) {
-    WorldData& data = edit(__func__);
-    data.settings.restitution_threshold = check_not_negative("restitution_threshold", speed);
-}
-
-float World::hit_threshold() const {
-    return data_->settings.hit_threshold;
-}
-void World::set_hit_threshold(float speed) {
-    WorldData& data = edit(__func__);
-    data.settings.hit_threshold = check_not_negative("hit_threshold", speed);
-}
-
-float World::sleep_speed() const {
-    return data_->settings.sleep_speed;
-}
-void World::set_sleep_speed(float speed) {
-    WorldData& data = edit(__func__);
-    data.settings.sleep_speed = check_not_negative("sleep_speed", speed);
-    detail::wake_all(data.activity());
-}
-
-float World::sleep_delay() const {
-    return data_->settings.sleep_delay;
-}
-void World::set_sleep_delay(float seconds) {
-    WorldData& data = edit(__func__);
-    data.settings.sleep_delay = check_not_negative("sleep_delay", seconds);
-    detail::wake_all(data.activity());
-}
-
-float World::contact_hertz() const {
-    return data_->settings.contact_hertz;
-}
-void World::set_contact_hertz(float hertz) {
-    WorldData& data = edit(__func__);
-    data.settings.contact_hertz = check_not_negative("contact_hertz", hertz);
-    detail::wake_all(data.activity());
-}
-
-float World::contact_damping() const {
-    return data_->settings.contact_damping;
-}
-void World::set_contact_damping(float ratio) {
-    WorldData& data = edit(__func__);
-    data.settings.contact_damping = check_not_negative("contact_damping", ratio);
-    detail::wake_all(data.activity());
-}
-
-Solver World::solver() const {
-    return data_->settings.solver;
-}
-void World::set_solver(Solver solver) {
-    WorldData& data = edit(__func__);
-    data.settings.solver = check_enumerator("solver", solver, Solver::direct);
-    detail::wake_all(data.activity());
-}
-
-float World::push_speed() const {
-    return data_->settings.push_speed;
-}
-void World::set_push_speed(float speed) {
-    WorldData& data = edit(__func__);
-    data.settings.push_speed = check_not_negative("push_speed", speed);
-    detail::wake_all(data.activity());
-}
+FETTLE_WORLD_SETTING(Vec2, const Vec2&, gravity, check_finite("gravity", value),
+                     detail::wake_all(data.activity()))
+FETTLE_WORLD_SETTING(int, int, substeps, check_count("substeps", value, 1, 64), )
+FETTLE_WORLD_SETTING(const std::optional<Aabb>&, const std::optional<Aabb>&, bounds,
+                     value ? check_box("bounds", *value) : value,
+                     detail::apply_bounds(data.editing()))
+FETTLE_WORLD_NUMBER(bounds_friction, check_not_negative, detail::apply_bounds(data.editing()))
+FETTLE_WORLD_SETTING(float, float, bounds_restitution,
+                     check_range("bounds_restitution", value, 0.0f, 1.0f),
+                     detail::apply_bounds(data.editing()))
+FETTLE_WORLD_SETTING(bool, bool, sleeping, value, if (!value) detail::wake_all(data.activity()))
+FETTLE_WORLD_SETTING(bool, bool, continuous, value, )
+FETTLE_WORLD_NUMBER(restitution_threshold, check_not_negative, )
+FETTLE_WORLD_NUMBER(hit_threshold, check_not_negative, )
+FETTLE_WORLD_NUMBER(sleep_speed, check_not_negative, detail::wake_all(data.activity()))
+FETTLE_WORLD_NUMBER(sleep_delay, check_not_negative, detail::wake_all(data.activity()))
+FETTLE_WORLD_NUMBER(contact_hertz, check_not_negative, detail::wake_all(data.activity()))
+FETTLE_WORLD_NUMBER(contact_damping, check_not_negative, detail::wake_all(data.activity()))
+FETTLE_WORLD_NUMBER(push_speed, check_not_negative, detail::wake_all(data.activity()))
+FETTLE_WORLD_SETTING(Solver, Solver, solver, check_enumerator("solver", value, Solver::direct),
+                     detail::wake_all(data.activity()))
 
 int World::threads() const {
     return data_->self.pool ? data_->self.pool->threads() : 1;
