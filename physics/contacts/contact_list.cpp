@@ -45,20 +45,8 @@ void remix_shape(ObjectState& objects, const WorldDef& settings, uint32_t shape)
 void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
                     uint32_t shape_b) {
     ObjectState& objects = list.touching.objects;
-    auto& contacts = objects.contacts;
-    auto& contact_links = objects.contact_links;
-    uint32_t slot = objects.contact_slots.free;
-    if (slot != none) {
-        objects.contact_slots.free = contact_links[slot].edges[0].next;
-        contacts[slot] = {};
-    } else {
-        slot = uint32_t(contacts.size());
-        make_room_in_each(contacts, contact_links);
-        contacts.emplace_back();
-        contact_links.emplace_back();
-    }
-    ++objects.contact_slots.count;
-    ContactRecord& c = contacts[slot];
+    const uint32_t slot = objects.contact_slots.take(objects.contact_links, objects.contacts);
+    ContactRecord& c = objects.contacts[slot];
     c.shape_a = shape_a;
     c.shape_b = shape_b;
     c.body_a = objects.forms[shape_a].body;
@@ -81,7 +69,6 @@ void create_contact(const ContactList& list, const WorldDef& settings, uint32_t 
 
 void destroy_contact(const ContactList& list, uint32_t slot) {
     ObjectState& objects = list.touching.objects;
-    auto& contact_links = objects.contact_links;
     ContactRecord& c = objects.contacts[slot];
     if (c.touching) set_touching(list.touching, slot, false);
     if (c.awake_index != none) remove_awake_contact(objects, list.active, slot);
@@ -94,9 +81,7 @@ void destroy_contact(const ContactList& list, uint32_t slot) {
     }
     list.pairs.erase(c.shape_a, c.shape_b);
     c = {};
-    contact_links[slot].edges[0].next = objects.contact_slots.free;
-    objects.contact_slots.free = slot;
-    --objects.contact_slots.count;
+    objects.contact_slots.give_back(objects.contact_links, slot);
 }
 
 void destroy_contacts_of_shape(const ContactList& list, uint32_t shape) {

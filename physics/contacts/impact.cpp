@@ -1,4 +1,4 @@
-#include <contacts/impact.h>
+#include <contacts/reports.h>
 
 namespace fettle::physics::detail {
 

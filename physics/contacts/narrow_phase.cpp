@@ -1,6 +1,5 @@
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
-#include <contacts/unusual_contacts.h>
 #include <geometry/growth.h>
 #include <state/active_lists.h>
 #include <state/limits.h>

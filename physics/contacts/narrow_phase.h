@@ -3,6 +3,7 @@
 #include <contacts/contact_list.h>
 #include <sleep/sleep.h>
 #include <state/step_scratch.h>
+#include <state/world_state.h>
 #include <threads/pool.h>
 #include <wide/kernels.h>
 
@@ -32,5 +33,10 @@ void narrow_phase(const NarrowPhaseInput& input);
 /// Destroys the contacts of the pairs that the narrow phase found to be over. They have no
 /// manifold, and no stage in between reads them.
 void end_pairs(const ContactList& list, PairScratch& scratch);
+
+/// The manifold of shapes that are not both plain convex. Most worlds have few such pairs. `held`:
+/// they were in contact before.
+void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
+                     const ContactRecord& contact, float margin, bool held, Manifold& manifold);
 
 }  // namespace fettle::physics::detail

@@ -1,4 +1,3 @@
-#include <contacts/impact.h>
 #include <contacts/reports.h>
 #include <contacts/touching.h>
 #include <state/limits.h>

@@ -3,7 +3,7 @@
 #include <collision/piece.h>
 #include <collision/turned_copy.h>
 #include <contacts/border.h>
-#include <contacts/unusual_contacts.h>
+#include <contacts/narrow_phase.h>
 
 #include <utility>
 

@@ -47,4 +47,15 @@ Probe cast_segment(const Convex& shape, V2 p, V2 d);
 /// A piece is entered through its part of the outline only, a segment of a chain from its front.
 Probe cast_segment(const Solid& shape, V2 p, V2 d);
 
+/// A part of a shape: its area (m²) and its centroid, from the center of mass of the body.
+struct AreaPart {
+    double area = 0.0;
+    V2 centroid;
+};
+
+/// The part of a shape with normal·p < depth, p from the center of mass of its body. Exact for
+/// circles, capsules and rounded polygons alike. `normal` is a unit vector.
+AreaPart part_below(const Convex& shape, V2 normal, double depth);
+AreaPart part_below(const Solid& shape, V2 normal, double depth);
+
 }  // namespace fettle::physics::detail

@@ -1,5 +1,5 @@
 #include <collision/ellipse.h>
-#include <distance/submerged.h>
+#include <distance/distance.h>
 #include <geometry/trigonometry.h>
 
 #include <algorithm>

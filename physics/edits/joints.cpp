@@ -51,17 +51,9 @@ void update_joint(const Editing& e, uint32_t joint) {
 }  // namespace
 
 uint32_t create_joint(const Editing& e, const JointRecord& record) {
-    uint32_t slot = e.objects.joint_slots.free;
-    if (slot != none) {
-        e.objects.joint_slots.free = e.objects.joints[slot].edges[0].next;
-    } else {
-        slot = uint32_t(e.objects.joints.size());
-        e.objects.joints.emplace_back();
-        e.columns.joint_generations.push_back(0);
-    }
+    const uint32_t slot = e.objects.joint_slots.take(e.objects.joints, e.columns.joint_generations);
     e.objects.joints[slot] = record;
     e.columns.joint_generations[slot] = e.generations.take();
-    ++e.objects.joint_slots.count;
     link_joint(e.objects, slot, 0);
     link_joint(e.objects, slot, 1);
     update_joint(e, slot);
@@ -75,11 +67,8 @@ void destroy_joint(const Editing& e, uint32_t joint) {
     refilter_joint(e, joint);
     unlink_joint(e.objects, joint, 0);
     unlink_joint(e.objects, joint, 1);
-    e.objects.joints[joint] = {};
-    e.objects.joints[joint].edges[0].next = e.objects.joint_slots.free;
-    e.objects.joint_slots.free = joint;
+    e.objects.joint_slots.give_back(e.objects.joints, joint);
     e.columns.joint_generations[joint] = 0;
-    --e.objects.joint_slots.count;
 }
 
 void set_joint_body(const Editing& e, uint32_t joint, uint32_t side, uint32_t body) {

@@ -163,6 +163,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
     for (const uint32_t count : parts.counts) {
         if (part == none) {
             part = new_shape(e);
+            --e.objects.shape_slots.count;  // parts are not counted
             e.objects.shapes[part].type = e.objects.shapes[shape].type;
             e.objects.shapes[part].surface = e.objects.shapes[shape].surface;
             e.objects.shapes[part].owner = shape;

@@ -76,22 +76,9 @@ void apply_bounds(const Editing& e) {
 }
 
 uint32_t create_body(const Editing& e, const BodyDef& def) {
-    uint32_t slot = e.objects.body_slots.free;
-    if (slot != none) {
-        e.objects.body_slots.free = e.objects.bodies[slot].next;
-        e.objects.bodies[slot] = BodyRecord();
-        e.columns.states[slot] = {};
-    } else {
-        slot = uint32_t(e.objects.bodies.size());
-        make_room_in_each(e.objects.bodies, e.columns.states, e.columns.previous,
-                          e.columns.body_generations);
-        e.objects.bodies.emplace_back();
-        e.columns.states.emplace_back();
-        e.columns.previous.emplace_back();
-        e.columns.body_generations.push_back(0);
-    }
+    const uint32_t slot = e.objects.body_slots.take(e.objects.bodies, e.columns.states,
+                                                    e.columns.previous, e.columns.body_generations);
     e.columns.body_generations[slot] = e.generations.take();
-    ++e.objects.body_slots.count;
 
     BodyRecord& record = e.objects.bodies[slot];
     record.type = def.type;
@@ -148,11 +135,8 @@ void destroy_body(const Editing& e, uint32_t body) {
         destroy_shape(e, e.objects.bodies[body].first_shape);
     if (e.objects.bodies[body].solver_index != 0) remove_awake(e.objects, e.active, body);
     leave_island(e.objects, body);
-    e.objects.bodies[body] = BodyRecord();
-    e.objects.bodies[body].next = e.objects.body_slots.free;
-    e.objects.body_slots.free = body;
+    e.objects.body_slots.give_back(e.objects.bodies, body);
     e.columns.body_generations[body] = 0;
-    --e.objects.body_slots.count;
 }
 
 uint32_t create_shape(const Editing& e, const ShapeDef& def, const Geometry& geometry) {
@@ -163,32 +147,19 @@ uint32_t create_shape(const Editing& e, const ShapeDef& def, const Geometry& geo
     if (polygon && convex_hull(polygon->vertices, hull) != HullStatus::ok) return none;
 
     const uint32_t slot = new_shape(e);
-    ++e.objects.shape_slots.count;
     e.objects.shapes[slot].surface = def;
     set_form(e, slot, geometry, hull);
     return slot;
 }
 
 uint32_t new_shape(const Editing& e) {
-    uint32_t slot = e.objects.shape_slots.free;
-    if (slot != none) {
-        e.objects.shape_slots.free = e.objects.shapes[slot].next;
-        const bool listed = e.objects.shapes[slot].moved;
-        e.objects.shapes[slot] = {};
-        e.objects.shapes[slot].moved = listed;
-        e.objects.forms[slot] = {};
-    } else {
-        slot = uint32_t(e.objects.shapes.size());
-        make_room_in_each(e.objects.shapes, e.objects.forms, e.broad_phase.boxes,
-                          e.broad_phase.fat_boxes, e.broad_phase.paired_boxes,
-                          e.columns.shape_generations);
-        e.objects.shapes.emplace_back();
-        e.objects.forms.emplace_back();
-        e.broad_phase.boxes.emplace_back();
-        e.broad_phase.fat_boxes.emplace_back();
-        e.broad_phase.paired_boxes.push_back(no_box);
-        e.columns.shape_generations.push_back(0);
-    }
+    Slots& slots = e.objects.shape_slots;
+    const bool listed = slots.free != none && e.objects.shapes[slots.free].moved;
+    const uint32_t slot =
+        slots.take(e.objects.shapes, e.objects.forms, e.broad_phase.boxes, e.broad_phase.fat_boxes,
+                   e.broad_phase.paired_boxes, e.columns.shape_generations);
+    e.objects.shapes[slot].moved = listed;
+    e.broad_phase.paired_boxes[slot] = no_box;
     e.columns.shape_generations[slot] = e.generations.take();
     return slot;
 }
@@ -266,15 +237,13 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
 void destroy_shape(const Editing& e, uint32_t shape) {
     if (e.objects.forms[shape].body != none) detach_shape(e, shape);
     drop_parts(e, shape, none);
-    if (e.objects.shapes[shape].owner == none) --e.objects.shape_slots.count;
     e.objects.pool.release(e.objects.forms[shape].begin, e.objects.shapes[shape].capacity);
+    const bool part = e.objects.shapes[shape].owner != none;
     const bool listed = e.objects.shapes[shape].moved;
-    e.objects.shapes[shape] = {};
-    e.objects.shapes[shape].moved =
-        listed;  // still in the list, also for the next shape in the slot
+    e.objects.shape_slots.give_back(e.objects.shapes, shape);
+    e.objects.shape_slots.count += part;     // parts are not counted
+    e.objects.shapes[shape].moved = listed;  // also for the next shape in the slot
     e.objects.forms[shape] = {};
-    e.objects.shapes[shape].next = e.objects.shape_slots.free;
-    e.objects.shape_slots.free = shape;
     e.columns.shape_generations[shape] = 0;
 }
 

@@ -138,10 +138,6 @@ float DistanceJoint::distance() const {
     return gap_between(*this).norm();
 }
 
-DistanceJoint World::create_distance_joint(const JointDef& def) {
-    auto joint = make_joint<DistanceJoint>(*this, populate(__func__), def, DistanceSettings());
-    joint.set_length(joint.distance());
-    return joint;
-}
+FETTLE_CREATE_JOINT(Distance, create_distance_joint, joint.set_length(joint.distance()))
 
 }  // namespace fettle::physics

@@ -80,10 +80,6 @@ float GearJoint::phase_now() const {
     return (b ? b.angle() : 0.0f) - ratio() * (a ? a.angle() : 0.0f);
 }
 
-GearJoint World::create_gear_joint(const JointDef& def) {
-    auto joint = make_joint<GearJoint>(*this, populate(__func__), def, GearSettings());
-    joint.set_phase(joint.phase_now());
-    return joint;
-}
+FETTLE_CREATE_JOINT(Gear, create_gear_joint, joint.set_phase(joint.phase_now()))
 
 }  // namespace fettle::physics

@@ -40,8 +40,6 @@ float GrooveJoint::translation() const {
     return translation_along(*this, end() - anchor_a());
 }
 
-GrooveJoint World::create_groove_joint(const JointDef& def) {
-    return make_joint<GrooveJoint>(*this, populate(__func__), def, GrooveSettings());
-}
+FETTLE_CREATE_JOINT(Groove, create_groove_joint, )
 
 }  // namespace fettle::physics

@@ -80,3 +80,16 @@ Settings& Joint::edit(const char* of, const char* function) const {
         const auto& impulses = live().joints[id().index].impulses.as<detail::Of##Impulses>(); \
         return per_substep(impulses.member);                                                  \
     }
+// The angle of b relative to a, less the reference.
+#define FETTLE_JOINT_ANGLE(Of)                                \
+    FETTLE_JOINT_NUMBER(Of, reference_angle, reference_angle) \
+    float Of##Joint::angle() const {                          \
+        return angle_between(*this) - reference_angle();      \
+    }
+// World::create_..._joint; `begin` is what a new `joint` finds.
+#define FETTLE_CREATE_JOINT(Of, function, begin)                                            \
+    Of##Joint World::function(const JointDef& def) {                                        \
+        auto joint = make_joint<Of##Joint>(*this, populate(__func__), def, Of##Settings()); \
+        begin;                                                                              \
+        return joint;                                                                       \
+    }

@@ -62,44 +62,41 @@ class JointFunctions {
         return a.inverse_mass > most * b.inverse_mass || b.inverse_mass > most * a.inverse_mass;
     }
 
-    /// Other threads may read a body that does not move: a joint to it gets a copy, and the body is
-    /// not written.
-    template <typename Act>
-    static void on_ends(std::span<SolverBody> bodies, Constraint& c, Act&& act) {
+    /// `act(constraint, a, b)`. Other threads may read a body that does not move: a joint to it
+    /// gets a copy, and the body is not written.
+    template <bool backwards = false, typename Act>
+    static void for_each(JointArray& array, std::span<SolverBody> bodies, JointRange range,
+                         Act&& act) {
         const auto still = [](const SolverBody& body) {
             return body.inverse_mass == 0.0f && body.inverse_inertia == 0.0f;
         };
-        SolverBody *a = &bodies[c.ends.a], *b = &bodies[c.ends.b];
-        SolverBody copy;
-        if (still(*a)) {
-            copy = *a;
-            a = &copy;
-        } else if (still(*b)) {
-            copy = *b;
-            b = &copy;
+        const size_t count = range.end - range.begin;
+        for (size_t i = 0; i < count; ++i) {
+            const size_t at = backwards ? range.end - 1 - i : range.begin + i;
+            Constraint& c = array.as<Constraint>()[at];
+            SolverBody *a = &bodies[c.ends.a], *b = &bodies[c.ends.b];
+            SolverBody copy;
+            if (still(*a))
+                a = &(copy = *a);
+            else if (still(*b))
+                b = &(copy = *b);
+            act(c, *a, *b);
         }
-        act(*a, *b);
     }
 
     static void warm_start(JointArray& array, std::span<SolverBody> bodies, JointRange range) {
-        for (size_t i = range.begin; i < range.end; ++i) {
-            Constraint& c = array.as<Constraint>()[i];
-            on_ends(bodies, c, [&](SolverBody& a, SolverBody& b) { c.warm_start(a, b); });
-        }
+        for_each(array, bodies, range,
+                 [](const Constraint& c, SolverBody& a, SolverBody& b) { c.warm_start(a, b); });
     }
     static void solve(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                       JointRange range) {
-        for (size_t i = range.begin; i < range.end; ++i) {
-            Constraint& c = array.as<Constraint>()[i];
-            on_ends(bodies, c, [&](SolverBody& a, SolverBody& b) { c.solve(a, b, step); });
-        }
+        for_each(array, bodies, range,
+                 [&](Constraint& c, SolverBody& a, SolverBody& b) { c.solve(a, b, step); });
     }
     static void relax(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                       JointRange range) {
-        for (size_t i = range.end; i-- > range.begin;) {
-            Constraint& c = array.as<Constraint>()[i];
-            on_ends(bodies, c, [&](SolverBody& a, SolverBody& b) { c.relax(a, b, step); });
-        }
+        for_each<true>(array, bodies, range,
+                       [&](Constraint& c, SolverBody& a, SolverBody& b) { c.relax(a, b, step); });
     }
 
     static JointLoad load(const JointArray& array, size_t index) {

@@ -151,10 +151,6 @@ FETTLE_JOINT_NUMBER(Motor, angular_offset, angular_offset)
 FETTLE_JOINT_NUMBER(Motor, hertz, stiffness.hertz)
 FETTLE_JOINT_NUMBER(Motor, damping_ratio, stiffness.damping_ratio)
 
-MotorJoint World::create_motor_joint(const JointDef& def) {
-    auto joint = make_joint<MotorJoint>(*this, populate(__func__), def, MotorSettings());
-    joint.set_angular_offset(angle_between(joint));
-    return joint;
-}
+FETTLE_CREATE_JOINT(Motor, create_motor_joint, joint.set_angular_offset(angle_between(joint)))
 
 }  // namespace fettle::physics

@@ -34,8 +34,6 @@ using namespace detail;
 FETTLE_RAIL(PinSlot)
 FETTLE_RAIL_MOTOR(PinSlot)
 
-PinSlotJoint World::create_pin_slot_joint(const JointDef& def) {
-    return make_joint<PinSlotJoint>(*this, populate(__func__), def, PinSlotSettings());
-}
+FETTLE_CREATE_JOINT(PinSlot, create_pin_slot_joint, )
 
 }  // namespace fettle::physics

@@ -104,16 +104,9 @@ using namespace detail;
 
 FETTLE_RAIL(Prismatic)
 FETTLE_RAIL_MOTOR(Prismatic)
-FETTLE_JOINT_NUMBER(Prismatic, reference_angle, reference_angle)
+FETTLE_JOINT_ANGLE(Prismatic)
 
-float PrismaticJoint::angle() const {
-    return angle_between(*this) - reference_angle();
-}
-
-PrismaticJoint World::create_prismatic_joint(const JointDef& def) {
-    auto joint = make_joint<PrismaticJoint>(*this, populate(__func__), def, PrismaticSettings());
-    joint.set_reference_angle(angle_between(joint));
-    return joint;
-}
+FETTLE_CREATE_JOINT(Prismatic, create_prismatic_joint,
+                    joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

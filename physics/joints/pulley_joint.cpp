@@ -136,10 +136,6 @@ float PulleyJoint::length_now() const {
     return length_a() + ratio() * length_b();
 }
 
-PulleyJoint World::create_pulley_joint(const JointDef& def) {
-    auto joint = make_joint<PulleyJoint>(*this, populate(__func__), def, PulleySettings());
-    joint.set_length(joint.length_now());
-    return joint;
-}
+FETTLE_CREATE_JOINT(Pulley, create_pulley_joint, joint.set_length(joint.length_now()))
 
 }  // namespace fettle::physics

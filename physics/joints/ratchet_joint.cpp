@@ -113,10 +113,6 @@ float RatchetJoint::caught_angle() const {
     return pawl.engaged == 0.0f ? angle() : way * pawl.caught;
 }
 
-RatchetJoint World::create_ratchet_joint(const JointDef& def) {
-    auto joint = make_joint<RatchetJoint>(*this, populate(__func__), def, RatchetSettings());
-    joint.set_reference_angle(angle_between(joint));
-    return joint;
-}
+FETTLE_CREATE_JOINT(Ratchet, create_ratchet_joint, joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

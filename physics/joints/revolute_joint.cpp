@@ -98,7 +98,7 @@ constinit const JointKind revolute_joint = JointFunctions<RevoluteConstraint>::k
 
 using namespace detail;
 
-FETTLE_JOINT_NUMBER(Revolute, reference_angle, reference_angle)
+FETTLE_JOINT_ANGLE(Revolute)
 FETTLE_JOINT_NUMBER(Revolute, lower_angle, angle.limits.lower)
 FETTLE_JOINT_NUMBER(Revolute, upper_angle, angle.limits.upper)
 FETTLE_JOINT_NUMBER(Revolute, motor_speed, angle.motor.speed)
@@ -108,14 +108,7 @@ FETTLE_JOINT_NUMBER(Revolute, damping_ratio, angle.stiffness.damping_ratio)
 FETTLE_JOINT_NUMBER(Revolute, target_angle, angle.target)
 FETTLE_JOINT_FORCE(Revolute, motor_torque, angle.motor)
 
-float RevoluteJoint::angle() const {
-    return angle_between(*this) - reference_angle();
-}
-
-RevoluteJoint World::create_revolute_joint(const JointDef& def) {
-    auto joint = make_joint<RevoluteJoint>(*this, populate(__func__), def, RevoluteSettings());
-    joint.set_reference_angle(angle_between(joint));
-    return joint;
-}
+FETTLE_CREATE_JOINT(Revolute, create_revolute_joint,
+                    joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

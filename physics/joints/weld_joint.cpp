@@ -152,20 +152,12 @@ constinit const JointKind weld_joint = JointFunctions<WeldConstraint>::kind("wel
 
 using namespace detail;
 
-FETTLE_JOINT_NUMBER(Weld, reference_angle, reference_angle)
+FETTLE_JOINT_ANGLE(Weld)
 FETTLE_JOINT_NUMBER(Weld, hertz, point.hertz)
 FETTLE_JOINT_NUMBER(Weld, damping_ratio, point.damping_ratio)
 FETTLE_JOINT_NUMBER(Weld, angular_hertz, angle.hertz)
 FETTLE_JOINT_NUMBER(Weld, angular_damping_ratio, angle.damping_ratio)
 
-float WeldJoint::angle() const {
-    return angle_between(*this) - reference_angle();
-}
-
-WeldJoint World::create_weld_joint(const JointDef& def) {
-    auto joint = make_joint<WeldJoint>(*this, populate(__func__), def, WeldSettings());
-    joint.set_reference_angle(angle_between(joint));
-    return joint;
-}
+FETTLE_CREATE_JOINT(Weld, create_weld_joint, joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

@@ -85,8 +85,6 @@ FETTLE_JOINT_NUMBER(Wheel, motor_speed, motor.speed)
 FETTLE_JOINT_NUMBER(Wheel, max_motor_torque, motor.greatest)
 FETTLE_JOINT_FORCE(Wheel, motor_torque, motor)
 
-WheelJoint World::create_wheel_joint(const JointDef& def) {
-    return make_joint<WheelJoint>(*this, populate(__func__), def, WheelSettings());
-}
+FETTLE_CREATE_JOINT(Wheel, create_wheel_joint, )
 
 }  // namespace fettle::physics

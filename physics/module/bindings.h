@@ -140,16 +140,54 @@ inline Property within(const Range& range, Property property) {
     return property;
 }
 
-/// A number no less than zero.
-inline Property amount(std::string name, double default_value, std::string unit, std::string doc,
+// Properties of the usual types.
+
+inline Property simulated(Property property) {
+    property.simulated = true;
+    return property;
+}
+inline Property number(std::string name, double default_value, std::string unit, std::string doc,
                        Binding binding) {
     return {.name = std::move(name),
             .default_value = default_value,
             .unit = std::move(unit),
-            .range = not_negative,
             .doc = std::move(doc),
             .binding = binding,
             .single_precision = true};
+}
+/// No less than zero.
+inline Property amount(std::string name, double default_value, std::string unit, std::string doc,
+                       Binding binding) {
+    return within(not_negative,
+                  number(std::move(name), default_value, std::move(unit), std::move(doc), binding));
+}
+/// Where infinity is none at all.
+inline Property limit_number(std::string name, double default_value, std::string unit,
+                             std::string doc, Binding binding) {
+    Property property =
+        number(std::move(name), default_value, std::move(unit), std::move(doc), binding);
+    property.infinity = true;
+    return property;
+}
+/// A number that is only told.
+inline Property figure(std::string name, std::string unit, std::string doc, Binding binding) {
+    Property property = number(std::move(name), 0, std::move(unit), std::move(doc), binding);
+    property.read_only = property.transient = property.simulated = true;
+    return property;
+}
+inline Property vector(std::string name, const property::Vec2& default_value, std::string unit,
+                       std::string doc, Binding binding) {
+    Property property = number(std::move(name), 0, std::move(unit), std::move(doc), binding);
+    property.type = Type::vec2;
+    property.default_value = default_value;
+    return property;
+}
+inline Property flag(std::string name, bool default_value, std::string doc, Binding binding) {
+    return {.name = std::move(name),
+            .type = Type::boolean,
+            .default_value = default_value,
+            .doc = std::move(doc),
+            .binding = binding};
 }
 
 }  // namespace fettle::physics_module

@@ -142,35 +142,22 @@ std::vector<Property> motion(Hosting& hosting) {
              "it; \"dynamic\": forces, contacts and joints.",
          .binding = type(hosting),
          .enumerators = {"static", "kinematic", "dynamic"}},
-        {.name = "position",
-         .type = Type::vec2,
-         .unit = "m",
-         .range = coordinates,
-         .doc = "Where its origin is in the world. Writing it teleports.",
-         .binding = position(hosting),
-         .simulated = true,
-         .single_precision = true},
-        {.name = "angle",
-         .unit = "rad",
-         .range = turns,
-         .doc = "How far it is turned, counter-clockwise; not wrapped after a full turn.",
-         .binding = body_angle(hosting),
-         .simulated = true,
-         .single_precision = true},
-        {.name = "velocity",
-         .type = Type::vec2,
-         .unit = "m/s",
-         .doc = "Of its center of mass. A step limits it to 10000 m/s.",
-         .binding = velocity(hosting),
-         .simulated = true,
-         .single_precision = true},
-        {.name = "angular_velocity",
-         .unit = "rad/s",
-         .doc = "How fast it turns, counter-clockwise. A step limits it to 3 rad in each of its "
-                "parts (`World.substeps`): 720 rad/s with the defaults.",
-         .binding = angular_velocity(hosting),
-         .simulated = true,
-         .single_precision = true},
+        simulated(within(
+            coordinates,
+            vector("position", {0, 0}, "m",
+                   "Where its origin is in the world. Writing it teleports.", position(hosting)))),
+        simulated(within(
+            turns, number("angle", 0, "rad",
+                          "How far it is turned, counter-clockwise; not wrapped after a full turn.",
+                          body_angle(hosting)))),
+        simulated(vector("velocity", {0, 0}, "m/s",
+                         "Of its center of mass. A step limits it to 10000 m/s.",
+                         velocity(hosting))),
+        simulated(
+            number("angular_velocity", 0, "rad/s",
+                   "How fast it turns, counter-clockwise. A step limits it to 3 rad in each of its "
+                   "parts (`World.substeps`): 720 rad/s with the defaults.",
+                   angular_velocity(hosting))),
     };
 }
 
@@ -230,83 +217,49 @@ std::vector<Property> weight(Hosting& hosting) {
 
 std::vector<Property> forces(Hosting& hosting) {
     return {
-        {.name = "force",
-         .type = Type::vec2,
-         .unit = "N",
-         .doc = "Pushes its center of mass in every step until it is changed.",
-         .binding = bound<&Body::force, &Body::set_force>(hosting),
-         .single_precision = true},
-        {.name = "torque",
-         .unit = "N m",
-         .doc = "Turns it in every step until it is changed.",
-         .binding = by_slot<&Body::torque, &Body::set_torque, physics::BodyNumber::torque>(hosting),
-         .single_precision = true},
-        {.name = "gravity_scale",
-         .default_value = 1.0,
-         .doc = "How much of the world's gravity it feels: 0 floats, -1 falls upwards.",
-         .binding = by_slot<&Body::gravity_scale, &Body::set_gravity_scale,
-                            physics::BodyNumber::gravity_scale>(hosting),
-         .single_precision = true},
-        {.name = "linear_damping",
-         .unit = "1/s",
-         .range = not_negative,
-         .doc = "Share of its velocity it loses in a second, for small values.",
-         .binding = by_slot<&Body::linear_damping, &Body::set_linear_damping,
-                            physics::BodyNumber::linear_damping>(hosting),
-         .single_precision = true},
-        {.name = "angular_damping",
-         .unit = "1/s",
-         .range = not_negative,
-         .doc = "Share of its angular velocity it loses in a second, for small values.",
-         .binding = by_slot<&Body::angular_damping, &Body::set_angular_damping,
-                            physics::BodyNumber::angular_damping>(hosting),
-         .single_precision = true},
+        vector("force", {0, 0}, "N", "Pushes its center of mass in every step until it is changed.",
+               bound<&Body::force, &Body::set_force>(hosting)),
+        number("torque", 0, "N m", "Turns it in every step until it is changed.",
+               by_slot<&Body::torque, &Body::set_torque, physics::BodyNumber::torque>(hosting)),
+        number("gravity_scale", 1.0, "",
+               "How much of the world's gravity it feels: 0 floats, -1 falls upwards.",
+               by_slot<&Body::gravity_scale, &Body::set_gravity_scale,
+                       physics::BodyNumber::gravity_scale>(hosting)),
+        amount("linear_damping", 0, "1/s",
+               "Share of its velocity it loses in a second, for small values.",
+               by_slot<&Body::linear_damping, &Body::set_linear_damping,
+                       physics::BodyNumber::linear_damping>(hosting)),
+        amount("angular_damping", 0, "1/s",
+               "Share of its angular velocity it loses in a second, for small values.",
+               by_slot<&Body::angular_damping, &Body::set_angular_damping,
+                       physics::BodyNumber::angular_damping>(hosting)),
     };
 }
 
 std::vector<Property> switches(Hosting& hosting) {
     return {
-        {.name = "awake",
-         .type = Type::boolean,
-         .default_value = true,
-         .doc = "Whether it takes part in the step. What rests for a while sleeps, together with "
-                "what it touches, until something disturbs it.",
-         .binding = awake(hosting),
-         .simulated = true},
-        {.name = "can_sleep",
-         .type = Type::boolean,
-         .default_value = true,
-         .doc = "Whether it may fall asleep.",
-         .binding = bound<&Body::can_sleep, &Body::set_can_sleep>(hosting)},
-        {.name = "bullet",
-         .type = Type::boolean,
-         .doc = "However fast, it does not pass through other moving bodies either.",
-         .binding = bound<&Body::bullet, &Body::set_bullet>(hosting)},
-        {.name = "locked_x",
-         .type = Type::boolean,
-         .doc = "Nothing moves it along x.",
-         .binding = bound<&Body::locked_x, &Body::set_locked_x>(hosting)},
-        {.name = "locked_y",
-         .type = Type::boolean,
-         .doc = "Nothing moves it along y.",
-         .binding = bound<&Body::locked_y, &Body::set_locked_y>(hosting)},
-        {.name = "locked_rotation",
-         .type = Type::boolean,
-         .doc = "Nothing turns it.",
-         .binding = bound<&Body::locked_rotation, &Body::set_locked_rotation>(hosting)},
+        simulated(
+            flag("awake", true,
+                 "Whether it takes part in the step. What rests for a while sleeps, together with "
+                 "what it touches, until something disturbs it.",
+                 awake(hosting))),
+        flag("can_sleep", true, "Whether it may fall asleep.",
+             bound<&Body::can_sleep, &Body::set_can_sleep>(hosting)),
+        flag("bullet", false, "However fast, it does not pass through other moving bodies either.",
+             bound<&Body::bullet, &Body::set_bullet>(hosting)),
+        flag("locked_x", false, "Nothing moves it along x.",
+             bound<&Body::locked_x, &Body::set_locked_x>(hosting)),
+        flag("locked_y", false, "Nothing moves it along y.",
+             bound<&Body::locked_y, &Body::set_locked_y>(hosting)),
+        flag("locked_rotation", false, "Nothing turns it.",
+             bound<&Body::locked_rotation, &Body::set_locked_rotation>(hosting)),
         {.name = "color",
          .type = Type::color,
          .doc = "Fills its shapes that have no color of their own; nil goes by its type.",
          .binding = color(hosting),
          .nullable = true},
-        {.name = "contact_force",
-         .unit = "N",
-         .doc = "How hard what it touches presses on it, all together.",
-         .binding = accessor(hosting, [](Hosting& h, Row row) { return pressed(h, row); }),
-         .read_only = true,
-         .transient = true,
-         .simulated = true,
-         .single_precision = true},
+        figure("contact_force", "N", "How hard what it touches presses on it, all together.",
+               accessor(hosting, [](Hosting& h, Row row) { return pressed(h, row); })),
     };
 }
 
@@ -339,13 +292,7 @@ void define_body(Hosting& hosting) {
     hosting.body_class = &defined;
     hosting.woke = defined.event("woke");
     hosting.slept = defined.event("slept");
-    hosting.contact_begin.of_body = defined.event("contact_begin");
-    hosting.contact_persist.of_body = defined.event("contact_persist");
-    hosting.before_solve.of_body = defined.event("before_solve");
-    hosting.contact_end.of_body = defined.event("contact_end");
-    hosting.contact_hit.of_body = defined.event("contact_hit");
-    hosting.sensor_begin.of_body = defined.event("sensor_begin");
-    hosting.sensor_end.of_body = defined.event("sensor_end");
+    hosting.note_pair_events(defined, &PairEvent::of_body);
 }
 
 }  // namespace fettle::physics_module

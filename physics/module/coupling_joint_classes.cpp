@@ -46,16 +46,14 @@ void define_motor_joint(Hosting& hosting) {
                    joint_setting<&S::max_force, &MotorJoint::set_max_force>(hosting)),
             amount("max_torque", 0, "N m", "It turns no harder.",
                    joint_setting<&S::max_torque, &MotorJoint::set_max_torque>(hosting)),
-            joint_vector(
-                "linear_velocity", {0, 0}, "m/s",
-                "Of anchor_b against anchor_a that it drives to, in the coordinates of body_a.",
-                joint_setting<&S::linear_velocity, &MotorJoint::set_linear_velocity>(hosting)),
-            free_number(
-                "angular_velocity", 0, "rad/s", "Of body_b against body_a that it drives to.",
-                joint_setting<&S::angular_velocity, &MotorJoint::set_angular_velocity>(hosting)),
-            within(coordinates,
-                   joint_vector(
-                       "linear_offset", {0, 0}, "m",
+            vector("linear_velocity", {0, 0}, "m/s",
+                   "Of anchor_b against anchor_a that it drives to, in the coordinates of body_a.",
+                   joint_setting<&S::linear_velocity, &MotorJoint::set_linear_velocity>(hosting)),
+            number("angular_velocity", 0, "rad/s", "Of body_b against body_a that it drives to.",
+                   joint_setting<&S::angular_velocity, &MotorJoint::set_angular_velocity>(hosting)),
+            within(
+                coordinates,
+                vector("linear_offset", {0, 0}, "m",
                        "Of anchor_b from anchor_a that it drives to, in the coordinates of body_a.",
                        joint_setting<&S::linear_offset, &MotorJoint::set_linear_offset>(hosting))),
             found_number(
@@ -93,19 +91,19 @@ void define_pulley_joint(Hosting& hosting) {
         "A rope from body_a over two wheels of the world to body_b. It only pulls.",
         {
             within(coordinates,
-                   joint_vector("ground_a", {-1, 1}, "m", "The wheel over body_a, in the world.",
-                                joint_setting<&S::ground_a, &PulleyJoint::set_ground_a>(hosting))),
+                   vector("ground_a", {-1, 1}, "m", "The wheel over body_a, in the world.",
+                          joint_setting<&S::ground_a, &PulleyJoint::set_ground_a>(hosting))),
             within(coordinates,
-                   joint_vector("ground_b", {1, 1}, "m", "The wheel over body_b, in the world.",
-                                joint_setting<&S::ground_b, &PulleyJoint::set_ground_b>(hosting))),
+                   vector("ground_b", {1, 1}, "m", "The wheel over body_b, in the world.",
+                          joint_setting<&S::ground_b, &PulleyJoint::set_ground_b>(hosting))),
             amount("ratio", 1, "", "How many parts of the rope pull body_b.",
                    joint_setting<&S::ratio, &PulleyJoint::set_ratio>(hosting)),
             found_number("length", "m",
                          "Of the part at body_a and ratio times that at body_b. Unless one is "
                          "given, the length when the joint began to act.",
                          found_setting<&S::length, &PulleyJoint::set_length, rope_now>(hosting)),
-            joint_figure("tension", "N", "Of the rope in the last step.",
-                         told<PulleyJoint, &PulleyJoint::tension>(hosting)),
+            figure("tension", "N", "Of the rope in the last step.",
+                   told<PulleyJoint, &PulleyJoint::tension>(hosting)),
         });
     // The rope runs over the wheels.
     for (const char* source : {"ground_a", "ground_b", "ratio"})
@@ -121,10 +119,10 @@ void define_gear_joint(Hosting& hosting) {
     hosting.tree.define(pair_joint<S>(
         hosting, "GearJoint", "gear_joint", "Turns body_b with body_a.",
         {
-            free_number("ratio", 1, "",
-                        "How far body_b turns when body_a turns once: negative where wheels mesh, "
-                        "positive where a belt joins them.",
-                        joint_setting<&S::ratio, &GearJoint::set_ratio>(hosting)),
+            number("ratio", 1, "",
+                   "How far body_b turns when body_a turns once: negative where wheels mesh, "
+                   "positive where a belt joins them.",
+                   joint_setting<&S::ratio, &GearJoint::set_ratio>(hosting)),
             found_number("phase", "rad",
                          "The angle of body_b less ratio times that of body_a. Unless one is "
                          "given, what it was when the joint began to act.",
@@ -149,8 +147,8 @@ void define_ratchet_joint(Hosting& hosting) {
                          "angle when the joint began to act.",
                          found_setting<&S::reference_angle, &RatchetJoint::set_reference_angle,
                                        angle_between>(hosting)),
-            joint_figure("caught_angle", "rad", "It does not turn back beyond this.",
-                         told<RatchetJoint, &RatchetJoint::caught_angle>(hosting)),
+            figure("caught_angle", "rad", "It does not turn back beyond this.",
+                   told<RatchetJoint, &RatchetJoint::caught_angle>(hosting)),
         }));
 }
 

@@ -100,6 +100,15 @@ std::vector<Event> contact_events(std::string_view of) {
     };
 }
 
+void Hosting::note_pair_events(const property::Class& defined, const Event* PairEvent::*of) {
+    for (const auto& [event, name] :
+         {std::pair(&contact_begin, "contact_begin"),
+          std::pair(&contact_persist, "contact_persist"), std::pair(&before_solve, "before_solve"),
+          std::pair(&contact_end, "contact_end"), std::pair(&contact_hit, "contact_hit"),
+          std::pair(&sensor_begin, "sensor_begin"), std::pair(&sensor_end, "sensor_end")})
+        event->*of = defined.event(name);
+}
+
 Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
                               physics::ShapeId shape) const {
     physics::World& world = hosted.world;

@@ -50,38 +50,6 @@ Binding force_value(Hosting& hosting) {
         });
 }
 
-template <auto Member>
-Property number(Hosting& hosting, std::string name, double default_value, std::string unit,
-                std::string doc) {
-    return {.name = std::move(name),
-            .default_value = default_value,
-            .unit = std::move(unit),
-            .doc = std::move(doc),
-            .binding = force_value<Member>(hosting),
-            .single_precision = true};
-}
-
-template <auto Member>
-Property positive(Hosting& hosting, std::string name, double default_value, std::string unit,
-                  std::string doc) {
-    Property property =
-        number<Member>(hosting, std::move(name), default_value, std::move(unit), std::move(doc));
-    property.range = not_negative;
-    return property;
-}
-
-template <auto Member>
-Property vector(Hosting& hosting, std::string name, const property::Vec2& default_value,
-                std::string unit, std::string doc) {
-    return {.name = std::move(name),
-            .type = Type::vec2,
-            .default_value = default_value,
-            .unit = std::move(unit),
-            .doc = std::move(doc),
-            .binding = force_value<Member>(hosting),
-            .single_precision = true};
-}
-
 Value region(Hosting& hosting, Row row) {
     const auto& region = field_at(hosting, row).definition().region;
     return region ? to_value(*region) : Value();
@@ -121,15 +89,12 @@ void define_field(Hosting& hosting) {
     field.snapshots = property::Snapshots::natively;
     field.lifecycle = lifecycle<physics::WindField>(hosting);
     field.properties = {
-        {.name = "enabled",
-         .type = Type::boolean,
-         .default_value = true,
-         .doc = "Whether it acts.",
-         .binding = accessor(
-             hosting, [](Hosting& h, Row row) { return field_at(h, row).definition().enabled; },
-             [](Hosting& h, Row row, const Value& value) {
-                 change(h, row, [&](FieldDef& def) { def.enabled = value.boolean(); });
-             })},
+        flag("enabled", true, "Whether it acts.",
+             accessor(
+                 hosting, [](Hosting& h, Row row) { return field_at(h, row).definition().enabled; },
+                 [](Hosting& h, Row row, const Value& value) {
+                     change(h, row, [&](FieldDef& def) { def.enabled = value.boolean(); });
+                 })),
         {.name = "region",
          .type = Type::list,
          .unit = "m",
@@ -210,27 +175,30 @@ void define_fields(Hosting& hosting) {
     define_field(h);
     define_kind<WindField>(
         h, "Wind", "Moving air: presses on every edge that faces it, by the square of its speed.",
-        {vector<&WindField::velocity>(h, "velocity", {5, 0}, "m/s", "Of the air."),
-         positive<&WindField::density>(h, "density", widen(1.2f, 0).x(), "kg/m\xC2\xB2",
-                                       "Of the air.")});
+        {vector("velocity", {5, 0}, "m/s", "Of the air.", force_value<&WindField::velocity>(h)),
+         amount("density", widen(1.2f, 0).x(), "kg/m\xC2\xB2", "Of the air.",
+                force_value<&WindField::density>(h))});
     define_kind<DragField>(
         h, "Drag", "Slows what moves against a flow, by the area of its shapes.",
-        {vector<&DragField::flow>(h, "flow", {0, 0}, "m/s", "What it slows things to."),
-         positive<&DragField::linear>(h, "linear", 1, "N s/m\xC2\xB3",
-                                      "Resistance for each m/s and m\xC2\xB2."),
-         positive<&DragField::quadratic>(h, "quadratic", 0, "N s\xC2\xB2/m\xE2\x81\xB4",
-                                         "Resistance for each (m/s)\xC2\xB2 and m\xC2\xB2.")});
+        {vector("flow", {0, 0}, "m/s", "What it slows things to.",
+                force_value<&DragField::flow>(h)),
+         amount("linear", 1, "N s/m\xC2\xB3", "Resistance for each m/s and m\xC2\xB2.",
+                force_value<&DragField::linear>(h)),
+         amount("quadratic", 0, "N s\xC2\xB2/m\xE2\x81\xB4",
+                "Resistance for each (m/s)\xC2\xB2 and m\xC2\xB2.",
+                force_value<&DragField::quadratic>(h))});
     define_kind<BuoyancyField>(
         h, "Buoyancy",
         "A liquid below a straight surface: lifts by the weight of what is displaced, exactly.",
-        {number<&BuoyancyField::level>(h, "level", 0, "m",
-                                       "Of the surface, along its normal from the origin."),
-         vector<&BuoyancyField::normal>(h, "normal", {0, 1}, "",
-                                        "Up from the surface; of any length but 0."),
-         positive<&BuoyancyField::density>(h, "density", 2, "kg/m\xC2\xB2", "Of the liquid."),
-         positive<&BuoyancyField::drag>(h, "drag", 2, "1/s",
-                                        "Share of the displaced mass that resists motion."),
-         vector<&BuoyancyField::flow>(h, "flow", {0, 0}, "m/s", "Of the liquid.")});
+        {number("level", 0, "m", "Of the surface, along its normal from the origin.",
+                force_value<&BuoyancyField::level>(h)),
+         vector("normal", {0, 1}, "", "Up from the surface; of any length but 0.",
+                force_value<&BuoyancyField::normal>(h)),
+         amount("density", 2, "kg/m\xC2\xB2", "Of the liquid.",
+                force_value<&BuoyancyField::density>(h)),
+         amount("drag", 2, "1/s", "Share of the displaced mass that resists motion.",
+                force_value<&BuoyancyField::drag>(h)),
+         vector("flow", {0, 0}, "m/s", "Of the liquid.", force_value<&BuoyancyField::flow>(h))});
     Property falloff{.name = "falloff",
                      .type = Type::integer,
                      .default_value = 2,
@@ -239,13 +207,13 @@ void define_fields(Hosting& hosting) {
                      .binding = force_value<&AttractorField::falloff>(h)};
     define_kind<AttractorField>(
         h, "Attractor", "Pulls everything towards a point, as a planet does.",
-        {within(coordinates,
-                vector<&AttractorField::center>(h, "center", {0, 0}, "m", "In the world.")),
-         number<&AttractorField::strength>(h, "strength", 10, "m/s\xC2\xB2",
-                                           "At a distance of 1 m; negative repels."),
+        {within(coordinates, vector("center", {0, 0}, "m", "In the world.",
+                                    force_value<&AttractorField::center>(h))),
+         number("strength", 10, "m/s\xC2\xB2", "At a distance of 1 m; negative repels.",
+                force_value<&AttractorField::strength>(h)),
          falloff,
-         positive<&AttractorField::core>(
-             h, "core", 0.5, "m", "Nearer than this it pulls in proportion to the distance.")});
+         amount("core", 0.5, "m", "Nearer than this it pulls in proportion to the distance.",
+                force_value<&AttractorField::core>(h))});
 }
 
 }  // namespace fettle::physics_module

@@ -220,6 +220,8 @@ class Hosting {
 
     PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
     PairEvent before_solve;
+    /// Notes those of the class of bodies, or of shapes.
+    void note_pair_events(const property::Class& defined, const property::Event* PairEvent::*of);
     const property::Event* mix_surfaces = nullptr;  // of worlds, as the next
     const property::Event* filter_pair = nullptr;
     const property::Event* woke = nullptr;

@@ -78,19 +78,8 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
     return lifecycle;
 }
 
-/// Any number.
-Property free_number(std::string name, double default_value, std::string unit, std::string doc,
-                     Binding binding);
-/// The same, where infinity is none at all.
-Property limit_number(std::string name, double default_value, std::string unit, std::string doc,
-                      Binding binding);
-Property joint_vector(std::string name, const property::Vec2& default_value, std::string unit,
-                      std::string doc, Binding binding);
 /// What a joint found, or was given.
 Property found_number(std::string name, std::string unit, std::string doc, Binding binding);
-/// A number that is only told.
-Property joint_figure(std::string name, std::string unit, std::string doc, Binding binding);
-
 /// A figure of a native joint; 0 while there is none.
 template <class Native, auto Ask>
 Binding told(Hosting& hosting) {

@@ -83,11 +83,8 @@ void define_joint(Hosting& hosting) {
     joint.creatable = false;
     joint.lifecycle = joint_lifecycle<MouseSettings>(hosting);
     joint.properties = {
-        {.name = "enabled",
-         .type = Type::boolean,
-         .default_value = true,
-         .doc = "Whether it acts.",
-         .binding = common_setting<&JointRecord::enabled, &physics::Joint::set_enabled>(hosting)},
+        flag("enabled", true, "Whether it acts.",
+             common_setting<&JointRecord::enabled, &physics::Joint::set_enabled>(hosting)),
         amount(
             "break_force", physics::infinity, "N",
             "It breaks when it has to bear more, in the mean over a step; infinite: never.",
@@ -96,11 +93,8 @@ void define_joint(Hosting& hosting) {
             "break_torque", physics::infinity, "N m",
             "It breaks when it has to bear more, besides the torque of its force.",
             common_setting<&JointRecord::break_torque, &physics::Joint::set_break_torque>(hosting)),
-        {.name = "broken",
-         .type = Type::boolean,
-         .doc = "It bore too much and does not act; false mends it.",
-         .binding = common_setting<&JointRecord::broken, &physics::Joint::set_broken>(hosting),
-         .simulated = true},
+        simulated(flag("broken", false, "It bore too much and does not act; false mends it.",
+                       common_setting<&JointRecord::broken, &physics::Joint::set_broken>(hosting))),
         {.name = "force",
          .type = Type::vec2,
          .unit = "N",
@@ -110,9 +104,9 @@ void define_joint(Hosting& hosting) {
          .transient = true,
          .simulated = true,
          .single_precision = true},
-        joint_figure("torque", "N m",
-                     "What it turned body_b with in the last step, besides what its force does.",
-                     torque(hosting))};
+        figure("torque", "N m",
+               "What it turned body_b with in the last step, besides what its force does.",
+               torque(hosting))};
     joint.properties[1].infinity = joint.properties[2].infinity = true;
     joint.events = {{.name = "broke",
                      .fields = {{"force", Type::vec2, "N", "That it had to bear."},
@@ -156,11 +150,8 @@ void define_pair_joint(Hosting& hosting) {
         body_property<1>(hosting, "body_b"),
         anchor_property<0>(hosting, "anchor_a"),
         anchor_property<1>(hosting, "anchor_b"),
-        {.name = "collide",
-         .type = Type::boolean,
-         .default_value = false,
-         .doc = "Whether the two bodies collide with each other.",
-         .binding = common_setting<&JointRecord::collide, &physics::Joint::set_collide>(hosting)},
+        flag("collide", false, "Whether the two bodies collide with each other.",
+             common_setting<&JointRecord::collide, &physics::Joint::set_collide>(hosting)),
     };
     hosting.tree.define(std::move(pair));
 }
@@ -190,13 +181,8 @@ void define_mouse_joint(Hosting& hosting) {
          .simulated = true,
          .derives_from = {"body", "target"},
          .single_precision = true},
-        {.name = "target",
-         .type = Type::vec2,
-         .unit = "m",
-         .range = coordinates,
-         .doc = "Where it is pulled to, in the world.",
-         .binding = joint_setting<&S::target, &MouseJoint::set_target>(hosting),
-         .single_precision = true},
+        within(coordinates, vector("target", {0, 0}, "m", "Where it is pulled to, in the world.",
+                                   joint_setting<&S::target, &MouseJoint::set_target>(hosting))),
         amount("frequency", S{}.frequency, "Hz", "How stiff it is; 0 is slack.",
                joint_setting<&S::frequency, &MouseJoint::set_hertz>(hosting)),
         amount("damping_ratio", S{}.damping_ratio, "", "1 comes to rest without swinging.",
@@ -210,35 +196,6 @@ void define_mouse_joint(Hosting& hosting) {
 
 }  // namespace
 
-Property free_number(std::string name, double default_value, std::string unit, std::string doc,
-                     Binding binding) {
-    return {.name = std::move(name),
-            .default_value = default_value,
-            .unit = std::move(unit),
-            .doc = std::move(doc),
-            .binding = binding,
-            .single_precision = true};
-}
-
-Property limit_number(std::string name, double default_value, std::string unit, std::string doc,
-                      Binding binding) {
-    Property property =
-        free_number(std::move(name), default_value, std::move(unit), std::move(doc), binding);
-    property.infinity = true;
-    return property;
-}
-
-Property joint_vector(std::string name, const property::Vec2& default_value, std::string unit,
-                      std::string doc, Binding binding) {
-    return {.name = std::move(name),
-            .type = Type::vec2,
-            .default_value = default_value,
-            .unit = std::move(unit),
-            .doc = std::move(doc),
-            .binding = binding,
-            .single_precision = true};
-}
-
 float angle_between(const Joints& joints, const JointRecord& record) {
     return joints.angle_of(record, 1) - joints.angle_of(record, 0);
 }
@@ -250,17 +207,6 @@ Property found_number(std::string name, std::string unit, std::string doc, Bindi
             .binding = binding,
             .simulated = true,
             .derives_from = {"body_a", "body_b", "anchor_a", "anchor_b"},
-            .single_precision = true};
-}
-
-Property joint_figure(std::string name, std::string unit, std::string doc, Binding binding) {
-    return {.name = std::move(name),
-            .unit = std::move(unit),
-            .doc = std::move(doc),
-            .binding = binding,
-            .read_only = true,
-            .transient = true,
-            .simulated = true,
             .single_precision = true};
 }
 

@@ -46,9 +46,7 @@ struct DistanceSettings {
     float min_length = 0.0f, max_length = physics::infinity;
     float hertz = physics::infinity, damping_ratio = 0.0f;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_distance_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_distance_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&DistanceSettings::length, &Native::set_length, &Native::length);
@@ -66,9 +64,7 @@ struct RevoluteSettings {
     float motor_speed = 0.0f, max_motor_torque = 0.0f;
     float hertz = 0.0f, damping_ratio = 0.0f, target_angle = 0.0f;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_revolute_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_revolute_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&RevoluteSettings::reference_angle, &Native::set_reference_angle,
@@ -91,9 +87,7 @@ struct PrismaticSettings {
     float motor_speed = 0.0f, max_motor_force = 0.0f;
     float hertz = 0.0f, damping_ratio = 0.0f, target_translation = 0.0f;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_prismatic_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_prismatic_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&PrismaticSettings::reference_angle, &Native::set_reference_angle,
@@ -116,9 +110,7 @@ struct PinSlotSettings {
     float motor_speed = 0.0f, max_motor_force = 0.0f;
     float hertz = 0.0f, damping_ratio = 0.0f, target_translation = 0.0f;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_pin_slot_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_pin_slot_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&PinSlotSettings::axis, &Native::set_axis);
@@ -136,9 +128,7 @@ struct GrooveSettings {
     using Native = physics::GrooveJoint;
     physics::Vec2 groove_end = {1.0f, 0.0f};
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_groove_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_groove_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&GrooveSettings::groove_end, &Native::set_end);
@@ -152,9 +142,7 @@ struct WheelSettings {
     float lower_translation = -physics::infinity, upper_translation = physics::infinity;
     float motor_speed = 0.0f, max_motor_torque = 0.0f;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_wheel_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_wheel_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&WheelSettings::axis, &Native::set_axis);
@@ -173,9 +161,7 @@ struct WeldSettings {
     float hertz = physics::infinity, damping_ratio = 0.0f;
     float angular_hertz = physics::infinity, angular_damping_ratio = 0.0f;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_weld_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_weld_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&WeldSettings::reference_angle, &Native::set_reference_angle,
@@ -196,9 +182,7 @@ struct MotorSettings {
     Found<float> angular_offset;
     float hertz = 0.0f, damping_ratio = 1.0f;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_motor_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_motor_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&MotorSettings::angular_offset, &Native::set_angular_offset, &Native::angular_offset);
@@ -218,9 +202,7 @@ struct PulleySettings {
     float ratio = 1.0f;
     Found<float> length;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_pulley_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_pulley_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&PulleySettings::ground_a, &Native::set_ground_a);
@@ -235,9 +217,7 @@ struct GearSettings {
     float ratio = 1.0f;
     Found<float> phase;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_gear_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_gear_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&GearSettings::ratio, &Native::set_ratio);
@@ -251,9 +231,7 @@ struct RatchetSettings {
     float tooth = 0.0f;
     bool backwards = false;
 
-    static Native make(physics::World& world, const physics::JointDef& def) {
-        return world.create_ratchet_joint(def);
-    }
+    static constexpr auto make = &physics::World::create_ratchet_joint;
     template <class Visit>
     static void each(Visit&& visit) {
         visit(&RatchetSettings::reference_angle, &Native::set_reference_angle,

@@ -164,7 +164,7 @@ typename Settings::Native Joints::make(const JointRecord& record, const Settings
         def.enabled = record.enabled;
         return world_of(record).create_mouse_joint(def);
     } else {
-        return Settings::make(world_of(record), description(record));
+        return (world_of(record).*Settings::make)(description(record));
     }
 }
 
@@ -234,7 +234,7 @@ physics::JointId Joints::model(const AnySettings& type) {
             if constexpr (std::is_same_v<Settings, MouseSettings>)
                 return models_->create_mouse_joint({.body = body.id()}).id();
             else
-                return Settings::make(*models_, {.body_b = body.id()}).id();
+                return ((*models_).*Settings::make)({.body_b = body.id()}).id();
         },
         type);
     return known;

@@ -60,44 +60,25 @@ Binding visible(Hosting& hosting) {
 std::vector<Property> surface(Hosting& hosting) {
     const physics::ShapeDef defaults;
     return {
-        {.name = "density",
-         .default_value = defaults.density,
-         .unit = "kg/m\xC2\xB2",
-         .range = not_negative,
-         .doc = "Mass per area.",
-         .binding = bound<&Shape::density, &Shape::set_density>(hosting),
-         .single_precision = true},
-        {.name = "friction",
-         .default_value = defaults.friction,
-         .range = not_negative,
-         .doc = "Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the "
-                "geometric mean of theirs, or what the world's friction_mix says.",
-         .binding = bound<&Shape::friction, &Shape::set_friction>(hosting),
-         .single_precision = true},
-        {.name = "restitution",
-         .default_value = defaults.restitution,
-         .range = fraction,
-         .doc = "How much of the approaching speed comes back. Two shapes in contact use the "
-                "greater of theirs, or what the world's restitution_mix says.",
-         .binding = bound<&Shape::restitution, &Shape::set_restitution>(hosting),
-         .single_precision = true},
-        {.name = "rolling_resistance",
-         .default_value = defaults.rolling_resistance,
-         .range = not_negative,
-         .doc = "Brakes rolling: lever of the resisting torque as a share of the radius.",
-         .binding = bound<&Shape::rolling_resistance, &Shape::set_rolling_resistance>(hosting),
-         .single_precision = true},
-        {.name = "surface_speed",
-         .default_value = defaults.surface_speed,
-         .unit = "m/s",
-         .doc = "A conveyor belt: how fast the surface runs, counter-clockwise round the shape.",
-         .binding = bound<&Shape::surface_speed, &Shape::set_surface_speed>(hosting),
-         .single_precision = true},
-        {.name = "sensor",
-         .type = Type::boolean,
-         .default_value = defaults.sensor,
-         .doc = "Tells what overlaps it, and pushes nothing.",
-         .binding = bound<&Shape::sensor, &Shape::set_sensor>(hosting)},
+        amount("density", defaults.density, "kg/m\xC2\xB2", "Mass per area.",
+               bound<&Shape::density, &Shape::set_density>(hosting)),
+        amount("friction", defaults.friction, "",
+               "Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the "
+               "geometric mean of theirs, or what the world's friction_mix says.",
+               bound<&Shape::friction, &Shape::set_friction>(hosting)),
+        within(fraction,
+               number("restitution", defaults.restitution, "",
+                      "How much of the approaching speed comes back. Two shapes in contact use the "
+                      "greater of theirs, or what the world's restitution_mix says.",
+                      bound<&Shape::restitution, &Shape::set_restitution>(hosting))),
+        amount("rolling_resistance", defaults.rolling_resistance, "",
+               "Brakes rolling: lever of the resisting torque as a share of the radius.",
+               bound<&Shape::rolling_resistance, &Shape::set_rolling_resistance>(hosting)),
+        number("surface_speed", defaults.surface_speed, "m/s",
+               "A conveyor belt: how fast the surface runs, counter-clockwise round the shape.",
+               bound<&Shape::surface_speed, &Shape::set_surface_speed>(hosting)),
+        flag("sensor", defaults.sensor, "Tells what overlaps it, and pushes nothing.",
+             bound<&Shape::sensor, &Shape::set_sensor>(hosting)),
     };
 }
 
@@ -137,11 +118,7 @@ std::vector<Property> looks(Hosting& hosting) {
          .default_value = default_border(fill),
          .doc = "Of its outline; darker than its color unless one is given.",
          .binding = paint<&Look::border, &Hosting::border_of>(hosting)},
-        {.name = "visible",
-         .type = Type::boolean,
-         .default_value = true,
-         .doc = "Whether it is drawn; it collides all the same.",
-         .binding = visible(hosting)},
+        flag("visible", true, "Whether it is drawn; it collides all the same.", visible(hosting)),
     };
 }
 
@@ -200,13 +177,7 @@ void define_shape(Hosting& hosting) {
     shape.lifecycle = shape_lifecycle(hosting.kinds.front());
     const property::Class& defined = hosting.tree.define(std::move(shape));
     hosting.shape_class = &defined;
-    hosting.contact_begin.of_shape = defined.event("contact_begin");
-    hosting.contact_persist.of_shape = defined.event("contact_persist");
-    hosting.before_solve.of_shape = defined.event("before_solve");
-    hosting.contact_end.of_shape = defined.event("contact_end");
-    hosting.contact_hit.of_shape = defined.event("contact_hit");
-    hosting.sensor_begin.of_shape = defined.event("sensor_begin");
-    hosting.sensor_end.of_shape = defined.event("sensor_end");
+    hosting.note_pair_events(defined, &PairEvent::of_shape);
 }
 
 property::Lifecycle shape_lifecycle(ShapeKind& kind) {

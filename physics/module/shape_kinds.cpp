@@ -89,12 +89,9 @@ property::Method add_vertex(Hosting& hosting) {
 }
 
 Property turned(Hosting& hosting) {
-    return {.name = "angle",
-            .unit = "rad",
-            .range = turns,
-            .doc = "How far it is turned on its body, counter-clockwise.",
-            .binding = bound<&Shape::angle, &Shape::set_angle>(hosting),
-            .single_precision = true};
+    return within(turns,
+                  number("angle", 0, "rad", "How far it is turned on its body, counter-clockwise.",
+                         bound<&Shape::angle, &Shape::set_angle>(hosting)));
 }
 
 Property middle(Hosting& hosting) {
@@ -145,10 +142,9 @@ void define_outlines(Hosting& hosting) {
            "passes.",
            {points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
                    "In the body's coordinates."),
-            {.name = "closed",
-             .type = Type::boolean,
-             .doc = "Whether it goes on from the last point to the first; that takes three points.",
-             .binding = bound<&Shape::closed, &Shape::set_closed>(hosting)}});
+            flag("closed", false,
+                 "Whether it goes on from the last point to the first; that takes three points.",
+                 bound<&Shape::closed, &Shape::set_closed>(hosting))});
 }
 
 }  // namespace

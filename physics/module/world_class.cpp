@@ -83,13 +83,9 @@ void set_threads(Hosting& hosting, Row row, const Value& value) {
 std::vector<Property> simulation(Hosting& hosting) {
     const physics::WorldDef defaults;
     return {
-        {.name = "gravity",
-         .type = Type::vec2,
-         .default_value = widen(defaults.gravity),
-         .unit = "m/s\xC2\xB2",
-         .doc = "Pulls every dynamic body, as far as its gravity_scale lets it.",
-         .binding = bound<&World::gravity, &World::set_gravity>(hosting),
-         .single_precision = true},
+        vector("gravity", widen(defaults.gravity), "m/s\xC2\xB2",
+               "Pulls every dynamic body, as far as its gravity_scale lets it.",
+               bound<&World::gravity, &World::set_gravity>(hosting)),
         {.name = "substeps",
          .type = Type::integer,
          .default_value = defaults.substeps,
@@ -120,16 +116,12 @@ std::vector<Property> simulation(Hosting& hosting) {
          .nullable = true,
          .element = Type::vec2,
          .single_precision = true},
-        {.name = "sleeping",
-         .type = Type::boolean,
-         .default_value = defaults.sleeping,
-         .doc = "What rests falls asleep and costs nothing until it is disturbed.",
-         .binding = bound<&World::sleeping, &World::set_sleeping>(hosting)},
-        {.name = "continuous",
-         .type = Type::boolean,
-         .default_value = defaults.continuous,
-         .doc = "However fast, bodies do not pass through static ones.",
-         .binding = bound<&World::continuous, &World::set_continuous>(hosting)},
+        flag("sleeping", defaults.sleeping,
+             "What rests falls asleep and costs nothing until it is disturbed.",
+             bound<&World::sleeping, &World::set_sleeping>(hosting)),
+        flag("continuous", defaults.continuous,
+             "However fast, bodies do not pass through static ones.",
+             bound<&World::continuous, &World::set_continuous>(hosting)),
     };
 }
 

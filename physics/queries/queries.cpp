@@ -2,7 +2,7 @@
 #include <contacts/border.h>
 #include <distance/distance.h>
 #include <queries/asking.h>
-#include <world/live_shape.h>
+#include <world/live.h>
 
 #include <algorithm>
 
@@ -36,6 +36,12 @@ Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
     const float speed = dot(plane.normal, d);
     if (distance < 0.0f || !(speed < 0.0f) || -distance / speed > 1.0f) return {};
     return {-distance / speed, plane.normal};
+}
+
+RayHit hit_of(const WorldData& data, uint32_t shape, const Probe& probe, const Vec2& from,
+              const Vec2& to) {
+    return {Shape(data.self.link->world, data.shape_id(shape)), from + probe.fraction * (to - from),
+            to_vec2(probe.normal), probe.fraction};
 }
 
 /// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
@@ -124,9 +130,7 @@ std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to,
     Asking asking(data, filter);
     std::optional<RayHit> nearest;
     cast_all(data, to_v2(from), to_v2(to), filter, [&](uint32_t shape, const Probe& probe, float) {
-        const Vec2 point = from + probe.fraction * (to - from);
-        nearest = RayHit{Shape(self(), data.shape_id(shape)), point, to_vec2(probe.normal),
-                         probe.fraction};
+        nearest = hit_of(data, shape, probe, from, to);
         return probe.fraction;
     });
     asking.finish();
@@ -143,9 +147,7 @@ std::vector<RayHit> World::cast_ray_all(const Vec2& from, const Vec2& to,
     std::vector<RayHit> hits;
     cast_all(data, to_v2(from), to_v2(to), filter,
              [&](uint32_t shape, const Probe& probe, float far) {
-                 const Vec2 point = from + probe.fraction * (to - from);
-                 hits.push_back({Shape(self(), data.shape_id(shape)), point, to_vec2(probe.normal),
-                                 probe.fraction});
+                 hits.push_back(hit_of(data, shape, probe, from, to));
                  return far;
              });
     std::stable_sort(hits.begin(), hits.end(),

@@ -314,9 +314,8 @@ void check_fields(const WorldState& w, Findings& findings) {
         findings.require(field.def.force.index() < kinds && are_bools(field.def.enabled) &&
                              are_optionals(field.def.region),
                          "a field");
-    findings.require(
-        list_ends(w.field_slots.free, n, [&](uint32_t i) { return w.fields[i].next_free; }),
-        "free fields");
+    findings.require(list_ends(w.field_slots.free, n, [&](uint32_t i) { return w.fields[i].next; }),
+                     "free fields");
 }
 
 void check_lists(const WorldState& w, Findings& findings) {
@@ -331,7 +330,7 @@ void check_lists(const WorldState& w, Findings& findings) {
             list_ends(island.first, bodies, [&](uint32_t i) { return w.bodies[i].next; }),
             "an island");
     findings.require(list_ends(w.island_slots.free, w.islands.size(),
-                               [&](uint32_t i) { return w.islands[i].next_free; }),
+                               [&](uint32_t i) { return w.islands[i].next; }),
                      "free islands");
     const WorldDef& s = w.settings;
     findings.require(s.substeps >= 1 && s.substeps <= 64 && s.friction_mix <= MixRule::geometric &&

@@ -1,4 +1,4 @@
-#include <schedule/coloring.h>
+#include <schedule/schedule.h>
 #include <schedule/serial_criteria.h>
 #include <state/limits.h>
 

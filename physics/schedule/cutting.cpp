@@ -1,4 +1,4 @@
-#include <schedule/cutting.h>
+#include <schedule/schedule.h>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include <schedule/find_hubs.h>
+#include <schedule/schedule.h>
 
 namespace fettle::physics::detail {
 namespace {

@@ -11,12 +11,6 @@ namespace {
 /// Steps between two looks for resting islands, while there is a reason to look.
 constexpr uint64_t look_interval = 8;
 
-void free_island_slot(ObjectState& objects, uint32_t island) {
-    objects.islands[island] = {none, objects.island_slots.free};
-    objects.island_slots.free = island;
-    --objects.island_slots.count;
-}
-
 }  // namespace
 
 bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body) {
@@ -35,7 +29,8 @@ void leave_island(ObjectState& objects, uint32_t body) {
     uint32_t* link = &objects.islands[island].first;
     while (*link != body) link = &objects.bodies[*link].next;
     *link = std::exchange(objects.bodies[body].next, none);
-    if (objects.islands[island].first == none) free_island_slot(objects, island);
+    if (objects.islands[island].first == none)
+        objects.island_slots.give_back(objects.islands, island);
 }
 
 void wake_sleeping(const Activity& activity, uint32_t body) {
@@ -45,7 +40,7 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
     const uint32_t island = objects.bodies[body].island;
     std::vector<uint32_t> members;
     objects.for_each_asleep(island, [&](uint32_t member) { members.push_back(member); });
-    free_island_slot(objects, island);
+    objects.island_slots.give_back(objects.islands, island);
     for (uint32_t member : members) {
         objects.bodies[member].island = objects.bodies[member].next = none;
         objects.bodies[member].sleep_time = 0.0f;
@@ -119,15 +114,7 @@ void wake_all(const Activity& activity) {
 void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
     ObjectState& objects = activity.objects;
     Columns& columns = activity.columns;
-    uint32_t island = objects.island_slots.free;
-    if (island != none) {
-        objects.island_slots.free = objects.islands[island].next_free;
-    } else {
-        island = uint32_t(objects.islands.size());
-        make_room(objects.islands);
-        objects.islands.emplace_back();
-    }
-    ++objects.island_slots.count;
+    const uint32_t island = objects.island_slots.take(objects.islands);
     uint32_t* link = &objects.islands[island].first;
     for (uint32_t body : group) {
         BodyRecord& record = objects.bodies[body];

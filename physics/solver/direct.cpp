@@ -1,5 +1,5 @@
 #include <solver/direct_problem.h>
-#include <solver/direct_rows.h>
+#include <solver/direct_row.h>
 #include <solver/joint_passes.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>

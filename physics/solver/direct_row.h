@@ -1,6 +1,7 @@
 #pragma once
 
 #include <constraints/joint_rows.h>
+#include <solver/contact_solver.h>
 
 #include <algorithm>
 #include <limits>
@@ -249,5 +250,9 @@ inline void RowWriter::motors(const JointEnds& ends, V2 speed, float greatest, V
     add({1.0f, 0.0f}, 1);
     add({0.0f, 1.0f}, -1);
 }
+
+/// Normals, rolling and friction of a contact; `extra` may be null.
+void write_rows(RowWriter& rows, ContactConstraint& c, ContactExtra* extra, const SolverBody& a,
+                const SolverBody& b, float push_speed, float restitution_threshold);
 
 }  // namespace fettle::physics::detail

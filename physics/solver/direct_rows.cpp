@@ -1,4 +1,4 @@
-#include <solver/direct_rows.h>
+#include <solver/direct_row.h>
 
 // What contacts ask for, as rows for the direct solver. Those of joints are in their own files.
 

@@ -19,4 +19,9 @@ void prepare_serial(const ObjectState& objects, const Columns& columns, const Bo
 void store_serial(ContactScratch& scratch, const Touching& touching, float hit_threshold,
                   ThreadPool* threads);
 
+/// Stores the impulses of the serial contacts (those of wide contacts are stored when their block
+/// is solved), and reports touches that begin or end, and hits.
+void store_contacts(ContactScratch& contacts, const Touching& touching, float hit_threshold,
+                    ThreadPool* threads);
+
 }  // namespace fettle::physics::detail

@@ -1,6 +1,5 @@
 #include <contacts/reports.h>
 #include <solver/serial_contacts.h>
-#include <solver/store_contacts.h>
 
 #include <bit>
 

@@ -107,6 +107,7 @@ struct BodyRecord {
     uint64_t user_data = 0;
 
     bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
+    uint32_t& next_free() { return next; }
 
     void prefetch() const {
         for (size_t at = 0; at < sizeof(BodyRecord); at += 64)
@@ -181,6 +182,7 @@ struct ShapeRecord {
     float area = 0.0f, moment = 0.0f;  ///< m², m⁴ about the centroid
     V2 centroid;
 
+    uint32_t& next_free() { return next; }
     void set_moments(const AreaMoments& m) {
         area = float(m.area);
         moment = float(m.moment);
@@ -224,6 +226,8 @@ static_assert(sizeof(ContactRecord) == 128);
 struct ContactLinks {
     ListEdge edges[2];   ///< in the contact lists of body a and b; of a free slot: the next one
     uint32_t began = 0;  ///< the last digits of the step in which it began to touch
+
+    uint32_t& next_free() { return edges[0].next; }
 };
 
 inline constexpr size_t joint_type_count = size_t(JointType::ratchet) + 1;
@@ -244,6 +248,7 @@ struct JointRecord {
     PlainValue<24> impulses;  ///< `Impulses` of its type, of the last sub-step; all 0: none
     uint64_t user_data = 0;
 
+    uint32_t& next_free() { return edges[0].next; }
     bool acts() const { return enabled && !broken; }
     bool breakable() const { return break_force < infinity || break_torque < infinity; }
 };
@@ -251,13 +256,17 @@ struct JointRecord {
 struct FieldRecord {
     FieldDef def;
     uint32_t generation = 0;  ///< 0: the slot is free
-    uint32_t next_free = none;
+    uint32_t next = none;     ///< of a free slot: the next one
+
+    uint32_t& next_free() { return next; }
 };
 
 /// Bodies that fell asleep together and wake together, a list through their records.
 struct Island {
     uint32_t first = none;
-    uint32_t next_free = none;
+    uint32_t next = none;  ///< of a free slot: the next one
+
+    uint32_t& next_free() { return next; }
 };
 
 }  // namespace fettle::physics::detail

@@ -3,6 +3,7 @@
 #include <broad_phase/pair_set.h>
 #include <broad_phase/tree.h>
 #include <fettle/physics/world.h>
+#include <geometry/growth.h>
 #include <geometry/vertex_pool.h>
 #include <partition/strips.h>
 #include <state/member_list.h>
@@ -23,6 +24,29 @@ namespace fettle::physics::detail {
 struct Slots {
     uint32_t free = none;  ///< the first free one
     uint32_t count = 0;    ///< how many are used
+
+    /// A slot for a new object, in which all arrays have new elements.
+    template <class Record, class... Other>
+    uint32_t take(std::vector<Record>& records, std::vector<Other>&... others) {
+        ++count;
+        const uint32_t slot = free;
+        if (slot == none) {
+            make_room_in_each(records, others...);
+            (records.emplace_back(), ..., others.emplace_back());
+            return uint32_t(records.size() - 1);
+        }
+        free = records[slot].next_free();
+        records[slot] = Record();
+        ((others[slot] = Other()), ...);
+        return slot;
+    }
+    template <class Record>
+    void give_back(std::vector<Record>& records, uint32_t slot) {
+        records[slot] = Record();
+        records[slot].next_free() = free;
+        free = slot;
+        --count;
+    }
 };
 
 /// What there is, by slot.

@@ -1,10 +1,10 @@
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
 #include <collision/piece.h>
-#include <distance/submerged.h>
+#include <distance/distance.h>
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
-#include <step/field_forces.h>
+#include <step/gather.h>
 
 namespace fettle::physics::detail {
 namespace {

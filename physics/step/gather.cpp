@@ -1,4 +1,4 @@
-#include <schedule/find_hubs.h>
+#include <schedule/schedule.h>
 #include <state/limits.h>
 #include <step/gather.h>
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <constraints/solver_body.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 #include <threads/pool.h>
+
+#include <span>
 
 namespace fettle::physics::detail {
 
@@ -11,5 +14,14 @@ namespace fettle::physics::detail {
 void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLists& active,
                    const WorldDef& settings, const Strips& strips, float h, BodyScratch& bodies,
                    Hubs& hubs, ThreadPool* threads);
+
+// Fields of force: once a step they add to what the sub-steps do to the awake bodies. A resistance
+// never takes more velocity in a step than there is: that keeps dense air stable.
+
+/// Adds to the forces of a sub-step of length `h` of a step of `dt`. `boxes`: of the shapes, by
+/// slot.
+void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
+                  std::span<const uint32_t> awake, V2 gravity, float h, float dt,
+                  std::span<SolverForce> forces);
 
 }  // namespace fettle::physics::detail

@@ -1,7 +1,7 @@
 #include <checks/arguments.h>
 #include <contacts/reports.h>
 #include <geometry/trigonometry.h>
-#include <world/live_body.h>
+#include <world/live.h>
 
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,4 @@
-#include <world/live_body.h>
+#include <world/live.h>
 
 // What a body weighs and how large it is: derived from its shapes, or overridden.
 

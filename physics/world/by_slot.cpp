@@ -88,21 +88,14 @@ template <>
 Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value) {
     return store(*data_, data_->bodies[index], data_->states[index].angular_velocity, value);
 }
-template <>
-Written World::write<BodyNumber::torque>(uint32_t index, float value) {
-    return set<&BodyRecord::torque>(*data_, index, value);
-}
-template <>
-Written World::write<BodyNumber::gravity_scale>(uint32_t index, float value) {
-    return set<&BodyRecord::gravity_scale>(*data_, index, value);
-}
-template <>
-Written World::write<BodyNumber::linear_damping>(uint32_t index, float value) {
-    return set<&BodyRecord::linear_damping>(*data_, index, value);
-}
-template <>
-Written World::write<BodyNumber::angular_damping>(uint32_t index, float value) {
-    return set<&BodyRecord::angular_damping>(*data_, index, value);
-}
+#define FETTLE_WRITE(number)                                                \
+    template <>                                                             \
+    Written World::write<BodyNumber::number>(uint32_t index, float value) { \
+        return set<&BodyRecord::number>(*data_, index, value);              \
+    }
+FETTLE_WRITE(torque)
+FETTLE_WRITE(gravity_scale)
+FETTLE_WRITE(linear_damping)
+FETTLE_WRITE(angular_damping)
 
 }  // namespace fettle::physics

@@ -1,5 +1,5 @@
 #include <checks/arguments.h>
-#include <contacts/impact.h>
+#include <contacts/reports.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -199,17 +199,6 @@ void WorldData::consult_callbacks() {
     consultation.before_solve_all();
 }
 
-}  // namespace detail
-
-MixRule World::friction_mix() const {
-    return data_->settings.friction_mix;
-}
-MixRule World::restitution_mix() const {
-    return data_->settings.restitution_mix;
-}
-
-namespace {
-
 void remix_all(WorldData& data) {
     for (ContactRecord& c : data.contacts) {
         if (c.shape_a == none) continue;
@@ -218,27 +207,7 @@ void remix_all(WorldData& data) {
     }
 }
 
-}  // namespace
-
-void World::set_friction_mix(MixRule rule) {
-    WorldData& data = edit(__func__);
-    data.settings.friction_mix = check_enumerator("friction_mix", rule, MixRule::geometric);
-    remix_all(data);
-    detail::wake_all(data.activity());
-}
-void World::set_restitution_mix(MixRule rule) {
-    WorldData& data = edit(__func__);
-    data.settings.restitution_mix = check_enumerator("restitution_mix", rule, MixRule::geometric);
-    remix_all(data);
-    detail::wake_all(data.activity());
-}
-
-bool World::persist_events() const {
-    return data_->settings.persist_events;
-}
-void World::set_persist_events(bool enabled) {
-    edit(__func__).settings.persist_events = enabled;
-}
+}  // namespace detail
 
 void World::set_filter(PairFilter filter) {
     WorldData& data = edit(__func__);

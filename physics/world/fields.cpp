@@ -46,15 +46,8 @@ void detail::check(const FieldDef& def) {
 Field World::create_field(const FieldDef& def) {
     WorldData& data = populate(__func__);
     check(def);
-    uint32_t slot = data.field_slots.free;
-    if (slot != none) {
-        data.field_slots.free = data.fields[slot].next_free;
-    } else {
-        slot = uint32_t(data.fields.size());
-        data.fields.emplace_back();
-    }
+    const uint32_t slot = data.field_slots.take(data.fields);
     data.fields[slot] = {def, data.self.link->generations.take(), none};
-    ++data.field_slots.count;
     detail::wake_all(data.activity());
     return {this, {slot, data.fields[slot].generation}};
 }
@@ -114,9 +107,7 @@ void Field::set(const FieldDef& wanted) {
 void Field::destroy() {
     WorldData& data = live();
     data.self.may_populate("Field", __func__);
-    data.fields[id_.index] = {{}, 0, data.field_slots.free};
-    data.field_slots.free = id_.index;
-    --data.field_slots.count;
+    data.field_slots.give_back(data.fields, id_.index);
     detail::wake_all(data.activity());
 }
 

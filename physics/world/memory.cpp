@@ -34,13 +34,8 @@ class MemoryLines {
     template <class T>
     void operator()(const std::vector<T>& list) {
         add(list);
-        if constexpr (ListsMembers<const T, MemoryLines> || ListsScratch<const T, MemoryLines>)
+        if constexpr (!std::is_trivially_destructible_v<T>)
             for (const T& element : list) (*this)(element);
-    }
-    template <class T>
-    void operator()(const std::vector<std::vector<T>>& lists) {
-        add(lists);
-        for (const std::vector<T>& list : lists) (*this)(list);
     }
     template <class T, std::size_t n>
     void operator()(const std::array<T, n>& lists) {

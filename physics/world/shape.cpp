@@ -1,5 +1,5 @@
 #include <geometry/trigonometry.h>
-#include <world/live_shape.h>
+#include <world/live.h>
 
 #include <stdexcept>
 #include <string>
@@ -53,7 +53,7 @@ bool Shape::is_valid() const {
 }
 
 WorldData& Shape::live() const {
-    return detail::live(link_, id_);
+    return detail::live(link_, id_, "shape");
 }
 
 World& Shape::world() const {

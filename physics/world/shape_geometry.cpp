@@ -1,4 +1,4 @@
-#include <world/live_shape.h>
+#include <world/live.h>
 
 #include <stdexcept>
 #include <type_traits>

@@ -1,14 +1,11 @@
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
 #include <contacts/reports.h>
-#include <schedule/coloring.h>
-#include <schedule/cutting.h>
+#include <schedule/schedule.h>
 #include <solver/joint_passes.h>
 #include <solver/serial_contacts.h>
 #include <solver/solvers.h>
-#include <solver/store_contacts.h>
 #include <state/member_list.h>
-#include <step/field_forces.h>
 #include <step/finish.h>
 #include <step/gather.h>
 #include <world/world_data.h>

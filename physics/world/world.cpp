@@ -104,6 +104,14 @@ FETTLE_WORLD_NUMBER(sleep_delay, check_not_negative, detail::wake_all(data.activ
 FETTLE_WORLD_NUMBER(contact_hertz, check_not_negative, detail::wake_all(data.activity()))
 FETTLE_WORLD_NUMBER(contact_damping, check_not_negative, detail::wake_all(data.activity()))
 FETTLE_WORLD_NUMBER(push_speed, check_not_negative, detail::wake_all(data.activity()))
+FETTLE_WORLD_SETTING(MixRule, MixRule, friction_mix,
+                     check_enumerator("friction_mix", value, MixRule::geometric), remix_all(data);
+                     detail::wake_all(data.activity()))
+FETTLE_WORLD_SETTING(MixRule, MixRule, restitution_mix,
+                     check_enumerator("restitution_mix", value, MixRule::geometric),
+                     remix_all(data);
+                     detail::wake_all(data.activity()))
+FETTLE_WORLD_SETTING(bool, bool, persist_events, value, )
 FETTLE_WORLD_SETTING(Solver, Solver, solver, check_enumerator("solver", value, Solver::direct),
                      detail::wake_all(data.activity()))
 
@@ -142,30 +150,33 @@ void World::clear() {
     for (Field f : fields()) f.destroy();
 }
 
+namespace {
+
+/// A handle for each slot from the first on that is used and `wanted`.
+template <class Handle, class Id>
+std::vector<Handle> handles(World* world, const std::vector<uint32_t>& generations, uint32_t first,
+                            const auto& wanted) {
+    std::vector<Handle> all;
+    for (uint32_t i = first; i < generations.size(); ++i)
+        if (generations[i] != 0 && wanted(i)) all.emplace_back(world, Id{i, generations[i]});
+    return all;
+}
+
+bool any(uint32_t) {
+    return true;
+}
+
+}  // namespace
+
 std::vector<Body> World::bodies() const {
-    std::vector<Body> all;
-    for (uint32_t i = 1; i < data_->bodies.size(); ++i) {
-        if (data_->body_generations[i] != 0) all.emplace_back(self(), data_->body_id(i));
-    }
-    return all;
+    return handles<Body, BodyId>(self(), data_->body_generations, 1, any);
 }
-
 std::vector<Shape> World::shapes() const {
-    std::vector<Shape> all;
-    for (uint32_t i = 4; i < data_->shapes.size(); ++i) {
-        if (data_->shape_generations[i] != 0 && data_->shapes[i].owner == none)
-            all.emplace_back(self(), data_->shape_id(i));
-    }
-    return all;
+    const auto whole = [&](uint32_t shape) { return data_->shapes[shape].owner == none; };
+    return handles<Shape, ShapeId>(self(), data_->shape_generations, 4, whole);
 }
-
 std::vector<Joint> World::joints() const {
-    std::vector<Joint> all;
-    for (uint32_t i = 0; i < data_->joints.size(); ++i) {
-        if (data_->joint_generations[i] != 0)
-            all.emplace_back(self(), JointId{i, data_->joint_generations[i]});
-    }
-    return all;
+    return handles<Joint, JointId>(self(), data_->joint_generations, 0, any);
 }
 
 std::vector<Contact> World::contacts() const {

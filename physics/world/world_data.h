@@ -68,4 +68,7 @@ struct WorldData : WorldState, StepScratch {
     void replace_state(WorldState&& other);
 };
 
+/// callbacks.cpp: mixes the surfaces of all contacts, as if no callback had changed them.
+void remix_all(WorldData& data);
+
 }  // namespace fettle::physics::detail

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "scenes.h"
 
-#include <distance/submerged.h>
+#include <distance/distance.h>
 
 namespace field_test {
 

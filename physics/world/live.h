@@ -5,9 +5,13 @@
 
 namespace fettle::physics::detail {
 
-inline WorldData& live(WorldLink* link, BodyId id) {
+// For the handles of bodies and shapes.
+
+/// The data of the world in which the object lives; `kind` is what an error calls it.
+template <class Id>
+WorldData& live(WorldLink* link, Id id, const char* kind) {
     if (link == nullptr || link->data == nullptr || !link->data->is_valid(id)) [[unlikely]]
-        dangling("body", link, id.index, id.generation);
+        dangling(kind, link, id.index, id.generation);
     return *link->data;
 }
 
@@ -24,7 +28,7 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
 
 // The first line of every method of `Body` that needs a live one: `data`, and its records.
 #define FETTLE_LIVE_BODY                                          \
-    WorldData& data = live(link_, id_);                           \
+    WorldData& data = detail::live(link_, id_, "body");                           \
     [[maybe_unused]] BodyRecord& record = data.bodies[id_.index]; \
     [[maybe_unused]] BodyState& state = data.states[id_.index];
 // The same for one that edits it.
@@ -52,4 +56,21 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
         FETTLE_EDIT_BODY                       \
         record.name = check(#name, value);     \
         wake_body(data.activity(), id_.index); \
+    }
+
+// The first line of every method of `Shape` that needs a live one: `data`, and its records.
+#define FETTLE_LIVE_SHAPE                                          \
+    WorldData& data = detail::live(link_, id_, "shape");                    \
+    [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index]; \
+    [[maybe_unused]] ShapeForm& form = data.forms[id_.index];
+// The same for one that edits it.
+#define FETTLE_EDIT_SHAPE \
+    FETTLE_LIVE_SHAPE     \
+    data.self.may_edit("Shape", __func__);
+
+// A property that is read and no more than that.
+#define FETTLE_SHAPE_READ(Value, name, value) \
+    Value Shape::name() const {               \
+        FETTLE_LIVE_SHAPE                     \
+        return value;                         \
     }
