@@ -84,18 +84,19 @@ void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t sha
 }
 
 void refilter(const Editing& e, const UserFilter& filter, uint32_t shape) {
-    const uint32_t body = e.objects.forms[shape].body;
+    ObjectState& objects = e.objects;
+    const uint32_t body = objects.forms[shape].body;
     if (body == none) return;
     wake_for_edit(e.activity, body);
-    e.objects.for_each_contact_of(shape, [&](uint32_t contact) {
-        const ContactRecord& c = e.objects.contacts[contact];
-        const bool sensor = e.objects.shapes[c.shape_a].surface.sensor ||
-                            e.objects.shapes[c.shape_b].surface.sensor;
-        if (c.sensor != sensor || !may_collide(e.objects, filter, c.shape_a, c.shape_b))
+    objects.for_each_contact_of(shape, [&](uint32_t contact) {
+        const ContactRecord& c = objects.contacts[contact];
+        const bool sensor =
+            objects.shapes[c.shape_a].surface.sensor || objects.shapes[c.shape_b].surface.sensor;
+        if (c.sensor != sensor || !may_collide(objects, filter, c.shape_a, c.shape_b))
             destroy_contact(e.contacts, contact);
     });
-    e.objects.for_each_solid(shape,
-                             [&](uint32_t solid) { mark_moved(e.objects, e.broad_phase, solid); });
+    objects.for_each_solid(shape,
+                           [&](uint32_t solid) { mark_moved(objects, e.broad_phase, solid); });
 }
 
 void remove_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
@@ -193,17 +194,18 @@ void refresh(const Editing& e) {
 }
 
 void refresh_shape(const Editing& e, uint32_t shape) {
-    ShapeRecord& record = e.objects.shapes[shape];
+    ObjectState& objects = e.objects;
+    ShapeRecord& record = objects.shapes[shape];
     if (!record.geometry_dirty) return;
     record.geometry_dirty = false;
     ++record.rebuilds;
-    if (!e.objects.is_solid(shape)) {
+    if (!objects.is_solid(shape)) {
         rebuild_parts(e, shape);
         return;
     }
-    ShapeForm& form = e.objects.forms[shape];
+    ShapeForm& form = objects.forms[shape];
     const float radius_before = form.radius;
-    V2* local = &e.objects.pool.local[form.begin];
+    V2* local = &objects.pool.local[form.begin];
     switch (record.type) {
         case ShapeType::circle:
             local[0] = to_v2(record.figure.as<Circle>().center);
@@ -219,40 +221,41 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             form.radius = record.figure.as<Segment>().rounding;
             break;
         case ShapeType::ellipse:
-            write_ellipse(record.figure.as<Ellipse>(), form.begin, e.objects.pool);
+            write_ellipse(record.figure.as<Ellipse>(), form.begin, objects.pool);
             form.radius = 0.0f;
             break;
         default:
-            // Its vertices are already in the e.objects.pool. A piece has no rounding.
+            // Its vertices are already in the objects.pool. A piece has no rounding.
             form.radius = record.figure.as<PolygonFigure>().rounding;
             break;
     }
     for (uint32_t i = 0; i < form.count && form.count > 1; ++i) {
-        e.objects.pool.normals[form.begin + i] =
+        objects.pool.normals[form.begin + i] =
             normalized(right_perp(local[(i + 1) % form.count] - local[i]));
     }
-    e.objects.pool.vertices[form.begin] = {infinity,
-                                           infinity};  // a large polygon is to be centered anew
+    objects.pool.vertices[form.begin] = {infinity,
+                                         infinity};  // a large polygon is to be centered anew
     record.set_moments(record.type == ShapeType::ellipse
                            ? moments_of(record.figure.as<Ellipse>())
                            : moments_of({local, form.count}, form.radius));
     if (form.radius != radius_before)
-        remix_shape(e.objects, e.settings, shape);  // for the rolling resistance
-    if (form.body == none) place_shape(e.objects, e.broad_phase.boxes, shape, {});
+        remix_shape(objects, e.settings, shape);  // for the rolling resistance
+    if (form.body == none) place_shape(objects, e.broad_phase.boxes, shape, {});
 }
 
 void refresh_edited_mass(const Editing& e, uint32_t body) {
-    BodyRecord& record = e.objects.bodies[body];
-    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next)
+    ObjectState& objects = e.objects;
+    BodyRecord& record = objects.bodies[body];
+    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next)
         refresh_shape(e, s);
     if (!record.mass_dirty) return;
     record.mass_dirty = false;
     ++record.rebuilds;
 
     double mass = 0.0, first_x = 0.0, first_y = 0.0;
-    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
-        if (e.objects.shapes[s].owner != none) continue;  // its owner knows better
-        const ShapeRecord& shape = e.objects.shapes[s];
+    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
+        if (objects.shapes[s].owner != none) continue;  // its owner knows better
+        const ShapeRecord& shape = objects.shapes[s];
         const double part = double(shape.area) * double(shape.surface.density);
         mass += part;
         first_x += part * double(shape.centroid.x);
@@ -265,21 +268,21 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     }
     double inertia = 0.0;
     float extent = 0.0f, thickness = infinity;
-    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
-        const ShapeRecord& shape = e.objects.shapes[s];
+    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
+        const ShapeRecord& shape = objects.shapes[s];
         const double dx = double(shape.centroid.x) - cx, dy = double(shape.centroid.y) - cy;
         if (shape.owner == none)
             inertia += double(shape.surface.density) *
                        (double(shape.moment) + double(shape.area) * (dx * dx + dy * dy));
-        if (!e.objects.is_solid(s)) continue;
-        const ShapeForm& form = e.objects.forms[s];
+        if (!objects.is_solid(s)) continue;
+        const ShapeForm& form = objects.forms[s];
         float inner = infinity;
         for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
-            const V2 v = e.objects.pool.local[i] - V2{float(cx), float(cy)};
+            const V2 v = objects.pool.local[i] - V2{float(cx), float(cy)};
             extent = max(extent, length(v) + form.radius);
             if (form.count > 2)
-                inner = min(inner, dot(e.objects.pool.normals[i],
-                                       e.objects.pool.local[i] - shape.centroid));
+                inner = min(inner,
+                            dot(objects.pool.normals[i], objects.pool.local[i] - shape.centroid));
         }
         if (form.kind == FormKind::ellipse) {
             const Ellipse ellipse = shape.figure.as<Ellipse>();
@@ -310,7 +313,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     // The body goes on as it moved: only the point whose velocity is kept is another one.
     const V2 drift = cross(state.angular_velocity, record.center - old_center);
     e.columns.states[body].velocity = to_vec2(bounded(to_v2(state.velocity) + drift, 1e30f));
-    mark_placement(e.objects, e.active, body);
+    mark_placement(objects, e.active, body);
     update_mobility(e, body);
     const bool moves = record.mobility == Mobility::dynamic;
     record.inverse_mass =

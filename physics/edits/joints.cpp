@@ -25,19 +25,19 @@ void unlink_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
 
 /// After an edit: contacts between the two bodies end, or pairs of them are searched.
 void refilter_joint(const Editing& e, uint32_t joint) {
-    uint32_t a = e.objects.joints[joint].bodies[0], b = e.objects.joints[joint].bodies[1];
-    if (e.objects.bodies[a].contact_count > e.objects.bodies[b].contact_count) std::swap(a, b);
-    if (joint_forbids_contact(e.objects, a, b)) {
-        e.objects.for_each_contact(a, [&](uint32_t contact) {
-            if (e.objects.other_body(contact, a) == b) destroy_contact(e.contacts, contact);
+    ObjectState& objects = e.objects;
+    uint32_t a = objects.joints[joint].bodies[0], b = objects.joints[joint].bodies[1];
+    if (objects.bodies[a].contact_count > objects.bodies[b].contact_count) std::swap(a, b);
+    if (joint_forbids_contact(objects, a, b)) {
+        objects.for_each_contact(a, [&](uint32_t contact) {
+            if (objects.other_body(contact, a) == b) destroy_contact(e.contacts, contact);
         });
         return;
     }
     if (a == 0 || b == 0) return;
     for (uint32_t body : {a, b}) {
-        for (uint32_t s = e.objects.bodies[body].first_shape; s != none;
-             s = e.objects.shapes[s].next)
-            mark_moved(e.objects, e.broad_phase, s);
+        for (uint32_t s = objects.bodies[body].first_shape; s != none; s = objects.shapes[s].next)
+            mark_moved(objects, e.broad_phase, s);
     }
 }
 

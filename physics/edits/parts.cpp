@@ -154,75 +154,74 @@ void write_outline(ObjectState& objects, ActiveLists& active, uint32_t shape,
 }
 
 void rebuild_parts(const Editing& e, uint32_t shape) {
-    const bool chain = e.objects.shapes[shape].type == ShapeType::chain;
-    const Parts parts =
-        chain ? chain_parts(e.objects.outline_of(shape), e.objects.shapes[shape].closed)
-              : concave_parts(e.objects.outline_of(shape));
-    uint32_t last = none, part = e.objects.shapes[shape].first_part;
+    ObjectState& objects = e.objects;
+    const bool chain = objects.shapes[shape].type == ShapeType::chain;
+    const Parts parts = chain ? chain_parts(objects.outline_of(shape), objects.shapes[shape].closed)
+                              : concave_parts(objects.outline_of(shape));
+    uint32_t last = none, part = objects.shapes[shape].first_part;
     const V2* values = parts.values.data();
     for (const uint32_t count : parts.counts) {
         if (part == none) {
             part = new_shape(e);
-            --e.objects.shape_slots.count;  // parts are not counted
-            e.objects.shapes[part].type = e.objects.shapes[shape].type;
-            e.objects.shapes[part].surface = e.objects.shapes[shape].surface;
-            e.objects.shapes[part].owner = shape;
-            e.objects.forms[part].kind = FormKind::piece;
-            (last == none ? e.objects.shapes[shape].first_part : e.objects.shapes[last].next_part) =
+            --objects.shape_slots.count;  // parts are not counted
+            objects.shapes[part].type = objects.shapes[shape].type;
+            objects.shapes[part].surface = objects.shapes[shape].surface;
+            objects.shapes[part].owner = shape;
+            objects.forms[part].kind = FormKind::piece;
+            (last == none ? objects.shapes[shape].first_part : objects.shapes[last].next_part) =
                 part;
-            if (e.objects.forms[shape].body != none)
-                attach_shape(e, part, e.objects.forms[shape].body);
+            if (objects.forms[shape].body != none) attach_shape(e, part, objects.forms[shape].body);
         }
         const size_t size = 3 * size_t{count} * sizeof(V2);
         // A part that the edit did not change keeps its contacts.
-        if (e.objects.forms[part].count != count ||
-            std::memcmp(&e.objects.pool.local[e.objects.forms[part].begin], values, size) != 0) {
-            reserve_vertices(e.objects, part, 3 * count);
-            e.objects.forms[part].count = count;
-            std::memcpy(&e.objects.pool.local[e.objects.forms[part].begin], values, size);
-            mark_geometry(e.objects, e.active, part);
+        if (objects.forms[part].count != count ||
+            std::memcmp(&objects.pool.local[objects.forms[part].begin], values, size) != 0) {
+            reserve_vertices(objects, part, 3 * count);
+            objects.forms[part].count = count;
+            std::memcpy(&objects.pool.local[objects.forms[part].begin], values, size);
+            mark_geometry(objects, e.active, part);
         }
         values += 3 * count;
         last = part;
-        part = e.objects.shapes[part].next_part;
+        part = objects.shapes[part].next_part;
     }
     drop_parts(e, shape, last);
     // The moments of the whole outline are exact, however it was cut.
-    ShapeRecord& record = e.objects.shapes[shape];
+    ShapeRecord& record = objects.shapes[shape];
     if (chain) {
         record.set_moments(
-            moments_of(e.objects.outline_of(shape).first(std::min(record.outline, 2u)), 0.0f));
+            moments_of(objects.outline_of(shape).first(std::min(record.outline, 2u)), 0.0f));
     } else {
-        std::vector<V2> points(e.objects.outline_of(shape).begin(),
-                               e.objects.outline_of(shape).end());
+        std::vector<V2> points(objects.outline_of(shape).begin(), objects.outline_of(shape).end());
         if (signed_area(points) < 0.0) std::reverse(points.begin(), points.end());
         record.set_moments(moments_of(points, 0.0f));
     }
 }
 
 void drop_parts(const Editing& e, uint32_t shape, uint32_t last) {
+    ObjectState& objects = e.objects;
     uint32_t part =
-        last == none ? e.objects.shapes[shape].first_part : e.objects.shapes[last].next_part;
-    (last == none ? e.objects.shapes[shape].first_part : e.objects.shapes[last].next_part) = none;
+        last == none ? objects.shapes[shape].first_part : objects.shapes[last].next_part;
+    (last == none ? objects.shapes[shape].first_part : objects.shapes[last].next_part) = none;
     if (part == none) return;
-    if (const uint32_t body = e.objects.forms[shape].body; body != none) {
+    if (const uint32_t body = objects.forms[shape].body; body != none) {
         // The contacts of all parts in one walk over the list: there may be many of both.
         wake_for_edit(e.activity, body);
         wake_touching(e.activity, body);
-        std::vector<bool> dropped(e.objects.shapes.size());
-        for (uint32_t each = part; each != none; each = e.objects.shapes[each].next_part)
+        std::vector<bool> dropped(objects.shapes.size());
+        for (uint32_t each = part; each != none; each = objects.shapes[each].next_part)
             dropped[each] = true;
-        e.objects.for_each_contact(body, [&](uint32_t contact) {
-            const ContactRecord& c = e.objects.contacts[contact];
+        objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = objects.contacts[contact];
             if (dropped[c.shape_a] || dropped[c.shape_b]) destroy_contact(e.contacts, contact);
         });
-        for (uint32_t each = part; each != none; each = e.objects.shapes[each].next_part)
-            unlink_shape(e.objects, e.broad_phase, each);
-        mark_mass(e.objects, e.active, body);
-        mark_placement(e.objects, e.active, body);
+        for (uint32_t each = part; each != none; each = objects.shapes[each].next_part)
+            unlink_shape(objects, e.broad_phase, each);
+        mark_mass(objects, e.active, body);
+        mark_placement(objects, e.active, body);
     }
     while (part != none) {
-        const uint32_t next = e.objects.shapes[part].next_part;
+        const uint32_t next = objects.shapes[part].next_part;
         destroy_shape(e, part);
         part = next;
     }

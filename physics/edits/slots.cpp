@@ -31,20 +31,21 @@ void link_shape(ObjectState& objects, uint32_t shape, uint32_t body) {
 }  // namespace
 
 void make_border(const Editing& e) {
+    ObjectState& objects = e.objects;
     BodyDef def;
     def.type = BodyType::static_body;
     create_body(e, def);
     for (uint32_t side = 0; side < 4; ++side) {
-        e.objects.forms.emplace_back();
-        e.objects.shapes.emplace_back();
+        objects.forms.emplace_back();
+        objects.shapes.emplace_back();
         e.broad_phase.boxes.emplace_back();
         e.broad_phase.fat_boxes.emplace_back();
         e.broad_phase.paired_boxes.push_back(no_box);
         e.columns.shape_generations.push_back(e.generations.take());
-        e.objects.forms[side] = {side, 0, FormKind::border, 0.0f, 0, {}};
-        e.objects.shapes[side].type = ShapeType::border;
+        objects.forms[side] = {side, 0, FormKind::border, 0.0f, 0, {}};
+        objects.shapes[side].type = ShapeType::border;
     }
-    e.objects.body_slots.count = 0;
+    objects.body_slots.count = 0;
     apply_bounds(e);
 }
 
@@ -126,16 +127,17 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
 }
 
 void destroy_body(const Editing& e, uint32_t body) {
+    ObjectState& objects = e.objects;
     wake_for_edit(e.activity, body);
     wake_touching(e.activity, body);
-    while (e.objects.bodies[body].first_joint != none)
-        destroy_joint(e, e.objects.bodies[body].first_joint >> 1);
+    while (objects.bodies[body].first_joint != none)
+        destroy_joint(e, objects.bodies[body].first_joint >> 1);
     destroy_contacts_of_body(e.contacts, body);
-    while (e.objects.bodies[body].first_shape != none)
-        destroy_shape(e, e.objects.bodies[body].first_shape);
-    if (e.objects.bodies[body].solver_index != 0) remove_awake(e.objects, e.active, body);
-    leave_island(e.objects, body);
-    e.objects.body_slots.give_back(e.objects.bodies, body);
+    while (objects.bodies[body].first_shape != none)
+        destroy_shape(e, objects.bodies[body].first_shape);
+    if (objects.bodies[body].solver_index != 0) remove_awake(objects, e.active, body);
+    leave_island(objects, body);
+    objects.body_slots.give_back(objects.bodies, body);
     e.columns.body_generations[body] = 0;
 }
 
@@ -153,12 +155,13 @@ uint32_t create_shape(const Editing& e, const ShapeDef& def, const Geometry& geo
 }
 
 uint32_t new_shape(const Editing& e) {
-    Slots& slots = e.objects.shape_slots;
-    const bool listed = slots.free != none && e.objects.shapes[slots.free].moved;
+    ObjectState& objects = e.objects;
+    Slots& slots = objects.shape_slots;
+    const bool listed = slots.free != none && objects.shapes[slots.free].moved;
     const uint32_t slot =
-        slots.take(e.objects.shapes, e.objects.forms, e.broad_phase.boxes, e.broad_phase.fat_boxes,
+        slots.take(objects.shapes, objects.forms, e.broad_phase.boxes, e.broad_phase.fat_boxes,
                    e.broad_phase.paired_boxes, e.columns.shape_generations);
-    e.objects.shapes[slot].moved = listed;
+    objects.shapes[slot].moved = listed;
     e.broad_phase.paired_boxes[slot] = no_box;
     e.columns.shape_generations[slot] = e.generations.take();
     return slot;
@@ -174,7 +177,8 @@ void reserve_vertices(ObjectState& objects, uint32_t slot, uint32_t count) {
 
 void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
               const std::vector<Vec2>& hull) {
-    ShapeRecord& record = e.objects.shapes[slot];
+    ObjectState& objects = e.objects;
+    ShapeRecord& record = objects.shapes[slot];
     drop_parts(e, slot, none);
     record.outline = 0;
     FormKind kind = FormKind::convex;
@@ -214,36 +218,37 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
         outline = chain->points;
     }
     // Its contacts were those of another kind of form.
-    if (e.objects.forms[slot].kind != kind && e.objects.forms[slot].body != none) {
+    if (objects.forms[slot].kind != kind && objects.forms[slot].body != none) {
         destroy_contacts_of_shape(e.contacts, slot);
-        if (kind == FormKind::outline) remove_proxy(e.objects, e.broad_phase, slot);
+        if (kind == FormKind::outline) remove_proxy(objects, e.broad_phase, slot);
     }
-    e.objects.forms[slot].kind = kind;
-    e.objects.forms[slot].count = count;
+    objects.forms[slot].kind = kind;
+    objects.forms[slot].count = count;
     if (kind == FormKind::outline) {
         e.broad_phase.boxes[slot] = e.broad_phase.fat_boxes[slot] = no_box;
-        e.objects.forms[slot].radius = 0.0f;
-        write_outline(e.objects, e.active, slot, outline);
+        objects.forms[slot].radius = 0.0f;
+        write_outline(objects, e.active, slot, outline);
         return;
     }
-    reserve_vertices(e.objects, slot, std::max(count, room));
+    reserve_vertices(objects, slot, std::max(count, room));
     if (record.type == ShapeType::polygon) {
         for (uint32_t i = 0; i < count; ++i)
-            e.objects.pool.local[e.objects.forms[slot].begin + i] = to_v2(hull[i]);
+            objects.pool.local[objects.forms[slot].begin + i] = to_v2(hull[i]);
     }
-    mark_geometry(e.objects, e.active, slot);
+    mark_geometry(objects, e.active, slot);
 }
 
 void destroy_shape(const Editing& e, uint32_t shape) {
-    if (e.objects.forms[shape].body != none) detach_shape(e, shape);
+    ObjectState& objects = e.objects;
+    if (objects.forms[shape].body != none) detach_shape(e, shape);
     drop_parts(e, shape, none);
-    e.objects.pool.release(e.objects.forms[shape].begin, e.objects.shapes[shape].capacity);
-    const bool part = e.objects.shapes[shape].owner != none;
-    const bool listed = e.objects.shapes[shape].moved;
-    e.objects.shape_slots.give_back(e.objects.shapes, shape);
-    e.objects.shape_slots.count += part;     // parts are not counted
-    e.objects.shapes[shape].moved = listed;  // also for the next shape in the slot
-    e.objects.forms[shape] = {};
+    objects.pool.release(objects.forms[shape].begin, objects.shapes[shape].capacity);
+    const bool part = objects.shapes[shape].owner != none;
+    const bool listed = objects.shapes[shape].moved;
+    objects.shape_slots.give_back(objects.shapes, shape);
+    objects.shape_slots.count += part;     // parts are not counted
+    objects.shapes[shape].moved = listed;  // also for the next shape in the slot
+    objects.forms[shape] = {};
     e.columns.shape_generations[shape] = 0;
 }
 

@@ -84,7 +84,8 @@ class JointFunctions {
         }
     }
 
-    static void warm_start(JointArray& array, std::span<SolverBody> bodies, JointRange range) {
+    static void warm_start(JointArray& array, std::span<SolverBody> bodies, const JointStep&,
+                           JointRange range) {
         for_each(array, bodies, range,
                  [](const Constraint& c, SolverBody& a, SolverBody& b) { c.warm_start(a, b); });
     }

@@ -142,6 +142,29 @@ inline Property within(const Range& range, Property property) {
 
 // Properties of the usual types.
 
+/// One of some names, by the number of an enumerator of the library.
+template <const auto& names, auto Get, auto Set>
+Property choice(Hosting& hosting, std::string name, std::string default_value, std::string doc) {
+    using Object = typename Setter<Set>::Object;
+    using Enumerator = typename Setter<Set>::Argument;
+    return {
+        .name = std::move(name),
+        .type = Type::text,
+        .default_value = std::move(default_value),
+        .doc = std::move(doc),
+        .binding = accessor(
+            hosting,
+            [](Hosting& h, Row row) {
+                return Value(names[static_cast<std::size_t>((object_at<Object>(h, row).*Get)())]);
+            },
+            [](Hosting& h, Row row, const Value& value) {
+                for (std::size_t i = 0; i < names.size(); ++i)
+                    if (value.text() == names[i])
+                        (object_at<Object>(h, row).*Set)(static_cast<Enumerator>(i));
+            }),
+        .enumerators = {names.begin(), names.end()}};
+}
+
 inline Property simulated(Property property) {
     property.simulated = true;
     return property;

@@ -201,13 +201,10 @@ float angle_between(const Joints& joints, const JointRecord& record) {
 }
 
 Property found_number(std::string name, std::string unit, std::string doc, Binding binding) {
-    return {.name = std::move(name),
-            .unit = std::move(unit),
-            .doc = std::move(doc),
-            .binding = binding,
-            .simulated = true,
-            .derives_from = {"body_a", "body_b", "anchor_a", "anchor_b"},
-            .single_precision = true};
+    Property property =
+        simulated(number(std::move(name), 0, std::move(unit), std::move(doc), binding));
+    property.derives_from = {"body_a", "body_b", "anchor_a", "anchor_b"};
+    return property;
 }
 
 void define_joints(Hosting& hosting) {

@@ -13,25 +13,13 @@ constexpr Range thickness{.min = 0.0, .max = 1e6};
 
 Property length(std::string name, double default_value, Range range, std::string doc,
                 Binding binding) {
-    return {.name = std::move(name),
-            .default_value = default_value,
-            .unit = "m",
-            .range = range,
-            .doc = std::move(doc),
-            .binding = binding,
-            .single_precision = true};
+    return within(range, number(std::move(name), default_value, "m", std::move(doc), binding));
 }
 
 Property point(std::string name, const physics::Vec2& default_value, std::string doc,
                Binding binding) {
-    return {.name = std::move(name),
-            .type = Type::vec2,
-            .default_value = widen(default_value),
-            .unit = "m",
-            .range = shape_coordinates,
-            .doc = std::move(doc),
-            .binding = binding,
-            .single_precision = true};
+    return within(shape_coordinates,
+                  vector(std::move(name), widen(default_value), "m", std::move(doc), binding));
 }
 
 Property rounding(Hosting& hosting, std::string doc) {

@@ -21,47 +21,7 @@ Value bounds(Hosting& hosting, Row row) {
 constexpr std::array<const char*, 5> mix_rules = {"average", "minimum", "maximum", "multiply",
                                                   "geometric"};
 
-template <auto Get, auto Set>
-Property mix_rule(Hosting& hosting, const char* name, const char* default_value, const char* doc) {
-    return {.name = name,
-            .type = Type::text,
-            .default_value = default_value,
-            .doc = doc,
-            .binding = accessor(
-                hosting,
-                [](Hosting& h, Row row) {
-                    return Value(mix_rules[static_cast<std::size_t>((h.world(row).*Get)())]);
-                },
-                [](Hosting& h, Row row, const Value& value) {
-                    for (std::size_t i = 0; i < mix_rules.size(); ++i)
-                        if (value.text() == mix_rules[i])
-                            (h.world(row).*Set)(static_cast<physics::MixRule>(i));
-                }),
-            .enumerators = {mix_rules.begin(), mix_rules.end()}};
-}
-
 constexpr std::array<const char*, 3> solvers = {"soft_step", "sequential", "direct"};
-
-Property solver(Hosting& hosting) {
-    return {.name = "solver",
-            .type = Type::text,
-            .default_value = solvers[0],
-            .doc =
-                "How contacts and joints are solved: \"soft_step\" sweeps over them in small "
-                "steps and remembers; \"sequential\" goes over the contacts once, the worst "
-                "first, as in 2008; \"direct\" solves all that touch each other as one problem.",
-            .binding = accessor(
-                hosting,
-                [](Hosting& h, Row row) {
-                    return Value(solvers[static_cast<std::size_t>(h.world(row).solver())]);
-                },
-                [](Hosting& h, Row row, const Value& value) {
-                    for (std::size_t i = 0; i < solvers.size(); ++i)
-                        if (value.text() == solvers[i])
-                            h.world(row).set_solver(static_cast<physics::Solver>(i));
-                }),
-            .enumerators = {solvers.begin(), solvers.end()}};
-}
 
 void set_bounds(Hosting& hosting, Row row, const Value& value) {
     World& world = hosting.world(row);
@@ -103,7 +63,11 @@ std::vector<Property> simulation(Hosting& hosting) {
              hosting, [](Hosting& h, Row row) { return Value(h.world(row).threads()); },
              [](Hosting& h, Row row, const Value& value) { set_threads(h, row, value); }),
          .transient = true},
-        solver(hosting),
+        choice<solvers, &World::solver, &World::set_solver>(
+            hosting, "solver", solvers[0],
+            "How contacts and joints are solved: \"soft_step\" sweeps over them in small steps and "
+            "remembers; \"sequential\" goes over the contacts once, the worst first, as in 2008; "
+            "\"direct\" solves all that touch each other as one problem."),
         {.name = "bounds",
          .type = Type::list,
          .unit = "m",
@@ -127,11 +91,11 @@ std::vector<Property> simulation(Hosting& hosting) {
 
 std::vector<Property> mixing(Hosting& hosting) {
     return {
-        mix_rule<&World::friction_mix, &World::set_friction_mix>(
+        choice<mix_rules, &World::friction_mix, &World::set_friction_mix>(
             hosting, "friction_mix", "geometric",
             "How the friction of two surfaces makes that of their contact: \"geometric\" is the "
             "root of their product."),
-        mix_rule<&World::restitution_mix, &World::set_restitution_mix>(
+        choice<mix_rules, &World::restitution_mix, &World::set_restitution_mix>(
             hosting, "restitution_mix", "maximum",
             "How the restitution of two surfaces makes that of their contact."),
     };

@@ -96,30 +96,13 @@ void for_each_type(JointScratch& joints, const StripNodes& nodes, Visit&& visit)
 
 }  // namespace
 
-void warm_start_joints(JointScratch& joints, std::span<SolverBody> bodies,
-                       const StripNodes& nodes) {
-    for_each_type(joints, nodes, [&](const JointKind& kind, JointArray& array, JointRange range) {
-        kind.warm_start(array, bodies, range);
-    });
-}
-
-void solve_joints(JointScratch& joints, std::span<SolverBody> bodies, const JointStep& step,
-                  const StripNodes& nodes) {
-    for (int sweep = 0; sweep < step.sweeps; ++sweep) {
+void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
+                 const JointStep& step, const StripNodes& nodes) {
+    const int sweeps = pass == &JointKind::warm_start ? 1 : step.sweeps;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
         for_each_type(joints, nodes,
                       [&](const JointKind& kind, JointArray& array, JointRange range) {
-                          kind.solve(array, bodies, step, range);
-                      });
-    }
-}
-
-/// Backwards: the biased pass carries an impulse down a chain, this pass carries it up.
-void relax_joints(JointScratch& joints, std::span<SolverBody> bodies, const JointStep& step,
-                  const StripNodes& nodes) {
-    for (int sweep = 0; sweep < step.sweeps; ++sweep) {
-        for_each_type(joints, nodes,
-                      [&](const JointKind& kind, JointArray& array, JointRange range) {
-                          kind.relax(array, bodies, step, range);
+                          (kind.*pass)(array, bodies, step, range);
                       });
     }
 }

@@ -56,12 +56,9 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 /// Which bodies have joints, for `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
-// Passes over the joints of some nodes.
-void warm_start_joints(JointScratch& joints, std::span<SolverBody> bodies, const StripNodes& nodes);
-void solve_joints(JointScratch& joints, std::span<SolverBody> bodies, const JointStep& step,
-                  const StripNodes& nodes);
-void relax_joints(JointScratch& joints, std::span<SolverBody> bodies, const JointStep& step,
-                  const StripNodes& nodes);
+/// Runs a pass over the joints of some nodes, as often as the step sweeps over them.
+void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
+                 const JointStep& step, const StripNodes& nodes);
 
 /// After each sub-step: adds up what the joints that can break bore.
 void strain_joints(const ObjectState& objects, JointScratch& joints);

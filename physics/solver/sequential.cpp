@@ -186,13 +186,13 @@ void solve_sequentially(const SolverInput& input, const JointStep& joint_step) {
     SequentialPass pass(input, joint_step.h);
     for (int substep = 0; substep < input.settings.substeps; ++substep) {
         apply_forces(input, joint_step.h);
-        warm_start_joints(input.joints, bodies, all);
+        pass_joints(&JointKind::warm_start, input.joints, bodies, joint_step, all);
         pass.resolve_velocities();
-        solve_joints(input.joints, bodies, joint_step, all);
+        pass_joints(&JointKind::solve, input.joints, bodies, joint_step, all);
         zero_locked(input);
         integrate_positions(blocks.bodies_of(blocks[0]), bodies, joint_step.h);
         pass.remove_overlaps();
-        relax_joints(input.joints, bodies, joint_step, all);
+        pass_joints(&JointKind::relax, input.joints, bodies, joint_step, all);
         zero_locked(input);
         strain_joints(input.objects, input.joints);
     }

@@ -213,8 +213,10 @@ struct alignas(line_size) FirstBlock {
             pass();
     }
     void repeat_joints(const StripNodes& nodes) const {
-        around_joints(
-            nodes, [&] { warm_start_joints(step.input.joints, step.bodies.solver_bodies, nodes); });
+        around_joints(nodes, [&] {
+            pass_joints(&JointKind::warm_start, step.input.joints, step.bodies.solver_bodies,
+                        joint_step, nodes);
+        });
     }
     void warm_start(uint32_t section, const StripNodes& nodes) const {
         repeat_joints(nodes);
@@ -223,14 +225,16 @@ struct alignas(line_size) FirstBlock {
     }
     void solve_biased(uint32_t section, const StripNodes& nodes) const {
         around_joints(nodes, [&] {
-            solve_joints(step.input.joints, step.bodies.solver_bodies, joint_step, nodes);
+            pass_joints(&JointKind::solve, step.input.joints, step.bodies.solver_bodies, joint_step,
+                        nodes);
         });
         serial_of(nodes).solve_biased();
         step.pass(step.kernels.solve_biased, section, wide);
     }
     void relax(uint32_t section, const StripNodes& nodes) const {
         around_joints(nodes, [&] {
-            relax_joints(step.input.joints, step.bodies.solver_bodies, joint_step, nodes);
+            pass_joints(&JointKind::relax, step.input.joints, step.bodies.solver_bodies, joint_step,
+                        nodes);
         });
         serial_of(nodes).relax();
         step.pass(step.kernels.relax, section, wide);

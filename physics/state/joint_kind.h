@@ -33,12 +33,11 @@ struct JointKind {
     /// Writes constraints from the records of the joints. True if one bears a heavy load.
     bool (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
                     JointRange range);
-    void (*warm_start)(JointArray& array, std::span<SolverBody> bodies, JointRange range);
-    void (*solve)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
-                  JointRange range);
-    /// From the last joint of the range to the first.
-    void (*relax)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
-                  JointRange range);
+    using Pass = void (*)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
+                          JointRange range);
+    Pass warm_start, solve;
+    /// From the last joint to the first: `solve` carries an impulse down a chain, `relax` up.
+    Pass relax;
     JointLoad (*load)(const JointArray& array, size_t index);
     /// The rows of all joints, where their bodies are now. What holds in `solve` and `relax` holds
     /// here, at once.
@@ -47,6 +46,8 @@ struct JointKind {
     void (*store)(const JointArray& array, ObjectState& objects, const JointStep& step,
                   JointRange range);
 };
+
+using JointPass = JointKind::Pass JointKind::*;
 
 /// Each type is defined in its file in `joints`, and listed in joints/joint_types.h.
 const JointKind& joint_kind(JointType type);
