@@ -64,10 +64,7 @@ class PairSet {
     }
 
     /// For saving and restoring.
-    template <class Io, class Self>
-    static void members(Io& io, Self& self) {
-        io(self.slots_), io(self.count_);
-    }
+    static void members(auto& io, auto& self) { io(self.slots_), io(self.count_); }
     void clear() { *this = {}; }
 
   private:

@@ -99,14 +99,12 @@ class Tree {
     uint32_t item(int32_t leaf) const { return nodes_[size_t(leaf)].item(); }
 
     /// For saving and restoring.
-    template <class Io, class Self>
-    static void members(Io& io, Self& self) {
+    static void members(auto& io, auto& self) {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
         io(self.breadth_), io(self.settled_), io(self.built_), io(self.worn_);
     }
     /// What can be made anew.
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
+    static void scratch(auto& io, auto& self) {
         io(self.bucket_of_), io(self.buckets_), io(self.spots_);
         io(self.parts_), io(self.inner_), io(self.boughs_), io(self.stems_), io(self.forks_);
     }

@@ -28,25 +28,11 @@ std::string text(const Vec2& v) {
 }
 
 const char* name_of(ShapeType type) {
-    switch (type) {
-        case ShapeType::circle:
-            return "a circle";
-        case ShapeType::box:
-            return "a box";
-        case ShapeType::segment:
-            return "a segment";
-        case ShapeType::polygon:
-            return "a polygon";
-        case ShapeType::ellipse:
-            return "an ellipse";
-        case ShapeType::concave:
-            return "a concave polygon";
-        case ShapeType::chain:
-            return "a chain";
-        case ShapeType::border:
-            return "the border of the world";
-    }
-    return "a shape";
+    constexpr const char* names[] = {"a circle",   "a box",
+                                     "a segment",  "a polygon",
+                                     "an ellipse", "a concave polygon",
+                                     "a chain",    "the border of the world"};
+    return names[size_t(type)];
 }
 
 }  // namespace

@@ -95,8 +95,7 @@ EdgeGap deepest_edge(const Polygon& polygon, V2 inside, Nearest&& nearest) {
 }
 
 /// Of the two edges at the vertex that is deepest along a normal, the one that faces it more.
-template <class Polygon>
-int incident_edge_of(const Polygon& polygon, V2 normal) {
+int incident_edge_of(const auto& polygon, V2 normal) {
     const int vertex = polygon.farthest(-normal), before = polygon.previous(vertex);
     return dot(polygon.normal(before), normal) < dot(polygon.normal(vertex), normal) ? before
                                                                                      : vertex;

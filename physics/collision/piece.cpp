@@ -59,8 +59,7 @@ struct Axes {
     float greatest() const { return max(outer.separation, inner); }
 };
 
-template <class Nearest>
-Axes axes_of(const Piece& piece, Nearest&& nearest) {
+Axes axes_of(const Piece& piece, auto&& nearest) {
     const Convex& form = piece.form;
     Axes axes;
     for (int i = 0; i < form.count; ++i) {

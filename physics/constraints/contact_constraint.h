@@ -53,9 +53,8 @@ struct Corner {
 /// What the path round a corner adds to the gap along the normal: now, or after the time `ahead`
 /// (s). `along_normal`: how far the cores came apart by then, m. `motion` has the velocities va, wa
 /// of a and vb, wb of b.
-template <class Motion>
 float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
-                 const Motion& motion, float along_normal, float ahead) {
+                 const auto& motion, float along_normal, float ahead) {
     const V2 t = right_perp(n);
     const float moved =
         dot(t, b.shift - a.shift) + (corner.lever_b * b.turn - corner.lever_a * a.turn);

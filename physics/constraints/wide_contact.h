@@ -65,10 +65,7 @@ struct WideBlock {
     WideContact* contacts_of(std::size_t group) { return contacts.data() + (group - first); }
     ContactLanes* lanes_of(std::size_t group) { return lanes.data() + (group - first); }
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        io(self.contacts), io(self.lanes);
-    }
+    static void scratch(auto& io, auto& self) { io(self.contacts), io(self.lanes); }
 };
 
 struct PrepareStep {

@@ -12,16 +12,10 @@ struct BorderPlane {
 };
 
 inline BorderPlane border_plane(const Aabb& bounds, uint32_t side) {
-    switch (side) {
-        case 0:
-            return {{1.0f, 0.0f}, bounds.min.x()};
-        case 1:
-            return {{-1.0f, 0.0f}, -bounds.max.x()};
-        case 2:
-            return {{0.0f, 1.0f}, bounds.min.y()};
-        default:
-            return {{0.0f, -1.0f}, -bounds.max.y()};
-    }
+    if (side == 0) return {{1.0f, 0.0f}, bounds.min.x()};
+    if (side == 1) return {{-1.0f, 0.0f}, -bounds.max.x()};
+    if (side == 2) return {{0.0f, 1.0f}, bounds.min.y()};
+    return {{0.0f, -1.0f}, -bounds.max.y()};
 }
 
 }  // namespace fettle::physics::detail

@@ -55,9 +55,8 @@ void create_contact(const ContactList& list, const WorldDef& settings, uint32_t 
     c.curved = objects.forms[shape_a].kind == FormKind::ellipse ||
                objects.forms[shape_b].kind == FormKind::ellipse;
     remix(objects, settings, c);
-    const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
-        BodyRecord& body = objects.bodies[owners[side]];
+        BodyRecord& body = objects.bodies[side == 0 ? c.body_a : c.body_b];
         link_edge(body.first_contact, slot << 1 | side,
                   [&](uint32_t edge) -> ListEdge& { return objects.contact_edge(edge); });
         ++body.contact_count;
@@ -72,9 +71,8 @@ void destroy_contact(const ContactList& list, uint32_t slot) {
     ContactRecord& c = objects.contacts[slot];
     if (c.touching) set_touching(list.touching, slot, false);
     if (c.awake_index != none) remove_awake_contact(objects, list.active, slot);
-    const uint32_t owners[2] = {c.body_a, c.body_b};
     for (uint32_t side = 0; side < 2; ++side) {
-        BodyRecord& body = objects.bodies[owners[side]];
+        BodyRecord& body = objects.bodies[side == 0 ? c.body_a : c.body_b];
         unlink_edge(body.first_contact, slot << 1 | side,
                     [&](uint32_t edge) -> ListEdge& { return objects.contact_edge(edge); });
         --body.contact_count;

@@ -1,4 +1,4 @@
-#include <contacts/filter.h>
+#include <contacts/contact_list.h>
 
 #include <utility>
 

@@ -154,9 +154,8 @@ void mark_paired(const NarrowPhaseInput& in, std::span<const uint32_t> moved) {
 
 /// Collides the contacts `slots`. Their notes go into pieces from `first` on; returns the end of
 /// these. `beside(i)` is run for each i below `others` at the same time.
-template <typename Work>
 size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots, size_t first,
-                     uint32_t others, Work&& beside) {
+                     uint32_t others, auto&& beside) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     const size_t pieces = (slots.size() + contacts_of_piece - 1) / contacts_of_piece;
     if (collided.size() < first + pieces) collided.resize(first + pieces);

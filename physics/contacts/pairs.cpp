@@ -34,8 +34,7 @@ struct PairSearch {
     }
 
     /// Runs `look(piece, found)` for every piece, each with a list of its own.
-    template <typename Look>
-    void look_in_pieces(size_t count, Look&& look) {
+    void look_in_pieces(size_t count, auto&& look) {
         if (scratch.found_pairs.size() < count) scratch.found_pairs.resize(count);
         share_out(threads, uint32_t(count), [&](uint32_t piece) {
             scratch.found_pairs[piece].clear();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <contacts/contact_list.h>
-#include <contacts/filter.h>
 #include <state/step_scratch.h>
 #include <threads/pool.h>
 

@@ -1,5 +1,5 @@
+#include <contacts/contact_list.h>
 #include <contacts/reports.h>
-#include <contacts/touching.h>
 
 #include <algorithm>
 

@@ -10,6 +10,13 @@ namespace fettle::physics::detail {
 Nearest nearest_points(const Convex& a, const Convex& b, V2 offset);
 Nearest nearest_points(const Solid& a, const Solid& b, V2 offset);
 
+inline float squared_distance_to_edge(V2 a, V2 b, V2 p) {
+    const V2 d = b - a;
+    const float l = length_squared(d);
+    const float t = l > 0.0f ? clamp(dot(p - a, d) / l, 0.0f, 1.0f) : 0.0f;
+    return length_squared(p - (a + t * d));
+}
+
 /// 0 where they overlap.
 float distance(const Convex& a, const Convex& b, V2 offset);
 float distance(const Solid& a, const Solid& b, V2 offset);

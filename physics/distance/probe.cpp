@@ -7,10 +7,7 @@ namespace fettle::physics::detail {
 namespace {
 
 float distance_to_edge(V2 a, V2 b, V2 p) {
-    const V2 d = b - a;
-    const float l = length_squared(d);
-    const float t = l > 0.0f ? clamp(dot(p - a, d) / l, 0.0f, 1.0f) : 0.0f;
-    return length(p - (a + t * d));
+    return std::sqrt(squared_distance_to_edge(a, b, p));
 }
 
 /// Whether a point of the line of an edge is on the edge. By as much as the point was rounded it

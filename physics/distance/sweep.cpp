@@ -6,13 +6,6 @@
 namespace fettle::physics::detail {
 namespace {
 
-float squared_distance_to_edge(V2 a, V2 b, V2 p) {
-    const V2 d = b - a;
-    const float l = length_squared(d);
-    const float t = l > 0.0f ? clamp(dot(p - a, d) / l, 0.0f, 1.0f) : 0.0f;
-    return length_squared(p - (a + t * d));
-}
-
 /// Least squared distance from the vertices of `points` to the edges of `shape`.
 float vertices_to_edges(const Convex& points, const Convex& shape, V2 to_shape) {
     float least = 1e30f;

@@ -1,12 +1,9 @@
 #pragma once
 
 #include <contacts/contact_list.h>
-#include <contacts/filter.h>
 #include <sleep/sleep.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
-
-#include <tuple>
 
 // Edits of a world. Data that follow from others are computed late: an edit marks what it leaves
 // out of date and lists it; it is computed when it is read or before the next step, once however

@@ -184,29 +184,25 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
     FormKind kind = FormKind::convex;
     uint32_t count = 0, room = 0;
     std::span<const Vec2> outline;
-    if (const Circle* circle = std::get_if<Circle>(&geometry)) {
-        record.type = ShapeType::circle;
-        record.figure.become(*circle);
-        count = 1;
-    } else if (const Box* box = std::get_if<Box>(&geometry)) {
-        record.type = ShapeType::box;
-        record.figure.become(*box);
-        count = 4;
-    } else if (const Segment* segment = std::get_if<Segment>(&geometry)) {
-        record.type = ShapeType::segment;
-        record.figure.become(*segment);
-        count = 2;
-    } else if (const Polygon* polygon = std::get_if<Polygon>(&geometry)) {
+    const auto become = [&](const auto* figure, ShapeType type, uint32_t vertices) {
+        if (figure == nullptr) return;
+        record.type = type;
+        record.figure.become(*figure);
+        count = vertices;
+    };
+    become(std::get_if<Circle>(&geometry), ShapeType::circle, 1);
+    become(std::get_if<Box>(&geometry), ShapeType::box, 4);
+    become(std::get_if<Segment>(&geometry), ShapeType::segment, 2);
+    become(std::get_if<Ellipse>(&geometry), ShapeType::ellipse, 1);
+    if (std::holds_alternative<Ellipse>(geometry)) {
+        kind = FormKind::ellipse;
+        room = 2;  // its axes
+    }
+    if (const Polygon* polygon = std::get_if<Polygon>(&geometry)) {
         record.type = ShapeType::polygon;
         record.figure.become(PolygonFigure{polygon->rounding});
         count = uint32_t(hull.size());
         if (count > uint32_t(most_small_vertices)) kind = FormKind::large;
-    } else if (const Ellipse* ellipse = std::get_if<Ellipse>(&geometry)) {
-        record.type = ShapeType::ellipse;
-        record.figure.become(*ellipse);
-        kind = FormKind::ellipse;
-        count = 1;
-        room = 2;  // its axes
     } else if (const Concave* concave = std::get_if<Concave>(&geometry)) {
         record.type = ShapeType::concave;
         kind = FormKind::outline;

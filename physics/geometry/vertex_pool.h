@@ -66,8 +66,7 @@ struct VertexPool {
     }
 
     /// For saving and restoring.
-    template <class Io, class Self>
-    static void members(Io& io, Self& self) {
+    static void members(auto& io, auto& self) {
         io(self.local), io(self.normals), io(self.vertices), io(self.directions);
         io(self.offsets), io(self.free_);
     }

@@ -105,8 +105,7 @@ struct DistanceConstraint {
             rows.hold(along, error, impulses.along);
         write_limits(limits, impulses.limits, distance, along, rows);
     }
-    V2 push() const { return impulses.sum() * line.direction; }
-    float twist() const { return 0.0f; }
+    JointLoad load() const { return {impulses.sum() * line.direction, 0.0f}; }
 
   private:
     template <bool biased>

@@ -43,13 +43,15 @@ struct GearConstraint {
         start = float(frame.angle_b - double(ratio) * frame.angle_a - double(settings.phase));
     }
     void warm_start(SolverBody& a, SolverBody& b) const { mesh(a, b, impulses.angle); }
-    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { hold<true>(a, b, step); }
-    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { hold<false>(a, b, step); }
+    template <bool biased>
+    void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
+        const float velocity = b.angular_velocity - ratio * a.angular_velocity;
+        mesh(a, b, push_rigid<biased>(impulses.angle, mass, velocity, error(a, b), step));
+    }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         rows.hold(Jacobian::turning(ends, ratio), error(a, b), impulses.angle);
     }
-    V2 push() const { return {}; }
-    float twist() const { return impulses.angle; }
+    JointLoad load() const { return {{}, impulses.angle}; }
 
   private:
     float error(const SolverBody& a, const SolverBody& b) const {
@@ -58,11 +60,6 @@ struct GearConstraint {
     void mesh(SolverBody& a, SolverBody& b, float p) const {
         a.angular_velocity -= a.inverse_inertia * ratio * p;
         b.angular_velocity += b.inverse_inertia * p;
-    }
-    template <bool biased>
-    void hold(SolverBody& a, SolverBody& b, const JointStep& step) {
-        const float velocity = b.angular_velocity - ratio * a.angular_velocity;
-        mesh(a, b, push_rigid<biased>(impulses.angle, mass, velocity, error(a, b), step));
     }
 };
 

@@ -101,22 +101,6 @@ void Joint::destroy() {
     detail::destroy_joint(data.editing(), id_.index);
 }
 
-JointType Joint::type() const {
-    return live().joints[id_.index].type;
-}
-
-Body Joint::body_a() const {
-    const WorldData& data = live();
-    const uint32_t body = data.joints[id_.index].bodies[0];
-    return body == 0 ? Body() : Body(link_->world, data.body_id(body));
-}
-
-Body Joint::body_b() const {
-    const WorldData& data = live();
-    const uint32_t body = data.joints[id_.index].bodies[1];
-    return body == 0 ? Body() : Body(link_->world, data.body_id(body));
-}
-
 void Joint::set_body(uint32_t side, const Body& body, const char* function) {
     WorldData& data = edited(function);
     const char* name = side == 0 ? "body_a" : "body_b";
@@ -140,73 +124,61 @@ void Joint::set_body(uint32_t side, const Body& body, const char* function) {
     detail::set_joint_body(data.editing(), id_.index, side, slot);
 }
 
-void Joint::set_body_a(const Body& body) {
-    set_body(0, body, __func__);
-}
-void Joint::set_body_b(const Body& body) {
-    set_body(1, body, __func__);
-}
+#define FETTLE_JOINT_READ(Value, name)        \
+    Value Joint::name() const {               \
+        return live().joints[id_.index].name; \
+    }
+FETTLE_JOINT_READ(JointType, type)
+FETTLE_JOINT_READ(bool, enabled)
+FETTLE_JOINT_READ(bool, collide)
+FETTLE_JOINT_READ(bool, broken)
+FETTLE_JOINT_READ(float, torque)
+FETTLE_JOINT_READ(uint64_t, user_data)
 
-Vec2 Joint::anchor_a() const {
-    return to_vec2(live().joints[id_.index].anchors[0]);
-}
-void Joint::set_anchor_a(const Vec2& anchor) {
-    WorldData& data = edited(__func__);
-    data.joints[id_.index].anchors[0] = to_v2(check_coordinates("anchor_a", anchor));
-    wake_joint(data.activity(), id_.index);
-}
+// What a joint has at each of its two bodies.
+#define FETTLE_JOINT_SIDE(letter, side)                                        \
+    Body Joint::body_##letter() const {                                        \
+        const WorldData& data = live();                                        \
+        const uint32_t body = data.joints[id_.index].bodies[side];             \
+        return body == 0 ? Body() : Body(link_->world, data.body_id(body));    \
+    }                                                                          \
+    void Joint::set_body_##letter(const Body& body) {                          \
+        set_body(side, body, __func__);                                        \
+    }                                                                          \
+    Vec2 Joint::anchor_##letter() const {                                      \
+        return to_vec2(live().joints[id_.index].anchors[side]);                \
+    }                                                                          \
+    void Joint::set_anchor_##letter(const Vec2& anchor) {                      \
+        WorldData& data = edited(__func__);                                    \
+        data.joints[id_.index].anchors[side] =                                 \
+            to_v2(check_coordinates("anchor_" #letter, anchor));               \
+        wake_joint(data.activity(), id_.index);                                \
+    }                                                                          \
+    Vec2 Joint::world_anchor_##letter() const {                                \
+        const Body body = body_##letter();                                     \
+        return body ? body.world_point(anchor_##letter()) : anchor_##letter(); \
+    }
+FETTLE_JOINT_SIDE(a, 0)
+FETTLE_JOINT_SIDE(b, 1)
 
-Vec2 Joint::anchor_b() const {
-    return to_vec2(live().joints[id_.index].anchors[1]);
-}
-void Joint::set_anchor_b(const Vec2& anchor) {
-    WorldData& data = edited(__func__);
-    data.joints[id_.index].anchors[1] = to_v2(check_coordinates("anchor_b", anchor));
-    wake_joint(data.activity(), id_.index);
-}
-
-Vec2 Joint::world_anchor_a() const {
-    const Body body = body_a();
-    return body ? body.world_point(anchor_a()) : anchor_a();
-}
-Vec2 Joint::world_anchor_b() const {
-    const Body body = body_b();
-    return body ? body.world_point(anchor_b()) : anchor_b();
-}
-
-bool Joint::enabled() const {
-    return live().joints[id_.index].enabled;
-}
 void Joint::set_enabled(bool enabled) {
     detail::set_joint_enabled(edited(__func__).editing(), id_.index, enabled);
 }
 
-bool Joint::collide() const {
-    return live().joints[id_.index].collide;
-}
 void Joint::set_collide(bool collide) {
     detail::set_joint_collide(edited(__func__).editing(), id_.index, collide);
 }
 
-float Joint::break_force() const {
-    return live().joints[id_.index].break_force;
-}
-void Joint::set_break_force(float force) {
-    WorldData& data = edited(__func__);
-    data.joints[id_.index].break_force = check_strength("break_force", force);
-    wake_joint(data.activity(), id_.index);
-}
-float Joint::break_torque() const {
-    return live().joints[id_.index].break_torque;
-}
-void Joint::set_break_torque(float torque) {
-    WorldData& data = edited(__func__);
-    data.joints[id_.index].break_torque = check_strength("break_torque", torque);
-    wake_joint(data.activity(), id_.index);
-}
-bool Joint::broken() const {
-    return live().joints[id_.index].broken;
-}
+#define FETTLE_JOINT_STRENGTH(name)                                 \
+    FETTLE_JOINT_READ(float, name)                                  \
+    void Joint::set_##name(float value) {                           \
+        WorldData& data = edited(__func__);                         \
+        data.joints[id_.index].name = check_strength(#name, value); \
+        wake_joint(data.activity(), id_.index);                     \
+    }
+FETTLE_JOINT_STRENGTH(break_force)
+FETTLE_JOINT_STRENGTH(break_torque)
+
 void Joint::set_broken(bool broken) {
     detail::set_joint_broken(edited(__func__).editing(), id_.index, broken);
 }
@@ -218,13 +190,6 @@ float Joint::per_substep(float impulse) const {
 
 Vec2 Joint::force() const {
     return to_vec2(live().joints[id_.index].force);
-}
-float Joint::torque() const {
-    return live().joints[id_.index].torque;
-}
-
-uint64_t Joint::user_data() const {
-    return live().joints[id_.index].user_data;
 }
 void Joint::set_user_data(uint64_t value) {
     WorldData& data = live();

@@ -27,6 +27,9 @@ class JointFunctions {
     using Impulses = decltype(Constraint::impulses);
     static_assert(std::is_trivially_copyable_v<Settings> && std::is_trivially_copyable_v<Impulses>);
 
+    /// `pass<biased>` is both `solve` and `relax`.
+    static constexpr bool has_one_pass = requires { &Constraint::template pass<true>; };
+
   public:
     static constexpr JointKind kind(const char* name) {
         return {name, sizeof(Constraint), check, prepare, warm_start, solve, relax,
@@ -91,18 +94,25 @@ class JointFunctions {
     }
     static void solve(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                       JointRange range) {
-        for_each(array, bodies, range,
-                 [&](Constraint& c, SolverBody& a, SolverBody& b) { c.solve(a, b, step); });
+        for_each(array, bodies, range, [&](Constraint& c, SolverBody& a, SolverBody& b) {
+            if constexpr (has_one_pass)
+                c.template pass<true>(a, b, step);
+            else
+                c.solve(a, b, step);
+        });
     }
     static void relax(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                       JointRange range) {
-        for_each<true>(array, bodies, range,
-                       [&](Constraint& c, SolverBody& a, SolverBody& b) { c.relax(a, b, step); });
+        for_each<true>(array, bodies, range, [&](Constraint& c, SolverBody& a, SolverBody& b) {
+            if constexpr (has_one_pass)
+                c.template pass<false>(a, b, step);
+            else
+                c.relax(a, b, step);
+        });
     }
 
     static JointLoad load(const JointArray& array, size_t index) {
-        const Constraint& c = array.as<Constraint>()[index];
-        return {c.push(), c.twist()};
+        return array.as<Constraint>()[index].load();
     }
 
     static void write_rows(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows) {
@@ -117,8 +127,7 @@ class JointFunctions {
         for (size_t i = range.begin; i < range.end; ++i) {
             const Constraint& c = array.as<Constraint>()[i];
             JointRecord& joint = objects.joints[array.joints[i]];
-            const V2 push = c.push();
-            const float twist = c.twist();
+            const auto [push, twist] = c.load();
             // What overflowed would begin the next step, and so last for ever.
             if (std::isfinite(push.x + push.y + twist))
                 joint.impulses.become(c.impulses);

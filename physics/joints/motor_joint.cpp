@@ -105,8 +105,7 @@ struct MotorConstraint {
         rows.springs(ends, spring, PointMass::make(ends, a, b), error, greatest_force,
                      impulses.force);
     }
-    V2 push() const { return impulses.force; }
-    float twist() const { return impulses.torque; }
+    JointLoad load() const { return {impulses.force, impulses.torque}; }
 
   private:
     void drive(SolverBody& a, SolverBody& b, bool springs) {

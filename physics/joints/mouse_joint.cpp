@@ -63,8 +63,7 @@ struct MouseConstraint {
         const bool slack = !(soft.impulse_scale > 0.0f);
         rows.springs(ends, slack ? Spring{} : spring, mass, gap(a, b), greatest, impulses.pull);
     }
-    V2 push() const { return impulses.pull; }
-    float twist() const { return 0.0f; }
+    JointLoad load() const { return {impulses.pull, 0.0f}; }
 
   private:
     V2 gap(const SolverBody& a, const SolverBody& b) const {

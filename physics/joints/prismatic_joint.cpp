@@ -49,23 +49,20 @@ struct PrismaticConstraint {
         rail.warm_start(impulses.rail, ends, a, b);
         detail::twist(a, b, impulses.angle);
     }
-    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { pass<true>(a, b, step); }
-    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { pass<false>(a, b, step); }
-    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
-        rail.follow(ends, a, b);
-        rail.write_rows(impulses.rail, ends, rows);
-        rows.hold(Jacobian::turning(ends), ends.angle_now(a, b) - reference, impulses.angle);
-    }
-    V2 push() const { return rail.force(impulses.rail); }
-    float twist() const { return impulses.angle; }
-
-  private:
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         rail.follow(ends, a, b);
         rail.solve_along<biased>(impulses.rail, ends, a, b, step);
         solve_block<biased>(a, b, step);
     }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        rail.follow(ends, a, b);
+        rail.write_rows(impulses.rail, ends, rows);
+        rows.hold(Jacobian::turning(ends), ends.angle_now(a, b) - reference, impulses.angle);
+    }
+    JointLoad load() const { return {rail.force(impulses.rail), impulses.angle}; }
+
+  private:
     template <bool biased>
     void solve_block(SolverBody& a, SolverBody& b, const JointStep& step) {
         const Line& across = rail.across;

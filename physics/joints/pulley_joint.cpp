@@ -81,8 +81,12 @@ struct PulleyConstraint {
         follow(a, b);
     }
     void warm_start(SolverBody& a, SolverBody& b) const { pull(a, b, impulses.tension); }
-    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { hold<true>(a, b, step); }
-    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { hold<false>(a, b, step); }
+    template <bool biased>
+    void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
+        follow(a, b);
+        const float velocity = -side_a.lengthening(a) - ratio * side_b.lengthening(b);
+        pull(a, b, push_limit<biased>(impulses.tension, mass, velocity, room(), step));
+    }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         follow(a, b);
         Jacobian rope = {ends.a, ends.b, {}, {}};
@@ -90,8 +94,7 @@ struct PulleyConstraint {
         side_b.write(ratio, rope.on_b);
         rows.limit(rope, room(), impulses.tension);
     }
-    V2 push() const { return -(ratio * impulses.tension) * side_b.direction; }
-    float twist() const { return 0.0f; }
+    JointLoad load() const { return {-(ratio * impulses.tension) * side_b.direction, 0.0f}; }
 
   private:
     void follow(const SolverBody& a, const SolverBody& b) {
@@ -105,12 +108,6 @@ struct PulleyConstraint {
     void pull(SolverBody& a, SolverBody& b, float tension) const {
         side_a.pull(ends.inverse_a, a, tension);
         side_b.pull(ends.inverse_b, b, ratio * tension);
-    }
-    template <bool biased>
-    void hold(SolverBody& a, SolverBody& b, const JointStep& step) {
-        follow(a, b);
-        const float velocity = -side_a.lengthening(a) - ratio * side_b.lengthening(b);
-        pull(a, b, push_limit<biased>(impulses.tension, mass, velocity, room(), step));
     }
 };
 

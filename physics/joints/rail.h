@@ -99,22 +99,17 @@ struct SlotConstraint {
     void warm_start(SolverBody& a, SolverBody& b) const {
         rail.warm_start(impulses.rail, ends, a, b);
     }
-    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { pass<true>(a, b, step); }
-    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { pass<false>(a, b, step); }
-    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
-        rail.follow(ends, a, b);
-        rail.write_rows(impulses.rail, ends, rows);
-    }
-    V2 push() const { return rail.force(impulses.rail); }
-    float twist() const { return 0.0f; }
-
-  private:
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         rail.follow(ends, a, b);
         rail.solve_along<biased>(impulses.rail, ends, a, b, step);
         rail.solve_across<biased>(impulses.rail, ends, a, b, step);
     }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        rail.follow(ends, a, b);
+        rail.write_rows(impulses.rail, ends, rows);
+    }
+    JointLoad load() const { return {rail.force(impulses.rail), 0.0f}; }
 };
 
 }  // namespace fettle::physics::detail

@@ -58,25 +58,22 @@ struct RatchetConstraint {
         if (impulses.engaged == 0.0f || tooth > impulses.caught) impulses.caught = tooth;
         impulses.engaged = 1.0f;
     }
-    void warm_start(SolverBody& a, SolverBody& b) const { detail::twist(a, b, twist()); }
-    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { hold<true>(a, b, step); }
-    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { hold<false>(a, b, step); }
+    void warm_start(SolverBody& a, SolverBody& b) const { detail::twist(a, b, load().twist); }
+    template <bool biased>
+    void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
+        const float velocity = way * (b.angular_velocity - a.angular_velocity);
+        detail::twist(a, b,
+                      way * push_limit<biased>(impulses.pawl, mass, velocity, room(a, b), step));
+    }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const Jacobian turning = Jacobian::turning(ends);
         rows.limit(way > 0.0f ? turning : turning.opposite(), room(a, b), impulses.pawl);
     }
-    V2 push() const { return {}; }
-    float twist() const { return way * impulses.pawl; }
+    JointLoad load() const { return {{}, way * impulses.pawl}; }
 
   private:
     float room(const SolverBody& a, const SolverBody& b) const {
         return way * (ends.angle_now(a, b) - reference) - impulses.caught;
-    }
-    template <bool biased>
-    void hold(SolverBody& a, SolverBody& b, const JointStep& step) {
-        const float velocity = way * (b.angular_velocity - a.angular_velocity);
-        detail::twist(a, b,
-                      way * push_limit<biased>(impulses.pawl, mass, velocity, room(a, b), step));
     }
 };
 

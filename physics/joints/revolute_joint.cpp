@@ -53,7 +53,7 @@ struct RevoluteConstraint {
     }
     void warm_start(SolverBody& a, SolverBody& b) const {
         ends.push(a, b, impulses.point);
-        detail::twist(a, b, twist());
+        detail::twist(a, b, load().twist);
     }
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
         if (angle.acts()) solve_angle<true>(a, b, step);
@@ -75,8 +75,7 @@ struct RevoluteConstraint {
                          Jacobian::turning(ends), rows);
         rows.hold_point(ends, ends.gap(a, b), impulses.point);
     }
-    V2 push() const { return impulses.point; }
-    float twist() const { return impulses.angle.sum(); }
+    JointLoad load() const { return {impulses.point, impulses.angle.sum()}; }
 
   private:
     template <bool biased>

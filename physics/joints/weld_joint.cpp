@@ -90,8 +90,7 @@ struct WeldConstraint {
             rows.springs(ends, point_spring, PointMass::make(ends, a, b), gap, infinity,
                          impulses.point);
     }
-    V2 push() const { return impulses.point; }
-    float twist() const { return impulses.angle; }
+    JointLoad load() const { return {impulses.point, impulses.angle}; }
 
   private:
     template <bool biased>

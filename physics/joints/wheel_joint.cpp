@@ -48,18 +48,6 @@ struct WheelConstraint {
         rail.warm_start(impulses.rail, ends, a, b);
         detail::twist(a, b, impulses.motor);
     }
-    void solve(SolverBody& a, SolverBody& b, const JointStep& step) { pass<true>(a, b, step); }
-    void relax(SolverBody& a, SolverBody& b, const JointStep& step) { pass<false>(a, b, step); }
-    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
-        rail.follow(ends, a, b);
-        if (driven)
-            rows.motor(Jacobian::turning(ends), motor.speed, motor.greatest, impulses.motor);
-        rail.write_rows(impulses.rail, ends, rows);
-    }
-    V2 push() const { return rail.force(impulses.rail); }
-    float twist() const { return impulses.motor; }
-
-  private:
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         if (driven) {
@@ -72,6 +60,13 @@ struct WheelConstraint {
         rail.solve_along<biased>(impulses.rail, ends, a, b, step);
         rail.solve_across<biased>(impulses.rail, ends, a, b, step);
     }
+    void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
+        rail.follow(ends, a, b);
+        if (driven)
+            rows.motor(Jacobian::turning(ends), motor.speed, motor.greatest, impulses.motor);
+        rail.write_rows(impulses.rail, ends, rows);
+    }
+    JointLoad load() const { return {rail.force(impulses.rail), impulses.motor}; }
 };
 
 constinit const JointKind wheel_joint = JointFunctions<WheelConstraint>::kind("wheel");

@@ -213,4 +213,22 @@ inline Property flag(std::string name, bool default_value, std::string doc, Bind
             .binding = binding};
 }
 
+/// Of instances whose row names an object of the library.
+template <Row (Hosting::*Create)(Handle), Row (Hosting::*Place)(Handle, Row),
+          void (Hosting::*Destroy)(Row)>
+property::Lifecycle lifecycle_of(Hosting& hosting) {
+    property::Lifecycle lifecycle;
+    lifecycle.context = &hosting;
+    lifecycle.create = [](void* context, property::Tree&, Handle self) {
+        return (static_cast<Hosting*>(context)->*Create)(self);
+    };
+    lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
+        return (static_cast<Hosting*>(context)->*Place)(self, row);
+    };
+    lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
+        (static_cast<Hosting*>(context)->*Destroy)(row);
+    };
+    return lifecycle;
+}
+
 }  // namespace fettle::physics_module

@@ -278,16 +278,8 @@ void define_body(Hosting& hosting) {
     body.events = contact_events("body");
     body.events.push_back({.name = "woke", .doc = "Something disturbed its sleep."});
     body.events.push_back({.name = "slept", .doc = "It rested long enough and fell asleep."});
-    body.lifecycle.context = &hosting;
-    body.lifecycle.create = [](void* context, property::Tree&, Handle self) {
-        return static_cast<Hosting*>(context)->create_body(self);
-    };
-    body.lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
-        return static_cast<Hosting*>(context)->place_body(self, row);
-    };
-    body.lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
-        static_cast<Hosting*>(context)->destroy_body(row);
-    };
+    body.lifecycle =
+        lifecycle_of<&Hosting::create_body, &Hosting::place_body, &Hosting::destroy_body>(hosting);
     const property::Class& defined = hosting.tree.define(std::move(body));
     hosting.body_class = &defined;
     hosting.woke = defined.event("woke");

@@ -60,8 +60,7 @@ Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uin
 }
 
 /// What is told of a meeting to one of the two; `side`: -1 to the second.
-template <class Meeting>
-void add_meeting(std::vector<Value>& to, const Meeting& e, float side) {
+void add_meeting(std::vector<Value>& to, const auto& e, float side) {
     to.insert(to.end(),
               {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
                to_value(e.speed), to_value(e.friction), to_value(e.restitution)});

@@ -17,8 +17,7 @@ physics::Field field_at(Hosting& hosting, Row row) {
 }
 
 /// Changes one value of a field: the library takes the whole and checks it.
-template <class Change>
-void change(Hosting& hosting, Row row, Change&& make) {
+void change(Hosting& hosting, Row row, auto&& make) {
     physics::Field field = field_at(hosting, row);
     FieldDef def = field.definition();
     make(def);

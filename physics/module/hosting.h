@@ -43,8 +43,7 @@ constexpr Row make_row(std::uint32_t world, std::uint32_t slot) {
 }
 
 /// Throws where no row can name it, and ends it: nobody has heard of it yet.
-template <class Object>
-Row row_of(std::uint32_t world, Object made) {
+Row row_of(std::uint32_t world, auto made) {
     if (made.index() < most_slots) return make_row(world, made.index());
     made.destroy();
     throw property::Error(
@@ -152,7 +151,7 @@ class Hosting {
 
     // --- Coming, moving, going (placing.cpp, migration.cpp)
     Row create_world(Handle self);
-    void place_world(Handle self, Row row);
+    Row place_world(Handle self, Row row);
     void destroy_world(Row row);
     Row create_body(Handle self);
     Row place_body(Handle self, Row row);

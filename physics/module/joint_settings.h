@@ -30,8 +30,7 @@ struct MouseSettings {
     physics::Vec2 target = physics::Vec2::Zero();
     float frequency = 5.0f, damping_ratio = 0.7f, max_force = physics::infinity;
 
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&MouseSettings::anchor, &Native::set_anchor, &Native::anchor);
         visit(&MouseSettings::target, &Native::set_target);
         visit(&MouseSettings::frequency, &Native::set_hertz);
@@ -47,8 +46,7 @@ struct DistanceSettings {
     float hertz = physics::infinity, damping_ratio = 0.0f;
 
     static constexpr auto make = &physics::World::create_distance_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&DistanceSettings::length, &Native::set_length, &Native::length);
         visit(&DistanceSettings::min_length, &Native::set_min_length);
         visit(&DistanceSettings::max_length, &Native::set_max_length);
@@ -65,8 +63,7 @@ struct RevoluteSettings {
     float hertz = 0.0f, damping_ratio = 0.0f, target_angle = 0.0f;
 
     static constexpr auto make = &physics::World::create_revolute_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&RevoluteSettings::reference_angle, &Native::set_reference_angle,
               &Native::reference_angle);
         visit(&RevoluteSettings::lower_angle, &Native::set_lower_angle);
@@ -88,8 +85,7 @@ struct PrismaticSettings {
     float hertz = 0.0f, damping_ratio = 0.0f, target_translation = 0.0f;
 
     static constexpr auto make = &physics::World::create_prismatic_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&PrismaticSettings::reference_angle, &Native::set_reference_angle,
               &Native::reference_angle);
         visit(&PrismaticSettings::axis, &Native::set_axis);
@@ -111,8 +107,7 @@ struct PinSlotSettings {
     float hertz = 0.0f, damping_ratio = 0.0f, target_translation = 0.0f;
 
     static constexpr auto make = &physics::World::create_pin_slot_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&PinSlotSettings::axis, &Native::set_axis);
         visit(&PinSlotSettings::lower_translation, &Native::set_lower_translation);
         visit(&PinSlotSettings::upper_translation, &Native::set_upper_translation);
@@ -129,10 +124,7 @@ struct GrooveSettings {
     physics::Vec2 groove_end = {1.0f, 0.0f};
 
     static constexpr auto make = &physics::World::create_groove_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
-        visit(&GrooveSettings::groove_end, &Native::set_end);
-    }
+    static void each(auto&& visit) { visit(&GrooveSettings::groove_end, &Native::set_end); }
 };
 
 struct WheelSettings {
@@ -143,8 +135,7 @@ struct WheelSettings {
     float motor_speed = 0.0f, max_motor_torque = 0.0f;
 
     static constexpr auto make = &physics::World::create_wheel_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&WheelSettings::axis, &Native::set_axis);
         visit(&WheelSettings::hertz, &Native::set_hertz);
         visit(&WheelSettings::damping_ratio, &Native::set_damping_ratio);
@@ -162,8 +153,7 @@ struct WeldSettings {
     float angular_hertz = physics::infinity, angular_damping_ratio = 0.0f;
 
     static constexpr auto make = &physics::World::create_weld_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&WeldSettings::reference_angle, &Native::set_reference_angle,
               &Native::reference_angle);
         visit(&WeldSettings::hertz, &Native::set_hertz);
@@ -183,8 +173,7 @@ struct MotorSettings {
     float hertz = 0.0f, damping_ratio = 1.0f;
 
     static constexpr auto make = &physics::World::create_motor_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&MotorSettings::angular_offset, &Native::set_angular_offset, &Native::angular_offset);
         visit(&MotorSettings::linear_velocity, &Native::set_linear_velocity);
         visit(&MotorSettings::angular_velocity, &Native::set_angular_velocity);
@@ -203,8 +192,7 @@ struct PulleySettings {
     Found<float> length;
 
     static constexpr auto make = &physics::World::create_pulley_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&PulleySettings::ground_a, &Native::set_ground_a);
         visit(&PulleySettings::ground_b, &Native::set_ground_b);
         visit(&PulleySettings::ratio, &Native::set_ratio);
@@ -218,8 +206,7 @@ struct GearSettings {
     Found<float> phase;
 
     static constexpr auto make = &physics::World::create_gear_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&GearSettings::ratio, &Native::set_ratio);
         visit(&GearSettings::phase, &Native::set_phase, &Native::phase_now);
     }
@@ -232,8 +219,7 @@ struct RatchetSettings {
     bool backwards = false;
 
     static constexpr auto make = &physics::World::create_ratchet_joint;
-    template <class Visit>
-    static void each(Visit&& visit) {
+    static void each(auto&& visit) {
         visit(&RatchetSettings::reference_angle, &Native::set_reference_angle,
               &Native::reference_angle);
         visit(&RatchetSettings::tooth, &Native::set_tooth);

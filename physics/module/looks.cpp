@@ -5,14 +5,8 @@
 namespace fettle::physics_module {
 
 property::Color default_fill(physics::BodyType type) {
-    switch (type) {
-        case physics::BodyType::static_body:
-            return {0.45f, 0.50f, 0.57f, 1.0f};
-        case physics::BodyType::kinematic_body:
-            return {0.85f, 0.62f, 0.30f, 1.0f};
-        case physics::BodyType::dynamic_body:
-            break;
-    }
+    if (type == physics::BodyType::static_body) return {0.45f, 0.50f, 0.57f, 1.0f};
+    if (type == physics::BodyType::kinematic_body) return {0.85f, 0.62f, 0.30f, 1.0f};
     return {0.38f, 0.62f, 0.92f, 1.0f};
 }
 

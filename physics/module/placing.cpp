@@ -29,9 +29,10 @@ Row Hosting::create_world(Handle self) {
     return row;
 }
 
-void Hosting::place_world(Handle self, Row row) {
+Row Hosting::place_world(Handle self, Row row) {
     const Doing placing(*this);
     hosted(row).placed = tree.is_below(self, tree.root());
+    return row;
 }
 
 void Hosting::destroy_world(Row row) {

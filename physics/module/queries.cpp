@@ -261,6 +261,11 @@ Method method(Hosting& hosting, Method described) {
 
 std::vector<Method> world_methods(Hosting& hosting) {
     const Field probe{"shape", Type::reference, "", "A shape or a body, of any world or of none."};
+    const Field bodies{.name = "bodies",
+                       .type = Type::list,
+                       .doc = "Each once, in no special order.",
+                       .reference_class = "Body",
+                       .element = Type::reference};
     const Field corner{"corner", Type::vec2, "m", "Of the box."};
     const Field opposite{"opposite", Type::vec2, "m", "The corner across."};
     return {
@@ -293,20 +298,12 @@ std::vector<Method> world_methods(Hosting& hosting) {
                             {.name = "overlap_box",
                              .parameters = {corner, opposite, mask, group, accept},
                              .required = 2,
-                             .returns = {{.name = "bodies",
-                                          .type = Type::list,
-                                          .doc = "Each once, in no special order.",
-                                          .reference_class = "Body",
-                                          .element = Type::reference}},
+                             .returns = {bodies},
                              .doc = "The bodies that reach into a box. Sensors count too."}),
         method<overlap>(hosting, {.name = "overlap",
                                   .parameters = {probe, mask, group, accept},
                                   .required = 1,
-                                  .returns = {{.name = "bodies",
-                                               .type = Type::list,
-                                               .doc = "Each once, in no special order.",
-                                               .reference_class = "Body",
-                                               .element = Type::reference}},
+                                  .returns = {bodies},
                                   .doc = "The bodies that overlap a shape, or a body, where it is; "
                                          "not its own. A shape of no body is at its coordinates.",
                                   .effect = property::Effect::nothing}),

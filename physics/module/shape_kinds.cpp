@@ -27,8 +27,7 @@ Property rounding(Hosting& hosting, std::string doc) {
                   bound<&Shape::rounding, &Shape::set_rounding>(hosting));
 }
 
-template <class Points>
-Value list_of(const Points& points) {
+Value list_of(const auto& points) {
     property::List list;
     for (const physics::Vec2& v : points) list.push_back(widen(v));
     return list;

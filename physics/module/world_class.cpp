@@ -208,17 +208,9 @@ void define_world(Hosting& hosting) {
         world.properties.insert(world.properties.end(), group.begin(), group.end());
     world.methods = world_methods(hosting);
     world.events = world_events();
-    world.lifecycle.context = &hosting;
-    world.lifecycle.create = [](void* context, property::Tree&, Handle self) {
-        return static_cast<Hosting*>(context)->create_world(self);
-    };
-    world.lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
-        static_cast<Hosting*>(context)->place_world(self, row);
-        return row;
-    };
-    world.lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
-        static_cast<Hosting*>(context)->destroy_world(row);
-    };
+    world.lifecycle =
+        lifecycle_of<&Hosting::create_world, &Hosting::place_world, &Hosting::destroy_world>(
+            hosting);
     world.lifecycle.draw_over = draw_world_overlays;
     hosting.world_class = &hosting.tree.define(std::move(world));
     hosting.mix_surfaces = hosting.world_class->event("mix_surfaces");

@@ -65,8 +65,7 @@ class SolverBlocks {
     }
 
     /// What is kept from step to step only saves work.
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
+    static void scratch(auto& io, auto& self) {
         io(self.islands_.parent), io(self.contacts_), io(self.block_of_);
         io(self.order_), io(self.blocks_), io(self.bodies_);
     }

@@ -49,10 +49,7 @@ class Hubs {
     void take_back(std::span<SolverBody> bodies) const;
 
     /// All of it is made anew in every step.
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        io(self.hubs_);
-    }
+    static void scratch(auto& io, auto& self) { io(self.hubs_); }
 
   private:
     struct Hub {

@@ -18,19 +18,15 @@ class JointShare {
     void unite();
 
     /// Runs a pass over the joints of these nodes.
-    template <typename Pass>
     void around(const StripNodes& nodes, std::span<const SolverBody> bodies,
-                std::span<SolverForce> forces, Pass&& pass) {
+                std::span<SolverForce> forces, auto&& pass) {
         remember(nodes, bodies);
         pass();
         add_change(nodes, bodies, forces);
     }
 
     /// All of it is made anew in every step.
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        io(self.bodies_), io(self.velocities_);
-    }
+    static void scratch(auto& io, auto& self) { io(self.bodies_), io(self.velocities_); }
 
   private:
     struct Velocity {

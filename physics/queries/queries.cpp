@@ -38,16 +38,9 @@ Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
     return {-distance / speed, plane.normal};
 }
 
-RayHit hit_of(const WorldData& data, uint32_t shape, const Probe& probe, const Vec2& from,
-              const Vec2& to) {
-    return {Shape(data.self.link->world, data.shape_id(shape)), from + probe.fraction * (to - from),
-            to_vec2(probe.normal), probe.fraction};
-}
-
 /// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
 /// of the ray.
-template <typename Hit>
-void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, Hit&& hit) {
+void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, auto&& hit) {
     const V2 d = to - from;
     float far = 1.0f;
     auto visit = [&](uint32_t shape, float) {
@@ -121,38 +114,46 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     return found;
 }
 
-std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to,
-                                      const QueryFilter& filter) const {
+namespace {
+
+/// Calls `add(hit)`, which returns the new far end of the ray, for what the ray enters.
+void cast(WorldData& data, const Vec2& from, const Vec2& to, const QueryFilter& filter,
+          auto&& add) {
     check_coordinates("from", from);
     check_coordinates("to", to);
-    WorldData& data = *data_;
     data.read_all();
     Asking asking(data, filter);
-    std::optional<RayHit> nearest;
-    cast_all(data, to_v2(from), to_v2(to), filter, [&](uint32_t shape, const Probe& probe, float) {
-        nearest = hit_of(data, shape, probe, from, to);
-        return probe.fraction;
-    });
+    cast_all(
+        data, to_v2(from), to_v2(to), filter, [&](uint32_t shape, const Probe& probe, float far) {
+            return add(
+                RayHit{Shape(data.self.link->world, data.shape_id(shape)),
+                       from + probe.fraction * (to - from), to_vec2(probe.normal), probe.fraction},
+                far);
+        });
     asking.finish();
+}
+
+}  // namespace
+
+std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to,
+                                      const QueryFilter& filter) const {
+    std::optional<RayHit> nearest;
+    cast(*data_, from, to, filter, [&](const RayHit& hit, float) {
+        nearest = hit;
+        return hit.fraction;
+    });
     return nearest;
 }
 
 std::vector<RayHit> World::cast_ray_all(const Vec2& from, const Vec2& to,
                                         const QueryFilter& filter) const {
-    check_coordinates("from", from);
-    check_coordinates("to", to);
-    WorldData& data = *data_;
-    data.read_all();
-    Asking asking(data, filter);
     std::vector<RayHit> hits;
-    cast_all(data, to_v2(from), to_v2(to), filter,
-             [&](uint32_t shape, const Probe& probe, float far) {
-                 hits.push_back(hit_of(data, shape, probe, from, to));
-                 return far;
-             });
+    cast(*data_, from, to, filter, [&](const RayHit& hit, float far) {
+        hits.push_back(hit);
+        return far;
+    });
     std::stable_sort(hits.begin(), hits.end(),
                      [](const RayHit& a, const RayHit& b) { return a.fraction < b.fraction; });
-    asking.finish();
     return hits;
 }
 

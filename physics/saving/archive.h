@@ -8,7 +8,6 @@
 #include <cstring>
 #include <span>
 #include <stdexcept>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 

@@ -68,13 +68,18 @@ bool optional_index(uint32_t index, size_t size) {
 }
 
 /// Follows `next` from `first`; false when it leaves the range or does not end.
-template <class Next>
-bool list_ends(uint32_t first, size_t size, Next next) {
+bool list_ends(uint32_t first, size_t size, auto next) {
     size_t seen = 0;
     for (uint32_t i = first; i != none; i = next(i)) {
         if (i >= size || ++seen > size) return false;
     }
     return true;
+}
+
+template <class Record>
+bool free_ones_end(const Slots& slots, const std::vector<Record>& records) {
+    return list_ends(slots.free, records.size(),
+                     [&](uint32_t i) { return Record(records[i]).next_free(); });
 }
 
 bool all_below(const std::vector<uint32_t>& list, size_t size) {
@@ -83,8 +88,7 @@ bool all_below(const std::vector<uint32_t>& list, size_t size) {
     return true;
 }
 
-template <class Records>
-bool edges_end(uint32_t first, const Records& records) {
+bool edges_end(uint32_t first, const auto& records) {
     size_t seen = 0;
     for (uint32_t edge = first; edge != none;) {
         if (edge >> 1 >= records.size() || ++seen > 2 * records.size()) return false;
@@ -118,8 +122,7 @@ void check_bodies(const WorldState& w, Findings& findings) {
         findings.require(edges_end(body.first_contact, w.contact_links), "the contacts of a body");
         findings.require(edges_end(body.first_joint, w.joints), "the joints of a body");
     }
-    findings.require(list_ends(w.body_slots.free, n, [&](uint32_t i) { return w.bodies[i].next; }),
-                     "free bodies");
+    findings.require(free_ones_end(w.body_slots, w.bodies), "free bodies");
 }
 
 /// Parts are pieces and know whose they are, outlines have the only ones.
@@ -208,8 +211,7 @@ void check_shapes(const WorldState& w, Findings& findings) {
                          "the vertices of a shape");
     }
     check_parts(w, findings);
-    findings.require(list_ends(w.shape_slots.free, n, [&](uint32_t i) { return w.shapes[i].next; }),
-                     "free shapes");
+    findings.require(free_ones_end(w.shape_slots, w.shapes), "free shapes");
 }
 
 void check_proxies(const WorldState& w, Findings& findings) {
@@ -256,9 +258,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
     for (const ContactLinks& links : w.contact_links)
         findings.require(edge_in_range(links.edges[0], n) && edge_in_range(links.edges[1], n),
                          "a contact");
-    findings.require(list_ends(w.contact_slots.free, n,
-                               [&](uint32_t i) { return w.contact_links[i].edges[0].next; }),
-                     "free contacts");
+    findings.require(free_ones_end(w.contact_slots, w.contact_links), "free contacts");
     findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
     // A contact in a list of bodies or of what is awake is one that is used.
     for (const BodyRecord& body : w.bodies)
@@ -302,20 +302,16 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
         findings.require(joint.awake_index == none ||
                              joint.awake_index < w.awake_joints[size_t(joint.type)].size(),
                          "the awake joints");
-    findings.require(
-        list_ends(w.joint_slots.free, n, [&](uint32_t i) { return w.joints[i].edges[0].next; }),
-        "free joints");
+    findings.require(free_ones_end(w.joint_slots, w.joints), "free joints");
 }
 
 void check_fields(const WorldState& w, Findings& findings) {
-    const size_t n = w.fields.size();
     constexpr size_t kinds = std::variant_size_v<decltype(FieldDef::force)>;
     for (const FieldRecord& field : w.fields)
         findings.require(field.def.force.index() < kinds && are_bools(field.def.enabled) &&
                              are_optionals(field.def.region),
                          "a field");
-    findings.require(list_ends(w.field_slots.free, n, [&](uint32_t i) { return w.fields[i].next; }),
-                     "free fields");
+    findings.require(free_ones_end(w.field_slots, w.fields), "free fields");
 }
 
 void check_lists(const WorldState& w, Findings& findings) {
@@ -329,9 +325,7 @@ void check_lists(const WorldState& w, Findings& findings) {
         findings.require(
             list_ends(island.first, bodies, [&](uint32_t i) { return w.bodies[i].next; }),
             "an island");
-    findings.require(list_ends(w.island_slots.free, w.islands.size(),
-                               [&](uint32_t i) { return w.islands[i].next; }),
-                     "free islands");
+    findings.require(free_ones_end(w.island_slots, w.islands), "free islands");
     const WorldDef& s = w.settings;
     findings.require(s.substeps >= 1 && s.substeps <= 64 && s.friction_mix <= MixRule::geometric &&
                          s.restitution_mix <= MixRule::geometric && s.solver <= Solver::direct &&

@@ -12,8 +12,7 @@ std::string number(uint64_t value) {
 }
 
 /// All marked slots are in the list. Others may be too: slots that were freed and used again.
-template <class IsMarked>
-bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, IsMarked is_marked) {
+bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, auto is_marked) {
     std::vector<bool> listed(size);
     for (const uint32_t i : list) listed[i] = true;
     for (uint32_t i = 0; i < size; ++i)
@@ -22,11 +21,11 @@ bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, IsMarked i
 }
 
 /// The list of free slots has every free slot and no other.
-template <class IsFree, class Next>
-bool lists_the_free(uint32_t first, size_t size, IsFree is_free, Next next) {
+template <class Record>
+bool lists_the_free(const Slots& slots, const std::vector<Record>& records, auto is_free) {
     size_t free = 0;
-    for (uint32_t i = 0; i < size; ++i) free += is_free(i);
-    for (uint32_t i = first; i != none; i = next(i)) {
+    for (uint32_t i = 0; i < records.size(); ++i) free += is_free(i);
+    for (uint32_t i = slots.free; i != none; i = Record(records[i]).next_free()) {
         if (!is_free(i) || free == 0) return false;
         --free;
     }
@@ -37,12 +36,10 @@ bool lists_the_free(uint32_t first, size_t size, IsFree is_free, Next next) {
 template <class Record>
 Fault check_slot_lists(const std::string& kind, const std::vector<Record>& records,
                        const std::vector<uint32_t>& generations,
-                       const std::vector<uint32_t>& edited, uint32_t first_free) {
+                       const std::vector<uint32_t>& edited, const Slots& slots) {
     if (!lists_the_marked(edited, records.size(), [&](uint32_t i) { return records[i].listed; }))
         return "the list of edited " + kind + " is wrong";
-    if (!lists_the_free(
-            first_free, records.size(), [&](uint32_t i) { return generations[i] == 0; },
-            [&](uint32_t i) { return records[i].next; }))
+    if (!lists_the_free(slots, records, [&](uint32_t i) { return generations[i] == 0; }))
         return "the list of free " + kind + " is wrong";
     return {};
 }
@@ -92,7 +89,7 @@ Fault check_bodies(const WorldState& data) {
         data.for_each_asleep(i, [&](uint32_t) { ++in_islands; });
     if (asleep != in_islands) return std::string("the islands hold bodies that do not sleep");
     return check_slot_lists("bodies", data.bodies, data.body_generations, data.edited_bodies,
-                            data.body_slots.free);
+                            data.body_slots);
 }
 
 Fault check_shapes(const WorldState& data) {
@@ -134,7 +131,7 @@ Fault check_shapes(const WorldState& data) {
                           [&](uint32_t shape) { return data.shapes[shape].moved; }))
         return std::string("the list of moved shapes is wrong");
     return check_slot_lists("shapes", data.shapes, data.shape_generations, data.edited_shapes,
-                            data.shape_slots.free);
+                            data.shape_slots);
 }
 
 Fault check_contacts(const WorldState& data) {
@@ -182,10 +179,8 @@ Fault check_contacts(const WorldState& data) {
         edges += count;
     }
     if (edges != 2 * live) return std::string("a contact is not listed in its bodies");
-    if (!lists_the_free(
-            data.contact_slots.free, data.contacts.size(),
-            [&](uint32_t slot) { return data.contacts[slot].shape_a == none; },
-            [&](uint32_t slot) { return data.contact_links[slot].edges[0].next; }))
+    if (!lists_the_free(data.contact_slots, data.contact_links,
+                        [&](uint32_t slot) { return data.contacts[slot].shape_a == none; }))
         return std::string("the list of free contacts is wrong");
     return {};
 }
@@ -221,10 +216,8 @@ Fault check_joints(const WorldState& data) {
         edges += count;
     }
     if (edges != 2 * live) return std::string("a joint is not listed in its bodies");
-    if (!lists_the_free(
-            data.joint_slots.free, data.joints.size(),
-            [&](uint32_t joint) { return data.joint_generations[joint] == 0; },
-            [&](uint32_t joint) { return data.joints[joint].edges[0].next; }))
+    if (!lists_the_free(data.joint_slots, data.joints,
+                        [&](uint32_t joint) { return data.joint_generations[joint] == 0; }))
         return std::string("the list of free joints is wrong");
     return {};
 }

@@ -60,8 +60,7 @@ struct Coloring {
     std::vector<ActingContact>& acting = contacts.acting;
 
     /// Visits the contacts in groups that belong to these nodes.
-    template <typename Visit>
-    void for_each_acting_of(const StripNodes& nodes, Visit&& visit) {
+    void for_each_acting_of(const StripNodes& nodes, auto&& visit) {
         for (const ActingPiece& piece : contacts.acting_pieces) {
             const uint32_t end = piece.begin + piece.nodes.end(nodes);
             for (uint32_t i = piece.begin + piece.nodes.begin(nodes); i < end; ++i) {

@@ -84,8 +84,7 @@ class DirectSolver {
         }
     }
 
-    template <class Visit>
-    void for_each_extra(Visit&& visit) {
+    void for_each_extra(auto&& visit) {
         for (const ContactConstraint& c : constraints_)
             if (c.extra != 0) visit(c, extras_[c.extra - 1]);
     }

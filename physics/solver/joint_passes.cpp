@@ -85,8 +85,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 namespace {
 
 /// `visit(kind, array, range)` for the joints of some nodes, type by type.
-template <typename Visit>
-void for_each_type(JointScratch& joints, const StripNodes& nodes, Visit&& visit) {
+void for_each_type(JointScratch& joints, const StripNodes& nodes, auto&& visit) {
     for (size_t type = 0; type < joint_type_count; ++type) {
         JointArray& array = joints.joint_arrays[type];
         const JointRange range = {array.nodes.begin(nodes), array.nodes.end(nodes)};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <constraints/stiffness.h>
-#include <contacts/touching.h>
+#include <contacts/contact_list.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 #include <threads/pool.h>

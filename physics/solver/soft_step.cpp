@@ -57,8 +57,7 @@ struct alignas(line_size) SoftStep {
 
     /// Runs `work(section, nodes)` for each section of a block, on all threads if they share it
     /// out.
-    template <typename Work>
-    auto section_loop(const SolverBlock& block, Work work) {
+    auto section_loop(const SolverBlock& block, auto work) {
         const Sections& plan = schedule.sections_of(block);
         return SectionLoop(plan, helpers_of(block),
                            [this, &plan, work, before = block.first_section](uint32_t section) {
@@ -204,8 +203,7 @@ struct alignas(line_size) FirstBlock {
         some.constraints = some.constraints.subspan(begin, end - begin);
         return some;
     }
-    template <typename Pass>
-    void around_joints(const StripNodes& nodes, Pass&& pass) const {
+    void around_joints(const StripNodes& nodes, auto&& pass) const {
         if (repeats)
             step.input.joints.joint_share.around(nodes, step.bodies.solver_bodies,
                                                  step.bodies.solver_forces, pass);

@@ -40,14 +40,12 @@ struct ListEdge {
 };
 
 /// Puts an edge at the front of the list that begins with `first`; `at(edge)` is its place.
-template <class At>
-void link_edge(uint32_t& first, uint32_t edge, At&& at) {
+void link_edge(uint32_t& first, uint32_t edge, auto&& at) {
     at(edge) = {none, first};
     if (first != none) at(first).previous = edge;
     first = edge;
 }
-template <class At>
-void unlink_edge(uint32_t& first, uint32_t edge, At&& at) {
+void unlink_edge(uint32_t& first, uint32_t edge, auto&& at) {
     const auto [previous, next] = at(edge);
     (previous != none ? at(previous).next : first) = next;
     if (next != none) at(next).previous = previous;

@@ -26,10 +26,7 @@ struct CollidedPiece {
         over.clear();
         more.clear();
     }
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        io(self.over), io(self.more);
-    }
+    static void scratch(auto& io, auto& self) { io(self.over), io(self.more); }
 };
 
 /// What is left to do for some bodies that have moved.
@@ -45,10 +42,7 @@ struct FinishedPiece {
         fast.clear();
         sleep_candidates = 0;
     }
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        io(self.placed), io(self.moved), io(self.fast);
-    }
+    static void scratch(auto& io, auto& self) { io(self.placed), io(self.moved), io(self.fast); }
 };
 
 /// A list that is put into the order of the strips.
@@ -56,10 +50,7 @@ struct Reordering {
     std::vector<uint32_t> list;
     std::vector<StripNode> strips;  ///< of the entries, in their old order
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& self) {
-        io(self.list), io(self.strips);
-    }
+    static void scratch(auto& io, auto& self) { io(self.list), io(self.strips); }
 };
 
 /// What a joint that can break bore in this step, summed over the sub-steps.

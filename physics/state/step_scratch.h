@@ -22,6 +22,11 @@ namespace fettle::physics::detail {
 // back when most of what was awake sleeps (memory.cpp). `scratch` lists the members, as `members`
 // does for the state.
 
+#define FETTLE_SCRATCH(Part, ...)                           \
+    static void scratch(auto& io, auto& s) {                \
+        list_members<Part>(io, named("step", __VA_ARGS__)); \
+    }
+
 /// Of the search for pairs and of the narrow phase.
 struct PairScratch {
     std::vector<uint8_t> relocated;                  ///< by shape: its fat box is another
@@ -32,11 +37,8 @@ struct PairScratch {
     std::vector<CollidedPiece> collided;
     std::vector<ContactRecord> parted;  ///< last touches of an outline's parts that ended
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<PairScratch>(io, named("step", s.relocated, s.new_pairs, s.spare_pairs,
-                                            s.found_pairs, s.parts_of_walk, s.collided, s.parted));
-    }
+    FETTLE_SCRATCH(PairScratch, s.relocated, s.new_pairs, s.spare_pairs, s.found_pairs,
+                   s.parts_of_walk, s.collided, s.parted)
 };
 
 /// The bodies that are solved. An index of them is the place among the awake + 1; 0 is the body
@@ -52,12 +54,8 @@ struct BodyScratch {
     bool axes_locked = false;       ///< of some awake body, along x or y
     bool driven = false;            ///< some awake body moves on its own
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<BodyScratch>(
-            io, named("step", s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered, s.locked,
-                      s.bounced, s.axes_locked, s.driven));
-    }
+    FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
+                   s.locked, s.bounced, s.axes_locked, s.driven)
 };
 
 /// The joints of one type that act in a step, in the order of the nodes they belong to.
@@ -76,10 +74,7 @@ struct JointArray {
         return const_cast<JointArray*>(this)->as<Constraint>();
     }
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<JointArray>(io, named("step", s.joints, s.nodes, s.constraints));
-    }
+    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints)
 };
 
 struct JointScratch {
@@ -94,11 +89,7 @@ struct JointScratch {
         return count;
     }
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<JointScratch>(
-            io, named("step", s.joint_share, s.joint_arrays, s.joint_notes, s.strains));
-    }
+    FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_notes, s.strains)
 };
 
 /// The contacts that act: those in lanes, and the serial contacts, which are solved one at a time.
@@ -119,13 +110,9 @@ struct ContactScratch {
     NodeRanges serial_nodes;  ///< of `constraints`
     std::vector<uint8_t> serial_notes;
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<ContactScratch>(
-            io, named("step", s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
-                      s.spare_lanes, s.news, s.told, s.hits, s.serial_acting, s.serial_contacts,
-                      s.constraints, s.extras, s.rolling_contacts, s.serial_nodes, s.serial_notes));
-    }
+    FETTLE_SCRATCH(ContactScratch, s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
+                   s.spare_lanes, s.news, s.told, s.hits, s.serial_acting, s.serial_contacts,
+                   s.constraints, s.extras, s.rolling_contacts, s.serial_nodes, s.serial_notes)
 };
 
 /// Which constraints are solved together, and in which order.
@@ -144,23 +131,16 @@ struct ScheduleScratch {
         return block.cut ? cut_sections : whole_sections;
     }
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<ScheduleScratch>(
-            io,
-            named("step", s.blocks, s.hubs, s.reordering, s.whole_sections, s.cut_sections,
-                  s.color_begin, s.first_groups, s.out_of_colors, s.colors_of_body, s.wide_blocks));
-    }
+    FETTLE_SCRATCH(ScheduleScratch, s.blocks, s.hubs, s.reordering, s.whole_sections,
+                   s.cut_sections, s.color_begin, s.first_groups, s.out_of_colors, s.colors_of_body,
+                   s.wide_blocks)
 };
 
 struct FinishScratch {
     std::vector<FinishedPiece> finished;
     std::vector<FastBody> fast_bodies;
 
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<FinishScratch>(io, named("step", s.finished, s.fast_bodies));
-    }
+    FETTLE_SCRATCH(FinishScratch, s.finished, s.fast_bodies)
 };
 
 struct StepScratch : PairScratch,
@@ -169,12 +149,8 @@ struct StepScratch : PairScratch,
                      ContactScratch,
                      ScheduleScratch,
                      FinishScratch {
-    template <class Io, class Self>
-    static void scratch(Io& io, Self& s) {
-        list_members<StepScratch>(
-            io, named("step", part<PairScratch>(s), part<BodyScratch>(s), part<JointScratch>(s),
-                      part<ContactScratch>(s), part<ScheduleScratch>(s), part<FinishScratch>(s)));
-    }
+    FETTLE_SCRATCH(StepScratch, part<PairScratch>(s), part<BodyScratch>(s), part<JointScratch>(s),
+                   part<ContactScratch>(s), part<ScheduleScratch>(s), part<FinishScratch>(s))
 };
 
 }  // namespace fettle::physics::detail

@@ -77,8 +77,7 @@ struct ObjectState {
         return {&pool.local[forms[shape].begin], shapes[shape].outline};
     }
     /// The shape itself, or the parts it consists of.
-    template <typename Visit>
-    void for_each_solid(uint32_t shape, Visit&& visit) const {
+    void for_each_solid(uint32_t shape, auto&& visit) const {
         if (is_solid(shape)) {
             visit(shape);
             return;
@@ -92,16 +91,14 @@ struct ObjectState {
 
     ListEdge& contact_edge(uint32_t edge) { return contact_links[edge >> 1].edges[edge & 1]; }
     ListEdge& joint_edge(uint32_t edge) { return joints[edge >> 1].edges[edge & 1]; }
-    template <typename Visit>
-    void for_each_joint(uint32_t body, Visit&& visit) const {
+    void for_each_joint(uint32_t body, auto&& visit) const {
         for (uint32_t edge = bodies[body].first_joint; edge != none;) {
             const uint32_t next = joints[edge >> 1].edges[edge & 1].next;
             visit(edge >> 1, edge & 1);
             edge = next;
         }
     }
-    template <typename Visit>
-    void for_each_contact(uint32_t body, Visit&& visit) const {
+    void for_each_contact(uint32_t body, auto&& visit) const {
         any_contact(bodies[body].first_contact, none, [&](uint32_t contact) {
             visit(contact);
             return false;
@@ -109,8 +106,7 @@ struct ObjectState {
     }
     /// Whether `visit` is true of a contact in a body's list, from an edge on and before the
     /// contact `end` (none: to the end of the list).
-    template <typename Visit>
-    bool any_contact(uint32_t edge, uint32_t end, Visit&& visit) const {
+    bool any_contact(uint32_t edge, uint32_t end, auto&& visit) const {
         while (edge != none && edge >> 1 != end) {
             const uint32_t next = contact_links[edge >> 1].edges[edge & 1].next;
             if (visit(edge >> 1)) return true;
@@ -119,8 +115,7 @@ struct ObjectState {
         return false;
     }
     /// The contacts of the shape and of its parts.
-    template <typename Visit>
-    void for_each_contact_of(uint32_t shape, Visit&& visit) const {
+    void for_each_contact_of(uint32_t shape, auto&& visit) const {
         if (forms[shape].body == none) return;
         const auto is_its = [&](uint32_t s) { return s == shape || shapes[s].owner == shape; };
         for_each_contact(forms[shape].body, [&](uint32_t contact) {
@@ -132,8 +127,7 @@ struct ObjectState {
         const ContactRecord& c = contacts[contact];
         return c.body_a == body ? c.body_b : c.body_a;
     }
-    template <typename Visit>
-    void for_each_asleep(uint32_t island, Visit&& visit) const {
+    void for_each_asleep(uint32_t island, auto&& visit) const {
         for (uint32_t body = islands[island].first; body != none;) {
             const uint32_t next = bodies[body].next;
             visit(body);
@@ -141,8 +135,7 @@ struct ObjectState {
         }
     }
 
-    template <class Io, class Self>
-    static void members(Io& io, Self& s) {
+    static void members(auto& io, auto& s) {
         list_members<ObjectState>(
             io, named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots),
             named("shapes", s.shapes, s.forms, s.shape_slots), named("vertices", s.pool),
@@ -183,8 +176,7 @@ struct BroadPhaseState {
     PairSet pairs;
     std::vector<uint32_t> moved_shapes;  ///< those to look for new pairs of
 
-    template <class Io, class Self>
-    static void members(Io& io, Self& s) {
+    static void members(auto& io, auto& s) {
         list_members<BroadPhaseState>(io,
                                       named("bounding boxes", s.boxes, s.fat_boxes, s.paired_boxes),
                                       named("trees", s.fixed_tree, s.moving_tree),
@@ -199,8 +191,7 @@ struct ActiveLists {
     std::array<std::vector<uint32_t>, joint_type_count> awake_joints;  ///< by type
     std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
 
-    template <class Io, class Self>
-    static void members(Io& io, Self& s) {
+    static void members(auto& io, auto& s) {
         list_members<ActiveLists>(io, named("lists", s.awake_bodies, s.awake_contacts,
                                             s.awake_joints, s.edited_bodies, s.edited_shapes));
     }
@@ -216,8 +207,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     Events pending;                 ///< made by edits since
     StepStatistics statistics;
 
-    template <class Io, class Self>
-    static void members(Io& io, Self& s) {
+    static void members(auto& io, auto& s) {
         list_members<WorldState, Columns>(
             io,
             named("", s.settings, s.strips, s.last_substep, s.steps, s.sleep_candidates,

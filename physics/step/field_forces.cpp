@@ -93,8 +93,7 @@ class FieldOnBody {
     }
 
   private:
-    template <class Visit>
-    void each_shape(Visit&& visit) const {
+    void each_shape(auto&& visit) const {
         for (uint32_t s = body_.first_shape; s != none; s = objects_.shapes[s].next) {
             const ShapeDef& surface = objects_.shapes[s].surface;
             if (!objects_.is_solid(s)) continue;  // its parts are

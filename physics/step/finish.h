@@ -1,7 +1,6 @@
 #pragma once
 
 #include <contacts/contact_list.h>
-#include <contacts/filter.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 #include <threads/pool.h>

@@ -166,16 +166,14 @@ namespace {
 /// However many are added up, N, N m.
 constexpr float greatest_force = std::numeric_limits<float>::max();
 
-V2 sum(V2 force, V2 more) {
-    return bounded(force + more, greatest_force);
-}
-
-/// Awake from now on; false where a force would only wait for the day it can move something.
-bool moved_by_forces(WorldData& data, uint32_t body) {
-    data.read_mass(body);
-    if (data.bodies[body].mobility != Mobility::dynamic) return false;
+/// For the next step. Wakes the body; a force that cannot move it would only wait for the day when
+/// it can.
+void push(WorldData& data, uint32_t body, V2 force, float torque) {
+    BodyRecord& record = data.bodies[body];
+    if (record.mobility != Mobility::dynamic) return;
     wake_body(data.activity(), body);
-    return true;
+    record.step_force = bounded(record.step_force + force, greatest_force);
+    record.step_torque = bounded(record.step_torque + torque, greatest_force);
 }
 
 }  // namespace
@@ -183,26 +181,23 @@ bool moved_by_forces(WorldData& data, uint32_t body) {
 void Body::apply_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     check_finite("force", force);
-    if (!moved_by_forces(data, id_.index)) return;
-    record.step_force = sum(record.step_force, to_v2(force));
+    data.read_mass(id_.index);
+    push(data, id_.index, to_v2(force), 0.0f);
 }
 
 void Body::apply_force(const Vec2& force, const Vec2& world_point) {
     FETTLE_EDIT_BODY
     check_finite("force", force);
     check_finite("world_point", world_point);
-    if (!moved_by_forces(data, id_.index)) return;
-    record.step_force = sum(record.step_force, to_v2(force));
-    record.step_torque =
-        bounded(record.step_torque + cross(to_v2(world_point) - record.center, to_v2(force)),
-                greatest_force);
+    data.read_mass(id_.index);
+    push(data, id_.index, to_v2(force), cross(to_v2(world_point) - record.center, to_v2(force)));
 }
 
 void Body::apply_torque(float torque) {
     FETTLE_EDIT_BODY
     check_finite("torque", torque);
-    if (!moved_by_forces(data, id_.index)) return;
-    record.step_torque = bounded(record.step_torque + torque, greatest_force);
+    data.read_mass(id_.index);
+    push(data, id_.index, {}, torque);
 }
 
 void Body::apply_impulse(const Vec2& impulse) {

@@ -1,5 +1,6 @@
 #include <checks/arguments.h>
 #include <contacts/reports.h>
+#include <fettle/physics/instruction_set.h>
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
@@ -124,6 +125,14 @@ void World::set_threads(int threads) {
     if (threads == this->threads()) return;
     data.self.pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
     data.threads = data.self.pool.get();
+}
+
+int simd_width() {
+    return detail::wide_kernels().width;
+}
+void World::limit_simd_width(int most) {
+    WorldData& data = edit(__func__);
+    data.most_lanes = detail::check_simd_width("most", most);
 }
 
 void World::wake_all() {

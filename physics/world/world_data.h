@@ -9,7 +9,6 @@
 #include <array>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace fettle::physics::detail {

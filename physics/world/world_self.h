@@ -63,8 +63,7 @@ struct WorldSelf {
 
     /// Calls a function of the user in a step or an edit, which is not left by an exception: the
     /// first is kept until `WorldLock::finish`. False when it threw, or may not be called any more.
-    template <class Call>
-    bool ask(const char* callback, Call&& call) const {
+    bool ask(const char* callback, auto&& call) const {
         if (orphaned()) return false;
         const char* const outer = enter(callback);
         bool answered = true;
