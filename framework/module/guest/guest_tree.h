@@ -11,7 +11,7 @@
 #include <fettle/module/abi.h>
 #include <fettle/property/tree.h>
 
-#include "../../property/class_registry.h"
+#include "../../property/classes/class_registry.h"
 #include "../border_value.h"
 
 namespace fettle::module {

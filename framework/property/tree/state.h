@@ -19,7 +19,9 @@
 #include <fettle/property/question.h>
 #include <fettle/property/tree.h>
 
-#include "class_registry.h"
+#include <classes/class_registry.h>
+#include <values/weight.h>
+
 #include "formulas.h"
 #include "history.h"
 #include "nodes.h"
@@ -27,7 +29,6 @@
 #include "stored_columns.h"
 #include "untold.h"
 #include "watchers.h"
-#include "weight.h"
 #include "writes_log.h"
 
 namespace fettle::property {

@@ -9,7 +9,7 @@
 #include <fettle/property/bytes.h>
 #include <fettle/property/class.h>
 
-#include "misfits.h"
+#include <classes/misfits.h>
 
 namespace fettle::property {
 

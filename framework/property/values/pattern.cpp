@@ -6,8 +6,8 @@
 #include <fettle/property/path.h>
 #include <fettle/property/tree.h>
 
+#include "names_above.h"
 #include "quoting.h"
-#include "watchers.h"
 
 namespace fettle::property {
 namespace {

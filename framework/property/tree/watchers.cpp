@@ -5,6 +5,8 @@
 
 #include <fettle/property/tree.h>
 
+#include <values/names_above.h>
+
 #include "state.h"
 
 namespace fettle::property {

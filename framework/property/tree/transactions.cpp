@@ -1,6 +1,6 @@
 #include "transactions.h"
 
-#include "weight.h"
+#include <values/weight.h>
 
 namespace fettle::property {
 namespace {

@@ -1,7 +1,5 @@
 // Puts an image of a tree that was read and checked into the place of what the tree is.
 
-#include "tree_image.h"
-
 #include <algorithm>
 #include <set>
 
@@ -9,6 +7,7 @@
 #include <fettle/property/exception_text.h>
 
 #include "state.h"
+#include "tree_image.h"
 
 namespace fettle::property {
 namespace {

@@ -10,7 +10,8 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/tree.h>
 
-#include "coerce.h"
+#include <classes/coerce.h>
+
 #include "state.h"
 
 namespace fettle::property {

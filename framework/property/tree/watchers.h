@@ -57,9 +57,6 @@ struct Watcher {
     bool broad() const { return kind == WatchKind::of_class || kind == WatchKind::pattern; }
 };
 
-/// The names of a path, the root's left out; none where an instance is detached.
-std::vector<std::string> names_above(const Tree& tree, Handle instance);
-
 /// Watchers in order of registration. One that is taken out leaves a hole, and the holes are closed
 /// when they are the greater part: however many there are, taking out costs a search among them.
 class WatcherList {

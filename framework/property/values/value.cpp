@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include <fettle/property/error.h>
+
 #include "weight.h"
 
 namespace fettle::property {

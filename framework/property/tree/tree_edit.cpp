@@ -16,7 +16,8 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
-#include "coerce.h"
+#include <classes/coerce.h>
+
 #include "state.h"
 
 namespace fettle::property {

@@ -5,7 +5,7 @@
 
 #include <fettle/property/error.h>
 
-#include "coerce.h"
+#include <classes/coerce.h>
 
 namespace fettle::property {
 namespace {

@@ -5,7 +5,8 @@
 
 #include <fettle/property/tree.h>
 
-#include "coerce.h"
+#include <classes/coerce.h>
+
 #include "failure_scope.h"
 #include "state.h"
 

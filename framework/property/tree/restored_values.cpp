@@ -2,7 +2,8 @@
 
 #include <fettle/property/error.h>
 
-#include "coerce.h"
+#include <classes/coerce.h>
+
 #include "state.h"
 
 namespace fettle::property {
