@@ -21,6 +21,18 @@ class ClassRegistry {
     std::uint32_t size() const { return static_cast<std::uint32_t>(classes_.size()); }
     std::vector<std::string> names() const;
 
+    // What only the tree itself wants to know of a class.
+    static const std::deque<Property>& own_properties(const Class& of) {
+        return of.own_properties_;
+    }
+    /// Those that the tree keeps, those that are compared with shadows while they are watched, and
+    /// those that are inherited from a module with a default of the class's own.
+    static const std::vector<const Property*>& stored(const Class& of) { return of.stored_; }
+    static const std::vector<const Property*>& observed(const Class& of) { return of.observed_; }
+    static const std::vector<const Property*>& initial(const Class& of) { return of.initial_; }
+    /// Whether all columns have been found to have memory.
+    static bool& columns_found(const Class& of) { return of.columns_found_; }
+
   private:
     void inherit(Class& made);
     void add_property(Class& made, Property property);

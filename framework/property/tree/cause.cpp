@@ -6,93 +6,46 @@
 
 namespace fettle::property {
 
-std::string_view writer_name(Writer writer) {
-    switch (writer) {
-        case Writer::module:
-            return "module";
-        case Writer::simulation:
-            return "simulation";
-        case Writer::script:
-            return "script";
-        case Writer::console:
-            return "console";
-        case Writer::inspector:
-            return "inspector";
-        case Writer::formula:
-            return "formula";
-        case Writer::undo:
-            return "undo";
-        case Writer::load:
-            return "load";
-        case Writer::remote:
-            return "remote";
-        case Writer::restore:
-            return "restore";
-    }
-    return "?";
-}
-
-std::string Cause::text() const {
-    return (where.empty() ? std::string(writer_name(writer)) : where) + ", step " +
-           std::to_string(step);
-}
-
 std::uint64_t Tree::step() const {
-    return state_->step;
+    return state_->changes.author.step;
 }
 
 void Tree::set_step(std::uint64_t step) {
     state_->require_changeable("set the step");
-    state_->tell_plain_writes();
-    state_->step = step;
-    ++state_->upheavals;  // the clock, too, is written without telling
+    state_->changes.tell_plain_writes();
+    state_->changes.author.step = step;
+    ++state_->changes.invalidations;  // the clock, too, is written without telling
 }
 
 void Tree::stepped() {
-    state_->stepped = true;
-    ++state_->upheavals;
+    state_->changes.stepped = true;
+    ++state_->changes.invalidations;
 }
 
+namespace {
+
+void set_author(Tree::State& s, Writer writer, std::function<std::string()>* locate) {
+    s.changes.tell_plain_writes();
+    s.changes.author.writer = writer;
+    s.changes.author.locate = locate;
+    s.history.note_recording();
+}
+
+}  // namespace
+
 Tree::CauseScope::CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate)
-    : tree_(tree), writer_(tree.state_->writer), locate_(tree.state_->locate) {
-    tree.state_->tell_plain_writes();
-    tree.state_->writer = writer;
-    tree.state_->locate = locate;
-    tree.state_->note_recording();
+    : tree_(tree),
+      writer_(tree.state().changes.author.writer),
+      locate_(tree.state().changes.author.locate) {
+    set_author(tree.state(), writer, locate);
 }
 
 Tree::CauseScope::~CauseScope() {
-    tree_.state_->tell_plain_writes();
-    tree_.state_->writer = writer_;
-    tree_.state_->locate = locate_;
-    tree_.state_->note_recording();
+    set_author(tree_.state(), writer_, locate_);
 }
 
 Cause Tree::cause() const {
-    const State& s = *state_;
-    return {.writer = s.writer, .where = s.place(), .step = s.step};
-}
-
-/// Whose edit it is, should the barrier find that it changed something else. Its place costs more
-/// than a callback of a game may pay, so it is looked up only while something is watched that an
-/// edit elsewhere changes.
-void Tree::State::note_edit() {
-    edited = true;
-    ++upheavals;
-    if (shadows.empty()) return;
-    last_edit.writer = writer;
-    last_edit.step = step;
-    last_edit.where.clear();
-    if (shadows.any_derived() || history.recording(writer)) last_edit.where = place();
-}
-
-std::string Tree::State::place() const {
-    if (locate == nullptr) return {};
-    try {
-        return (*locate)();
-    } catch (...) {  // the write itself is good
-        return {};
-    }
+    return state_->changes.author.cause();
 }
 
 }  // namespace fettle::property

@@ -11,10 +11,10 @@
 namespace fettle::property {
 
 void Tree::State::require_changeable(std::string_view what) const {
-    if (formulas.tracking())
+    if (instances.reads.noted())
         throw Error(ErrorKind::formula, "the formula of " + formulas.running() +
                                             " computes a value: it cannot " + std::string(what));
-    if (inquiry != nullptr) inquiry->refuse(what);
+    if (underway.inquiry != nullptr) underway.inquiry->refuse(what);
 }
 
 void Tree::require_changeable(std::string_view what) const {
@@ -22,22 +22,15 @@ void Tree::require_changeable(std::string_view what) const {
 }
 
 bool Tree::changeable() const {
-    return !state_->formulas.tracking() && state_->inquiry == nullptr;
-}
-
-bool takes_formula(const Property& property) {
-    return !property.read_only && property.binding.kind != BindingKind::node;
-}
-
-void Tree::State::drop_formula(Handle instance, const Property& property) {
-    formulas.remove({instance.index, property.symbol});
+    return !state_->instances.reads.noted() && state_->underway.inquiry == nullptr;
 }
 
 void Tree::set_formula(Handle instance, const Property& property, Formula formula) {
     State& s = *state_;
-    s.require(instance, property);
+    s.instances.require(instance, property);
     s.require_changeable("define a formula");
-    if (s.nodes[instance.index].dying) s.require_staying(instance, "define a formula of it");
+    if (s.instances.nodes[instance.index].dying)
+        s.underway.require_staying(s.instances, instance, "define a formula of it");
     if (!formula.function)
         throw Error(ErrorKind::wrong_type,
                     path(instance, property) + ": a formula needs a function");
@@ -48,10 +41,9 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
                     path(instance, property) +
                         ": cannot have a formula: it tells where the instance is in the tree, and "
                         "a formula computes a value and moves nothing; assign a plain value");
-    std::optional<History::CellState> before;
-    if (s.history.recording()) before = s.history.capture(instance, property);
+    std::optional<CellState> before = s.history.before_edit(instance, property);
     s.formulas.set(instance, property, std::move(formula));
-    s.tell([&](Observer& o) { o.formula_changed(instance, property); });
+    s.changes.tell([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
@@ -68,24 +60,23 @@ void Tree::set_formula(Handle instance, std::string_view name, Formula formula) 
 }
 
 const Formula* Tree::formula(Handle instance, const Property& property) const {
-    if (!state_->require(instance).has_formula) return nullptr;
+    if (!state_->instances.require(instance).has_formula) return nullptr;
     return state_->formulas.find({instance.index, property.symbol});
 }
 
 void Tree::remove_formula(Handle instance, const Property& property) {
-    state_->require(instance, property);
+    state_->instances.require(instance, property);
     State& s = *state_;
     s.require_changeable("end a formula");
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
-    std::optional<History::CellState> before;
-    if (s.history.recording()) before = s.history.capture(instance, property);
-    s.drop_formula(instance, property);
-    s.tell([&](Observer& o) { o.formula_changed(instance, property); });
+    std::optional<CellState> before = s.history.before_edit(instance, property);
+    s.formulas.remove({instance.index, property.symbol});
+    s.changes.tell([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
 std::string Tree::problem(Handle instance, const Property& property) const {
-    state_->require(instance, property);
+    state_->instances.require(instance, property);
     return state_->formulas.problem({instance.index, property.symbol});
 }
 
@@ -98,65 +89,16 @@ void formula_problem_told(Tree& tree, Handle instance, const Property& property)
 }
 
 Explanation Tree::why(Handle instance, const Property& property) const {
-    state_->require(instance, property);
+    state_->instances.require(instance, property);
     std::vector<Cell> seen;
     return state_->formulas.why(instance, property, seen);
 }
 
 void Tree::compile_formulas_with(FormulaCompiler compiler) {
-    state_->formula_compiler = std::move(compiler);
+    state_->formulas.compiler = std::move(compiler);
 }
 const FormulaCompiler& Tree::formula_compiler() const {
-    return state_->formula_compiler;
-}
-
-// --- History ---
-
-void Tree::observe_edits(EditObserver* observer) {
-    state_->history.observe(observer);
-}
-
-void Tree::begin_edit(std::string name, bool scripts) {
-    state_->require_changeable("begin an edit");
-    state_->history.begin(std::move(name), scripts);
-}
-void Tree::end_edit() {
-    state_->require_changeable("end an edit");
-    state_->history.end();
-}
-UndoResult Tree::undo() {
-    state_->require_changeable("undo");
-    state_->require_no_deletion("undo");
-    return state_->history.undo();
-}
-UndoResult Tree::redo() {
-    state_->require_changeable("redo");
-    state_->require_no_deletion("redo");
-    return state_->history.redo();
-}
-std::vector<HistoryEntry> Tree::history() const {
-    return state_->history.entries();
-}
-std::size_t Tree::history_bytes() const {
-    return state_->history.bytes();
-}
-std::size_t Tree::history_bytes_ever() const {
-    return state_->history.bytes_ever();
-}
-void Tree::set_history_limit(std::size_t bytes) {
-    state_->require_changeable("limit the history");
-    state_->history.set_limit(bytes);
-}
-
-Provenance Tree::who(Handle instance, const Property& property) const {
-    state_->require(instance, property);
-    if (const auto step = state_->shadows.simulated_at({instance.index, property.symbol}))
-        return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
-    state_->tell_plain_writes();
-    Provenance written = state_->writes.find(instance, property.symbol);
-    const bool computed = !property.derives_from.empty();
-    if (written.known || !property.simulated || computed) return written;
-    return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
+    return state_->formulas.compiler;
 }
 
 std::size_t Tree::formula_count() const {
@@ -164,7 +106,7 @@ std::size_t Tree::formula_count() const {
 }
 
 bool Tree::in_formula() const {
-    return state_->formulas.tracking();
+    return state_->instances.reads.noted();
 }
 
 }  // namespace fettle::property

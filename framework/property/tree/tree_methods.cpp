@@ -19,16 +19,19 @@ class CallScope {
   public:
     CallScope(Tree::State& state, Handle self, const Method& method, std::span<const Value> given)
         : state_(state), self_(self), method_(method) {
-        if (tells()) state_.tell([&](Observer& o) { o.call_begins(self_, method_, given); });
+        if (tells())
+            state_.changes.tell([&](Observer& o) { o.call_begins(self_, method_, given); });
     }
     ~CallScope() {
-        if (tells() && !state_.ending)
-            state_.tell([&](Observer& o) { o.call_ends(self_, method_); });
+        if (tells() && !state_.lifetime.ending)
+            state_.changes.tell([&](Observer& o) { o.call_ends(self_, method_); });
     }
     CallScope(const CallScope&) = delete;
 
   private:
-    bool tells() const { return method_.effect == Effect::memory && !state_.observers.empty(); }
+    bool tells() const {
+        return method_.effect == Effect::memory && !state_.changes.observers.all.empty();
+    }
     Tree::State& state_;
     Handle self_;
     const Method& method_;
@@ -38,10 +41,10 @@ class CallScope {
 
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
     State& s = *state_;
-    s.require_method(instance, method);
+    s.instances.require_method(instance, method);
     if (method.effect != Effect::nothing && !changeable())
         s.require_changeable("call " + method.name);
-    const State::Use use(s);
+    const Use use(s.lifetime);
     const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
     if (arguments.size() < method.required || arguments.size() > method.parameters.size())
         throw Error(ErrorKind::wrong_type,
@@ -75,12 +78,12 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         try {
             result = method.call(method.context, *this, instance, row(instance), coerced);
         } catch (const std::invalid_argument& refusal) {
-            if (s.ending) throw;
+            if (s.lifetime.ending) throw;
             throw Error(ErrorKind::rejected, where() + ": " + refusal.what());
         } catch (const std::exception&) {
             throw;
         } catch (...) {
-            if (s.ending) throw;
+            if (s.lifetime.ending) throw;
             throw Error(ErrorKind::rejected, where() + ": " + exception_text());
         }
     }

@@ -1,0 +1,185 @@
+#include "changes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <classes/coerce.h>
+#include <values/weight.h>
+
+namespace fettle::property {
+
+Value PlainWrite::value() const {
+    const bool narrow = property->shortcut.narrow;
+    if (property->type == Type::number) return Value(narrow ? narrowed(x) : x);
+    return Value(narrow ? narrowed(Vec2(x, y)) : Vec2(x, y));
+}
+
+void Observer::wrote_plain(const PlainWrites& writes) {
+    for (const PlainWrite& write : writes.list)
+        if (write.instance) wrote(write.instance, *write.property, write.value());
+}
+
+void Changes::tell_untold() {
+    const PlainWrites told = writes.untold();
+    // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
+    writes.tell(author.writer, author.step);
+    if (!replaying && !observers.all.empty())
+        observers.tell([&](Observer& observer) { observer.wrote_plain(told); });
+}
+
+/// Whose edit it is, should the barrier find that it changed something else. Its place costs more
+/// than a callback of a game may pay, so it is looked up only while something is watched that an
+/// edit elsewhere changes.
+void Changes::note_edit() {
+    edited = true;
+    ++invalidations;
+    if (shadows.empty()) return;
+    last_edit.writer = author.writer;
+    last_edit.step = author.step;
+    last_edit.where.clear();
+    if (shadows.any_derived() || writes.barred(WritesLog::Bar::recorded))
+        last_edit.where = author.place();
+}
+
+void Changes::written(Handle handle, const Node& node, const Property& property,
+                      const Value& old_value) {
+    note_edit();
+    tell_plain_writes();
+    writes.note(handle, property, author.writer, author.step);
+    if (recording()) writes.note_in_full(handle, property.symbol, author.cause());
+    if (!node.watched && property.interest == 0) return;
+    const Value now = instances.read(handle.index, node, property);
+    if (now == old_value) return;
+    queue_change(handle, property, old_value, now, author.cause());
+}
+
+void Changes::queue_item(QueueItem item) {
+    if (replaying) return;
+    growth.add(weight_of_message);
+    item.until = watchers.last_id();
+    item.trigger = queue.item;
+    item.trigger_part = queue.part;
+    queue.items.push_back(std::move(item));
+}
+
+void Changes::queue_change(Handle handle, const Property& property, const Value& old_value,
+                           const Value& new_value, const Cause& cause) {
+    if (replaying) return;
+    const Cell cell{handle.index, property.symbol};
+    shadows.update(cell, new_value);
+    writes.note_in_full(handle, property.symbol, cause);
+    const auto [place, first] = queue.changes.try_emplace(cell, queue.items.size());
+    if (!first) {
+        Change& waiting = std::get<Change>(queue.items[place->second].what);
+        if (waiting.instance == handle) {
+            waiting.new_value = new_value;
+            waiting.cause = cause;
+            queue.items[place->second].until = watchers.last_id();
+            return;
+        }
+        place->second = queue.items.size();
+    }
+    queue_item({.what = Change{.instance = handle,
+                               .property = &property,
+                               .old_value = old_value,
+                               .new_value = new_value,
+                               .cause = cause}});
+}
+
+void Changes::queue_creation(Handle handle, const Class& of, WatcherId recipient) {
+    queue_item({.kind = QueueItem::Kind::created,
+                .what = Existence{.instance = handle,
+                                  .instance_class = &of,
+                                  .path = {},
+                                  .cause = author.cause(),
+                                  .last_values = {}},
+                .recipients = recipient == 0 ? std::vector<WatcherId>{} : std::vector{recipient}});
+}
+
+bool Changes::wants_farewell(Handle handle, const Class& of, bool only_own) const {
+    return !watchers.of_deletion(handle.index, of, only_own).empty();
+}
+
+void Changes::queue_deletion(Handle handle, const Class& of, const Cause& cause) {
+    // Who was never told of the instance is not told of its end; its own watchers knew it.
+    const bool only_own = nodes[handle.index].fresh;
+    const bool wanted = wants_farewell(handle, of, only_own);
+    if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;
+    Existence gone{.instance = handle,
+                   .instance_class = &of,
+                   .path = tree.path(handle),
+                   .cause = cause,
+                   .last_values = {}};
+    if (wanted)
+        for (const Property* property : tree.properties(handle))
+            gone.last_values.emplace_back(property, tree.peek(handle, *property));
+    queue_farewell(std::move(gone), only_own);
+}
+
+void Changes::queue_farewell(Existence gone, bool only_own) {
+    if (replaying) return;
+    const Handle handle = gone.instance;
+    const std::string path = gone.path;
+    const Cause cause = gone.cause;
+    std::vector<WatcherId> keep;
+    const std::vector<WatcherId> watching =
+        watchers.of_deletion(handle.index, *gone.instance_class, only_own);
+    std::vector<WatcherId> listening;
+    for (const Watcher* watcher :
+         watchers.of_event(handle.index, *gone.instance_class, *deleted_event, watchers.last_id()))
+        listening.push_back(watcher->id);
+    if (!watching.empty()) {
+        queue_item({.kind = QueueItem::Kind::deleted,
+                    .what = std::move(gone),
+                    .recipients = watching,
+                    .retire = true});
+        keep = watching;
+    }
+    if (!listening.empty()) {
+        Occurrence told{.instance = handle,
+                        .event = deleted_event,
+                        .record = {&deleted_event->fields, {Value(path), Value(cause.text())}},
+                        .step = author.step};
+        queue_item({.kind = QueueItem::Kind::event,
+                    .what = std::move(told),
+                    .recipients = listening,
+                    .retire = true});
+        keep.insert(keep.end(), listening.begin(), listening.end());
+    }
+    watchers.retire(handle.index, keep);
+}
+
+void Changes::compare_shadows() {
+    const bool everything = stepped;
+    if (!stepped && !edited) return;
+    stepped = edited = false;
+    if (shadows.empty()) return;
+    Motion motion;
+    motion.cause = everything
+                       ? Cause{.writer = Writer::simulation, .where = {}, .step = author.step}
+                       : last_edit;
+    motion.changes = shadows.compare(instances, everything ? author.step : 0);
+    if (motion.changes.empty()) return;
+    if (!everything)
+        for (const CellChange& change : motion.changes)
+            writes.note_in_full(change.instance, change.property->symbol, last_edit);
+    if (!queue.changes.empty()) join_queued(motion);
+    queue_item({.kind = QueueItem::Kind::motion, .what = std::move(motion)});
+}
+
+/// A cell that waits to be delivered already, because it was edited, is delivered once.
+void Changes::join_queued(Motion& motion) {
+    std::erase_if(motion.changes, [&](const CellChange& change) {
+        const auto place = queue.changes.find({change.instance.index, change.property->symbol});
+        if (place == queue.changes.end()) return false;
+        QueueItem& item = queue.items[place->second];
+        Change& waiting = std::get<Change>(item.what);
+        if (waiting.instance != change.instance) return false;
+        waiting.new_value = change.new_value;
+        waiting.cause = motion.cause;
+        item.until = watchers.last_id();
+        return true;
+    });
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,25 @@
+#include "errors.h"
+
+#include <fettle/property/exception_text.h>
+
+namespace fettle::property {
+
+void HandlerErrors::report(std::exception_ptr& kept, const std::function<std::string()>& path,
+                           const std::string& where) const {
+    try {
+        if (!sink || lifetime.ending) throw;
+        tell({.path = path(),
+              .where = where,
+              .message = exception_text(),
+              .exception = std::current_exception()});
+    } catch (...) {
+        if (!kept) kept = std::current_exception();
+    }
+}
+
+void HandlerErrors::tell(const HandlerError& error) const {
+    // It may put another in its place.
+    if (const auto now = sink) now(error);
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,25 @@
+#include "growth.h"
+
+#include <utility>
+
+#include <fettle/property/exception_text.h>
+
+namespace fettle::property {
+
+void Growth::pass_mark() {
+    mark = INT64_MAX;
+    // It may set another.
+    const Pin pin(lifetime, "the function given to mark_weight");
+    const auto passed = std::exchange(mark_passed, {});
+    if (!passed || lifetime.ending) return;
+    try {
+        passed();
+    } catch (...) {  // what grows is in the middle of a change
+        errors.tell({.path = "mark_weight",
+                     .where = {},
+                     .message = exception_text(),
+                     .exception = std::current_exception()});
+    }
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,100 @@
+// What is wrong with a formula, to whom it is told, and how a value came about.
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/formula_problems.h>
+
+#include "formulas.h"
+
+namespace fettle::property {
+namespace {
+
+/// What two texts of an error have in common that differ in their numbers only: a formula may name
+/// the value it got, which is another one in each step.
+std::string without_numbers(std::string_view text) {
+    std::string rest;
+    for (const char c : text)
+        if (std::string_view("0123456789.+-e").find(c) == std::string_view::npos) rest += c;
+    return rest;
+}
+
+}  // namespace
+
+/// Whether it is in error only because it reads a formula that is.
+bool Formulas::fails_by_another(const Entry& e) const {
+    return std::any_of(e.dependencies.begin(), e.dependencies.end(), [&](const Dependency& d) {
+        const Entry* source = d.formula ? entry(d.cell) : nullptr;
+        return source != nullptr && source != &e && !source->error.empty() &&
+               e.error.find(source->error) != std::string::npos;
+    });
+}
+
+void Formulas::tell_problems() {
+    if (!std::exchange(problems_changed_, false)) return;
+    std::vector<FormulaProblem> news;
+    std::unordered_set<std::string> circles;
+    for (const std::shared_ptr<Entry>& e : order_) {
+        if (e->removed) continue;
+        if (e->error.empty()) {
+            told_.erase(e->cell);
+            continue;
+        }
+        std::string problem = without_numbers(e->error);
+        if (std::exchange(told_[e->cell], problem) == problem) continue;
+        if (e->cycle.empty() ? fails_by_another(*e) : !circles.insert(e->error).second) continue;
+        news.push_back({e->instance, tree_.path(e->instance, *e->property), e->error});
+    }
+    for (const FormulaProblem& problem : news)
+        if (const auto sink = problem_sink; sink && !changes_.lifetime.ending) sink(problem);
+}
+
+void Formulas::problem_told(Cell cell) {
+    if (const Entry* e = entry(cell); e != nullptr && !e->error.empty())
+        told_[cell] = without_numbers(e->error);
+}
+
+std::string Formulas::problem(Cell cell) {
+    const auto found = entries_.find(cell);
+    if (found == entries_.end()) return {};
+    const std::shared_ptr<Entry> e = found->second;
+    try {
+        settle(cell);
+    } catch (const Error& error) {
+        return e->error.empty() ? error.what() : e->error;
+    }
+    return {};
+}
+
+Explanation Formulas::why(Handle instance, const Property& property, std::vector<Cell>& seen,
+                          int levels) {
+    Explanation out;
+    out.path = tree_.path(instance, property);
+    const Cell cell{instance.index, property.symbol};
+    out.problem = problem(cell);
+    const std::string unit = property.unit.empty() ? "" : " " + property.unit;
+    out.value = tree_.text(tree_.peek(instance, property), property.precision()) + unit;
+    const Entry* e = entry(cell);
+    if (e == nullptr) return out;
+    out.source = e->formula.source.empty() ? "a function" : e->formula.source;
+    if (std::find(seen.begin(), seen.end(), cell) != seen.end()) {
+        out.repeated = true;
+        return out;
+    }
+    seen.push_back(cell);
+    if (levels == 0) {
+        Explanation& rest = out.from.emplace_back();
+        rest.path = "…";
+        rest.value = "what is below is left out";
+        return out;
+    }
+    const std::vector<Dependency> dependencies = e->dependencies;
+    for (const Dependency& d : dependencies)
+        if (d.property != nullptr && tree_.alive(d.instance))
+            out.from.push_back(why(d.instance, *d.property, seen, levels - 1));
+    return out;
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,19 @@
+#include "lifetime.h"
+
+#include <string>
+
+namespace fettle::property {
+
+void Lifetime::require_unpinned() const {
+    if (pinned != nullptr)
+        throw Error(ErrorKind::bad_structure,
+                    std::string("the tree is destroyed by ") + pinned +
+                        " that it is calling, which must not do so (see \"Lifetimes\" in tree.h)");
+}
+
+void Use::finish() const {
+    if (lifetime_.ending)
+        throw Error(ErrorKind::deleted, "the tree was destroyed by what it was calling");
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,300 @@
+#include "history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fettle::property {
+namespace {
+
+std::string short_text(std::string text) {
+    if (text.size() > 48) text = text.substr(0, 45) + "...";
+    return text;
+}
+
+}  // namespace
+
+// --- Recording
+// -------------------------------------------------------------------------------------------------------
+
+void History::note_recording() {
+    Changes& changes = structure_.changes;
+    changes.writes.bar(WritesLog::Bar::recorded, recording(changes.author.writer));
+}
+
+void History::begin(std::string name, bool scripts) {
+    scripts_.push_back(scripts);
+    script_edits_ += scripts;
+    note_recording();
+    if (depth_++ > 0) return;
+    open_ = {};
+    open_bytes_ = 0;
+    written_.clear();
+    references_.clear();
+    has_references_ = false;
+    wants_references_ = true;
+    open_.name = std::move(name);
+    open_.cause = tree_.cause();
+}
+
+void History::end() {
+    if (depth_ == 0) return;
+    script_edits_ -= scripts_.back();
+    scripts_.pop_back();
+    note_recording();
+    if (--depth_ > 0) return;
+    references_.clear();
+    wants_references_ = false;
+    close();
+}
+
+void History::close() {
+    if (open_.steps.empty() && !open_.too_large) return;
+    clear(lists_.undone);
+    put(lists_.done, std::exchange(open_, {}));
+    trim();
+}
+
+void History::put(Transactions& list, Transaction transaction) {
+    if (transaction.bytes() > most_of_one()) make_void(transaction);
+    list.push(std::move(transaction));
+    if (bytes_) *bytes_ += list.top_bytes();
+    bytes_ever_ += list.top_bytes();
+    ++version_;
+}
+
+Transaction History::take(Transactions& list) {
+    Transaction taken = list.top();
+    if (bytes_) *bytes_ -= list.top_bytes();
+    list.pop();
+    ++version_;
+    return taken;
+}
+
+/// It stays in the list by its name.
+void History::make_void(Transaction& transaction) {
+    forget(transaction);
+    transaction.steps = {};
+    transaction.too_large = true;
+}
+
+void History::add(EditStep step, const std::string& name) {
+    const bool single = depth_ == 0;
+    if (single) begin(name, false);
+    open_bytes_ += bytes_of(step);  // no part of the tree's weight: the list has its own limit
+    if (const auto* edit = std::get_if<CellEdit>(&step))
+        written_[{edit->instance.index, edit->property}] = open_.steps.size();
+    else
+        written_.clear();
+    open_.steps.push_back(std::move(step));
+    if (open_.too_large || open_bytes_ > most_of_one()) {
+        make_void(open_);
+        written_.clear();
+    }
+    if (single) end();
+}
+
+CellState History::capture(Handle instance, const Property& property) const {
+    CellState state;
+    state.present = true;
+    state.overridden = tree_.overridden(instance, property);
+    state.value = tree_.peek(instance, property);
+    if (const Formula* formula = tree_.formula(instance, property)) state.formula = *formula;
+    return state;
+}
+
+/// Of an ad-hoc property that is not there: one that is not present.
+CellState History::capture(Handle instance, Symbol name) const {
+    const Property* property = tree_.find(instance, name);
+    return property == nullptr ? CellState{} : capture(instance, *property);
+}
+
+void History::edited(Handle instance, const Property& property, CellState before) {
+    if (observer_ != nullptr) observer_->edited(instance, property, before);
+    references_.erase({instance.index, property.symbol});
+    CellState after = capture(instance, property.symbol);
+    // A drag is many edits of one cell: only its ends are kept.
+    const Cell cell{instance.index, property.symbol};
+    if (const auto step = written_.find(cell); depth_ > 0 && step != written_.end()) {
+        auto& edit = std::get<CellEdit>(open_.steps[step->second]);
+        if (edit.instance == instance) {
+            edit.after = std::move(after);
+            return;
+        }
+    }
+    const std::string name = tree_.path(instance, property) + ": " +
+                             short_text(tree_.text(before.value, property.precision())) + " → " +
+                             short_text(tree_.text(after.value, property.precision()));
+    add(CellEdit{instance, property.symbol, std::move(before), std::move(after)}, name);
+}
+
+void History::moved(Handle instance, const Position& before) {
+    if (observer_ != nullptr) observer_->moved(instance, before.parent, before.name.text());
+    add(MoveEdit{instance, before, nodes_.position(instance.index)},
+        "move " + tree_.path(instance));
+}
+
+void History::born(Handle instance) {
+    if (observer_ != nullptr) observer_->born(instance);
+    ExistenceEdit existence;
+    existence.top = instance;
+    existence.birth = true;
+    add(std::move(existence), "create " + tree_.path(instance));
+}
+
+void History::dying(Handle instance) {
+    if (observer_ != nullptr) observer_->dying(instance);
+    note_references();
+    ExistenceEdit existence;
+    existence.top = instance;
+    existence.buried = buried_below(instance);
+    for (const Buried& buried : existence.buried) {
+        const Node& node = nodes_[buried.handle.index];
+        if (node.watched) ++existence.lost_watchers;
+    }
+    const bool single = depth_ == 0;
+    add(std::move(existence), "delete " + tree_.path(instance));
+    instances_.keep_slots =
+        single ? !lists_.done.empty() && !lists_.done.top().too_large : !open_.too_large;
+}
+
+/// What is as in an instance just made is left out: of most, that is nearly all.
+std::vector<Buried> History::buried_below(Handle top) const {
+    std::vector<Buried> all;
+    tree_.each_below(top, [&](Handle handle) {
+        Buried buried;
+        buried.handle = handle;
+        buried.of = &tree_.class_of(handle);
+        buried.position = nodes_.position(handle.index);
+        for (const Property* property : tree_.properties(handle)) {
+            if (property->read_only || property->binding.kind == BindingKind::node) continue;
+            CellState state = before_deletion(handle, *property);
+            if (state.overridden || state.formula)
+                buried.cells.emplace_back(property->symbol, std::move(state));
+        }
+        all.push_back(std::move(buried));
+    });
+    return all;
+}
+
+/// Looked up once an edit, however many it deletes.
+void History::note_references() {
+    if (!wants_references_ || has_references_) return;
+    has_references_ = true;
+    std::vector<std::vector<const Property*>> of_class(instances_.classes.size());
+    for (std::uint32_t id = 0; id < instances_.classes.size(); ++id)
+        for (const Property* property : instances_.classes[id].properties())
+            if (property->type == Type::reference && !property->read_only &&
+                property->binding.kind != BindingKind::node)
+                of_class[id].push_back(property);
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        if (!nodes_[i].alive()) continue;
+        for (const Property* property : of_class[nodes_[i].class_id]) try {
+                const Value value = instances_.read(i, nodes_[i], *property);
+                if (value.is(Type::reference) && value.reference())
+                    references_[{i, property->symbol}] = value.reference();
+            } catch (...) {
+                // It is not what is deleted, and nobody has asked.
+            }
+    }
+}
+
+/// The cell of who is about to be deleted: it refers to whom it did before they were.
+CellState History::before_deletion(Handle instance, const Property& property) const {
+    for (const Unresolved& each : unresolved_)
+        if (each.instance == instance && each.property == property.symbol && may_resolve(each))
+            return each.state;
+    CellState state = capture(instance, property);
+    if (property.type != Type::reference || state.formula || references_.empty()) return state;
+    const auto known = references_.find({instance.index, property.symbol});
+    if (known == references_.end() || tree_.alive(known->second)) return state;
+    if (state.value.is(Type::reference) && state.value.reference()) return state;
+    state.value = known->second;
+    state.overridden = true;
+    return state;
+}
+
+// --- Forgetting
+// ------------------------------------------------------------------------------------------------------
+
+void History::forget(const Transaction& transaction) {
+    for (const EditStep& step : transaction.steps)
+        if (const auto* existence = std::get_if<ExistenceEdit>(&step))
+            for (const Buried& buried : existence->buried)
+                if (!tree_.alive(buried.handle)) nodes_.free_kept(buried.handle);
+}
+
+std::size_t History::bytes() const {
+    if (!bytes_) bytes_ = lists_.done.bytes() + lists_.undone.bytes();
+    return *bytes_;
+}
+
+/// By a quarter more than has to be, so that it is not every edit that looks for the last.
+void History::trim() {
+    if (bytes() <= limit_) return;
+    const std::size_t most = most_of_one();
+    const auto forgotten = [this](const Transaction& transaction) { forget(transaction); };
+    lists_.undone.trim(most, forgotten);
+    lists_.done.trim(most - lists_.undone.bytes(), forgotten);
+    bytes_.reset();
+    ++version_;
+}
+
+void History::set_limit(std::size_t bytes) {
+    limit_ = bytes;
+    trim();
+}
+
+void History::clear(Transactions& list) {
+    if (list.empty()) return;
+    list.each([this](const Transaction& transaction) { forget(transaction); });
+    list = {};
+    bytes_.reset();
+    ++version_;
+}
+
+Memory History::image() const {
+    return std::make_shared<const Lists>(lists_);
+}
+
+// The slots of the dead that may come back are kept in the nodes' own image.
+void History::restore(const Memory& image) {
+    unresolved_.clear();
+    lists_ = image == nullptr ? Lists{} : *static_cast<const Lists*>(image.get());
+    bytes_.reset();
+    // An edit that is under way goes on from here.
+    open_.steps.clear();
+    open_.too_large = false;
+    open_bytes_ = 0;
+    written_.clear();
+    ++version_;
+}
+
+void History::free_unclaimed() {
+    Nodes& nodes = nodes_;
+    if (!nodes.keeps_any()) return;
+    std::vector<bool> claimed(nodes.end());
+    const auto claim = [&](const Transaction& transaction) {
+        for (const EditStep& step : transaction.steps)
+            if (const auto* existence = std::get_if<ExistenceEdit>(&step))
+                for (const Buried& buried : existence->buried)
+                    if (nodes.keeps(buried.handle)) claimed[buried.handle.index] = true;
+    };
+    lists_.done.each(claim);
+    lists_.undone.each(claim);
+    nodes.free_kept_but([&](std::uint32_t index) { return claimed[index]; });
+}
+
+std::vector<HistoryEntry> History::entries() const {
+    std::vector<HistoryEntry> all;
+    const auto list = [&all](const Transactions& of, bool undone) {
+        of.each([&](const Transaction& t) {
+            all.push_back({t.name, t.cause, t.steps.size(), undone, t.too_large});
+        });
+    };
+    list(lists_.undone, true);
+    std::reverse(all.begin(), all.end());  // what was undone first was done last
+    list(lists_.done, false);
+    return all;
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,280 @@
+// Undoing what people edited, and doing it again. What cannot be as it was is told in notes, and
+// the rest of the step is undone all the same.
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+
+#include "history.h"
+
+namespace fettle::property {
+
+UndoResult History::undo() {
+    if (edit_is_open())
+        throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
+    return carry_over(lists_.done, lists_.undone, true);
+}
+
+UndoResult History::redo() {
+    if (edit_is_open())
+        throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
+    return carry_over(lists_.undone, lists_.done, false);
+}
+
+/// Undoes, or does again, the latest of `from`.
+UndoResult History::carry_over(Transactions& from, Transactions& to, bool back) {
+    if (from.empty()) return {};
+    Transaction transaction = take(from);
+    UndoResult result = run(transaction, back);
+    put(to, std::move(transaction));
+    trim();
+    return result;
+}
+
+History::References::References(History& history, bool wanted)
+    : history_(history), before_(std::exchange(history.wants_references_, wanted)) {
+    history_.references_.clear();
+    history_.has_references_ = false;
+}
+
+History::References::~References() {
+    history_.references_.clear();
+    history_.has_references_ = false;
+    history_.wants_references_ = before_;
+}
+
+UndoResult History::run(Transaction& transaction, bool back) {
+    UndoResult result{.done = true, .name = transaction.name, .notes = {}};
+    if (transaction.too_large)
+        result.notes.emplace_back("it took more memory than the history may: nothing was changed");
+    const Tree::CauseScope scope(tree_, Writer::undo);
+    struct Applying {
+        bool& flag;
+        explicit Applying(bool& f) : flag(f) { flag = true; }
+        ~Applying() { flag = false; }
+    } applying(applying_);
+    // Who dies after one that it refers to has forgotten that by then.
+    const References references(*this, transaction.steps.size() > 1);
+    const auto one = [&](EditStep& step) {
+        try {
+            std::visit([&](auto& what) { apply(what, back, result); }, step);
+        } catch (...) {  // the rest is undone all the same
+            instances_.keep_slots = false;
+            result.notes.push_back(exception_text());
+        }
+    };
+    if (back)
+        for (auto step = transaction.steps.rbegin(); step != transaction.steps.rend(); ++step)
+            one(*step);
+    else
+        for (EditStep& step : transaction.steps) one(step);
+    resolve(result);
+    return result;
+}
+
+/// Cells whose references lead somewhere again. The others hold until then what they can.
+void History::resolve(UndoResult& result) {
+    for (Unresolved& each : std::exchange(unresolved_, {})) {
+        if (!may_resolve(each)) continue;
+        const bool resolved = !names_deleted(tree_, each.state.value);
+        if (resolved || !each.meanwhile) {
+            const CellState found = capture(each.instance, each.property);
+            write_cell(each.instance, each.property, each.state, result);
+            const Property* property = tree_.find(each.instance, each.property);
+            if (observer_ != nullptr && property != nullptr)
+                observer_->edited(each.instance, *property, found);
+            each.meanwhile = capture(each.instance, each.property);
+        }
+        if (!resolved) unresolved_.push_back(std::move(each));
+    }
+}
+
+bool History::may_resolve(const Unresolved& cell) const {
+    if (!tree_.alive(cell.instance)) return false;
+    if (!cell.meanwhile) return true;
+    const CellState now = capture(cell.instance, cell.property);
+    return now.present == cell.meanwhile->present && now.overridden == cell.meanwhile->overridden &&
+           now.formula.has_value() == cell.meanwhile->formula.has_value() &&
+           now.value == cell.meanwhile->value;
+}
+
+void History::set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
+    references_.erase({instance.index, name});
+    std::erase_if(unresolved_, [&](const Unresolved& each) {
+        return each.instance == instance && each.property == name;
+    });
+    if (names_deleted(tree_, state.value))
+        unresolved_.push_back({instance, name, state});  // the same step may bring that back
+    else
+        write_cell(instance, name, state, result);
+}
+
+void History::write_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result) {
+    try {
+        const Property* property = tree_.find(instance, name);
+        if (!state.present) {
+            if (property != nullptr) tree_.remove_ad_hoc(instance, name.text());
+            return;
+        }
+        if (property == nullptr) {
+            tree_.set_or_add(instance, name.text(),
+                             state.value.is_nil() ? Value(false) : state.value);
+            property = tree_.find(instance, name);
+        }
+        if (property == nullptr) return;
+        // A formula that is in error leaves the default where it was, and is to go all the same.
+        const bool stands =
+            tree_.overridden(instance, *property) || tree_.formula(instance, *property) != nullptr;
+        if (!state.overridden && stands)
+            tree_.reset(instance, *property);
+        else if (state.overridden && !(state.formula && state.value.is_nil()))
+            tree_.set(instance, *property, state.value);
+        if (state.formula) tree_.set_formula(instance, *property, *state.formula);
+    } catch (...) {
+        result.notes.push_back(exception_text());
+    }
+}
+
+void History::apply(CellEdit& edit, bool back, UndoResult& result) {
+    if (!tree_.alive(edit.instance)) {
+        result.notes.push_back("an edit of \"" + edit.property.text() +
+                               "\" is void: its instance was deleted since");
+        return;
+    }
+    const CellState found = capture(edit.instance, edit.property);
+    const Property* property = tree_.find(edit.instance, edit.property);
+    set_cell(edit.instance, edit.property, back ? edit.before : edit.after, result);
+    if (property == nullptr) property = tree_.find(edit.instance, edit.property);
+    if (observer_ != nullptr && property != nullptr)
+        observer_->edited(edit.instance, *property, found);
+}
+
+void History::apply(MoveEdit& move, bool back, UndoResult& result) {
+    if (!tree_.alive(move.instance)) {
+        result.notes.emplace_back("a move is void: its instance was deleted since");
+        return;
+    }
+    const Position found = nodes_.position(move.instance.index);
+    place(move.instance, back ? move.before : move.after, result);
+    if (observer_ != nullptr) observer_->moved(move.instance, found.parent, found.name.text());
+}
+
+void History::apply(ExistenceEdit& existence, bool back, UndoResult& result) {
+    if (existence.birth == back)
+        bury(existence, result);
+    else
+        revive(existence, result);
+}
+
+void History::bury(ExistenceEdit& existence, UndoResult& result) {
+    if (!tree_.alive(existence.top)) {
+        result.notes.emplace_back("an instance to be deleted is gone already");
+        return;
+    }
+    if (observer_ != nullptr) observer_->dying(existence.top);
+    note_references();
+    existence.buried = buried_below(existence.top);
+    existence.lost_watchers = 0;
+    for (const Buried& buried : existence.buried)
+        if (nodes_[buried.handle.index].watched) ++existence.lost_watchers;
+    instances_.keep_slots = true;
+    tree_.destroy(existence.top);
+    instances_.keep_slots = false;
+}
+
+bool History::hangs_too_deep(const ExistenceEdit& existence) const {
+    const Nodes& nodes = nodes_;
+    std::unordered_map<std::uint32_t, std::size_t> depths;  // parents come before their children
+    for (const Buried& buried : existence.buried) {
+        const std::uint32_t parent = buried.position.parent.index;
+        const auto above = depths.find(parent);
+        const std::size_t depth = above != depths.end() ? above->second : nodes.depth(parent);
+        if (depth + 1 > Nodes::deepest) return true;
+        depths[buried.handle.index] = depth + 1;
+    }
+    return false;
+}
+
+void History::revive(ExistenceEdit& existence, UndoResult& result) {
+    if (existence.buried.empty() || tree_.alive(existence.top)) {
+        result.notes.emplace_back("an instance cannot be brought back: nothing is known of it");
+        return;
+    }
+    if (!std::all_of(existence.buried.begin(), existence.buried.end(),
+                     [this](const Buried& buried) { return nodes_.keeps(buried.handle); })) {
+        result.notes.emplace_back("an instance cannot be brought back: its place was given away");
+        return;
+    }
+    if (const Handle parent = existence.buried.front().position.parent;
+        parent && !tree_.alive(parent)) {
+        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
+                               "\" cannot be brought back: what it hung under is gone");
+        return;
+    }
+    if (hangs_too_deep(existence)) {
+        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
+                               "\" cannot be brought back: what it hung under hangs deeper now");
+        return;
+    }
+    for (const Buried& buried : existence.buried) {
+        NodeName name = buried.position.name;
+        const std::uint32_t parent = buried.position.parent.index;
+        if (const std::uint32_t there = parent == 0 ? 0 : nodes_.child(parent, name); there != 0) {
+            // Below, it can only be what the parent made for itself just now; at the top, the
+            // game's own.
+            if (&buried != &existence.buried.front()) tree_.destroy(nodes_.handle(there));
+        }
+        if (parent != 0 && instances_.is_taken(parent, name))
+            name = structure_.free_name(parent, name.base.text());
+        try {
+            instances_.keep_slots = true;
+            structure_.make(*buried.of, parent, name, buried.position.named, buried.handle);
+            instances_.keep_slots = false;
+        } catch (...) {  // its module has no room: all of them stay dead
+            const std::string& top = existence.buried.front().position.name.text();
+            result.notes.push_back(
+                "\"" + top + "\" cannot be brought back: " +
+                (&buried == &existence.buried.front() ? "" : name.text() + ": ") +
+                exception_text());
+            if (tree_.alive(existence.top)) tree_.destroy(existence.top);
+            instances_.keep_slots = false;
+            return;
+        }
+    }
+    // Values when all are there, so that references find whom they mean.
+    for (const Buried& buried : existence.buried)
+        for (const auto& [symbol, state] : buried.cells)
+            set_cell(buried.handle, symbol, state, result);
+    place(existence.top, existence.buried.front().position, result);
+    if (observer_ != nullptr) observer_->born(existence.top);
+    // Whoever buries them next knows better what they are, and the slots to give back.
+    existence.buried.clear();
+    if (existence.lost_watchers > 0)
+        result.notes.push_back("watchers of " + tree_.path(existence.top) +
+                               " ended when it was deleted; they are not brought back");
+}
+
+void History::place(Handle instance, const Position& at, UndoResult& result) {
+    if (at.parent && !tree_.alive(at.parent)) {
+        result.notes.push_back(tree_.path(instance) + " stays: where it was is gone");
+        return;
+    }
+    try {
+        const bool taken = at.parent && instances_.is_taken(at.parent.index, at.name) &&
+                           nodes_.child(at.parent.index, at.name) != instance.index;
+        if (tree_.parent(instance) != at.parent)
+            tree_.move(instance, at.parent, taken ? std::string() : at.name.text());
+        else if (!taken)
+            tree_.rename(instance, at.name.text());
+        nodes_[instance.index].named = at.named;
+        if (at.parent) nodes_.reorder(instance.index, tree_.alive(at.before) ? at.before.index : 0);
+        structure_.changes.tell([&](Observer& o) { o.moved(instance); });
+    } catch (const Error& error) {
+        result.notes.emplace_back(error.what());
+    }
+}
+
+}  // namespace fettle::property

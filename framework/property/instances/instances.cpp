@@ -1,0 +1,36 @@
+#include "instances.h"
+
+namespace fettle::property {
+
+const Cell Reads::structure{0, Symbol("*")};
+
+void Instances::throw_deleted(Handle handle) const {
+    // Undo may bring it back: a formula that looks for it is asked again then.
+    reads.note_structure();
+    if (!handle) throw Error(ErrorKind::deleted, "no instance: the reference is empty");
+    if (const Tombstone* t = graves.find(handle))
+        throw Error(ErrorKind::deleted,
+                    t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
+                        (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
+                                                : t->cause.where));
+    throw Error(ErrorKind::deleted, "the instance was deleted");
+}
+
+void Instances::visit_below(std::uint32_t top,
+                            const std::function<void(std::uint32_t)>& visit) const {
+    // Without recursion: a chain of a million parents is no reason to run out of stack.
+    std::uint32_t index = top;
+    while (index != 0) {
+        const std::uint32_t here = index;
+        visit(here);
+        if (nodes[here].first_child != 0) {
+            index = nodes[here].first_child;
+            continue;
+        }
+        while (index != top && nodes[index].next == 0) index = nodes[index].parent;
+        if (index == top) return;
+        index = nodes[index].next;
+    }
+}
+
+}  // namespace fettle::property

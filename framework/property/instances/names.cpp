@@ -1,0 +1,61 @@
+// Names that instances can have.
+
+#include <fettle/property/error.h>
+
+#include "instances.h"
+
+namespace fettle::property {
+namespace {
+
+constexpr std::size_t longest_name = 1000;  // bytes
+
+}  // namespace
+
+void Instances::check_length(std::string_view name) {
+    if (name.size() <= longest_name) return;
+    throw Error(ErrorKind::bad_name, "the name \"" + std::string(name.substr(0, 40)) +
+                                         "...\" has " + std::to_string(name.size()) +
+                                         " bytes, and a name has at most " +
+                                         std::to_string(longest_name));
+}
+
+void Instances::check_child_name(Handle parent, std::string_view name) const {
+    check_length(name);
+    const std::string quoted = "\"" + std::string(name) + "\"";
+    if (name.empty()) throw Error(ErrorKind::bad_name, "the name of an instance cannot be empty");
+    if (name.find('\0') != std::string_view::npos)
+        throw Error(ErrorKind::bad_name, (parent ? tree.path(parent) + ": " : std::string()) +
+                                             "the name " + quoted + " holds a zero byte");
+    if (!parent) return;
+    if (parent == root && name == "game")
+        throw Error(ErrorKind::bad_name, "\"game\" is the root itself, not a child of it");
+    const Class& above = tree.class_of(parent);
+    if (above.property(name) != nullptr)
+        throw Error(ErrorKind::bad_name, tree.path(parent) + ": a child cannot be called " +
+                                             quoted + ", which is a property of " + above.name());
+    if (above.method(name) != nullptr)
+        throw Error(ErrorKind::bad_name, tree.path(parent) + ": a child cannot be called " +
+                                             quoted + ", which is a method of " + above.name());
+    if (tree.child(parent, name))
+        throw Error(ErrorKind::bad_name, tree.path(parent) + " has a child " + quoted + " already");
+    if (tree.find(parent, name) != nullptr)
+        throw Error(ErrorKind::bad_name,
+                    tree.path(parent) + ": " + quoted + " is a property there; remove it first");
+}
+
+bool Instances::is_taken(std::uint32_t parent, const NodeName& name) const {
+    if (nodes.child(parent, name) != 0) return true;
+    const Symbol symbol = Symbol::find(name.text());
+    if (!symbol) return false;  // no property and no method is called so
+    return tree.find(nodes.handle(parent), symbol) != nullptr ||
+           classes[nodes[parent].class_id].method(symbol) != nullptr;
+}
+
+NodeName Instances::plain_name(std::uint32_t parent, std::string_view stem) const {
+    NodeName name{Symbol(stem), 0};
+    if (!is_taken(parent, name)) return name;
+    for (name.number = 2; is_taken(parent, name);) ++name.number;
+    return name;
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,168 @@
+#include "transition.h"
+
+#include <algorithm>
+
+#include <tree/state.h>
+
+namespace fettle::property {
+
+Transition::Transition(Tree::State& state)
+    : instances_(state.instances),
+      changes_(state.changes),
+      restored_(*state.restored_event),
+      left_(state.changes.author.step) {
+    // A formula that was to settle tells its value as it would have.
+    lived_.reserve(instances_.nodes.alive());
+    for (std::uint32_t i = 1; i < instances_.nodes.end(); ++i)
+        if (instances_.nodes[i].alive()) note(i);
+}
+
+void Transition::note(std::uint32_t index) {
+    const Node& node = instances_.nodes[index];
+    const Handle self = instances_.nodes.handle(index);
+    const Class& of = instances_.classes[node.class_id];
+    lived_.push_back({self, &of, node.name, node.fresh != 0});
+    const bool broad = changes_.watchers.any_broad();
+    if (!node.watched && !broad && !changes_.watchers.any_deleted()) return;
+    for (const Property* property : instances_.tree.properties(self))
+        if (watched(self, node, *property))
+            known_.push_back({self, property, instances_.read(index, node, *property)});
+    const bool told =
+        changes_.wants_farewell(self, of, node.fresh) ||
+        !changes_.watchers.of_event(self, *changes_.deleted_event, changes_.watchers.last_id())
+             .empty();
+    if (!told && !node.watched) return;
+    Existence gone{.instance = self,
+                   .instance_class = &of,
+                   .path = instances_.tree.path(self),
+                   .cause = {},
+                   .last_values = {}};
+    if (told)
+        for (const Property* property : instances_.tree.properties(self))
+            gone.last_values.emplace_back(property, instances_.read(index, node, *property));
+    farewells_.push_back(std::move(gone));
+}
+
+bool Transition::watched(Handle self, const Node& node, const Property& property) const {
+    return (node.watched && changes_.watchers.directly_watched({self.index, property.symbol})) ||
+           (changes_.watchers.any_broad() && changes_.watchers.broadly_watched(self, property));
+}
+
+void Transition::finish() {
+    const Tree::CauseScope scope(instances_.tree, Writer::restore);
+    if (changes_.author.step < left_) changes_.writes.went_back(changes_.author.step);
+    for (const std::uint32_t index : changes_.queue.fresh) instances_.nodes[index].fresh = false;
+    changes_.queue.fresh.clear();
+    drop_queued();
+    end_instances();
+    watch_again();
+    tell_created();
+    tell_changed();
+    if (restored_.listeners != 0)
+        instances_.tree.emit(instances_.root, restored_,
+                             {Value(static_cast<std::int64_t>(changes_.author.step)),
+                              Value(static_cast<std::int64_t>(left_))});
+    changes_.tell([](Observer& o) { o.restored(); });
+}
+
+// What was to be told of a time that is left is no longer true; an end that somebody waits for is.
+void Transition::drop_queued() {
+    std::erase_if(changes_.queue.items, [](const QueueItem& item) {
+        return !item.retire && item.kind != QueueItem::Kind::initial;
+    });
+    for (QueueItem& item : changes_.queue.items) item.trigger = -1;
+    changes_.queue.changes.clear();
+    changes_.queue.untold.clear();
+}
+
+void Transition::end_instances() {
+    const Cause cause = instances_.tree.cause();
+    for (Existence& gone : farewells_) {
+        if (instances_.nodes.find(gone.instance) != nullptr) continue;
+        const auto lived = std::lower_bound(
+            lived_.begin(), lived_.end(), gone.instance.index,
+            [](const Lived& l, std::uint32_t index) { return l.instance.index < index; });
+        instances_.graves.add({gone.instance, lived->of, lived->name.text(), gone.path, cause});
+        gone.cause = cause;
+        changes_.queue_farewell(std::move(gone), lived->fresh);
+    }
+    // Whoever has no farewell is remembered without a path.
+    std::size_t latest = 0;
+    for (const Lived& lived : lived_) {
+        if (instances_.nodes.find(lived.instance) != nullptr || ++latest > 1024) continue;
+        const auto told =
+            std::any_of(farewells_.begin(), farewells_.end(),
+                        [&](const Existence& gone) { return gone.instance == lived.instance; });
+        if (!told)
+            instances_.graves.add(
+                {lived.instance, lived.of, lived.name.text(), "the " + lived.of->name(), cause});
+    }
+}
+
+void Transition::watch_again() {
+    for (const std::uint32_t index : changes_.watchers.watched_slots())
+        instances_.nodes[index].watched = true;
+    changes_.shadows.clear();
+    if (changes_.watchers.any_broad()) {
+        for (std::uint32_t i = 1; i < instances_.nodes.end(); ++i)
+            if (instances_.nodes[i].alive())
+                changes_.shadows.refresh(instances_.tree, changes_.watchers,
+                                         instances_.nodes.handle(i));
+    } else {
+        for (const std::uint32_t index : changes_.watchers.watched_slots())
+            changes_.shadows.refresh(instances_.tree, changes_.watchers,
+                                     instances_.nodes.handle(index));
+    }
+}
+
+void Transition::tell_created() {
+    if (!changes_.watchers.any_created()) return;
+    std::size_t next = 0;
+    for (std::uint32_t i = 1; i < instances_.nodes.end(); ++i) {
+        if (!instances_.nodes[i].alive()) continue;
+        const Handle self = instances_.nodes.handle(i);
+        while (next < lived_.size() && lived_[next].instance.index < i) ++next;
+        if (next < lived_.size() && lived_[next].instance == self) continue;
+        changes_.queue_creation(self, instances_.class_of(instances_.nodes[i]));
+    }
+}
+
+/// Noted in the order of the slots.
+std::span<const Transition::Known> Transition::known_of(Handle instance) const {
+    const auto first = std::partition_point(known_.begin(), known_.end(), [&](const Known& known) {
+        return known.instance.index < instance.index;
+    });
+    const auto last = std::partition_point(first, known_.end(), [&](const Known& known) {
+        return known.instance.index == instance.index;
+    });
+    return {first, last};
+}
+
+void Transition::tell_changed() {
+    const Cause cause = instances_.tree.cause();
+    for (const Known& known : known_) {
+        const Node* node = instances_.nodes.find(known.instance);
+        if (node == nullptr) continue;
+        const Property* property = instances_.tree.find(known.instance, known.property->symbol);
+        const Value now =
+            property == nullptr ? Value() : instances_.read(known.instance.index, *node, *property);
+        if (!(now == known.value))
+            changes_.queue_change(known.instance, *known.property, known.value, now, cause);
+    }
+    // Properties that somebody had removed since: nothing of them was known.
+    for (const Lived& lived : lived_) {
+        const Node* node = instances_.nodes.find(lived.instance);
+        if (node == nullptr || !node->has_ad_hoc) continue;
+        const std::span<const Known> of_it = known_of(lived.instance);
+        for (const Property* property : instances_.tree.ad_hoc(lived.instance)) {
+            const bool told = std::any_of(of_it.begin(), of_it.end(), [&](const Known& known) {
+                return known.property == property;
+            });
+            if (told || !watched(lived.instance, *node, *property)) continue;
+            changes_.queue_change(lived.instance, *property, Value(),
+                                  instances_.read(lived.instance.index, *node, *property), cause);
+        }
+    }
+}
+
+}  // namespace fettle::property

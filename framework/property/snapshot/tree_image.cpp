@@ -1,0 +1,395 @@
+#include "tree_image.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+#include <fettle/property/snapshot_remarks.h>
+
+#include <tree/state.h>
+
+#include "restored_values.h"
+
+namespace fettle::property {
+namespace {
+
+bool is_native(const Property& property) {
+    return property.binding.kind == BindingKind::column ||
+           property.binding.kind == BindingKind::accessor;
+}
+
+std::vector<const Property*> saved_by_value(const Class& of) {
+    std::vector<const Property*> all;
+    for (const Property* property : of.properties())
+        if (is_native(*property) && !property->read_only && !property->transient &&
+            property->owner->snapshots() == Snapshots::by_value)
+            all.push_back(property);
+    return all;
+}
+
+/// What a game that has changed its classes is told of a save that is whole.
+[[noreturn]] void refuse_changed(const std::string& what) {
+    throw Error(ErrorKind::rejected,
+                "the classes of the game have changed since the snapshot was taken: " + what);
+}
+
+}  // namespace
+
+bool belongs_to_the_present(const Class& of, const Property& property) {
+    if (of.snapshots() == Snapshots::never) return property.binding.kind != BindingKind::ad_hoc;
+    return is_native(property) && property.transient &&
+           property.owner->snapshots() == Snapshots::by_value;
+}
+
+// --- Saving
+// -----------------------------------------------------------------------------------------------------------
+
+std::size_t TreeMemory::bytes() const {
+    std::size_t sum = sizeof *this;
+    for (const Formulas::Image& image : formulas)
+        sum += sizeof image + bytes_of(image.formula) - image.formula.holds;  // which is the game's
+    return sum;
+}
+
+std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, ByteWriter& to) {
+    const Instances& s = state.instances;
+    to.put(state.changes.author.step);
+    to.put(s.root);
+    to.put(std::uint64_t{s.classes.size()});
+    for (std::uint32_t i = 0; i < s.classes.size(); ++i) to.put(s.classes[i].name());
+    s.nodes.save(to);
+
+    std::vector<std::uint32_t> stored;
+    for (std::uint32_t i = 0; i < s.classes.size(); ++i)
+        if (s.stored[i] != nullptr && s.classes[i].snapshots() != Snapshots::never)
+            stored.push_back(i);
+    to.put(std::uint64_t{stored.size()});
+    for (const std::uint32_t i : stored) {
+        to.put(i);
+        const std::size_t block = to.begin_block();
+        s.stored[i]->save(to);
+        to.end_block(block);
+    }
+
+    std::vector<std::uint32_t> owners;
+    for (const auto& [index, own] : s.ad_hoc.of_instance) owners.push_back(index);
+    std::sort(owners.begin(), owners.end());
+    std::size_t count = 0;
+    for (const std::uint32_t index : owners) count += s.ad_hoc.of_instance.at(index).size();
+    to.put(std::uint64_t{count});
+    for (const std::uint32_t index : owners)
+        for (const auto& [name, own] : s.ad_hoc.of_instance.at(index)) {
+            to.put(index);
+            to.put(name);
+            to.put(own.second);
+        }
+
+    std::vector<std::vector<const Property*>> by_class(s.classes.size());
+    for (std::uint32_t i = 0; i < s.classes.size(); ++i) by_class[i] = saved_by_value(s.classes[i]);
+    const std::size_t values = to.begin_block();
+    for (std::uint32_t i = 1; i < s.nodes.end(); ++i) {
+        const Node& node = s.nodes[i];
+        if (!node.alive() || by_class[node.class_id].empty()) continue;
+        to.put(s.nodes.handle(i));
+        to.put(std::uint64_t{by_class[node.class_id].size()});
+        for (const Property* property : by_class[node.class_id]) {
+            to.put(property->name);
+            to.put(s.read(i, node, *property));
+        }
+    }
+    to.end_block(values);
+
+    auto memory = std::make_shared<TreeMemory>();
+    memory->history = state.history.image();
+    memory->formulas = state.formulas.images();
+    to.put(std::uint64_t{memory->formulas.size()});
+    for (const Formulas::Image& image : memory->formulas) {
+        to.put(image.instance);
+        to.put(image.property.text());
+        to.put(image.formula.not_saved.empty() ? image.formula.source : std::string());
+    }
+    for (std::uint32_t i = 0; i < s.classes.size(); ++i) to.put(maker_of(s.classes[i]).name());
+    return memory;
+}
+
+/// Of a class, the nearest up the chain whose module makes the rows.
+const Class& TreeImage::maker_of(const Class& of) {
+    const Class* maker = &of;
+    while (maker->base_ != nullptr && maker->lifecycle_ == maker->base_->lifecycle_)
+        maker = maker->base_;
+    return *maker;
+}
+
+std::vector<std::string> unsaved_formulas(const Tree& tree) {
+    std::vector<std::string> all;
+    for (const Formulas::Image& image : tree.state().formulas.images()) {
+        const std::string& why = image.formula.not_saved;
+        if (why.empty() && !image.formula.source.empty()) continue;
+        if (const Property* property = tree.find(image.instance, image.property))
+            all.push_back(tree.path(image.instance, *property) + ": its formula " +
+                          (why.empty() ? "has no text" : why));
+    }
+    return all;
+}
+
+const std::vector<std::string>& restore_remarks(const Tree& tree) {
+    return tree.state().snapshots.remarks;
+}
+
+// --- Reading
+// ----------------------------------------------------------------------------------------------------------
+
+TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
+    : state_(state), now_(state.instances) {
+    step_ = from.get<std::uint64_t>();
+    const auto root = from.get<Handle>();
+    read_classes(from);
+    nodes_ = Nodes::load(from, classes_);
+    const Node* const top = nodes_.find(root);
+    from.require(root == now_.root && top != nullptr && top->parent == 0, "it has another root");
+    for (std::uint32_t i = 0; i < now_.nodes.end(); ++i)
+        before_.push_back(now_.nodes[i].alive() ? now_.nodes[i].generation : 0);
+    read_columns(from);
+    add_columns();
+    read_ad_hoc(from);
+    check_instances(from);
+    read_values(from);
+    read_formulas(from, memory);
+    if (!from.at_end()) read_makers(from);  // one of format 3 does not tell them
+    check_rows(from);
+    fit_values(from);
+}
+
+void TreeImage::read_classes(ByteReader& from) {
+    for (std::size_t n = from.count(8); n > 0; --n) {
+        const std::string name(from.text());
+        const Class* here = now_.classes.find(name);
+        if (here == nullptr)
+            throw Error(ErrorKind::unknown_name,
+                        "the snapshot has a class \"" + name + "\" that this game does not define");
+        from.require(std::find(classes_.begin(), classes_.end(), here->id()) == classes_.end(),
+                     "one class twice");
+        classes_.push_back(static_cast<std::uint16_t>(here->id()));
+    }
+}
+
+/// That the rows are of the kind that this game would make: a class may derive from another one by
+/// now.
+void TreeImage::read_makers(ByteReader& from) const {
+    for (const std::uint16_t id : classes_) {
+        const std::string then(from.text());
+        const Class& of = now_.classes[id];
+        const std::string& now = maker_of(of).name();
+        if (then == now) continue;
+        for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+            if (nodes_[i].alive() && nodes_[i].class_id == id)
+                refuse_changed(of.name() + " was a kind of " + then + " and is a kind of " + now +
+                               " by now");
+    }
+}
+
+/// That everybody could have been made and be called so.
+void TreeImage::check_instances(const ByteReader& from) const {
+    // Services are the framework's own: its parts hold their handles.
+    for (std::uint32_t i = 1; i < now_.nodes.end(); ++i) {
+        const Node& here = now_.nodes[i];
+        if (!here.alive() || here.parent != now_.root.index ||
+            now_.classes[here.class_id].creatable())
+            continue;
+        const Node* there = nodes_.find(now_.nodes.handle(i));
+        from.require(there != nullptr && there->class_id == here.class_id &&
+                         there->parent == here.parent && there->name == here.name,
+                     "it is of a game with other services or modules");
+    }
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        const Node& node = nodes_[i];
+        if (!node.alive()) continue;
+        const Class& of = now_.classes[node.class_id];
+        // Modules that save their rows themselves know which of them are theirs.
+        from.require(
+            of.creatable() || of.snapshots() == Snapshots::natively ||
+                (lived_before({i, node.generation}) && now_.nodes[i].class_id == node.class_id),
+            "it is of a game with other services or modules");
+        if (node.parent == 0) continue;
+        const Class& above = now_.classes[nodes_[node.parent].class_id];
+        const Symbol name = Symbol::find(node.name.text());
+        if (name && (above.property(name) != nullptr || above.method(name) != nullptr))
+            refuse_changed("an instance of " + above.name() + " has a child called \"" +
+                           name.text() + "\", which is a " +
+                           (above.property(name) != nullptr ? "property" : "method") + " of " +
+                           above.name() + " by now");
+    }
+}
+
+/// That every instance has a row of its own among the values that the tree keeps.
+void TreeImage::check_rows(const ByteReader& from) const {
+    struct Rows {
+        const StoredColumns* columns = nullptr;
+        std::vector<bool> taken{};
+    };
+    std::vector<Rows> of_class(now_.classes.size());
+    for (const auto& [id, columns] : columns_) of_class[id] = {columns.get(), columns->free_rows()};
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        const Node& node = nodes_[i];
+        if (!node.alive() || now_.stored[node.class_id] == nullptr ||
+            now_.classes[node.class_id].snapshots() == Snapshots::never)
+            continue;
+        Rows& rows = of_class[node.class_id];
+        from.require(rows.columns != nullptr && node.stored_row < rows.columns->rows() &&
+                         !rows.taken[node.stored_row],
+                     "an instance without values of its own");
+        rows.taken[node.stored_row] = true;
+    }
+}
+
+/// What the properties of today cannot be is left at their defaults.
+void TreeImage::fit_values(const ByteReader& from) {
+    const RestoredValues values(now_.tree, nodes_, from);
+    std::vector<StoredColumns*> of_class(now_.classes.size());
+    for (const auto& [id, columns] : columns_) of_class[id] = columns.get();
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        const Node& node = nodes_[i];
+        if (!node.alive() || of_class[node.class_id] == nullptr) continue;
+        StoredColumns& columns = *of_class[node.class_id];
+        for (const Property* property : ClassRegistry::stored(now_.class_of(node))) {
+            const Value saved = columns.get(*property, node.stored_row);
+            const std::optional<Value> fitted = values.fitted(*property, saved);
+            if (fitted && *fitted == saved) continue;
+            if (!fitted) misfits_.add(*property, saved);
+            columns.set(*property, node.stored_row, fitted ? *fitted : property->default_value);
+        }
+    }
+    for (const AdHoc& own : ad_hoc_) values.check_ad_hoc(own.value);
+    for (std::string& line : misfits_.lines()) remarks_.push_back(std::move(line));
+}
+
+void TreeImage::read_columns(ByteReader& from) {
+    for (std::size_t n = from.count(12); n > 0; --n) {
+        const auto there = from.get<std::uint32_t>();
+        from.require(there < classes_.size(), "values of no class");
+        const std::uint32_t here = classes_[there];
+        for (const auto& [id, columns] : columns_) from.require(id != here, "one class twice");
+        ByteReader block = from.block();
+        if (now_.stored[here] == nullptr || now_.classes[here].snapshots() == Snapshots::never)
+            continue;
+        columns_.emplace_back(here, std::make_unique<StoredColumns>(StoredColumns::load(
+                                        block, now_.classes[here], nodes_.end(), misfits_)));
+        block.finish();
+    }
+}
+
+/// Of classes whose instances had no values that the tree keeps, and have some by now.
+void TreeImage::add_columns() {
+    for (const std::uint16_t here : classes_) {
+        if (now_.stored[here] == nullptr || now_.classes[here].snapshots() == Snapshots::never)
+            continue;
+        const bool there = std::any_of(columns_.begin(), columns_.end(),
+                                       [&](const auto& each) { return each.first == here; });
+        if (there) continue;
+        auto columns = std::make_unique<StoredColumns>(now_.classes[here]);
+        for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+            if (nodes_[i].alive() && nodes_[i].class_id == here)
+                nodes_[i].stored_row = columns->add();
+        columns_.emplace_back(here, std::move(columns));
+    }
+}
+
+void TreeImage::read_ad_hoc(ByteReader& from) {
+    std::set<std::pair<std::uint32_t, std::string>> seen;
+    for (std::size_t n = from.count(13); n > 0; --n) {
+        AdHoc own;
+        own.index = from.get<std::uint32_t>();
+        own.name = from.text();
+        own.value = from.value();
+        from.require(own.index < nodes_.end() && nodes_[own.index].alive() && !own.name.empty(),
+                     "a property of nobody");
+        from.require(seen.emplace(own.index, own.name).second, "one property twice");
+        const Class& of = now_.classes[nodes_[own.index].class_id];
+        from.require(nodes_.child(own.index, NodeName::look_up(own.name)) == 0,
+                     "a property called like a child");
+        if (of.method(own.name) != nullptr)
+            refuse_changed("an instance of " + of.name() + " has a property called \"" + own.name +
+                           "\", which is a method of " + of.name() + " by now");
+        if (const Property* property = of.property(own.name))
+            take_over(*property, std::move(own));
+        else
+            ad_hoc_.push_back(std::move(own));
+    }
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) nodes_[i].has_ad_hoc = false;
+    for (const AdHoc& own : ad_hoc_) nodes_[own.index].has_ad_hoc = true;
+}
+
+/// An instance had a property of its own that its class has declared since: what it held is the
+/// value of that one.
+void TreeImage::take_over(const Property& property, AdHoc own) {
+    const Node& node = nodes_[own.index];
+    if (property.binding.kind != BindingKind::stored) {
+        remarks_.push_back(property.owner->name() + "." + property.name + ": the saved value " +
+                           value_text(own.value) +
+                           " was that of a property that somebody added; it is what the class "
+                           "says by now");
+        return;
+    }
+    for (const auto& [id, columns] : columns_)
+        if (id == node.class_id && node.stored_row < columns->rows())
+            columns->set(property, node.stored_row,
+                         StoredColumns::fitted(property, std::move(own.value), misfits_));
+}
+
+void TreeImage::read_values(ByteReader& from) {
+    ByteReader block = from.block();
+    while (!block.at_end()) {
+        ByValue each;
+        each.instance = block.get<Handle>();
+        const Node* node = nodes_.find(each.instance);
+        block.require(node != nullptr, "values of nobody");
+        const Class& of = now_.classes[node->class_id];
+        for (std::size_t n = block.count(9); n > 0; --n) {
+            const Property* property = of.property(block.text());
+            Value value = block.value();
+            if (property != nullptr) each.values.emplace_back(property, std::move(value));
+        }
+        values_.push_back(std::move(each));
+    }
+}
+
+void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
+    for (std::size_t n = from.count(24); n > 0; --n) {
+        Formulas::Image image;
+        image.instance = from.get<Handle>();
+        image.property = Symbol(from.text());
+        image.formula.source = from.text();
+        const Node* const node = nodes_.find(image.instance);
+        from.require(node != nullptr, "a formula of nobody");
+        const Property* const property = now_.classes[node->class_id].property(image.property);
+        from.require(property == nullptr || takes_formula(*property),
+                     "a formula of what can have none");
+        formulas_.push_back(std::move(image));
+    }
+    if (memory == nullptr) {
+        for (Formulas::Image& image : formulas_)
+            if (const Formula* own = formula_of_game(image)) image.formula = *own;
+        return;
+    }
+    const auto& held = *static_cast<const TreeMemory*>(memory.get());
+    history_ = held.history;
+    formulas_ = held.formulas;
+}
+
+/// A formula whose text no file can hold: the one that the running game has at the same path stands
+/// for it. nullptr: the game has none there, or the text is there.
+const Formula* TreeImage::formula_of_game(const Formulas::Image& image) const {
+    if (!image.formula.source.empty()) return nullptr;
+    std::vector<NodeName> way;
+    std::uint32_t top = image.instance.index;
+    for (; nodes_[top].parent != 0; top = nodes_[top].parent) way.push_back(nodes_[top].name);
+    const Node* const here = now_.nodes.find(nodes_.handle(top));
+    if (here == nullptr || here->parent != 0) return nullptr;
+    for (; !way.empty() && top != 0; way.pop_back()) top = now_.nodes.child(top, way.back());
+    if (top == 0) return nullptr;
+    return state_.formulas.find({top, image.property});
+}
+
+}  // namespace fettle::property

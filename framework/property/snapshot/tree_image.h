@@ -1,0 +1,95 @@
+#pragma once
+// A tree as bytes: instances, the values the tree keeps, formulas. Read as a whole and checked
+// before anything changes; then put into place.
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <fettle/property/bytes.h>
+#include <fettle/property/tree.h>
+
+#include <formulas/formulas.h>
+
+namespace fettle::property {
+
+/// What of a tree's snapshot no bytes can hold.
+struct TreeMemory {
+    Memory history;
+    std::vector<Formulas::Image> formulas;
+    /// Bytes it takes, about. The history has a limit of its own.
+    std::size_t bytes() const;
+};
+
+/// No snapshot holds it: whatever moment a game goes to, it stays as it is.
+bool belongs_to_the_present(const Class& of, const Property& property);
+
+class TreeImage {
+  public:
+    static std::shared_ptr<const TreeMemory> save(const Tree::State& state, ByteWriter& to);
+
+    /// Throws Error(damaged, unknown_name); changes nothing.
+    TreeImage(Tree::State& state, ByteReader& from, const Memory& memory);
+    /// Who is in it.
+    void each(const std::function<void(Handle, const Class&, Row)>& visit) const;
+    /// Instances whose module makes their rows anew tell it of those that end. Before `nodes`.
+    void end_rows();
+    /// The tree has its instances, values and formulas again.
+    void put_nodes();
+    /// What modules hold by value, when the parts are in place.
+    void put_values();
+
+  private:
+    struct AdHoc {
+        std::uint32_t index;
+        std::string name;
+        Value value;
+    };
+    struct ByValue {
+        Handle instance;
+        std::vector<std::pair<const Property*, Value>> values;
+    };
+    struct SavedFormula {
+        Handle instance;
+        std::string property;
+        Formula formula;
+    };
+    void read_classes(ByteReader& from);
+    void read_columns(ByteReader& from);
+    void add_columns();
+    void read_ad_hoc(ByteReader& from);
+    void read_values(ByteReader& from);
+    void take_over(const Property& property, AdHoc own);
+    void read_formulas(ByteReader& from, const Memory& memory);
+    const Formula* formula_of_game(const Formulas::Image& image) const;
+    static const Class& maker_of(const Class& of);
+    void read_makers(ByteReader& from) const;
+    void put_formula(Formulas::Image& image, const Property& property);
+    void check_instances(const ByteReader& from) const;
+    void check_rows(const ByteReader& from) const;
+    void fit_values(const ByteReader& from);
+    void put_columns();
+    void put_formulas();
+    void make_rows();
+    void drop(std::uint32_t index);
+    void end_row(Handle self);
+    bool lived_before(Handle instance) const;
+
+    Tree::State& state_;
+    Instances& now_;
+    std::vector<std::uint16_t> classes_;  // by number in the bytes
+    Nodes nodes_;
+    std::vector<std::pair<std::uint32_t, std::unique_ptr<StoredColumns>>> columns_;  // by class
+    std::vector<AdHoc> ad_hoc_;
+    std::vector<ByValue> values_;
+    std::vector<Formulas::Image> formulas_;
+    std::vector<std::string> remarks_;  // what cannot be as it was, a line each
+    Misfits misfits_;
+    std::uint64_t step_ = 0;
+    Memory history_;
+    std::vector<std::uint32_t> before_;  // generation of who lived in each slot, 0: nobody
+};
+
+}  // namespace fettle::property

@@ -1,0 +1,196 @@
+// Puts an image of a tree that was read and checked into the place of what the tree is.
+
+#include <algorithm>
+#include <set>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+
+#include <tree/state.h>
+
+#include "tree_image.h"
+
+namespace fettle::property {
+namespace {
+
+bool by_value(const Class& of) {
+    return of.snapshots() == Snapshots::by_value;
+}
+
+}  // namespace
+
+void TreeImage::each(const std::function<void(Handle, const Class&, Row)>& visit) const {
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+        if (nodes_[i].alive())
+            visit(nodes_.handle(i), now_.classes[nodes_[i].class_id], nodes_[i].row);
+}
+
+bool TreeImage::lived_before(Handle instance) const {
+    return instance.index < before_.size() && before_[instance.index] == instance.generation;
+}
+
+void TreeImage::end_rows() {
+    for (std::uint32_t i = 1; i < now_.nodes.end(); ++i) {
+        if (before_[i] == 0) continue;
+        const Handle gone = now_.nodes.handle(i);
+        const Class& of = now_.classes[now_.nodes[i].class_id];
+        if (nodes_.find(gone) == nullptr && by_value(of)) end_row(gone);
+        if (nodes_.find(gone) == nullptr && of.snapshots() == Snapshots::never &&
+            now_.stored[of.id()] != nullptr)
+            now_.stored[of.id()]->remove(now_.nodes[i].stored_row);
+    }
+}
+
+void TreeImage::put_nodes() {
+    Tree::State& s = state_;
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        Node& node = nodes_[i];
+        node.watched = node.fresh = node.has_formula = node.has_dependents = false;
+        if (!node.alive()) continue;
+        const Class& of = now_.classes[node.class_id];
+        const bool lived = lived_before({i, node.generation});
+        // Rows that are made anew, or that the present knows.
+        if (of.snapshots() != Snapshots::natively) node.row = lived ? now_.nodes[i].row : 0;
+        if (of.snapshots() == Snapshots::never && now_.stored[of.id()] != nullptr)
+            node.stored_row = lived ? now_.nodes[i].stored_row : now_.stored[of.id()]->add();
+    }
+    now_.nodes.replace(std::move(nodes_));
+    s.changes.queue.fresh.clear();
+    put_columns();
+    s.changes.tell_plain_writes();
+    s.changes.author.step = step_;
+    s.changes.stepped = s.changes.edited = true;
+    ++s.changes.invalidations;
+    s.history.restore(history_);
+}
+
+void TreeImage::put_columns() {
+    Tree::State& s = state_;
+    for (auto& [id, columns] : columns_) now_.stored[id] = std::move(columns);
+    // A class that the snapshot does not know has nobody in it.
+    for (std::uint32_t id = 0; id < now_.classes.size(); ++id) {
+        const bool told = std::find(classes_.begin(), classes_.end(), id) != classes_.end();
+        if (!told && now_.stored[id] != nullptr && now_.classes[id].snapshots() != Snapshots::never)
+            now_.stored[id] = std::make_unique<StoredColumns>(now_.classes[id]);
+    }
+    now_.ad_hoc.of_instance.clear();
+    for (AdHoc& own : ad_hoc_) {
+        const Property& property = s.ad_hoc_property(Symbol(own.name));
+        now_.ad_hoc.of_instance[own.index].emplace(own.name,
+                                                   std::pair(&property, std::move(own.value)));
+    }
+}
+
+void TreeImage::put_formulas() {
+    Tree::State& s = state_;
+    s.formulas.clear();
+    for (Formulas::Image& image : formulas_) {
+        if (now_.nodes.find(image.instance) == nullptr) continue;
+        const Property* property = now_.tree.find(image.instance, image.property);
+        if (property == nullptr) continue;
+        put_formula(image, *property);
+    }
+}
+
+void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
+    Tree::State& s = state_;
+    const auto lost = [&](const std::string& why) {
+        remarks_.push_back(now_.tree.path(image.instance, property) + ": its formula " + why +
+                           "; it keeps the value that it had");
+    };
+    if (!image.formula.function) {
+        if (image.formula.source.empty()) return lost("was not saved");
+        if (!s.formulas.compiler) return lost("cannot be compiled here");
+        try {
+            const FormulaCompiler compile = s.formulas.compiler;  // it may put another in its place
+            image.formula = compile(image.formula.source);
+        } catch (...) {
+            return lost("does not compile any more: " + exception_text());
+        }
+    }
+    s.formulas.set(image.instance, property, image.formula);
+}
+
+/// Rows of those whose module makes them anew; parents before children.
+void TreeImage::make_rows() {
+    Tree::State& s = state_;
+    std::vector<Handle> refused;  // parents before children
+    std::set<std::uint32_t> without;
+    const auto make = [&](std::uint32_t i) {
+        const Class& of = now_.classes[now_.nodes[i].class_id];
+        const Lifecycle& lifecycle = of.lifecycle();
+        const Handle self = now_.nodes.handle(i);
+        const bool below = without.contains(now_.nodes[i].parent);  // goes with that
+        if (below) without.insert(i);
+        if (!by_value(of) || !lifecycle.create || lived_before(self)) return;
+        bool has_row = false;
+        try {
+            if (!below) {
+                const Making making(s.underway, self);
+                now_.nodes[i].row = lifecycle.create(lifecycle.context, now_.tree, self);
+                has_row = true;
+                if (!lifecycle.place || now_.nodes[i].parent == 0) return;
+                const Row row = now_.nodes[i].row;
+                now_.nodes[i].row = lifecycle.place(lifecycle.context, now_.tree, self, row);
+                return;
+            }
+        } catch (...) {  // its module has no room for it any more
+            remarks_.push_back(now_.tree.path(self) +
+                               ": it cannot be made, and is missing with all " +
+                               "that was below it: " + exception_text());
+            if (has_row) end_row(self);
+        }
+        without.insert(i);
+        refused.push_back(self);
+    };
+    for (std::uint32_t top = 1; top < now_.nodes.end(); ++top)
+        if (now_.nodes[top].alive() && now_.nodes[top].parent == 0) now_.visit_below(top, make);
+    for (auto self = refused.rbegin(); self != refused.rend(); ++self)
+        if (now_.nodes.find(*self) != nullptr) drop(self->index);
+}
+
+void TreeImage::end_row(Handle self) {
+    const Node& node = now_.nodes[self.index];
+    const Lifecycle& lifecycle = now_.classes[node.class_id].lifecycle();
+    if (!lifecycle.destroy) return;
+    try {
+        lifecycle.destroy(lifecycle.context, now_.tree, self, node.row);
+    } catch (...) {
+        // Its module knows nothing of it; nothing is left to end.
+    }
+}
+
+/// An instance without a row cannot be; what is below it goes with it.
+void TreeImage::drop(std::uint32_t index) {
+    Tree::State& s = state_;
+    while (now_.nodes[index].first_child != 0)
+        s.structure.destroy_below(now_.nodes[index].first_child);
+    const Class& of = now_.classes[now_.nodes[index].class_id];
+    if (now_.stored[of.id()]) now_.stored[of.id()]->remove(now_.nodes[index].stored_row);
+    if (now_.nodes[index].has_ad_hoc) now_.ad_hoc.of_instance.erase(index);
+    now_.nodes.unlink(index);
+    now_.nodes.release(index);
+}
+
+void TreeImage::put_values() {
+    make_rows();
+    Tree::State& s = state_;
+    for (const ByValue& each : values_)
+        for (const auto& [property, value] : each.values) {
+            if (now_.nodes.find(each.instance) == nullptr) break;  // dropped
+            const Node& node = now_.nodes[each.instance.index];
+            try {
+                if (!(now_.read(each.instance.index, node, *property) == value))
+                    now_.write(each.instance.index, node, *property,
+                               now_.tree.coerce(each.instance, *property, value));
+            } catch (...) {
+                // Its module refuses what it once held; what it holds now stays.
+                remarks_.push_back(now_.tree.path(each.instance, *property) + ": the saved value " +
+                                   now_.tree.text(value) + " is refused: " + exception_text());
+            }
+        }
+    put_formulas();
+    s.snapshots.remarks = std::move(remarks_);
+}
+
+}  // namespace fettle::property

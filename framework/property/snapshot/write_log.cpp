@@ -1,0 +1,438 @@
+#include <fettle/property/write_log.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include <fettle/property/acceptance.h>
+
+#include <tree/state.h>
+
+#include "tree_image.h"
+
+namespace fettle::property {
+
+enum class WriteLog::Did : std::uint8_t {
+    plain,     // how many, and that many PlainWrites
+    value,     // handle, property, value
+    computed,  // the same, by the formula of the property
+    reset,     // handle, property
+    removed,
+    formula,        // handle, property, which of the formulas
+    formula_ended,  // handle, property
+    created,        // handle, class, parent, name, named
+    destroyed,      // handle, whether its slot was kept for it
+    moved,          // handle, parent, sibling in front, name, named
+    numbered,       // parent, stem, number
+    called,         // handle, method, arguments, handles made meanwhile, answers of `accept`
+    refreshed       // number of the part, what: because it was read
+};
+
+std::size_t LoggedWrites::memory() const {
+    std::size_t sum = bytes.capacity() + history_bytes + (history != nullptr ? 128 : 0);
+    for (const Formula& formula : formulas) sum += bytes_of(formula);
+    return sum;
+}
+
+// --- Noting
+// -----------------------------------------------------------------------------------------------------------
+
+WriteLog::WriteLog(Tree& tree) : tree_(tree), life_(tree.lifetime()) {
+    tree_.observe(*this);
+    tree_.state().changes.observers.logs.push_back(this);
+    note_history();
+}
+
+WriteLog::~WriteLog() {
+    if (life_.expired()) return;
+    std::erase(tree_.state().changes.observers.logs, this);
+    tree_.unobserve(*this);
+}
+
+LoggedWrites WriteLog::take() {
+    tree_.state().changes.tell_plain_writes();
+    (void)notes();  // the last of it may have been too much
+    LoggedWrites piece;
+    piece.bytes = joined();
+    piece.formulas = std::move(formulas_);
+    piece.too_much = too_much_;
+    forget();
+    const History& history = tree_.state().history;
+    if (history.version() != history_version_) {
+        piece.history = history.image();
+        piece.history_bytes = history.bytes_ever() - history_bytes_;
+        note_history();
+    }
+    return piece;
+}
+
+void WriteLog::note_history() {
+    history_version_ = tree_.state().history.version();
+    history_bytes_ = tree_.state().history.bytes_ever();
+}
+
+void WriteLog::put_plain(std::vector<std::byte>& bytes, std::span<const PlainWrite> writes) {
+    ByteWriter to(bytes);
+    to.put(Did::plain);
+    to.put(static_cast<std::uint32_t>(writes.size()));
+    const auto more = std::as_bytes(writes);
+    bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+// The buffer stays, so that a step's worth of writes is one allocation of the right size. What is
+// noted speaks of the tree's own symbols, classes and properties: its number comes first.
+std::vector<std::byte> WriteLog::joined() const {
+    std::vector<std::byte> all;
+    if (!any()) return all;
+    const std::uint64_t number = tree_.state().number;
+    constexpr std::size_t head = sizeof(Did) + sizeof(std::uint32_t);
+    all.reserve(sizeof number + bytes_.size() + kept_.size() * head +
+                kept_count_ * sizeof(PlainWrite));
+    ByteWriter(all).put(number);
+    auto from = bytes_.begin();
+    const auto copy_up_to = [&](std::vector<std::byte>::const_iterator end) {
+        all.insert(all.end(), from, end);
+        from = end;
+    };
+    for (const Kept& kept : kept_) {
+        copy_up_to(bytes_.begin() + static_cast<std::ptrdiff_t>(kept.at));
+        put_plain(all, kept.writes.list);
+    }
+    copy_up_to(bytes_.end());
+    return all;
+}
+
+void WriteLog::forget() {
+    bytes_.clear();
+    kept_.clear();
+    kept_count_ = 0;
+    formulas_.clear();
+    formula_bytes_ = 0;
+    too_much_ = false;
+    if (bytes_.capacity() > most_kept) bytes_.shrink_to_fit();
+}
+
+bool WriteLog::notes() {
+    if (memory() > most_) {
+        forget();
+        bytes_.shrink_to_fit();
+        too_much_ = true;
+    }
+    return calls_ == 0 && !too_much_;
+}
+
+std::size_t WriteLog::memory() const {
+    return bytes_.size() + kept_count_ * sizeof(PlainWrite) + formula_bytes_;
+}
+
+void WriteLog::note(Did what, Handle instance, const Property& property) {
+    ByteWriter to(bytes_);
+    to.put(what);
+    to.put(instance);
+    to.put(property.symbol.id());
+}
+
+void WriteLog::wrote_plain(const PlainWrites& writes) {
+    if (!notes()) return;
+    if (writes.list.size() < worth_keeping) return put_plain(bytes_, writes.list);
+    kept_.push_back({bytes_.size(), writes});
+    kept_count_ += writes.list.size();
+}
+
+void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
+    // A name or a parent that is written is told as a move.
+    if (property.binding.kind == BindingKind::node || !notes()) return;
+    const bool computed = tree_.state().changes.author.writer == Writer::formula;
+    note(computed ? Did::computed : Did::value, instance, property);
+    ByteWriter(bytes_).put(now);
+}
+
+void WriteLog::was_reset(Handle instance, const Property& property) {
+    if (notes()) note(Did::reset, instance, property);
+}
+
+void WriteLog::removed(Handle instance, const Property& property) {
+    if (notes()) note(Did::removed, instance, property);
+}
+
+void WriteLog::formula_changed(Handle instance, const Property& property) {
+    if (!notes()) return;
+    const Formula* formula = tree_.formula(instance, property);
+    note(formula != nullptr ? Did::formula : Did::formula_ended, instance, property);
+    if (formula == nullptr) return;
+    ByteWriter(bytes_).put(static_cast<std::uint32_t>(formulas_.size()));
+    formulas_.push_back(*formula);
+    formula_bytes_ += bytes_of(*formula);
+}
+
+void WriteLog::created(Handle instance) {
+    if (calls_ > 0) {
+        made_.push_back(instance);
+        return;
+    }
+    if (!notes()) return;
+    const Tree::State& s = tree_.state();
+    const Node& node = s.instances.nodes[instance.index];
+    ByteWriter to(bytes_);
+    to.put(Did::created);
+    to.put(instance);
+    to.put(node.class_id);
+    to.put(s.instances.nodes.handle(node.parent));
+    to.put(node.name);
+    to.put(std::uint8_t{node.named});
+}
+
+void WriteLog::destroying(Handle instance) {
+    if (!notes()) return;
+    ByteWriter to(bytes_);
+    to.put(Did::destroyed);
+    to.put(instance);
+    to.put(std::uint8_t{tree_.state().instances.keep_slots});
+}
+
+void WriteLog::moved(Handle instance) {
+    if (!notes()) return;
+    const Position at = tree_.state().instances.nodes.position(instance.index);
+    ByteWriter to(bytes_);
+    to.put(Did::moved);
+    to.put(instance);
+    to.put(at.parent);
+    to.put(at.before);
+    to.put(at.name);
+    to.put(std::uint8_t{at.named});
+}
+
+void WriteLog::numbered(Handle parent, Symbol stem, std::uint32_t last) {
+    if (!notes()) return;
+    ByteWriter to(bytes_);
+    to.put(Did::numbered);
+    to.put(parent);
+    to.put(stem.id());
+    to.put(last);
+}
+
+void WriteLog::call_begins(Handle instance, const Method& method,
+                           std::span<const Value> arguments) {
+    const bool outermost = notes();
+    if (calls_++ > 0) return;
+    made_.clear();
+    call_noted_ = outermost;
+    if (!outermost) return;
+    ByteWriter to(bytes_);
+    to.put(Did::called);
+    to.put(instance);
+    to.put(method.symbol.id());
+    to.put(std::uint64_t{arguments.size()});
+    for (const Value& argument : arguments) to.put(argument);
+}
+
+void WriteLog::call_ends(Handle, const Method&) {
+    if (--calls_ != 0 || !call_noted_) return;
+    ByteWriter to(bytes_);
+    to.put(made_);
+    to.put(Acceptance::answers());
+}
+
+// Within a call the module is made to read again by the call itself.
+void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
+    if (!notes()) return;
+    const auto& parts = tree_.parts();
+    const auto number = std::find(parts.begin(), parts.end(), &part) - parts.begin();
+    ByteWriter to(bytes_);
+    to.put(Did::refreshed);
+    to.put(static_cast<std::uint32_t>(number));
+    to.put(what);
+}
+
+// What was not taken belongs to a time that is left.
+void WriteLog::restored() {
+    forget();
+    note_history();
+}
+
+// --- Doing it again
+// ---------------------------------------------------------------------------------------------------
+
+class WriteLog::Player {
+  public:
+    Player(Tree& tree, const LoggedWrites& piece)
+        : tree_(tree), s_(tree.state()), piece_(piece), from_(piece.bytes, "log of writes") {}
+
+    void play() {
+        if (from_.at_end()) return;
+        if (from_.get<std::uint64_t>() != s_.number)
+            throw Error(ErrorKind::rejected, "this piece of a log of writes is of another tree");
+        while (!from_.at_end()) {
+            const auto did = from_.get<Did>();
+            auto times = did == Did::plain ? from_.get<std::uint32_t>() : 1u;
+            for (; times > 0; --times) try {
+                    again(did);
+                } catch (const Error& error) {
+                    // Whatever is refused now has changed nothing then; the log itself is sound.
+                    if (error.kind() == ErrorKind::damaged) throw;
+                }
+        }
+    }
+
+  private:
+    void refresh();
+    void again(Did did);
+    void value(Did did, Handle instance, Symbol name);
+    void structure(Did did, Handle instance);
+    void create(Handle instance);
+    void move(Handle instance);
+    void number(Handle parent);
+    void call(Handle instance);
+    void write(Handle instance, Symbol name, const Value& now) {
+        if (const Property* property = tree_.find(instance, name)) {
+            if (!is_of_the_present(instance, *property)) tree_.set(instance, *property, now);
+        } else {
+            s_.put_ad_hoc(instance, s_.ad_hoc_property(name), now);
+        }
+    }
+    /// To write it again would press a key, or set what the player has set otherwise since.
+    bool is_of_the_present(Handle instance, const Property& property) const {
+        return belongs_to_the_present(tree_.class_of(instance), property);
+    }
+
+    Tree& tree_;
+    Tree::State& s_;
+    const LoggedWrites& piece_;
+    ByteReader from_;
+};
+
+void WriteLog::Player::refresh() {
+    const auto number = from_.get<std::uint32_t>();
+    const auto what = from_.get<std::uint64_t>();
+    if (number < tree_.parts().size()) tree_.parts()[number]->refresh(what);
+}
+
+void WriteLog::Player::again(Did did) {
+    if (did == Did::refreshed) return refresh();
+    if (did == Did::plain) {
+        const auto done = from_.get<PlainWrite>();
+        if (done.instance) write(done.instance, done.property->symbol, done.value());
+        return;
+    }
+    const auto instance = from_.get<Handle>();
+    if (did >= Did::created) return structure(did, instance);
+    value(did, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
+}
+
+/// All that is noted is read first: whatever cannot be done leaves the reader at what comes next.
+void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
+    const bool has_value = did == Did::value || did == Did::computed;
+    const Value now = has_value ? from_.value() : Value();
+    const Formula* const formula =
+        did == Did::formula ? &piece_.formulas.at(from_.get<std::uint32_t>()) : nullptr;
+    const Property* property = tree_.find(instance, name);
+    switch (did) {
+        case Did::value:
+            return write(instance, name, now);
+        case Did::computed:
+            if (property == nullptr || is_of_the_present(instance, *property)) return;
+            s_.instances.write(instance.index, s_.instances.require(instance), *property, now);
+            return;
+        case Did::reset:
+            if (property != nullptr && !is_of_the_present(instance, *property))
+                tree_.reset(instance, *property);
+            return;
+        case Did::removed:
+            return tree_.remove_ad_hoc(instance, name.text());
+        case Did::formula:
+            return tree_.set_formula(instance, name.text(), *formula);
+        case Did::formula_ended:
+            return property != nullptr ? tree_.remove_formula(instance, *property) : void();
+        default:
+            from_.fail("nobody does that");
+    }
+}
+
+void WriteLog::Player::structure(Did did, Handle instance) {
+    switch (did) {
+        case Did::created:
+            return create(instance);
+        case Did::destroyed:
+            s_.instances.keep_slots = from_.boolean();
+            std::erase(s_.structure.to_come, instance);
+            return tree_.destroy(instance);
+        case Did::moved:
+            return move(instance);
+        case Did::numbered:
+            return number(instance);
+        default:
+            return call(instance);
+    }
+}
+
+void WriteLog::Player::create(Handle instance) {
+    const auto class_id = from_.get<std::uint16_t>();
+    const auto parent = from_.get<Handle>();
+    const auto name = from_.get<NodeName>();
+    const bool named = from_.boolean();
+    // What a class makes below an instance is told before the instance: it is made with it.
+    if (parent && !tree_.alive(parent)) {
+        s_.structure.to_come.push_back(instance);
+        return;
+    }
+    s_.structure.make(s_.instances.classes[class_id], parent.index, name, named, instance);
+}
+
+void WriteLog::Player::move(Handle instance) {
+    const auto parent = from_.get<Handle>();
+    const auto before = from_.get<Handle>();
+    const auto name = from_.get<NodeName>();
+    const bool named = from_.boolean();
+    const std::uint32_t left = s_.instances.require(instance).parent;
+    if (parent) s_.instances.require(parent);
+    const std::uint32_t there = parent ? s_.instances.nodes.child(parent.index, name) : 0;
+    if (parent && (parent == instance || tree_.is_below(parent, instance) ||
+                   (there != 0 && there != instance.index)))
+        throw Error(ErrorKind::bad_structure, "it cannot be moved there any more");
+    // Of who stays where it is, only the place among its siblings may be another.
+    if (left != parent.index || s_.instances.nodes[instance.index].name != name) {
+        s_.instances.nodes.unlink(instance.index);
+        s_.instances.nodes.link(instance.index, parent.index, name);
+    }
+    s_.instances.nodes[instance.index].named = named;
+    s_.instances.nodes.reorder(instance.index, before.index);
+    if (left != parent.index) s_.structure.place_subtree(instance);
+}
+
+/// Of a parent that is not there yet, the instances below it are made, and counted, with it.
+void WriteLog::Player::number(Handle parent) {
+    const auto stem = std::bit_cast<Symbol>(from_.get<std::uint32_t>());
+    const auto last = from_.get<std::uint32_t>();
+    if (tree_.alive(parent)) s_.instances.nodes.set_last_number(parent.index, stem, last);
+}
+
+void WriteLog::Player::call(Handle instance) {
+    const auto name = std::bit_cast<Symbol>(from_.get<std::uint32_t>());
+    std::vector<Value> arguments(from_.count());
+    for (Value& argument : arguments) argument = from_.value();
+    for (const Handle made : from_.list<Handle>()) s_.structure.to_come.push_back(made);
+    const auto answers = from_.list<std::uint8_t>();
+    std::optional<Acceptance> acceptance;
+    if (!answers.empty())
+        acceptance.emplace(tree_, name.text(), [&, asked = std::size_t{0}](Handle) mutable {
+            return asked < answers.size() && answers[asked++] != 0;
+        });
+    try {
+        if (const Method* method = tree_.class_of(instance).method(name))
+            tree_.call(instance, *method, arguments);
+    } catch (...) {
+        // It failed then as it does now.
+    }
+    s_.structure.to_come.clear();
+}
+
+void WriteLog::play(const LoggedWrites& piece) {
+    if (life_.expired()) throw Error(ErrorKind::deleted, "the tree of this log of writes is gone");
+    Player(tree_, piece).play();
+    if (piece.history != nullptr) tree_.state().history.restore(piece.history);
+}
+
+}  // namespace fettle::property

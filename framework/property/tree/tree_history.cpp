@@ -1,0 +1,54 @@
+// The history of edits as the tree's users see it.
+
+#include "state.h"
+
+namespace fettle::property {
+
+void Tree::observe_edits(EditObserver* observer) {
+    state_->history.observe(observer);
+}
+
+void Tree::begin_edit(std::string name, bool scripts) {
+    state_->require_changeable("begin an edit");
+    state_->history.begin(std::move(name), scripts);
+}
+void Tree::end_edit() {
+    state_->require_changeable("end an edit");
+    state_->history.end();
+}
+UndoResult Tree::undo() {
+    state_->require_changeable("undo");
+    state_->underway.require_no_deletion("undo");
+    return state_->history.undo();
+}
+UndoResult Tree::redo() {
+    state_->require_changeable("redo");
+    state_->underway.require_no_deletion("redo");
+    return state_->history.redo();
+}
+std::vector<HistoryEntry> Tree::history() const {
+    return state_->history.entries();
+}
+std::size_t Tree::history_bytes() const {
+    return state_->history.bytes();
+}
+std::size_t Tree::history_bytes_ever() const {
+    return state_->history.bytes_ever();
+}
+void Tree::set_history_limit(std::size_t bytes) {
+    state_->require_changeable("limit the history");
+    state_->history.set_limit(bytes);
+}
+
+Provenance Tree::who(Handle instance, const Property& property) const {
+    state_->instances.require(instance, property);
+    if (const auto step = state_->changes.shadows.simulated_at({instance.index, property.symbol}))
+        return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
+    state_->changes.tell_plain_writes();
+    Provenance written = state_->changes.writes.find(instance, property.symbol);
+    const bool computed = !property.derives_from.empty();
+    if (written.known || !property.simulated || computed) return written;
+    return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,20 @@
+#pragma once
+// Who writes now, at which place in a program, in which step.
+
+#include <functional>
+#include <string>
+
+#include <fettle/property/change.h>
+
+namespace fettle::property {
+
+struct Authorship {
+    Writer writer = Writer::module;
+    std::function<std::string()>* locate = nullptr;  // asked for the place; may be null
+    std::uint64_t step = 0;
+
+    std::string place() const;
+    Cause cause() const { return {.writer = writer, .where = place(), .step = step}; }
+};
+
+}  // namespace fettle::property
