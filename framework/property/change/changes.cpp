@@ -37,7 +37,7 @@ void Changes::note_edit() {
     last_edit.writer = author.writer;
     last_edit.step = author.step;
     last_edit.where.clear();
-    if (shadows.any_derived() || writes.barred(WritesLog::Bar::recorded))
+    if (shadows.any_derived() || writes.closed_for(WritesLog::Reason::recorded))
         last_edit.where = author.place();
 }
 

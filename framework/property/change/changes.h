@@ -55,7 +55,7 @@ struct Changes {
     std::uint64_t epoch() const { return invalidations + writes.ever(); }
     void note_edit();
     /// Whether what is written now is an edit for the history.
-    bool recording() const { return !replaying && writes.barred(WritesLog::Bar::recorded); }
+    bool recording() const { return !replaying && writes.closed_for(WritesLog::Reason::recorded); }
     /// A cell was written by anything but the typed ways.
     void written(Handle handle, const Node& node, const Property& property, const Value& old_value);
 
@@ -86,6 +86,9 @@ struct Changes {
     // shadowing.cpp: which cells are compared
     void watcher_added(const Watcher& watcher);
     void watcher_removed(const Watcher& watcher);
+    void refresh_shadows(std::uint32_t index) {
+        shadows.refresh(tree, watchers, nodes.handle(index));
+    }
     void refresh_shadows_below(std::uint32_t top);
 
     // delivery.cpp

@@ -1,8 +1,6 @@
 // Which cells are compared with shadows: those that somebody watches and that change without an
 // edit of their own.
 
-#include <algorithm>
-
 #include "changes.h"
 
 namespace fettle::property {
@@ -28,8 +26,7 @@ void Changes::count_interest(const Watcher& watcher, int sign) {
 }
 
 void Changes::refresh_shadows_below(std::uint32_t top) {
-    instances.visit_below(
-        top, [this](std::uint32_t i) { shadows.refresh(tree, watchers, nodes.handle(i)); });
+    instances.visit_below(top, [this](std::uint32_t i) { refresh_shadows(i); });
 }
 
 /// Visits every shadowed cell that a broad watcher wants or would want. Only what the watcher may
@@ -74,7 +71,7 @@ std::uint32_t Changes::top_of(const Pattern& pattern) const {
 void Changes::watcher_added(const Watcher& watcher) {
     if (watcher.index != 0) {
         nodes[watcher.index].watched = true;
-        shadows.refresh(tree, watchers, nodes.handle(watcher.index));
+        refresh_shadows(watcher.index);
     } else if (watcher.broad()) {
         count_interest(watcher, 1);
         each_cell_wanted(watcher, [this](Handle instance, const Property& property) {
@@ -86,7 +83,7 @@ void Changes::watcher_added(const Watcher& watcher) {
 void Changes::watcher_removed(const Watcher& watcher) {
     if (watcher.index != 0) {
         nodes[watcher.index].watched = watchers.any_on(watcher.index);
-        shadows.refresh(tree, watchers, nodes.handle(watcher.index));
+        refresh_shadows(watcher.index);
     } else if (watcher.broad()) {
         count_interest(watcher, -1);
         each_cell_wanted(watcher, [this](Handle instance, const Property& property) {

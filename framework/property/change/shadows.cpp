@@ -69,7 +69,7 @@ void Shadows::clear() {
     groups_.clear();
     places_.clear();
     derived_ = 0;
-    log_.bar(WritesLog::Bar::shadow, false);
+    log_.close(WritesLog::Reason::shadow, false);
 }
 
 void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
@@ -80,7 +80,7 @@ void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
     std::vector<Row>& rows = groups_[group].rows;
     places_[{instance.index, property.symbol}] = {group, static_cast<std::uint32_t>(rows.size())};
     rows.push_back({instance, &property, tree.peek(instance, property), 0});
-    log_.bar(WritesLog::Bar::shadow, true);
+    log_.close(WritesLog::Reason::shadow, true);
 }
 
 void Shadows::remove(Cell cell) {
@@ -95,7 +95,7 @@ void Shadows::remove(Cell cell) {
         places_[{rows[place.row].instance.index, cell.property}] = place;
     }
     rows.pop_back();
-    if (empty()) log_.bar(WritesLog::Bar::shadow, false);
+    if (empty()) log_.close(WritesLog::Reason::shadow, false);
 }
 
 }  // namespace fettle::property

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include <fettle/property/tree.h>
-
 #include <values/names_above.h>
 #include <values/weight.h>
 

@@ -23,7 +23,6 @@ bool takes_formula(const Property& property) {
 }
 
 // --- Making and ending
-// -----------------------------------------------------------------------------------------------
 
 Formulas::Entry* Formulas::entry(Cell cell) const {
     const auto found = entries_.find(cell);
@@ -114,7 +113,6 @@ void Formulas::written(Handle handle, const Node& node, const Property& property
 }
 
 // --- Push: marking
-// ---------------------------------------------------------------------------------------------------
 
 void Formulas::mark_dependents(Cell cell) {
     const auto first = dependents_.find(cell);
@@ -150,7 +148,6 @@ void Formulas::make_volatile(Entry& top) {
 }
 
 // --- Pull: settling
-// --------------------------------------------------------------------------------------------------
 
 bool Formulas::settled(const Entry& e) const {
     return e.state == State::clean && (!e.volatile_sources || e.checked == changes_.epoch());
@@ -257,7 +254,7 @@ std::string Formulas::note_cycle(const Entry& again) {
 }
 
 std::vector<Read>* Formulas::note_in(std::vector<Read>* reads) {
-    changes_.writes.bar(WritesLog::Bar::formula, reads != nullptr);
+    changes_.writes.close(WritesLog::Reason::formula, reads != nullptr);
     return changes_.instances.reads.note_in(reads);
 }
 

@@ -14,11 +14,10 @@ std::string short_text(std::string text) {
 }  // namespace
 
 // --- Recording
-// -------------------------------------------------------------------------------------------------------
 
 void History::note_recording() {
     Changes& changes = structure_.changes;
-    changes.writes.bar(WritesLog::Bar::recorded, recording(changes.author.writer));
+    changes.writes.close(WritesLog::Reason::recorded, recording(changes.author.writer));
 }
 
 void History::begin(std::string name, bool scripts) {
@@ -214,7 +213,6 @@ CellState History::before_deletion(Handle instance, const Property& property) co
 }
 
 // --- Forgetting
-// ------------------------------------------------------------------------------------------------------
 
 void History::forget(const Transaction& transaction) {
     for (const EditStep& step : transaction.steps)

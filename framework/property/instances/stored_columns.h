@@ -2,7 +2,6 @@
 // Stored properties: values the tree keeps for instances of a class, one typed column a property.
 
 #include <cstdint>
-#include <string>
 #include <variant>
 #include <vector>
 

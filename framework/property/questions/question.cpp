@@ -3,8 +3,6 @@
 #include <exception>
 #include <utility>
 
-#include <fettle/property/tree.h>
-
 #include <classes/coerce.h>
 #include <tree/state.h>
 
@@ -34,12 +32,12 @@ Inquiry::Inquiry(Tree& tree, std::string_view subject, std::string_view rule)
       subject_(subject),
       rule_(rule),
       outer_(std::exchange(tree.state().underway.inquiry, this)) {
-    tree_.state().changes.writes.bar(WritesLog::Bar::inquiry, true);
+    tree_.state().changes.writes.close(WritesLog::Reason::inquiry, true);
 }
 
 Inquiry::~Inquiry() {
     tree_.state().underway.inquiry = outer_;
-    tree_.state().changes.writes.bar(WritesLog::Bar::inquiry, outer_ != nullptr);
+    tree_.state().changes.writes.close(WritesLog::Reason::inquiry, outer_ != nullptr);
 }
 
 void Inquiry::refuse(std::string_view what) const {

@@ -9,7 +9,6 @@
 
 #include <fettle/property/error.h>
 #include <fettle/property/restoring.h>
-#include <fettle/property/tree.h>
 
 #include <tree/state.h>
 
@@ -103,7 +102,6 @@ Snapshot Snapshot::from_bytes(std::span<const std::byte> bytes) {
 }
 
 // --- Of a tree
-// --------------------------------------------------------------------------------------------------------
 
 void Tree::add_part(SnapshotPart& part) {
     for (const SnapshotPart* other : state_->snapshots.parts)

@@ -8,23 +8,25 @@ namespace fettle::property {
 
 Transition::Transition(Tree::State& state)
     : instances_(state.instances),
+      nodes_(instances_.nodes),
+      tree_(state.tree),
       changes_(state.changes),
       restored_(*state.restored_event),
       left_(state.changes.author.step) {
     // A formula that was to settle tells its value as it would have.
-    lived_.reserve(instances_.nodes.alive());
-    for (std::uint32_t i = 1; i < instances_.nodes.end(); ++i)
-        if (instances_.nodes[i].alive()) note(i);
+    lived_.reserve(nodes_.alive());
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+        if (nodes_[i].alive()) note(i);
 }
 
 void Transition::note(std::uint32_t index) {
-    const Node& node = instances_.nodes[index];
-    const Handle self = instances_.nodes.handle(index);
+    const Node& node = nodes_[index];
+    const Handle self = nodes_.handle(index);
     const Class& of = instances_.classes[node.class_id];
     lived_.push_back({self, &of, node.name, node.fresh != 0});
     const bool broad = changes_.watchers.any_broad();
     if (!node.watched && !broad && !changes_.watchers.any_deleted()) return;
-    for (const Property* property : instances_.tree.properties(self))
+    for (const Property* property : tree_.properties(self))
         if (watched(self, node, *property))
             known_.push_back({self, property, instances_.read(index, node, *property)});
     const bool told =
@@ -34,11 +36,11 @@ void Transition::note(std::uint32_t index) {
     if (!told && !node.watched) return;
     Existence gone{.instance = self,
                    .instance_class = &of,
-                   .path = instances_.tree.path(self),
+                   .path = tree_.path(self),
                    .cause = {},
                    .last_values = {}};
     if (told)
-        for (const Property* property : instances_.tree.properties(self))
+        for (const Property* property : tree_.properties(self))
             gone.last_values.emplace_back(property, instances_.read(index, node, *property));
     farewells_.push_back(std::move(gone));
 }
@@ -49,9 +51,9 @@ bool Transition::watched(Handle self, const Node& node, const Property& property
 }
 
 void Transition::finish() {
-    const Tree::CauseScope scope(instances_.tree, Writer::restore);
+    const Tree::CauseScope scope(tree_, Writer::restore);
     if (changes_.author.step < left_) changes_.writes.went_back(changes_.author.step);
-    for (const std::uint32_t index : changes_.queue.fresh) instances_.nodes[index].fresh = false;
+    for (const std::uint32_t index : changes_.queue.fresh) nodes_[index].fresh = false;
     changes_.queue.fresh.clear();
     drop_queued();
     end_instances();
@@ -59,9 +61,9 @@ void Transition::finish() {
     tell_created();
     tell_changed();
     if (restored_.listeners != 0)
-        instances_.tree.emit(instances_.root, restored_,
-                             {Value(static_cast<std::int64_t>(changes_.author.step)),
-                              Value(static_cast<std::int64_t>(left_))});
+        tree_.emit(instances_.root, restored_,
+                   {Value(static_cast<std::int64_t>(changes_.author.step)),
+                    Value(static_cast<std::int64_t>(left_))});
     changes_.tell([](Observer& o) { o.restored(); });
 }
 
@@ -76,9 +78,9 @@ void Transition::drop_queued() {
 }
 
 void Transition::end_instances() {
-    const Cause cause = instances_.tree.cause();
+    const Cause cause = tree_.cause();
     for (Existence& gone : farewells_) {
-        if (instances_.nodes.find(gone.instance) != nullptr) continue;
+        if (nodes_.find(gone.instance) != nullptr) continue;
         const auto lived = std::lower_bound(
             lived_.begin(), lived_.end(), gone.instance.index,
             [](const Lived& l, std::uint32_t index) { return l.instance.index < index; });
@@ -89,7 +91,7 @@ void Transition::end_instances() {
     // Whoever has no farewell is remembered without a path.
     std::size_t latest = 0;
     for (const Lived& lived : lived_) {
-        if (instances_.nodes.find(lived.instance) != nullptr || ++latest > 1024) continue;
+        if (nodes_.find(lived.instance) != nullptr || ++latest > 1024) continue;
         const auto told =
             std::any_of(farewells_.begin(), farewells_.end(),
                         [&](const Existence& gone) { return gone.instance == lived.instance; });
@@ -101,29 +103,26 @@ void Transition::end_instances() {
 
 void Transition::watch_again() {
     for (const std::uint32_t index : changes_.watchers.watched_slots())
-        instances_.nodes[index].watched = true;
+        nodes_[index].watched = true;
     changes_.shadows.clear();
     if (changes_.watchers.any_broad()) {
-        for (std::uint32_t i = 1; i < instances_.nodes.end(); ++i)
-            if (instances_.nodes[i].alive())
-                changes_.shadows.refresh(instances_.tree, changes_.watchers,
-                                         instances_.nodes.handle(i));
+        for (std::uint32_t i = 1; i < nodes_.end(); ++i)
+            if (nodes_[i].alive()) changes_.refresh_shadows(i);
     } else {
         for (const std::uint32_t index : changes_.watchers.watched_slots())
-            changes_.shadows.refresh(instances_.tree, changes_.watchers,
-                                     instances_.nodes.handle(index));
+            changes_.refresh_shadows(index);
     }
 }
 
 void Transition::tell_created() {
     if (!changes_.watchers.any_created()) return;
     std::size_t next = 0;
-    for (std::uint32_t i = 1; i < instances_.nodes.end(); ++i) {
-        if (!instances_.nodes[i].alive()) continue;
-        const Handle self = instances_.nodes.handle(i);
+    for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
+        if (!nodes_[i].alive()) continue;
+        const Handle self = nodes_.handle(i);
         while (next < lived_.size() && lived_[next].instance.index < i) ++next;
         if (next < lived_.size() && lived_[next].instance == self) continue;
-        changes_.queue_creation(self, instances_.class_of(instances_.nodes[i]));
+        changes_.queue_creation(self, instances_.class_of(nodes_[i]));
     }
 }
 
@@ -139,11 +138,11 @@ std::span<const Transition::Known> Transition::known_of(Handle instance) const {
 }
 
 void Transition::tell_changed() {
-    const Cause cause = instances_.tree.cause();
+    const Cause cause = tree_.cause();
     for (const Known& known : known_) {
-        const Node* node = instances_.nodes.find(known.instance);
+        const Node* node = nodes_.find(known.instance);
         if (node == nullptr) continue;
-        const Property* property = instances_.tree.find(known.instance, known.property->symbol);
+        const Property* property = tree_.find(known.instance, known.property->symbol);
         const Value now =
             property == nullptr ? Value() : instances_.read(known.instance.index, *node, *property);
         if (!(now == known.value))
@@ -151,10 +150,10 @@ void Transition::tell_changed() {
     }
     // Properties that somebody had removed since: nothing of them was known.
     for (const Lived& lived : lived_) {
-        const Node* node = instances_.nodes.find(lived.instance);
+        const Node* node = nodes_.find(lived.instance);
         if (node == nullptr || !node->has_ad_hoc) continue;
         const std::span<const Known> of_it = known_of(lived.instance);
-        for (const Property* property : instances_.tree.ad_hoc(lived.instance)) {
+        for (const Property* property : tree_.ad_hoc(lived.instance)) {
             const bool told = std::any_of(of_it.begin(), of_it.end(), [&](const Known& known) {
                 return known.property == property;
             });

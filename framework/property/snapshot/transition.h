@@ -4,10 +4,7 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
-
-#include <fettle/property/tree.h>
 
 #include <tree/state.h>
 
@@ -41,6 +38,8 @@ class Transition {
     void tell_changed();
 
     Instances& instances_;
+    Nodes& nodes_;
+    Tree& tree_;
     Changes& changes_;
     const Event& restored_;
     std::vector<Known> known_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <stdexcept>
 
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
@@ -44,7 +43,6 @@ bool belongs_to_the_present(const Class& of, const Property& property) {
 }
 
 // --- Saving
-// -----------------------------------------------------------------------------------------------------------
 
 std::size_t TreeMemory::bytes() const {
     std::size_t sum = sizeof *this;
@@ -139,7 +137,6 @@ const std::vector<std::string>& restore_remarks(const Tree& tree) {
 }
 
 // --- Reading
-// ----------------------------------------------------------------------------------------------------------
 
 TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
     : state_(state), now_(state.instances) {

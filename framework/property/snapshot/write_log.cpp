@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
-#include <exception>
 #include <optional>
 #include <utility>
 
@@ -38,7 +36,6 @@ std::size_t LoggedWrites::memory() const {
 }
 
 // --- Noting
-// -----------------------------------------------------------------------------------------------------------
 
 WriteLog::WriteLog(Tree& tree) : tree_(tree), life_(tree.lifetime()) {
     tree_.observe(*this);
@@ -254,7 +251,6 @@ void WriteLog::restored() {
 }
 
 // --- Doing it again
-// ---------------------------------------------------------------------------------------------------
 
 class WriteLog::Player {
   public:

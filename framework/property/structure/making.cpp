@@ -99,7 +99,7 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
     finish_making(self, of);
     making_it.reset();
     changed(parent, name);
-    if (changes.watchers.any_broad()) changes.shadows.refresh(tree, changes.watchers, self);
+    if (changes.watchers.any_broad()) changes.refresh_shadows(index);
     if (changes.watchers.any_created()) changes.queue_creation(self, of);
     changes.tell([&](Observer& o) { o.created(self); });
     return index;

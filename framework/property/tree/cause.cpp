@@ -1,7 +1,5 @@
 // The cause of a write: which writer, at which place, in which step.
 
-#include <fettle/property/tree.h>
-
 #include "state.h"
 
 namespace fettle::property {

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include <fettle/property/exception_text.h>
-#include <fettle/property/tree.h>
 
 #include "state.h"
 

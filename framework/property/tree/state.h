@@ -1,7 +1,6 @@
 #pragma once
 // What a tree is made of, and the edits of it that take several of these parts.
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>

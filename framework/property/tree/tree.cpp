@@ -1,11 +1,7 @@
 // Classes and instances of a tree: who there is, where they hang, how they come and go. How they
 // get other places is tree_placing.cpp.
 
-#include <fettle/property/tree.h>
-
-#include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include <fettle/property/path.h>
@@ -113,7 +109,6 @@ Pinned::~Pinned() {
 }
 
 // --- Classes
-// ---------------------------------------------------------------------------------------------------------
 
 const Class& Tree::define(ClassDescriptor descriptor) {
     require_changeable("define a class");
@@ -148,7 +143,6 @@ const Class& Tree::object_class() const {
 }
 
 // --- Instances
-// -------------------------------------------------------------------------------------------------------
 
 Handle Tree::root() const {
     return state_->instances.root;

@@ -11,7 +11,6 @@
 
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
-#include <fettle/property/tree.h>
 
 #include <classes/coerce.h>
 #include <values/weight.h>
@@ -28,7 +27,6 @@ std::string Tree::path(Handle instance, const Property& property) const {
 }
 
 // --- Finding
-// ---------------------------------------------------------------------------------------------------------
 
 const Property* Tree::find(Handle instance, Symbol name) const {
     const State& s = *state_;
@@ -70,7 +68,6 @@ std::vector<const Property*> Tree::properties(Handle instance) const {
 }
 
 // --- Reading
-// ---------------------------------------------------------------------------------------------------------
 
 Value Tree::get(Handle instance, const Property& property) const {
     State& s = *state_;
@@ -93,7 +90,6 @@ Value Tree::get(Handle instance, std::string_view name) const {
 }
 
 // --- Editing
-// ---------------------------------------------------------------------------------------------------------
 
 Value Tree::coerce(Handle instance, const Property& property, const Value& value) const {
     state_->instances.require(instance, property);

@@ -2,7 +2,6 @@
 
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
-#include <fettle/property/tree.h>
 
 #include <optional>
 

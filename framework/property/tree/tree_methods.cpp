@@ -4,7 +4,6 @@
 
 #include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
-#include <fettle/property/tree.h>
 
 #include <classes/coerce.h>
 

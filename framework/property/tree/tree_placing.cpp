@@ -2,10 +2,8 @@
 // and how deep a tree may be.
 
 #include <optional>
-#include <stdexcept>
 
 #include <fettle/property/path.h>
-#include <fettle/property/tree.h>
 #include <fettle/property/write_log.h>
 
 #include "state.h"

@@ -3,8 +3,6 @@
 // most, so it is kept as short as it can be; whatever is out of the ordinary goes the long way
 // (tree_edit.cpp), which does the same and more.
 
-#include <fettle/property/tree.h>
-
 #include <classes/coerce.h>
 
 #include "state.h"

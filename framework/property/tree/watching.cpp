@@ -3,19 +3,25 @@
 
 #include <algorithm>
 
-#include <fettle/property/tree.h>
-
 #include "state.h"
 
 namespace fettle::property {
 
-// -----------------------------------------------------------------------------------------------------
-
 namespace {
 
 template <class Handler>
-void require_handler(const Handler& handler) {
+Watcher watcher_of(WatchKind kind, Handler& handler, WatchOptions& options) {
     if (!handler) throw Error(ErrorKind::wrong_type, "to watch needs a handler, a function");
+    Watcher watcher;
+    watcher.kind = kind;
+    watcher.label = std::move(options.label);
+    if constexpr (std::is_same_v<Handler, ChangeHandler>)
+        watcher.on_change = std::move(handler);
+    else if constexpr (std::is_same_v<Handler, ExistenceHandler>)
+        watcher.on_existence = std::move(handler);
+    else
+        watcher.on_event = std::move(handler);
+    return watcher;
 }
 
 template <class Visit>
@@ -28,15 +34,13 @@ void each_instance(Tree::State& state, const Class& of, Visit visit) {
 
 void queue_initial(Tree::State& state, Handle instance, const Property& property,
                    WatcherId recipient) {
-    QueueItem item;
-    item.kind = QueueItem::Kind::initial;
-    item.what = Change{.instance = instance,
-                       .property = &property,
-                       .old_value = {},
-                       .new_value = {},
-                       .cause = state.tree.cause()};
-    item.recipients = {recipient};
-    state.changes.queue_item(std::move(item));
+    state.changes.queue_item({.kind = QueueItem::Kind::initial,
+                              .what = Change{.instance = instance,
+                                             .property = &property,
+                                             .old_value = {},
+                                             .new_value = {},
+                                             .cause = state.tree.cause()},
+                              .recipients = {recipient}});
 }
 
 }  // namespace
@@ -45,13 +49,9 @@ Connection Tree::watch(Handle instance, const Property& property, ChangeHandler 
                        WatchOptions options) {
     State& s = *state_;
     s.instances.require(instance, property);
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::cell;
+    Watcher watcher = watcher_of(WatchKind::cell, handler, options);
     watcher.index = instance.index;
     watcher.property = property.symbol;
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial) queue_initial(s, instance, property, s.changes.watchers.last_id());
     return connection;
@@ -65,12 +65,8 @@ Connection Tree::watch(Handle instance, std::string_view name, ChangeHandler han
 Connection Tree::watch(Handle instance, ChangeHandler handler, WatchOptions options) {
     State& s = *state_;
     s.instances.require(instance);
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::instance;
+    Watcher watcher = watcher_of(WatchKind::instance, handler, options);
     watcher.index = instance.index;
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial)
         for (const Property* property : properties(instance))
@@ -82,18 +78,14 @@ Connection Tree::watch(const Class& of, const Property* property, ChangeHandler 
                        WatchOptions options) {
     State& s = *state_;
     s.instances.require_own(of);
-    require_handler(handler);
     if (property != nullptr && property->owner != nullptr && !property->owner->is_a(of) &&
         !of.is_a(*property->owner))
         throw Error(ErrorKind::unknown_name, of.name() + " has no such property: \"" +
                                                  property->name + "\" is of " +
                                                  property->owner->name());
-    Watcher watcher;
-    watcher.kind = WatchKind::of_class;
+    Watcher watcher = watcher_of(WatchKind::of_class, handler, options);
     watcher.of = &of;
     if (property != nullptr) watcher.property = property->symbol;
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial)
         each_instance(s, of, [&](Handle instance) {
@@ -107,13 +99,9 @@ Connection Tree::watch(const Class& of, const Property* property, ChangeHandler 
 Connection Tree::watch_pattern(std::string_view pattern, ChangeHandler handler,
                                WatchOptions options) {
     State& s = *state_;
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::pattern;
+    Watcher watcher = watcher_of(WatchKind::pattern, handler, options);
     watcher.pattern = std::make_unique<Pattern>(pattern);
     watcher.property = watcher.pattern->only_property();
-    watcher.on_change = std::move(handler);
-    watcher.label = std::move(options.label);
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial) {
         const Pattern matching(pattern);
@@ -129,73 +117,45 @@ Connection Tree::watch_pattern(std::string_view pattern, ChangeHandler handler,
 Connection Tree::watch_created(const Class& of, ExistenceHandler handler, WatchOptions options) {
     State& s = *state_;
     s.instances.require_own(of);
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::created;
+    Watcher watcher = watcher_of(WatchKind::created, handler, options);
     watcher.of = &of;
-    watcher.on_existence = std::move(handler);
-    watcher.label = std::move(options.label);
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial)
         each_instance(s, of, [&](Handle instance) {
-            QueueItem item;
-            item.kind = QueueItem::Kind::created;
-            item.what = Existence{.instance = instance,
-                                  .instance_class = &class_of(instance),
-                                  .path = {},
-                                  .cause = cause(),
-                                  .last_values = {}};
-            item.recipients = {s.changes.watchers.last_id()};
-            s.changes.queue_item(std::move(item));
+            s.changes.queue_creation(instance, class_of(instance), s.changes.watchers.last_id());
         });
     return connection;
 }
 
 Connection Tree::watch_deleted(const Class& of, ExistenceHandler handler, WatchOptions options) {
     state_->instances.require_own(of);
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::deleted;
+    Watcher watcher = watcher_of(WatchKind::deleted, handler, options);
     watcher.of = &of;
-    watcher.on_existence = std::move(handler);
-    watcher.label = std::move(options.label);
     return state_->changes.watchers.add(std::move(watcher));
 }
 
 Connection Tree::watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options) {
     state_->instances.require(instance);
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::deleted;
+    Watcher watcher = watcher_of(WatchKind::deleted, handler, options);
     watcher.index = instance.index;
-    watcher.on_existence = std::move(handler);
-    watcher.label = std::move(options.label);
     return state_->changes.watchers.add(std::move(watcher));
 }
 
 Connection Tree::on(Handle instance, const Event& event, EventHandler handler,
                     WatchOptions options) {
     state_->instances.require_event(class_of(instance), event);
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::event;
+    Watcher watcher = watcher_of(WatchKind::event, handler, options);
     watcher.index = instance.index;
     watcher.event = &event;
-    watcher.on_event = std::move(handler);
-    watcher.label = std::move(options.label);
     return state_->changes.watchers.add(std::move(watcher));
 }
 
 Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
                     WatchOptions options) {
     state_->instances.require_event(of, event);
-    require_handler(handler);
-    Watcher watcher;
-    watcher.kind = WatchKind::class_event;
+    Watcher watcher = watcher_of(WatchKind::class_event, handler, options);
     watcher.of = &of;
     watcher.event = &event;
-    watcher.on_event = std::move(handler);
-    watcher.label = std::move(options.label);
     return state_->changes.watchers.add(std::move(watcher));
 }
 

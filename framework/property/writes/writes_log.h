@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,17 +30,20 @@ class WritesLog {
     /// the cell is in this one answer.
     bool open() const { return next_ < open_end_; }
     /// What closes the shortest way: what is written is an edit to be recorded, a formula runs, an
-    /// inquiry is made, or a cell has a shadow.
-    enum class Bar : std::uint8_t { recorded = 1, formula = 2, inquiry = 4, shadow = 8 };
-    void bar(Bar bar, bool set) {
-        const auto bit = static_cast<std::uint8_t>(bar);
-        bars_ = static_cast<std::uint8_t>(set ? bars_ | bit : bars_ & ~bit);
+    /// Why the shortest way is closed: what is written is an edit to be recorded, a formula runs,
+    /// an inquiry is made, or a cell has a shadow.
+    enum class Reason : std::uint8_t { recorded = 1, formula = 2, inquiry = 4, shadow = 8 };
+    void close(Reason reason, bool closed) {
+        const auto bit = static_cast<std::uint8_t>(reason);
+        reasons_ = static_cast<std::uint8_t>(closed ? reasons_ | bit : reasons_ & ~bit);
         set_end();
     }
-    bool barred(Bar bar) const { return (bars_ & static_cast<std::uint8_t>(bar)) != 0; }
+    bool closed_for(Reason reason) const {
+        return (reasons_ & static_cast<std::uint8_t>(reason)) != 0;
+    }
     /// What is written is an edit to be recorded, or not allowed.
     bool only_the_long_way() const {
-        return (bars_ & ~static_cast<std::uint8_t>(Bar::shadow)) != 0;
+        return (reasons_ & ~static_cast<std::uint8_t>(Reason::shadow)) != 0;
     }
     /// A write of the typed ways begins: its entry, to be filled in. It counts unless it is taken
     /// back; a setter may itself write before that is known.
@@ -90,7 +92,7 @@ class WritesLog {
     };
 
     void next_chunk();
-    void set_end() { open_end_ = bars_ == 0 ? end_ : nullptr; }
+    void set_end() { open_end_ = reasons_ == 0 ? end_ : nullptr; }
     PackedWrites::Found last_packed(std::uint32_t index, Symbol property) const;
 
     std::shared_ptr<Chunk> chunk_ = std::make_shared<Chunk>();  // is filled
@@ -101,7 +103,7 @@ class WritesLog {
     PlainWrite* next_ = untold_;
     PlainWrite* end_ = untold_ + in_chunk;
     PlainWrite* open_end_ = end_;  // nullptr where the shortest way is closed
-    std::uint8_t bars_ = 0;
+    std::uint8_t reasons_ = 0;
     std::uint64_t told_ = 0;  // writes that were told, ever
     std::deque<Run> runs_;
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
