@@ -7,6 +7,11 @@
 #include <values/weight.h>
 
 namespace fettle::property {
+namespace {
+
+constexpr std::size_t most_fresh_kept = 1024;  // room for instances made between barriers
+
+}  // namespace
 
 Value PlainWrite::value() const {
     const bool narrow = property->shortcut.narrow;
@@ -105,15 +110,27 @@ void Changes::queue_deletion(Handle handle, const Class& of, const Cause& cause)
     const bool only_own = nodes[handle.index].fresh;
     const bool wanted = wants_farewell(handle, of, only_own);
     if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;
+    Existence gone = farewell_of(handle, of, wanted);
+    gone.cause = cause;
+    queue_farewell(std::move(gone), only_own);
+}
+
+Existence Changes::farewell_of(Handle handle, const Class& of, bool with_values) const {
     Existence gone{.instance = handle,
                    .instance_class = &of,
                    .path = tree.path(handle),
-                   .cause = cause,
+                   .cause = {},
                    .last_values = {}};
-    if (wanted)
+    if (with_values)
         for (const Property* property : tree.properties(handle))
             gone.last_values.emplace_back(property, tree.peek(handle, *property));
-    queue_farewell(std::move(gone), only_own);
+    return gone;
+}
+
+void Changes::forget_fresh() {
+    for (const std::uint32_t index : queue.fresh) nodes[index].fresh = false;
+    queue.fresh.clear();
+    if (queue.fresh.capacity() > most_fresh_kept) queue.fresh.shrink_to_fit();
 }
 
 void Changes::queue_farewell(Existence gone, bool only_own) {

@@ -81,6 +81,10 @@ struct Changes {
     /// The same for one that is gone already. `only_own`: only its own watchers knew it.
     void queue_farewell(Existence gone, bool only_own);
     bool wants_farewell(Handle handle, const Class& of, bool only_own) const;
+    /// What is told of its end. The cause is not known yet.
+    Existence farewell_of(Handle handle, const Class& of, bool with_values) const;
+    /// From now on instances are old: who watches classes knows of them.
+    void forget_fresh();
     void compare_shadows();
 
     // shadowing.cpp: which cells are compared

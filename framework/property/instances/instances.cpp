@@ -4,6 +4,10 @@ namespace fettle::property {
 
 const Cell Reads::structure{0, Symbol("*")};
 
+void Reads::add(const Read& read) const {
+    list_->push_back(read);
+}
+
 void Instances::throw_deleted(Handle handle) const {
     // Undo may bring it back: a formula that looks for it is asked again then.
     reads.note_structure();

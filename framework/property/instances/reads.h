@@ -29,17 +29,19 @@ class Reads {
     std::vector<Read>* note_in(std::vector<Read>* list) { return std::exchange(list_, list); }
 
     void note_value(Handle instance, const Property& property) const {
-        if (noted()) list_->push_back({{instance.index, property.symbol}, instance, &property});
+        if (noted()) add({{instance.index, property.symbol}, instance, &property});
     }
     /// What a name stands for, also "nothing".
     void note_name(Handle instance, Symbol name) const {
-        if (noted()) list_->push_back({{instance.index, name}, instance});
+        if (noted()) add({{instance.index, name}, instance});
     }
     void note_structure() const {
-        if (noted()) list_->push_back({structure});
+        if (noted()) add({structure});
     }
 
   private:
+    void add(const Read& read) const;  // a call, so that reads outside of formulas stay short
+
     std::vector<Read>* list_ = nullptr;
 };
 

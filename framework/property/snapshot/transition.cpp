@@ -34,15 +34,7 @@ void Transition::note(std::uint32_t index) {
         !changes_.watchers.of_event(self, *changes_.deleted_event, changes_.watchers.last_id())
              .empty();
     if (!told && !node.watched) return;
-    Existence gone{.instance = self,
-                   .instance_class = &of,
-                   .path = tree_.path(self),
-                   .cause = {},
-                   .last_values = {}};
-    if (told)
-        for (const Property* property : tree_.properties(self))
-            gone.last_values.emplace_back(property, instances_.read(index, node, *property));
-    farewells_.push_back(std::move(gone));
+    farewells_.push_back(changes_.farewell_of(self, of, told));
 }
 
 bool Transition::watched(Handle self, const Node& node, const Property& property) const {
@@ -53,8 +45,7 @@ bool Transition::watched(Handle self, const Node& node, const Property& property
 void Transition::finish() {
     const Tree::CauseScope scope(tree_, Writer::restore);
     if (changes_.author.step < left_) changes_.writes.went_back(changes_.author.step);
-    for (const std::uint32_t index : changes_.queue.fresh) nodes_[index].fresh = false;
-    changes_.queue.fresh.clear();
+    changes_.forget_fresh();
     drop_queued();
     end_instances();
     watch_again();

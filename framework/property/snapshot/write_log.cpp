@@ -353,7 +353,7 @@ void WriteLog::Player::structure(Did did, Handle instance) {
             return create(instance);
         case Did::destroyed:
             s_.instances.keep_slots = from_.boolean();
-            std::erase(s_.structure.to_come, instance);
+            std::erase(s_.structure.next_handles, instance);
             return tree_.destroy(instance);
         case Did::moved:
             return move(instance);
@@ -371,7 +371,7 @@ void WriteLog::Player::create(Handle instance) {
     const bool named = from_.boolean();
     // What a class makes below an instance is told before the instance: it is made with it.
     if (parent && !tree_.alive(parent)) {
-        s_.structure.to_come.push_back(instance);
+        s_.structure.next_handles.push_back(instance);
         return;
     }
     s_.structure.make(s_.instances.classes[class_id], parent.index, name, named, instance);
@@ -409,7 +409,7 @@ void WriteLog::Player::call(Handle instance) {
     const auto name = std::bit_cast<Symbol>(from_.get<std::uint32_t>());
     std::vector<Value> arguments(from_.count());
     for (Value& argument : arguments) argument = from_.value();
-    for (const Handle made : from_.list<Handle>()) s_.structure.to_come.push_back(made);
+    for (const Handle made : from_.list<Handle>()) s_.structure.next_handles.push_back(made);
     const auto answers = from_.list<std::uint8_t>();
     std::optional<Acceptance> acceptance;
     if (!answers.empty())
@@ -422,7 +422,7 @@ void WriteLog::Player::call(Handle instance) {
     } catch (...) {
         // It failed then as it does now.
     }
-    s_.structure.to_come.clear();
+    s_.structure.next_handles.clear();
 }
 
 void WriteLog::play(const LoggedWrites& piece) {

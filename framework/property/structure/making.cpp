@@ -57,9 +57,9 @@ void Structure::take_back(Handle self, const Class& of, bool has_row) {
 
 std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                               Handle again) {
-    if (!again && !to_come.empty()) {
-        again = to_come.front();
-        to_come.erase(to_come.begin());
+    if (!again && !next_handles.empty()) {
+        again = next_handles.front();
+        next_handles.erase(next_handles.begin());
     }
     if (again) nodes.revive(again);
     const std::uint32_t index = again ? again.index : nodes.allocate();

@@ -26,8 +26,8 @@ struct Structure {
     Tree& tree;
     Formulas& formulas;
     Underway& underway;
-    std::uint64_t version = 0;    // counts comings, goings and moves
-    std::vector<Handle> to_come;  // of whom is made again inside of what is done again
+    std::uint64_t version = 0;         // counts comings, goings and moves
+    std::vector<Handle> next_handles;  // of the instances that a repeated call makes again
 
     /// The children of `parent` are others, or one has another name.
     void changed(std::uint32_t parent, const NodeName& name);

@@ -11,7 +11,6 @@
 namespace fettle::property {
 namespace {
 constexpr std::size_t most_generations = 16;
-constexpr std::size_t most_fresh_kept = 1024;  // room for instances made between barriers
 }  // namespace
 
 bool Tree::listens(const Event& event) const {
@@ -100,9 +99,7 @@ bool find_changes(Tree::State& s, bool stepped) {
 void deliver_all(Tree::State& s, std::exception_ptr& first_error) {
     Queue& queue = s.changes.queue;
     s.changes.tell_plain_writes();
-    for (const std::uint32_t index : queue.fresh) s.instances.nodes[index].fresh = false;
-    queue.fresh.clear();
-    if (queue.fresh.capacity() > most_fresh_kept) queue.fresh.shrink_to_fit();
+    s.changes.forget_fresh();
     if (!find_changes(s, s.changes.stepped) || queue.items.empty()) return;
 
     const Delivering delivering(s.changes);

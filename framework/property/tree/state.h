@@ -29,7 +29,7 @@ struct Tree::State {
     Structure structure{formulas, underway};
     History history{structure};
     const Event* restored_event = nullptr;  // of Game
-    mutable SnapshotState snapshots;
+    SnapshotState snapshots;
 
     static std::uint64_t next_number();
     /// Throws where nothing may be changed: formulas compute and functions that are asked answer.

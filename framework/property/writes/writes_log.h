@@ -29,7 +29,6 @@ class WritesLog {
     /// A write of the shortest way can begin: all that could be against it and does not depend on
     /// the cell is in this one answer.
     bool open() const { return next_ < open_end_; }
-    /// What closes the shortest way: what is written is an edit to be recorded, a formula runs, an
     /// Why the shortest way is closed: what is written is an edit to be recorded, a formula runs,
     /// an inquiry is made, or a cell has a shadow.
     enum class Reason : std::uint8_t { recorded = 1, formula = 2, inquiry = 4, shadow = 8 };
