@@ -181,4 +181,12 @@ Violations forbidden_rooms(const SourceTree& tree) {
     return found;
 }
 
+std::vector<std::string> folders_of_rooms() {
+    std::vector<std::string> folders;
+    for (const DividedPart& part : divided_parts())
+        for (const Room& room : part.rooms)
+            folders.push_back(std::string(part.folder) + std::string(room.name));
+    return folders;
+}
+
 }  // namespace fettle::architecture

@@ -22,6 +22,15 @@ Violations forbidden_includes(const SourceTree& tree);
 /// of which knows it.
 Violations forbidden_rooms(const SourceTree& tree);
 
+/// Of all parts that are divided: "physics/geometry".
+std::vector<std::string> folders_of_rooms();
+
+/// Every path between backticks in a text exists, as a file or as a folder of files.
+Violations lost_paths(const SourceTree& tree, const std::string& text);
+
+/// Every room has a line in the text.
+Violations rooms_without_line(const std::string& text);
+
 /// A part links only the targets of parts and libraries that it may know.
 Violations forbidden_links(const SourceTree& tree);
 

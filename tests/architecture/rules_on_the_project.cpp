@@ -1,5 +1,7 @@
 // Every rule of the architecture, held against the project's own sources.
 
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "catch.h"
@@ -20,6 +22,14 @@ std::string listed(const Violations& violations) {
     return text;
 }
 
+std::string text_of(const std::string& path) {
+    std::ifstream file(std::string(FETTLE_SOURCE_DIR) + "/" + path);
+    REQUIRE(file);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
 }  // namespace
 
 TEST_CASE("the rules see the sources of the project") {
@@ -27,7 +37,7 @@ TEST_CASE("the rules see the sources of the project") {
     CHECK(project().contains("physics/include/fettle/physics/world.h"));
     CHECK(project().contains("tests/architecture/rules_on_the_project.cpp"));
     const SourceFile& own = project().files().at("tests/architecture/rules_on_the_project.cpp");
-    REQUIRE(own.includes().size() == 3);
+    REQUIRE(own.includes().size() == 5);
     CHECK(project().resolve(own, own.includes().back()) == "tests/architecture/rules.h");
 }
 
@@ -41,6 +51,16 @@ TEST_CASE("a part includes only the parts and libraries that it may know") {
 
 TEST_CASE("a room of a part includes only the rooms that it may know") {
     CHECK(listed(forbidden_rooms(project())) == "");
+}
+
+TEST_CASE("the map of the project names every room, and nothing that is not there") {
+    const std::string map = text_of("docs/design/architecture.md");
+    CHECK(listed(lost_paths(project(), map)) == "");
+    CHECK(listed(rooms_without_line(map)) == "");
+    for (const char* page : {"app", "console", "glossary", "physics", "property-tree", "scenes",
+                             "scripting", "solvers", "storage", "testing", "time"})
+        CHECK(listed(lost_paths(project(), text_of("docs/design/" + std::string(page) + ".md"))) ==
+              "");
 }
 
 TEST_CASE("a part links only the parts and libraries that it may know") {

@@ -181,6 +181,13 @@ TEST_CASE("a mark of unfinished work is named with file and line") {
     CHECK(of(unfinished_marks, "physics/world/world.cpp", "int " + mark + "s;\n").empty());
 }
 
+TEST_CASE("a path that is not there is found in a document") {
+    const SourceTree tree(std::map<std::string, std::string>{{"physics/world/step.cpp", ""}});
+    CHECK(lost_paths(tree, "`physics/world/step.cpp`, `physics/world`, `std::sort`").empty());
+    CHECK(lost_paths(tree, "`physics/world/stop.cpp` and `physics/word`").size() == 2);
+    CHECK(rooms_without_line("").size() == folders_of_rooms().size());
+}
+
 TEST_CASE("a file outside every part is named") {
     CHECK(of(unknown_places, "framework/drawing/pen.cpp", "").size() == 1);
     CHECK(of(unknown_places, "tests/physics/friction.cpp", "").empty());
