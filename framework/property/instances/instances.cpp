@@ -4,8 +4,8 @@ namespace fettle::property {
 
 const Cell Reads::structure{0, Symbol("*")};
 
-void Reads::add(const Read& read) const {
-    list_->push_back(read);
+void Reads::add(Cell cell, Handle instance, const Property* property) const {
+    list_->push_back({cell, instance, property});
 }
 
 void Instances::throw_deleted(Handle handle) const {

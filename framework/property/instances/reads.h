@@ -29,18 +29,22 @@ class Reads {
     std::vector<Read>* note_in(std::vector<Read>* list) { return std::exchange(list_, list); }
 
     void note_value(Handle instance, const Property& property) const {
-        if (noted()) add({{instance.index, property.symbol}, instance, &property});
+        if (noted()) [[unlikely]]
+            add({instance.index, property.symbol}, instance, &property);
     }
     /// What a name stands for, also "nothing".
     void note_name(Handle instance, Symbol name) const {
-        if (noted()) add({{instance.index, name}, instance});
+        if (noted()) [[unlikely]]
+            add({instance.index, name}, instance);
     }
     void note_structure() const {
-        if (noted()) add({structure});
+        if (noted()) [[unlikely]]
+            add(structure);
     }
 
   private:
-    void add(const Read& read) const;  // a call, so that reads outside of formulas stay short
+    // A call, so that reads outside of formulas stay short.
+    void add(Cell cell, Handle instance = {}, const Property* property = nullptr) const;
 
     std::vector<Read>* list_ = nullptr;
 };
