@@ -18,13 +18,13 @@ struct FETTLE_PHYSICS_PRIVATE WorldLink;
 }
 
 /// A light handle (pointer and id): copy it freely. It may outlive its body and its world. All
-/// methods but `is_valid`, `id`, `index` and comparison throw `std::invalid_argument` when it names
-/// no body, or when the body or its world was destroyed. Setters throw `std::invalid_argument`,
-/// with a message that says what was expected, for values without meaning (NaN, a negative
-/// damping...), and `Locked` inside a function that the world is calling (callbacks.h); they change
-/// nothing then. Every setter takes effect in the next step and wakes whom it concerns. The body
-/// that carries the bounds of a world can be read like any other; of its setters it has
-/// `set_user_data` alone.
+/// methods but `is_valid`, `id`, `index` and comparison throw `std::invalid_argument` when the
+/// handle is empty, or when the body or its world was destroyed. Setters throw
+/// `std::invalid_argument`, with a message that says what was expected, for values without meaning
+/// (NaN, a negative damping...), and `Locked` inside a function that the world is calling
+/// (callbacks.h); they change nothing then. Every setter takes effect in the next step and wakes
+/// the bodies it affects. The body that carries the bounds of a world can be read like any other;
+/// its only setter that works is `set_user_data`.
 class Body {
   public:
     Body() = default;
@@ -46,11 +46,13 @@ class Body {
     float angle() const;  ///< rad, not wrapped
     void set_angle(float angle);
     void set_pose(const Pose& pose);  ///< both in one teleport
-    /// Of the center of mass, m/s; a step limits it to 10 000 m/s. What does not move by itself,
-    /// being static or infinitely heavy, keeps none: setting one is without effect.
+    /// Velocity of the center of mass, m/s; a step limits it to 10 000 m/s. A body that does not
+    /// move by itself, because it is static or infinitely heavy, has no velocity: setting one has
+    /// no effect.
     Vec2 velocity() const;
     void set_velocity(const Vec2& velocity);
-    /// rad/s; a step limits it to 3 rad in each of its parts. Without effect as `set_velocity`.
+    /// Angular velocity, rad/s; a step limits it to 3 rad in each sub-step. No effect where
+    /// `set_velocity` has none.
     float angular_velocity() const;
     void set_angular_velocity(float angular_velocity);
 
@@ -61,7 +63,7 @@ class Body {
     void apply_force(const Vec2& force);  ///< for the next step only
     void apply_force(const Vec2& force, const Vec2& world_point);
     void apply_torque(float torque);
-    Vec2 applied_force() const;    ///< N, what `apply_force` has gathered for the next step
+    Vec2 applied_force() const;    ///< N, the sum of what `apply_force` added for the next step
     float applied_torque() const;  ///< N m, about the center of mass
     void apply_impulse(const Vec2& impulse);  ///< N s: changes the velocity at once
     void apply_impulse(const Vec2& impulse, const Vec2& world_point);
@@ -75,7 +77,7 @@ class Body {
     void set_angular_damping(float damping);
 
     bool awake() const;
-    void set_awake(bool awake);  ///< with the island it rests in
+    void set_awake(bool awake);  ///< with its whole island
     bool can_sleep() const;
     void set_can_sleep(bool can_sleep);
     bool bullet() const;
@@ -87,9 +89,9 @@ class Body {
     bool locked_rotation() const;
     void set_locked_rotation(bool locked);
 
-    /// kg: the override if there is one, else the sum over the shapes. A dynamic body whose shapes
-    /// weigh nothing has mass 1 and does not turn. Static and kinematic bodies report what they
-    /// would weigh.
+    /// Mass, kg: the override if there is one, else the sum over the shapes. A dynamic body whose
+    /// shapes have no mass has mass 1 and does not turn. Static and kinematic bodies return the
+    /// mass that they would have as dynamic bodies.
     float mass() const;
     void set_mass(
         std::optional<float> mass);  ///< none: from the shapes; infinity: does not move; else > 0
@@ -103,9 +105,10 @@ class Body {
     Vec2 world_center() const;
     float area() const;         ///< m², sum over the shapes
     Aabb aabb() const;          ///< of all shapes; the origin when there is none
-    uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed anew
+    uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed again
 
-    /// Pose before the last step, for drawing between steps. A teleport moves it too: no smear.
+    /// Pose before the last step, for drawing between steps. A teleport changes it, too, so that
+    /// nothing is drawn on the way.
     Pose previous_pose() const;
     /// Pose at `fraction` (0: previous, 1: current) of the last step.
     Pose interpolated(float fraction) const;

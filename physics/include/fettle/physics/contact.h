@@ -15,7 +15,8 @@ struct ContactPoint {
     float normal_impulse =
         0.0f;  ///< N s in one sub-step; multiply by the sub-step rate for newtons
     float tangent_impulse = 0.0f;  ///< N s in one sub-step
-    uint16_t feature = 0;          ///< which vertex and edge met: stable while they stay the same
+    uint16_t feature = 0;          ///< which vertex and edge meet: unchanged while the same ones
+                                   ///< meet
 };
 
 /// A contact between two shapes as it was in the last step. The normal points from a to b. One of
@@ -30,7 +31,7 @@ struct Contact {
     std::array<ContactPoint, 2> points;
     float friction = 0.0f;      ///< mixed
     float restitution = 0.0f;   ///< mixed
-    float normal_force = 0.0f;  ///< N, mean over the last sub-step, both points together
+    float normal_force = 0.0f;  ///< N, mean over the last sub-step, sum of both points
 };
 
 }  // namespace fettle::physics

@@ -9,26 +9,28 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// Holds two bodies together: a point and an angle, rigidly or as springs.
+/// Holds two bodies together at a point and at an angle, rigidly or with springs.
 class WeldJoint : public Joint {
   public:
     using Joint::Joint;
 
-    float angle() const;  ///< rad, of b relative to a, less the reference: held at 0
+    float angle() const;  ///< rad, of b relative to a, minus the reference angle: held at 0
     float reference_angle() const;
     void set_reference_angle(float angle);
-    float hertz() const;  ///< of the point; infinity (the default): rigid; 0: not held
+    float hertz() const;  ///< stiffness at the point; infinity (the default): rigid; 0: not held
     void set_hertz(float hertz);
     float damping_ratio() const;
     void set_damping_ratio(float ratio);
-    float angular_hertz() const;  ///< of the angle; infinity (the default): rigid; 0: not held
+    float angular_hertz() const;  ///< stiffness of the angle; infinity (the default): rigid; 0: not
+                                  ///< held
     void set_angular_hertz(float hertz);
     float angular_damping_ratio() const;
     void set_angular_damping_ratio(float ratio);
 };
 
-/// Drives b against a, by at most a force and a torque: to a velocity, or with `hertz` to an offset
-/// and an angle. At rest and without stiffness it is the friction of a top-down game.
+/// Drives b relative to a, with a limited force and torque: to a velocity, or with `hertz` to an
+/// offset and an angle. With velocity 0 and without stiffness it is the friction of a top-down
+/// game.
 class MotorJoint : public Joint {
   public:
     using Joint::Joint;
@@ -45,9 +47,10 @@ class MotorJoint : public Joint {
     void set_linear_offset(const Vec2& offset);
     float angular_offset() const;  ///< rad, of b relative to a
     void set_angular_offset(float angle);
-    float hertz() const;  ///< stiffness to the offsets; 0 (the default): velocities alone
+    float hertz() const;  ///< stiffness towards the offsets; 0 (the default): only velocities are
+                          ///< driven
     void set_hertz(float hertz);
-    float damping_ratio() const;  ///< 1 at first
+    float damping_ratio() const;  ///< 1 by default
     void set_damping_ratio(float ratio);
 };
 
@@ -56,15 +59,16 @@ class PulleyJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Vec2 ground_a() const;  ///< the wheel over a; world, m
+    Vec2 ground_a() const;  ///< the wheel above a; world, m
     void set_ground_a(const Vec2& point);
     Vec2 ground_b() const;
     void set_ground_b(const Vec2& point);
-    float ratio() const;  ///< parts of the rope at b: how much slower and stronger b is than a
+    float ratio() const;  ///< weight of the part of the rope at b: b is so much slower and stronger
+                          ///< than a
     void set_ratio(float ratio);  ///< positive
-    float length() const;         ///< m, of a's part and `ratio` times b's
+    float length() const;         ///< m, of the part at a plus `ratio` times the part at b
     void set_length(float length);
-    float length_now() const;  ///< m, what it takes to reach both: `length` when taut
+    float length_now() const;  ///< m, that the rope needs to reach both bodies: `length` when taut
     float length_a() const;    ///< m, from the wheel to anchor a now
     float length_b() const;
     float tension() const;  ///< N, in the last step
@@ -75,12 +79,12 @@ class GearJoint : public Joint {
   public:
     using Joint::Joint;
 
-    /// How far b turns when a turns once: -r_a/r_b where the wheels mesh, r_a/r_b with a belt.
+    /// How far b turns when a turns once: -r_a/r_b for meshed wheels, r_a/r_b for a belt.
     float ratio() const;
     void set_ratio(float ratio);
-    float phase() const;  ///< rad: angle of b less `ratio` times that of a
+    float phase() const;  ///< rad: angle of b minus `ratio` times the angle of a
     void set_phase(float phase);
-    float phase_now() const;  ///< rad, what the angles make it
+    float phase_now() const;  ///< rad, the phase of the current angles
 };
 
 /// Lets b turn against a one way only.
@@ -88,14 +92,14 @@ class RatchetJoint : public Joint {
   public:
     using Joint::Joint;
 
-    float angle() const;  ///< rad, of b relative to a, less the reference
+    float angle() const;  ///< rad, of b relative to a, minus the reference angle
     float reference_angle() const;
     void set_reference_angle(float angle);
-    float tooth() const;  ///< rad between teeth; 0 (the default): it holds at any angle
+    float tooth() const;  ///< rad between teeth; 0 (the default): the ratchet holds at any angle
     void set_tooth(float angle);
-    bool backwards() const;  ///< clockwise is free instead of counter-clockwise
+    bool backwards() const;  ///< true: b turns freely clockwise, not counter-clockwise
     void set_backwards(bool backwards);
-    float caught_angle() const;  ///< rad: it does not turn back beyond this
+    float caught_angle() const;  ///< rad: b does not turn back beyond this angle
 };
 
 }  // namespace fettle::physics

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-// What happened in the last step and in the edits before it. Ids of what was destroyed are dangling
-// on purpose: they still compare, so a listener can tell who ended.
+// What happened in the last step and in the edits before it. Ids of destroyed objects are dangling
+// on purpose: they still compare, so a listener knows which object was destroyed.
 
 FETTLE_PHYSICS_BEGIN
 
@@ -19,8 +19,8 @@ struct ContactBeginEvent {
     BodyId body_b;
     Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold
     Vec2 normal = Vec2::Zero();  ///< from a to b
-    float speed = 0.0f;          ///< m/s, approach along the normal before the step
-    float impulse = 0.0f;        ///< N s, what it takes to end that approach and to bounce off
+    float speed = 0.0f;          ///< m/s, approach speed along the normal before the step
+    float impulse = 0.0f;        ///< N s, the impulse that ends the approach and makes the bounce
     float friction = 0.0f;       ///< mixed
     float restitution = 0.0f;    ///< mixed
 };
@@ -32,7 +32,7 @@ struct ContactEndEvent {
     BodyId body_b;
 };
 
-/// A touch that goes on, with `WorldDef::persist_events`.
+/// A touch that goes on; only with `WorldDef::persist_events`.
 struct ContactPersistEvent {
     ShapeId shape_a;
     ShapeId shape_b;
@@ -40,8 +40,8 @@ struct ContactPersistEvent {
     BodyId body_b;
     Vec2 point = Vec2::Zero();
     Vec2 normal = Vec2::Zero();  ///< from a to b
-    float speed = 0.0f;          ///< m/s, approach along the normal
-    float impulse = 0.0f;        ///< N s, normal, of the last step
+    float speed = 0.0f;          ///< m/s, approach speed along the normal
+    float impulse = 0.0f;        ///< N s, normal impulse of the last step
     float friction = 0.0f;       ///< mixed
     float restitution = 0.0f;    ///< mixed
 };
@@ -54,8 +54,8 @@ struct ContactHitEvent {
     BodyId body_b;
     Vec2 point = Vec2::Zero();
     Vec2 normal = Vec2::Zero();  ///< from a to b
-    float speed = 0.0f;          ///< m/s, approach along the normal
-    float impulse = 0.0f;        ///< N s, that stopped the approach
+    float speed = 0.0f;          ///< m/s, approach speed along the normal
+    float impulse = 0.0f;        ///< N s, the impulse that stopped the approach
     float friction = 0.0f;       ///< mixed
     float restitution = 0.0f;    ///< mixed
 };
@@ -67,13 +67,14 @@ struct SensorEvent {
     BodyId visitor_body;
 };
 
-/// A joint bore more than its `break_force` or `break_torque`; it acts no more (`Joint::broken`).
+/// A joint had more load than its `break_force` or `break_torque`; it no longer acts
+/// (`Joint::broken`).
 struct JointBreakEvent {
     JointId joint;
-    BodyId body_a;  ///< an invalid one is the world
+    BodyId body_a;  ///< an invalid id means the world
     BodyId body_b;
     Vec2 force = Vec2::Zero();  ///< N, on body b, mean over the step
-    float torque = 0.0f;        ///< N m, on body b, besides that of the force
+    float torque = 0.0f;        ///< N m, on body b, without the torque of the force
 };
 
 struct Events {

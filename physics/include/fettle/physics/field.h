@@ -31,18 +31,18 @@ struct WindField {
     float density = 1.2f;          ///< kg/m²
 };
 
-/// Slows what moves against a flow, by the area of the shapes.
+/// Slows bodies relative to a flow, in proportion to the area of their shapes.
 struct DragField {
     Vec2 flow = Vec2::Zero();  ///< m/s
     float linear = 1.0f;       ///< N s/m per m²
     float quadratic = 0.0f;    ///< N s²/m² per m²
 };
 
-/// A liquid below a straight surface. Lifts by the weight of what it gives way to, exactly, at the
-/// centroid of the submerged part; its gravity is that of the world.
+/// A liquid below a straight surface. Lifts a shape by the weight of the displaced liquid, exactly,
+/// at the centroid of the submerged part; gravity is that of the world.
 struct BuoyancyField {
-    float level = 0.0f;          ///< m: submerged is what has normal·p < level
-    Vec2 normal = {0.0f, 1.0f};  ///< of the surface, upward, of any length but 0
+    float level = 0.0f;          ///< m: points with normal·p < level are submerged
+    Vec2 normal = {0.0f, 1.0f};  ///< upward normal of the surface, of any length but 0
     float density = 2.0f;        ///< kg/m²
     float drag = 2.0f;           ///< 1/s: share of the displaced mass that resists motion
     Vec2 flow = Vec2::Zero();    ///< m/s
@@ -53,21 +53,22 @@ struct AttractorField {
     Vec2 center = Vec2::Zero();  ///< world, m
     float strength = 10.0f;      ///< m/s² at a distance of 1 m; negative repels
     int falloff = 2;             ///< 0 … 3
-    float core = 0.5f;           ///< m: nearer than this it pulls in proportion to the distance
+    float core = 0.5f;           ///< m: at a smaller distance the pull is proportional to the
+                                 ///< distance
 };
 
 struct FieldDef {
     std::variant<WindField, DragField, BuoyancyField, AttractorField> force = {};
-    /// Where it acts, m: on shapes that reach into it (liquids), or whose body has its center of
-    /// mass there. None: everywhere.
+    /// Where the field acts, m: on shapes that overlap the region (liquids), or on bodies with
+    /// their center of mass in it. None: everywhere.
     std::optional<Aabb> region = {};
-    uint64_t mask = ~uint64_t{0};  ///< on shapes of these categories
+    uint64_t mask = ~uint64_t{0};  ///< the field acts on shapes of these categories
     bool enabled = true;
     uint64_t user_data = 0;
 };
 
-/// A light handle to a field of force. Errors as for `Body`. It pushes what is awake; setting it
-/// wakes all.
+/// A light handle to a field of force. Errors as for `Body`. A field pushes awake bodies only;
+/// setting it wakes all.
 class Field {
   public:
     Field() = default;
@@ -81,7 +82,8 @@ class Field {
     void destroy();
 
     const FieldDef& definition() const;
-    void set(const FieldDef& definition);  ///< all at once; what has no meaning is refused
+    void set(const FieldDef& definition);  ///< all settings at once; values without meaning are
+                                           ///< refused
 
   private:
     detail::WorldData& live() const;

@@ -17,7 +17,7 @@ enum class HullStatus : uint8_t {
     not_finite       ///< NaN or infinity among the coordinates
 };
 
-/// The sentence a person should read, e.g. "all vertices lie on one line".
+/// The message for a user, e.g. "all vertices lie on one line".
 const char* describe(HullStatus status);
 
 /// Convex hull, counter-clockwise, starting at the lowest of the leftmost points. Input in any

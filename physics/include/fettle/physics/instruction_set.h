@@ -6,8 +6,8 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// How many numbers of 32 bits the solver computes with at a time on this machine: 16 with
-/// AVX-512, 8 with AVX2, else 4. Results are the same bits either way.
+/// How many 32-bit numbers the solver computes at a time on this machine: 16 with AVX-512, 8 with
+/// AVX2, else 4. The results are the same bits with each width.
 int simd_width();
 
 }  // namespace fettle::physics

@@ -11,9 +11,9 @@ namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldData;
 }
 
-/// A light handle to what ties two bodies together, or one to the world. Errors as for `Body`.
-/// Every setter wakes both bodies and takes effect in the next step. Destroying a body destroys its
-/// joints. Where a body is expected, `Body()` is the world; where one is returned, too.
+/// A light handle to a joint between two bodies, or between one body and the world. Errors as for
+/// `Body`. Every setter wakes both bodies and takes effect in the next step. Destroying a body
+/// destroys its joints. As an argument and as a result, `Body()` stands for the world.
 class Joint {
   public:
     Joint() = default;
@@ -28,7 +28,7 @@ class Joint {
 
     JointType type() const;
     Body body_a() const;
-    void set_body_a(const Body& body);  ///< keeps the anchor's body coordinates; not that of b
+    void set_body_a(const Body& body);  ///< keeps the anchor's body coordinates; must not be body b
     Body body_b() const;
     void set_body_b(const Body& body);
     Vec2 anchor_a() const;  ///< body coordinates, m
@@ -38,19 +38,21 @@ class Joint {
     Vec2 world_anchor_a() const;
     Vec2 world_anchor_b() const;
     bool enabled() const;
-    void set_enabled(bool enabled);  ///< disabled, it does nothing at all
+    void set_enabled(bool enabled);  ///< a disabled joint does nothing at all
     bool collide() const;
     void set_collide(bool collide);  ///< whether the two bodies collide with each other
-    /// N: a joint that bears more than this in the mean over a step breaks. It then does nothing,
-    /// as if disabled, and `Events::joint_broke` tells of it; infinity (the default): never.
+    /// Force limit, N: a joint whose mean force over a step is higher breaks. It then does nothing,
+    /// as if disabled, and `Events::joint_broke` reports it; infinity (the default): it never
+    /// breaks.
     float break_force() const;
     void set_break_force(float force);
     float break_torque() const;  ///< N m
     void set_break_torque(float torque);
     bool broken() const;
-    void set_broken(bool broken);  ///< false mends it
+    void set_broken(bool broken);  ///< false repairs the joint
     Vec2 force() const;            ///< N, on body b in the last step
-    float torque() const;          ///< N m, on body b in the last step, besides that of the force
+    float torque() const;          ///< N m, on body b in the last step, without the torque of the
+                                   ///< force
 
     uint64_t user_data() const;
     void set_user_data(uint64_t value);
@@ -59,10 +61,12 @@ class Joint {
     detail::WorldData& live() const;
     template <class Data>
     Data& own() const;
-    /// The same, to be edited: wakes the bodies. `of` and `function` are what was called.
+    /// Settings for an edit: wakes the bodies. `of` and `function`: type and method that the user
+    /// called, for messages.
     template <class Data>
     Data& edit(const char* of, const char* function) const;
-    float per_substep(float impulse) const;  ///< as a force, or a torque
+    float per_substep(float impulse) const;  ///< converts an impulse of a sub-step to a force or a
+                                             ///< torque
 
   private:
     detail::WorldData& edited(const char* function) const;
@@ -78,7 +82,8 @@ class MouseJoint : public Joint {
     using Joint::Joint;
 
     Body body() const { return body_b(); }
-    void set_body(const Body& body);  ///< keeps the anchor's body coordinates; not the world
+    void set_body(const Body& body);  ///< keeps the anchor's body coordinates; must not be the
+                                      ///< world
     Vec2 anchor() const { return anchor_b(); }
     void set_anchor(const Vec2& anchor);
     Vec2 target() const { return anchor_a(); }  ///< world, m
@@ -98,9 +103,9 @@ class DistanceJoint : public Joint {
 
     float length() const;  ///< m, of the rod, or of the spring at rest
     void set_length(float length);
-    float min_length() const;  ///< m; where it is above `max_length`, that counts
+    float min_length() const;  ///< m; above `max_length`, `max_length` is used instead
     void set_min_length(float length);
-    float max_length() const;  ///< m; infinity: none
+    float max_length() const;  ///< m; infinity: no limit
     void set_max_length(float length);
     float hertz() const;  ///< infinity (the default): a rod; 0: slack between the limits
     void set_hertz(float hertz);
@@ -109,30 +114,32 @@ class DistanceJoint : public Joint {
     float distance() const;  ///< m, between the anchors now
 };
 
-/// Holds two points together: the bodies turn about them.
+/// Holds two points together: the bodies turn about this point.
 class RevoluteJoint : public Joint {
   public:
     using Joint::Joint;
 
-    /// rad, of b relative to a, less the reference; not wrapped. Limits and spring speak of it.
+    /// Angle of b relative to a, rad, minus the reference angle; not wrapped. Limits and spring use
+    /// this angle.
     float angle() const;
     float reference_angle() const;
     void set_reference_angle(float angle);
-    float lower_angle() const;  ///< rad; -infinity (the default): none
+    float lower_angle() const;  ///< rad; -infinity (the default): no limit
     void set_lower_angle(float angle);
-    float upper_angle() const;  ///< rad; infinity (the default): none. It counts where they cross
+    float upper_angle() const;  ///< rad; infinity (the default): no limit. Where the limits cross,
+                                ///< this one is used
     void set_upper_angle(float angle);
     float motor_speed() const;  ///< rad/s, of b relative to a
     void set_motor_speed(float speed);
     float max_motor_torque() const;  ///< N m; 0 (the default): no motor
     void set_max_motor_torque(float torque);
-    float hertz() const;  ///< of a spring to `target_angle`; 0 (the default): none
+    float hertz() const;  ///< of a spring towards `target_angle`; 0 (the default): no spring
     void set_hertz(float hertz);
     float damping_ratio() const;
     void set_damping_ratio(float ratio);
     float target_angle() const;  ///< rad
     void set_target_angle(float angle);
-    float motor_torque() const;  ///< N m, what the motor gave in the last step
+    float motor_torque() const;  ///< N m, torque of the motor in the last step
 };
 
 }  // namespace fettle::physics

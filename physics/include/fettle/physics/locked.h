@@ -8,9 +8,9 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// A world was edited by a function that it was calling itself, or was destroyed by one: what is
-/// allowed where is told in callbacks.h. Or it belongs to a host that alone makes and ends what is
-/// in it (owner.h). Nothing has changed by the call that throws this.
+/// A function that a world called has edited or destroyed this world; callbacks.h says what such a
+/// function may do. Or the world has an owner, and only the owner creates and destroys its objects
+/// (owner.h). The call that throws this has changed nothing.
 class Locked : public std::invalid_argument {
   public:
     using std::invalid_argument::invalid_argument;

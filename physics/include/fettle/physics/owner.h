@@ -9,23 +9,24 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// For a host that keeps something of its own for every object of a world, such as an instance of a
-/// property tree. `World::set_owner` gives it the world. From then on the host alone makes and ends
-/// what is in it: while no `Acting` lives, these throw `Locked` and change nothing:
+/// For a host that keeps data for every object of a world, such as an instance of a property tree.
+/// `World::set_owner` sets the owner of a world. From then on only the host creates and destroys
+/// objects in it: while no `Acting` lives, these calls throw `Locked` and change nothing:
 ///
 /// - `create_...`, `clear`, `restore`, `take` (of both worlds) and assignment to the world;
 /// - `Body::add`, `Shape::attach`, `Shape::detach`, and `destroy` of everything;
-/// - `set_user_data`, by which the host knows what is whose.
+/// - `set_user_data`, in which the host keeps the link from an object to its data.
 ///
-/// All else is free. It must outlive the worlds that it was given, or be taken from them.
+/// All other calls are free. An owner must outlive its worlds, unless they get another owner
+/// before.
 class Owner {
   public:
-    /// Messages end with `advice`: "it belongs to a tree: delete the instance instead".
+    /// Messages end with `advice`, e.g. "it belongs to a tree: delete the instance instead".
     explicit Owner(const char* advice) : advice_(advice) {}
     Owner(const Owner&) = delete;
     Owner& operator=(const Owner&) = delete;
 
-    /// While it lives, what is called comes from the owner.
+    /// While it lives, calls count as calls of the owner.
     class Acting {
       public:
         explicit Acting(Owner& owner) : owner_(owner) { ++owner_.acting_; }
@@ -37,9 +38,9 @@ class Owner {
         Owner& owner_;
     };
 
-    /// Called when a step, an edit or a query of a world is over in which functions of the user
-    /// could be called: what the owner could not end inside of them it may end now. It must not
-    /// throw.
+    /// `call` is called at the end of a step, an edit or a query of a world in which user functions
+    /// may be called: the owner can then destroy what it could not destroy inside these functions.
+    /// It must not throw.
     void on_unlocked(std::function<void()> call) { unlocked_ = std::move(call); }
     void tell_unlocked() const {
         if (unlocked_) unlocked_();

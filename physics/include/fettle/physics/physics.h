@@ -1,5 +1,5 @@
 #pragma once
 
-// Everything of Fettle::physics.
+// All headers of Fettle::physics.
 #include <fettle/physics/instruction_set.h>
 #include <fettle/physics/world.h>

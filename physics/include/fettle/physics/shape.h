@@ -16,9 +16,8 @@ namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldData;
 }
 
-/// A light handle to a shape: part of a body, or detached and waiting for one. Errors as for
-/// `Body`; a property that the type of shape does not have (the radius of a box) throws
-/// `std::invalid_argument`.
+/// A light handle to a shape: part of a body, or detached. Errors as for `Body`; a property that
+/// the type of shape does not have (the radius of a box) throws `std::invalid_argument`.
 class Shape {
   public:
     Shape() = default;
@@ -63,19 +62,19 @@ class Shape {
     void set_to(const Vec2& to);
 
     /// Polygon: its hull, counter-clockwise, body coordinates. Box and segment: their corners,
-    /// without rounding. Concave and chain: their points as they were given. Circle and ellipse:
-    /// nothing. Valid until the next edit of any shape.
+    /// without rounding. Concave and chain: the points that were set. Circle and ellipse: empty.
+    /// Valid until the next edit of any shape.
     std::span<const Vec2> vertices() const;
     /// Polygon: the hull of `points` becomes the shape. Concave, chain: these points. On failure
-    /// nothing changes and `std::invalid_argument` says why.
+    /// nothing changes and the message of `std::invalid_argument` says why.
     void set_vertices(std::span<const Vec2> points);
     /// As `set_vertices` with a status instead of an exception; polygons only.
     HullStatus try_set_vertices(std::span<const Vec2> points);
     void add_vertex(const Vec2& point);  ///< polygon; body coordinates
     bool closed() const;                 ///< chain
     void set_closed(bool closed);
-    /// Concave: the convex pieces it collides as, counter-clockwise, of sixteen vertices at most,
-    /// body coordinates. Chain: its segments. Others: nothing.
+    /// Concave: its convex pieces, counter-clockwise, of at most sixteen vertices, body
+    /// coordinates. Chain: its segments. Other types: empty.
     std::vector<std::vector<Vec2>> pieces() const;
 
     float density() const;
@@ -106,7 +105,7 @@ class Shape {
     Vec2 world_center() const;                 ///< centroid, in the world
     bool contains(const Vec2& world_point) const;
     bool is_touching() const;
-    uint32_t rebuilds() const;  ///< how often its derived geometry was computed anew
+    uint32_t rebuilds() const;  ///< how often its derived geometry was computed again
 
     uint64_t user_data() const;
     void set_user_data(uint64_t value);

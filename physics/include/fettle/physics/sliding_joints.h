@@ -3,8 +3,8 @@
 #include <fettle/physics/export.h>
 #include <fettle/physics/joint.h>
 
-// Joints of a point of body b and a line that body a carries. `axis` is the direction of the line
-// in the coordinates of a, of any length but 0; it goes through anchor a.
+// Joints between a point of body b and a line on body a. `axis` is the direction of the line in the
+// coordinates of a, of any length but 0; the line goes through anchor a.
 
 FETTLE_PHYSICS_BEGIN
 
@@ -18,28 +18,29 @@ class PrismaticJoint : public Joint {
     Vec2 axis() const;
     void set_axis(const Vec2& axis);
     float translation() const;        ///< m, of anchor b from anchor a along the axis now
-    float lower_translation() const;  ///< m; -infinity (the default): none
+    float lower_translation() const;  ///< m; -infinity (the default): no limit
     void set_lower_translation(float translation);
     float upper_translation()
-        const;  ///< m; infinity (the default): none. It counts where they cross
+        const;  ///< m; infinity (the default): no limit. Where the limits cross, this one is used
     void set_upper_translation(float translation);
     float motor_speed() const;  ///< m/s, of b relative to a along the axis
     void set_motor_speed(float speed);
     float max_motor_force() const;  ///< N; 0 (the default): no motor
     void set_max_motor_force(float force);
-    float motor_force() const;  ///< N, what the motor gave in the last step
-    float hertz() const;        ///< of a spring to `target_translation`; 0 (the default): none
+    float motor_force() const;  ///< N, force of the motor in the last step
+    float hertz() const;        ///< of a spring towards `target_translation`; 0 (the default): no
+                                ///< spring
     void set_hertz(float hertz);
     float damping_ratio() const;
     void set_damping_ratio(float ratio);
     float target_translation() const;  ///< m
     void set_target_translation(float translation);
-    float angle() const;  ///< rad, of b relative to a, less the reference: held at 0
+    float angle() const;  ///< rad, of b relative to a, minus the reference angle: held at 0
     float reference_angle() const;
     void set_reference_angle(float angle);
 };
 
-/// A pin of b in a straight slot of a: slides as in a prismatic joint, and turns freely.
+/// A pin of b in a straight slot of a: it slides as in a prismatic joint, and turns freely.
 class PinSlotJoint : public Joint {
   public:
     using Joint::Joint;
@@ -64,28 +65,28 @@ class PinSlotJoint : public Joint {
     void set_target_translation(float translation);
 };
 
-/// A pin of b in a groove of a that begins at anchor a and has an end.
+/// A pin of b in a groove of a that begins at anchor a and ends at `end`.
 class GrooveJoint : public Joint {
   public:
     using Joint::Joint;
 
     Vec2 end() const;  ///< in the coordinates of a
     void set_end(const Vec2& end);
-    float translation() const;  ///< m, of the pin from where the groove begins
+    float translation() const;  ///< m, of the pin from the beginning of the groove
 };
 
-/// A wheel (b) of a vehicle (a): sprung along the axis, which is (0, 1) at first, and driven about
-/// its axle.
+/// A wheel (b) of a vehicle (a): sprung along the axis, which is (0, 1) by default, and driven
+/// about its axle.
 class WheelJoint : public Joint {
   public:
     using Joint::Joint;
 
     Vec2 axis() const;
     void set_axis(const Vec2& axis);
-    float translation() const;  ///< m, of the axle from where the spring is at rest
-    float hertz() const;        ///< of the suspension; 4 at first; 0: none
+    float translation() const;  ///< m, of the axle from the rest position of the spring
+    float hertz() const;        ///< of the suspension; 4 by default; 0: no suspension
     void set_hertz(float hertz);
-    float damping_ratio() const;  ///< 0.7 at first
+    float damping_ratio() const;  ///< 0.7 by default
     void set_damping_ratio(float ratio);
     float lower_translation() const;
     void set_lower_translation(float translation);
@@ -95,7 +96,7 @@ class WheelJoint : public Joint {
     void set_motor_speed(float speed);
     float max_motor_torque() const;  ///< N m; 0 (the default): no motor
     void set_max_motor_torque(float torque);
-    float motor_torque() const;  ///< N m, what the motor gave in the last step
+    float motor_torque() const;  ///< N m, torque of the motor in the last step
 };
 
 }  // namespace fettle::physics

@@ -9,23 +9,23 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// Of the last step.
+/// Statistics of the last step.
 struct StepStatistics {
-    uint64_t steps = 0;  ///< since the world was made
+    uint64_t steps = 0;  ///< since the world was created
     uint32_t bodies = 0;
     uint32_t awake_bodies = 0;  ///< dynamic and moving kinematic ones
     uint32_t shapes = 0;
     uint32_t joints = 0;
-    uint32_t awake_joints = 0;  ///< that a step looks at
+    uint32_t awake_joints = 0;  ///< joints that a step processes
     uint32_t contacts = 0;      ///< pairs whose fat boxes overlap
     uint32_t awake_contacts = 0;
-    uint32_t touching = 0;       ///< awake contacts with a manifold that was solved
-    uint32_t islands = 0;        ///< asleep
-    uint32_t moved_proxies = 0;  ///< left their fat box
-    uint32_t direct_solves = 0;  ///< complementarity problems that the direct solver solved
-    uint32_t direct_failures =
-        0;  ///< that were too large or had no solution: solved by sweeps over their rows instead
-    // Milliseconds of wall time a stage took.
+    uint32_t touching = 0;         ///< awake contacts with a manifold that was solved
+    uint32_t islands = 0;          ///< sleeping islands
+    uint32_t moved_proxies = 0;    ///< proxies that left their fat box
+    uint32_t direct_solves = 0;    ///< complementarity problems that the direct solver solved
+    uint32_t direct_failures = 0;  ///< problems that were too large or had no solution: solved by
+                                   ///< sweeps over their rows instead
+    // Wall time of each stage, ms.
     float edits_ms = 0.0f;   ///< derived data of edited bodies and shapes
     float pairs_ms = 0.0f;   ///< broad phase
     float narrow_ms = 0.0f;  ///< manifolds
@@ -38,8 +38,8 @@ struct StepStatistics {
 /// Memory that a world has reserved for one purpose, bytes.
 struct MemoryShare {
     const char* purpose = "";
-    std::size_t used = 0;      ///< what is there
-    std::size_t reserved = 0;  ///< the room for more included
+    std::size_t used = 0;      ///< bytes in use
+    std::size_t reserved = 0;  ///< with the room for more
 };
 
 }  // namespace fettle::physics

@@ -10,17 +10,17 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// Metres, metres a second, newtons... Everything in the library is single precision and SI, angles
-/// in radians.
+/// All numbers in the library are single precision and in SI units (m, m/s, N, ...), angles in
+/// radians.
 using Vec2 = Eigen::Vector2f;
 
-/// A handle made of a slot and the generation of what lives there. A default-made id names nothing.
-/// An id is good in the world that gave it and in copies of that world: no two worlds of a process
-/// give the same generations, so an id of another world is detected, as one is whose object was
-/// destroyed. It never reaches a later object in the same slot.
+/// A handle: a slot and the generation of the object in it. A default-constructed id is empty. An
+/// id is valid in its world and in copies of that world: no two worlds of a process use the same
+/// generations, so an id of another world is detected, and so is the id of a destroyed object. It
+/// never refers to a later object in the same slot.
 struct BodyId {
     uint32_t index = 0;
-    uint32_t generation = 0;  ///< 0 names nothing
+    uint32_t generation = 0;  ///< 0: empty
     friend bool operator==(const BodyId&, const BodyId&) = default;
     explicit operator bool() const { return generation != 0; }
 };
@@ -40,8 +40,8 @@ struct JointId {
 };
 
 enum class BodyType : uint8_t {
-    static_body,     ///< never moves by itself; may be teleported
-    kinematic_body,  ///< moves by its velocity, nothing pushes it
+    static_body,     ///< never moves by itself; can be teleported
+    kinematic_body,  ///< moves by its velocity, no force moves it
     dynamic_body     ///< moved by forces, contacts and joints
 };
 
@@ -81,15 +81,15 @@ struct Aabb {
     }
 };
 
-/// Where a body is: its origin, and its angle (rad, counter-clockwise, not wrapped).
+/// Pose of a body: its origin, and its angle (rad, counter-clockwise, not wrapped).
 struct Pose {
     Vec2 position = Vec2::Zero();
     float angle = 0.0f;
 };
 
-/// What changes each step for a body. One array of these, addressed by `BodyId::index`, whose slots
-/// never move while their body lives: sleeping and waking do not reorder it. Read it freely; write
-/// through `Body`.
+/// What changes for a body in each step. All states are one array, addressed by `BodyId::index`; a
+/// slot does not move while its body lives: sleeping and waking do not reorder the array. Read it
+/// freely; write through `Body`.
 struct BodyState {
     Vec2 position = Vec2::Zero();   ///< of the body's origin, m
     float angle = 0.0f;             ///< rad, not wrapped

@@ -27,9 +27,9 @@ namespace fettle::physics {
 namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldData;
 struct FETTLE_PHYSICS_PRIVATE WorldLink;
-struct WorldInside;  ///< of the library's own tests
+struct WorldInside;  ///< defined in the tests of the library
 
-/// The part of a world that is read too often for a call: arrays addressed by `BodyId::index`.
+/// Data that is read too often for function calls: arrays addressed by `BodyId::index`.
 struct Columns {
     std::vector<BodyState> states;
     std::vector<Pose> previous;
@@ -49,14 +49,15 @@ struct Columns {
 };
 }  // namespace detail
 
-/// What became of a number or a velocity written by slot: it was there already; it is there now; or
-/// it is for the setter of `Body`, and nothing was done: the body sleeps, does not move by itself,
-/// its mass or shapes were edited since the last step, or the world is locked (callbacks.h).
-/// Writing calls no callback and allocates nothing.
+/// Result of writing a number or a velocity by slot. `same`: the value was there already. `done`:
+/// the value is written. `refused`: nothing is written, and the setter of `Body` must be called
+/// instead, because the body sleeps, does not move by itself, has a mass or shapes that were edited
+/// since the last step, or because the world is locked (callbacks.h). Writing calls no callback and
+/// allocates nothing.
 enum class Written : uint8_t { same, done, refused };
 
-/// Numbers of a body that hosts write by slot, as the setters of `Body` of the same names do; those
-/// tell what is in range, and here nobody looks.
+/// Numbers of a body that hosts write by slot, named as the setters of `Body`. These setters
+/// document the ranges; writing by slot does not check them.
 enum class BodyNumber : uint8_t {
     angular_velocity,
     torque,
@@ -65,12 +66,13 @@ enum class BodyNumber : uint8_t {
     angular_damping
 };
 
-/// A world of rigid bodies. It owns everything; `Body`, `Shape`, `Joint` and `Field` are handles
-/// into it, and say so when they outlive it. It does not move: `World b = std::move(a)` copies.
+/// A world of rigid bodies. It owns all its objects; `Body`, `Shape`, `Joint` and `Field` are
+/// handles into it, which throw when they outlive it. It does not move: `World b = std::move(a)`
+/// copies.
 ///
-/// Different worlds are independent, in several threads too. One world belongs to one thread at a
-/// time; but several threads may call what is `const` at once while no other method of the world or
-/// of its bodies runs, if nothing was edited since the last step or since `refresh({})`.
+/// Different worlds are independent, in several threads, too. Only one thread at a time may use a
+/// world; but several threads may call `const` methods at once while no other method of the world
+/// or of its objects runs, if nothing was edited since the last step or since `refresh({})`.
 ///
 /// Methods that are not `const` throw `Locked` inside a function that the world is calling, and so
 /// do copying, saving and `validate` inside a step: callbacks.h says what such a function may do.
@@ -86,26 +88,27 @@ class World {
   public:
     explicit World(const WorldDef& def = {});
     /// Inside a function that the world is calling: the step or the query goes on to its end and
-    /// throws `Locked` then, and handles say that their world was destroyed.
+    /// then throws `Locked`, and handles report that their world was destroyed.
     ~World();
-    /// A copy is a snapshot: same ids, same future, bit for bit; what either makes from then on has
-    /// ids of its own. Handles keep pointing into the world they came from. Assigning one restores:
-    /// handles that were valid then are valid again, and what was made since stays invalid for
-    /// ever.
+    /// A copy is a snapshot: same ids, same future, bit for bit; objects that either world creates
+    /// from then on have different ids. Handles keep pointing into their original world. Assigning
+    /// a copy restores: handles that were valid at the time of the copy are valid again, and
+    /// handles to later objects stay invalid for ever.
     World(const World& other);
     World& operator=(const World& other);
 
-    /// Appends everything the world is to `out`, in the byte order and layout of this build, with a
-    /// checksum.
+    /// Appends the complete state of the world to `out`, in the byte order and layout of this
+    /// build, with a checksum.
     void save(std::vector<std::byte>& out) const;
-    /// The state `save` wrote, in place: as an assignment. Throws std::invalid_argument when a byte
-    /// was changed, cut off or added, or when another version wrote them, and changes nothing then.
+    /// Restores the state that `save` wrote, in place, as an assignment. Throws
+    /// std::invalid_argument and changes nothing if a byte was changed, removed or added, or if
+    /// another version wrote the state.
     void restore(std::span<const std::byte> bytes);
-    /// The state of `other`, in place, as `restore`; `other` is an empty world afterwards.
+    /// Takes the state of `other`, in place, as `restore`; `other` is an empty world afterwards.
     void take(World&& other);
 
-    /// Advances by `dt` seconds (0 < dt, else nothing happens). Throws on no state, and nothing but
-    /// what a callback throws: when the step is over, see callbacks.h.
+    /// Advances by `dt` seconds; does nothing unless dt > 0. Throws only the exceptions of
+    /// callbacks, after the step: see callbacks.h.
     void step(float dt);
 
     Vec2 gravity() const;
@@ -145,57 +148,62 @@ class World {
     bool persist_events() const;
     void set_persist_events(bool enabled);
     void wake_all();
-    /// Numbers that are computed at a time, at most: 4, 8 or 16, and no more than `simd_width`.
-    /// Fewer are slower and give the same bits: for comparisons. Throws for any other number.
+    /// The greatest number of values that are computed at a time: 4, 8 or 16, limited by
+    /// `simd_width`. Smaller widths are slower and give the same bits: for comparisons. Throws for
+    /// any other number.
     void limit_simd_width(int most);
 
-    /// How many threads a step is shared out to, the caller's included: 1 … 64. It belongs to the
-    /// world and not to its state, and changes no result. Throws std::runtime_error where the
-    /// system gives fewer, and leaves as many as there were. Of more than there are processors,
-    /// only as many work as there are. Callbacks run on the caller's thread.
+    /// How many threads share the work of a step, with the calling thread: 1 … 64. It is no part of
+    /// the state, and changes no result. The setter throws std::runtime_error if the system
+    /// provides fewer, and leaves the number as it was. If it is higher than the number of
+    /// processors, only as many threads work as there are processors. Callbacks run on the thread
+    /// of the caller.
     int threads() const;
     void set_threads(int threads);
 
-    // Callbacks; empty: none, which costs nothing. They are no part of a snapshot: copying, saving
-    // and restoring leave those of the world as they are, a new copy has none. What they may do is
-    // told in callbacks.h.
+    // Callbacks; an empty one is not called and costs nothing. They are no part of a snapshot:
+    // copying, saving and restoring do not change the callbacks of the world, and a new copy has
+    // none. callbacks.h says what they may do.
 
-    /// Asked of every pair of shapes that comes near, in a step or when an edit of a shape's filter
-    /// asks anew; setting it asks of all pairs again. What sleeps hears of the next two when it
-    /// wakes.
+    /// Called for every pair of shapes that comes near, in a step, and again after an edit of a
+    /// shape's filter. Setting it calls it for all pairs again; for sleeping pairs it is called
+    /// when they wake, as are the next two callbacks.
     void set_filter(PairFilter filter);
-    /// Mixes the surfaces of every contact in every step, after the rules have. May write friction,
-    /// restitution and surface speed. Asked for each part of an outline that touches.
+    /// Mixes the surfaces of every contact in every step, after the mix rules. May set friction,
+    /// restitution and surface speed. Called for each touching part of an outline.
     void set_mixing(ContactCallback mix);
-    /// Sees every contact before it is solved, once for two shapes, and may also disable it for the
-    /// step.
+    /// Called for every contact before it is solved, once for two shapes; may also disable the
+    /// contact for the step.
     void set_before_solve(ContactCallback callback);
 
-    /// Called before a read brings up to date what edits have left behind. When that happens is
-    /// part of what comes later, to the last bit: who wants to do edits again exactly does this
-    /// again between them, by `refresh`. Reads within a step or within the callback are no news.
+    /// Called before a read brings edited data up to date. The moment of this update affects all
+    /// later results, to the last bit: to repeat edits exactly, repeat the same updates between
+    /// them with `refresh`. Reads within a step or within the callback do not call it.
     void on_refresh(RefreshCallback callback);
-    /// As a read would do; nothing where nothing is out of date, or nobody is in the slot.
+    /// Updates what a read would update; does nothing if nothing is out of date or the slot is
+    /// free.
     void refresh(const Refresh& wanted);
 
-    /// Who alone makes and ends what is in the world from now on; null: anybody. As callbacks, it
-    /// is no part of the state: copying, saving and restoring leave it as it is, a copy has none.
+    /// Sets the only owner that may create and destroy objects in the world; null: every caller
+    /// may. Like callbacks, it is no part of the state: copying, saving and restoring do not change
+    /// it, a copy has none.
     void set_owner(const Owner* owner);
 
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
     MouseJoint create_mouse_joint(const MouseJointDef& def);
-    DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod as long as it is now
-    RevoluteJoint create_revolute_joint(const JointDef& def);    ///< the angle now counts as 0
-    PrismaticJoint create_prismatic_joint(const JointDef& def);  ///< holds the angle it has now
+    DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod with the current
+                                                                 ///< distance as its length
+    RevoluteJoint create_revolute_joint(const JointDef& def);    ///< the current angle counts as 0
+    PrismaticJoint create_prismatic_joint(const JointDef& def);  ///< holds the current angle
     WheelJoint create_wheel_joint(const JointDef& def);
-    WeldJoint create_weld_joint(const JointDef& def);      ///< holds the angle it has now
-    MotorJoint create_motor_joint(const JointDef& def);    ///< the angle now is its offset
+    WeldJoint create_weld_joint(const JointDef& def);      ///< holds the current angle
+    MotorJoint create_motor_joint(const JointDef& def);    ///< the current angle is its offset
     PulleyJoint create_pulley_joint(const JointDef& def);  ///< set its wheels, then its length
     GearJoint create_gear_joint(const JointDef& def);      ///< set its ratio, then its phase
     GrooveJoint create_groove_joint(const JointDef& def);
     PinSlotJoint create_pin_slot_joint(const JointDef& def);
-    RatchetJoint create_ratchet_joint(const JointDef& def);  ///< the angle now counts as 0
+    RatchetJoint create_ratchet_joint(const JointDef& def);  ///< the current angle counts as 0
     Field create_field(const FieldDef& def);
     bool is_valid(FieldId id) const;
     Field field(FieldId id) const { return {self(), id}; }
@@ -207,53 +215,54 @@ class World {
     bool is_valid(JointId id) const { return columns_->is_valid(id); }
     Body body(BodyId id) const { return {self(), id}; }
     Shape shape(ShapeId id) const { return {self(), id}; }
-    /// As the type it is, or as any joint: `joint<WheelJoint>(id)`.
+    /// The joint as its own type, or as any joint: `joint<WheelJoint>(id)`.
     template <class Any = Joint>
     Any joint(JointId id) const {
         return {self(), id};
     }
 
-    // Unchecked, for hosts that keep slots: `index` must be that of a live body. A reference holds
-    // until the next creation of a body.
+    // Unchecked access for hosts that keep slots: `index` must be that of a live body. A reference
+    // is valid until the next body is created.
     const BodyState& state(uint32_t index) const { return columns_->states[index]; }
     float mass(uint32_t index) const;
     Vec2 velocity(uint32_t index) const;
-    /// False, and nothing is done, when the body does not move by itself.
+    /// Returns false and does nothing when the body does not move by itself.
     bool set_velocity(uint32_t index, const Vec2& velocity);
     template <BodyNumber number>
     Written write(uint32_t index, float value);
     Written write_velocity(uint32_t index, const Vec2& velocity);
     const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
     std::span<const BodyState> states() const { return columns_->states; }
-    /// Generation of what lives in a slot, 0 where nothing does. Slots 0 … `body_slots()`-1; slot 0
-    /// is the world's own.
+    /// Generation of the object in a slot, 0 for a free slot. Slots 0 … `body_slots()`-1; slot 0 is
+    /// the world's own.
     uint32_t body_generation(uint32_t index) const { return columns_->body_generations[index]; }
     uint32_t shape_generation(uint32_t index) const { return columns_->shape_generations[index]; }
     uint32_t body_slots() const { return uint32_t(columns_->body_generations.size()); }
     uint32_t shape_slots() const { return uint32_t(columns_->shape_generations.size()); }
 
-    // Everything alive, in slot order. The border of the world is not listed.
+    // All live objects, in slot order, without the border of the world.
     std::vector<Body> bodies() const;
     std::vector<Shape> shapes() const;
     std::vector<Joint> joints() const;
-    std::vector<Contact> contacts() const;  ///< touching ones, sleeping ones too
+    std::vector<Contact> contacts() const;  ///< touching contacts, sleeping ones, too
     uint32_t body_count() const;
-    /// Whether it is in the middle of a step, a query or an edit that calls a function of yours:
-    /// what would edit it throws Locked.
+    /// True in the middle of a step, a query or an edit that calls a user function: editing methods
+    /// throw Locked then.
     bool locked() const;
     uint32_t shape_count() const;
     uint32_t joint_count() const;
 
     const Events& events() const;  ///< of the last step
     const StepStatistics& statistics() const;
-    /// What the world has on the heap, by purpose, but for callbacks and threads. What a step needs
-    /// and can make anew is given back when most of what was awake sleeps.
+    /// Heap memory of the world, by purpose, without callbacks and threads. Memory that a step can
+    /// rebuild is freed when most bodies have fallen asleep.
     std::vector<MemoryShare> memory() const;
-    /// Of position, angle and velocities of all bodies, in slot order: equal for equal histories.
+    /// Hash of position, angle and velocities of all bodies, in slot order: equal for equal
+    /// histories.
     uint64_t hash() const;
 
-    // Queries see every edit made before them. Shapes come in a repeatable order. What
-    // `QueryFilter::accept` throws leaves the query at once; the world is as it was.
+    // Queries see every edit made before them. The order of the found shapes is repeatable. An
+    // exception of `QueryFilter::accept` ends the query at once; the world does not change.
     std::vector<Shape> query_point(const Vec2& point, const QueryFilter& filter = {}) const;
     std::vector<Shape> query_aabb(
         const Aabb& box, const QueryFilter& filter = {}) const;  ///< shapes that overlap the box
@@ -261,11 +270,13 @@ class World {
                                    const QueryFilter& filter = {}) const;
     std::vector<RayHit> cast_ray_all(const Vec2& from, const Vec2& to,
                                      const QueryFilter& filter = {}) const;  ///< nearest first
-    /// Shapes that overlap one, which may be of another world; those of its own body do not count.
+    /// Shapes that overlap `shape`, which may be of another world; shapes of its own body do not
+    /// count.
     std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {}) const;
     std::vector<Shape> query_overlap(const Geometry& geometry, const Pose& pose = {},
                                      const QueryFilter& filter = {}) const;
-    /// The first shape that one meets on its way; at fraction 0 where they overlap already.
+    /// The first shape that `shape` meets along `motion`; at fraction 0 if they overlap at the
+    /// start.
     std::optional<RayHit> cast_shape(const Shape& shape, const Vec2& motion,
                                      const QueryFilter& filter = {}) const;
     std::optional<RayHit> cast_shape(const Geometry& geometry, const Pose& pose, const Vec2& motion,
@@ -273,12 +284,12 @@ class World {
     /// The shape nearest to a point, no farther than `reach` (m). The border does not count.
     std::optional<PointHit> closest(const Vec2& point, float reach = infinity,
                                     const QueryFilter& filter = {}) const;
-    /// Pushes dynamic bodies away from a point: by `impulse` (N s) at it, falling linearly to
-    /// nothing at `radius` (m), at the point of the body that is nearest.
+    /// Pushes dynamic bodies away from a point: with `impulse` (N s) at distance 0, falling
+    /// linearly to 0 at `radius` (m), applied at the nearest point of the body.
     void explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter = {});
 
-    /// Checks that the broad phase, contacts, islands and lists agree with each other; the first
-    /// disagreement in words, or nothing. For tests and for hunting bugs: slow.
+    /// Checks that the broad phase, contacts, islands and lists agree with each other; returns a
+    /// description of the first disagreement, or nothing. For tests and debugging: slow.
     std::optional<std::string> validate() const;
 
   private:
@@ -289,14 +300,14 @@ class World {
     friend struct detail::WorldInside;
     void begin();
     World* self() const { return const_cast<World*>(this); }  ///< handles are not const
-    /// For what edits: throws Locked where nothing may be edited.
+    /// For edits: throws Locked while nothing may be edited.
     detail::WorldData& edit(const char* function) const;
-    /// For what makes or ends objects: throws Locked where the world has an owner, too.
+    /// For creating and destroying objects: throws Locked if the world has an owner, too.
     detail::WorldData& populate(const char* function) const;
 
     std::unique_ptr<detail::WorldData> data_;
     detail::Columns* columns_ = nullptr;  ///< base of `*data_`
-    detail::WorldLink* link_ = nullptr;   ///< what handles hold
+    detail::WorldLink* link_ = nullptr;   ///< link that handles hold
 };
 
 inline Body::Body(World* world, BodyId id)

@@ -15,10 +15,9 @@ namespace fettle::physics_module {
 
 class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
-/// Registers the classes World, Body, Shape, Joint and Field with all that derive from them,
-/// creates `game.world`, and steps every world that hangs below the root. Before `attach` whatever
-/// needs a tree throws std::logic_error; when that tree is gone, nothing but the destructor is
-/// left.
+/// Registers the classes World, Body, Shape, Joint and Field and all classes that derive from them,
+/// creates `game.world`, and steps every world below the root. Before `attach`, methods that need a
+/// tree throw std::logic_error; after the tree is destroyed, only the destructor may be called.
 class PhysicsModule : public module::Module {
   public:
     PhysicsModule();
@@ -27,35 +26,35 @@ class PhysicsModule : public module::Module {
     PhysicsModule& operator=(const PhysicsModule&) = delete;
 
     std::string_view name() const override { return "physics"; }
-    /// Throws std::logic_error when it was attached before, and Error(bad_name) where the tree has
-    /// a class, a child `world` of the root or a part of snapshots of a name that it needs: nothing
-    /// has changed then, and it is attached to nothing.
+    /// Throws std::logic_error if the module was attached before, and Error(bad_name) if the tree
+    /// already has a class, a child `world` of the root or a part of snapshots with a name that the
+    /// module needs: then nothing has changed, and the module is not attached.
     void attach(property::Tree& tree) override;
-    /// Throws std::invalid_argument unless `dt` is a time, at least 0.
+    /// Throws std::invalid_argument unless `dt` (s) is at least 0 and in the range of a float.
     void step(double dt) override;
     /// Throws std::invalid_argument for another tree than the one it was attached to.
     void report(property::Tree& tree) override;
-    /// Of the worlds below the root: that of the only one, else all combined in the order of their
-    /// numbers, which are given again when a world is deleted.
+    /// Hash of the only world below the root, or of all of them, combined in the order of their
+    /// numbers; the number of a deleted world is used again.
     std::uint64_t hash() const override;
     void refresh(std::uint64_t what) override;
 
-    /// Every world, bit for bit.
+    /// Saves every world, bit for bit.
     property::Memory save(property::ByteWriter& to) const override;
     std::function<void()> restore(property::ByteReader& from,
                                   const property::Memory& memory) override;
 
-    // From an instance to what it stands for, for C++ that wants to go on without the tree. What is
-    // returned is good until the instance is deleted or moved to another world, or a snapshot is
+    // Objects of the library that instances stand for, for C++ code that works without the tree. A
+    // result is valid until the instance is deleted or moved to another world, or a snapshot is
     // restored. Throws property::Error for a deleted instance or one of another class.
     //
-    // What is in these worlds comes and goes by the tree alone: creating and destroying bodies,
-    // shapes, joints and fields, tying a shape to another body, `clear`, `restore`, `take`,
-    // assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). Everything
-    // else may be called but `World::set_owner`, which is the module's; so are the worlds'
-    // callbacks while a handler listens. An instance that is deleted inside a function that its
-    // world calls is gone from the tree at once, and from the world when that step or query is
-    // over.
+    // Only the tree creates and destroys objects in these worlds: creating and destroying bodies,
+    // shapes, joints and fields, attaching a shape to another body, `clear`, `restore`, `take`,
+    // assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). All other
+    // methods may be called except `World::set_owner`, which the module uses, and, while a handler
+    // listens, the setters of the world's callbacks. An instance that is deleted inside a function
+    // that its world calls is removed from the tree at once, and from the world at the end of that
+    // step or query.
 
     /// The world of a World instance; for any other the nearest above it, and where there is none
     /// the one of all that is in no world.
