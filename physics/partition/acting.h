@@ -6,12 +6,12 @@
 
 namespace fettle::physics::detail {
 
-/// A body as its contacts and joints see it in a step.
+/// A body for its contacts and joints in a step: index, strip, and whether it takes impulses.
 class SolverEnd {
   public:
-    /// Fixed or asleep.
+    /// A fixed or sleeping body.
     SolverEnd() = default;
-    /// `moves`: takes impulses.
+    /// `moves`: the body takes impulses.
     SolverEnd(uint32_t index, StripNode strip, bool moves)
         : bits_(index << strip_bits << 1 | uint32_t{strip} << 1 | moves) {
         static_assert(2 * most_strips <= 1 << strip_bits);
@@ -36,16 +36,16 @@ inline StripNode node_of(SolverEnd a, SolverEnd b) {
     return a.moves() || b.index() == 0 ? a.strip() : b.strip();
 }
 
-/// A contact that acts in this step: what coloring and grouping need of it.
+/// A contact that acts in this step: the data for coloring and grouping.
 struct ActingContact {
     uint32_t slot = 0;
     SolverEnd end_a, end_b;
-    uint32_t entry = 0;  ///< for the thread that counts it, its section and its color
-    uint32_t place = 0;  ///< in its entry; later its lane
+    uint32_t entry = 0;  ///< in the counts of a thread: entry of its section and its color
+    uint32_t place = 0;  ///< its place in the entry; later its lane
     StripNode node = 1;
-    uint8_t hub = 0;        ///< index + 1 of the hub on a copy of which it acts; 0: none
+    uint8_t hub = 0;        ///< it acts on a copy of the hub with this index + 1; 0: on no copy
     bool serially = false;  ///< solved one at a time
-    uint8_t tells = 0;      ///< `is_touching`, `of_hits`
+    uint8_t tells = 0;      ///< what it reports: `is_touching`, `of_hits`
 
     enum Tells : uint8_t { is_touching = 1, of_hits = 2 };
     bool touching() const { return (tells & is_touching) != 0; }

@@ -5,7 +5,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Steps after which blocks are made anew, since islands may have come apart.
+/// Steps after which blocks are built again, since islands may have separated.
 constexpr int old_age = 64;
 
 /// An island with this share of the contacts is nearly the whole world.

@@ -21,18 +21,18 @@ namespace fettle::physics::detail {
 struct SolverBlock {
     uint32_t first_body = 0, body_end = 0;    ///< in the order of the blocks
     uint32_t first_group = 0, group_end = 0;  ///< of wide contacts
-    uint32_t first_section = 0;               ///< in the numbering of all blocks
+    uint32_t first_section = 0;               ///< in the numbering over all blocks
     uint32_t contacts = 0;                    ///< in groups, when the block was made
     bool cut = false;                         ///< several threads share it out
 };
 
 class SolverBlocks {
   public:
-    /// Contacts of a block: at 112 bytes each, half of the second-level cache of a small core.
+    /// Contacts of a full block: at 112 bytes each, half of the second-level cache of a small core.
     static constexpr uint32_t enough_contacts = 2000;
     static constexpr uint32_t enough_bodies = 4000;
 
-    /// `bodies`: one more than there are, since body 0 does not move.
+    /// `bodies`: one more than there are, since body 0 is the fixed one.
     void begin(uint32_t bodies);
     /// The two bodies influence each other in this step.
     void link(uint32_t a, uint32_t b) { islands_.unite(a, b); }
@@ -40,7 +40,7 @@ class SolverBlocks {
     void count_contact(uint32_t body);
     void find_islands();
     void finish();
-    /// Puts all bodies into the first block, where there is little to do.
+    /// Puts all bodies into the first block, for small worlds.
     void finish_as_one();
     /// True if `finish` found nearly all contacts in one block: then blocks are not searched for
     /// some steps.
@@ -48,12 +48,14 @@ class SolverBlocks {
     /// To be called once in each step that could use several blocks: whether to search for them.
     bool may_be_several() { return wait_ == 0 || --wait_ == 0; }
 
-    /// The blocks that are made next are of these bodies. `several`: there may be more than the
-    /// first.
+    /// The blocks that are built next are of these bodies. `several`: there may be more than the
+    /// first block.
     void remember(std::span<const uint32_t> bodies, bool several);
-    /// The blocks are of these bodies, in this order, and a contact that links two of them matters.
+    /// True if the blocks are of these bodies, in this order, so that a contact that links two
+    /// blocks matters.
     bool may_be_linked(std::span<const uint32_t> bodies) const;
-    /// The blocks may be kept for a step of these bodies in which no contact links two blocks.
+    /// True if the blocks can be used again for a step with these bodies, if no contact links two
+    /// blocks.
     bool may_stay(std::span<const uint32_t> bodies, bool several);
 
     uint32_t block_of(uint32_t body) const { return block_of_[body]; }
@@ -64,7 +66,7 @@ class SolverBlocks {
         return std::span(order_).subspan(block.first_body, block.body_end - block.first_body);
     }
 
-    /// What is kept from step to step only saves work.
+    /// Scratch: the data kept from step to step only save work.
     static void scratch(auto& io, auto& self) {
         io(self.islands_.parent), io(self.contacts_), io(self.block_of_);
         io(self.order_), io(self.blocks_), io(self.bodies_);

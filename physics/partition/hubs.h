@@ -48,14 +48,15 @@ class Hubs {
     /// After the pass over all strips: averages the copies.
     void take_back(std::span<SolverBody> bodies) const;
 
-    /// All of it is made anew in every step.
+    /// All data are scratch: built in every step.
     static void scratch(auto& io, auto& self) { io(self.hubs_); }
 
   private:
     struct Hub {
         uint32_t body, first_copy;
         float inverse_mass_at_rim;
-        std::array<uint32_t, most_strips> used;  ///< copies, by strip; counts on
+        std::array<uint32_t, most_strips> used;  ///< number of copies used, by strip; a running
+                                                 ///< count
     };
     /// Copies in a strip: contacts that are solved at the same time have one each.
     static constexpr uint32_t copies = 8;
@@ -63,7 +64,7 @@ class Hubs {
 
     float parts() const { return float(copies * strips_); }
     uint32_t leaf_of(uint32_t node) const { return node - strips_; }
-    /// Place of the hub as it was before the pass; the copies follow.
+    /// Place of the saved hub, as it was before the pass; the copies follow.
     uint32_t first_of(const Hub& hub, uint32_t leaf) const {
         return hub.first_copy + leaf * (copies + 1);
     }

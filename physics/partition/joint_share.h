@@ -13,7 +13,7 @@ namespace fettle::physics::detail {
 class JointShare {
   public:
     void clear() { bodies_.clear(); }
-    /// A body that a joint of that node acts on; may be added several times.
+    /// Adds a body that a joint of that node acts on; a body may be added several times.
     void add(uint32_t node, uint32_t body) { bodies_.push_back(uint64_t{node} << 32 | body); }
     void unite();
 
@@ -25,7 +25,7 @@ class JointShare {
         add_change(nodes, bodies, forces);
     }
 
-    /// All of it is made anew in every step.
+    /// All data are scratch: built in every step.
     static void scratch(auto& io, auto& self) { io(self.bodies_), io(self.velocities_); }
 
   private:

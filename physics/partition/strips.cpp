@@ -7,23 +7,23 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Two strips from four times as many constraints on, four from sixteen times: what is between them
-/// must remain little beside what is in them.
+/// Two strips from 4 · `unit` constraints on, four from 16 · `unit` on: the constraints between
+/// strips must remain few compared with those in strips.
 constexpr std::size_t unit = 512;
 
-/// Where the list runs along an axis, that axis is cut: a thread then has in all stages what lies
-/// together in memory.
+/// If the correlation of place in the list and position along an axis is at least this, that axis
+/// is cut: a thread then works on neighboring memory in all stages.
 constexpr float in_order = 0.8f;
 
-/// Others are cut from top to bottom unless they are this many times as high as wide: what bears
-/// and what it bears stay together.
+/// Other worlds are cut by horizontal lines only if they are this many times as high as wide: a
+/// body and the body that bears it stay in one strip.
 constexpr float upright_ratio = 2.0f;
 
 float along(const StripSample& sample, bool upright) {
     return upright ? sample.place.y : sample.place.x;
 }
 
-/// Correlation of where they are with which place in the list they have, without its sign.
+/// Correlation of the positions with the places in the list, without its sign.
 float order(std::span<const StripSample> samples, bool upright) {
     const auto n = float(samples.size());
     float mean = 0.0f;
@@ -47,14 +47,14 @@ float extent(std::span<const StripSample> samples, bool upright) {
     return along(*high, upright) - along(*low, upright);
 }
 
-/// Whether strips lie on each other.
+/// True if the strips lie on top of each other.
 bool lie_upright(std::span<const StripSample> samples) {
     const float x = order(samples, false), y = order(samples, true);
     if (std::max(x, y) > in_order) return y > x;
     return extent(samples, true) > upright_ratio * extent(samples, false);
 }
 
-/// How much work there is up to where, in so many steps from the first sample to the last between
+/// Work up to a position, counted in equal intervals from the first sample to the last between
 /// `from` and `to`.
 class WorkAlong {
   public:
@@ -81,14 +81,14 @@ class WorkAlong {
         std::partial_sum(up_to_.begin(), up_to_.end(), up_to_.begin());
     }
 
-    /// Where this share of all work is on the one side.
+    /// Position with this share of all work before it.
     float at(float share) const {
         const float wanted = share * up_to_.back();
         const auto end = std::lower_bound(up_to_.begin() + 1, up_to_.end() - 1, wanted);
         const float work = *end - end[-1];
         const float part = work > 0.0f ? (wanted - end[-1]) / work : 0.0f;
         const float begin = begin_ + step_ * float(end - up_to_.begin() - 1);
-        // Somebody is far away from all others, or they stand in rows.
+        // One sample is far away from all others, or bodies stand in rows.
         if (step_ > 0.0f && work > most_in_a_step * up_to_.back())
             return WorkAlong(samples_, upright_, begin, begin + step_).at(part);
         return begin + step_ * part;
@@ -97,7 +97,8 @@ class WorkAlong {
   private:
     static constexpr std::size_t steps = 512;
     static constexpr float most_in_a_step = 0.02f;
-    static constexpr float narrowest = 1e-5f;  // what is closer, for its distance, is at one place
+    static constexpr float narrowest = 1e-5f;  // samples closer than this, relative to their
+                                               // distance from the origin, are at one place
 
     const std::span<const StripSample> samples_;
     const bool upright_;
@@ -138,7 +139,7 @@ Sections::Sections(uint32_t strips, uint32_t parts) : parts_(parts) {
             section = part * uint32_t(own) + uint32_t(level);
             owner_[node] = uint8_t(part);
         } else {
-            // Those above: 2^depth at each depth, the deepest first.
+            // Nodes above the parts: 2^depth at each depth, the deepest first.
             const uint32_t above = (parts - (2u << depth)) + (node - (1u << depth));
             section = parts * uint32_t(own) + above;
             owner_[node] = uint8_t(parts + above);

@@ -9,33 +9,34 @@
 #include <numeric>
 #include <span>
 
-// A heap of bodies that all touch each other, solved by several threads: it is cut into strips of
-// about as much work each. What acts within a strip knows nothing of the other strips; what acts
-// between two of them is solved after both (nested dissection: A. George, "Nested Dissection of a
+// A heap of bodies that all touch each other, solved by several threads: it is cut into strips with
+// about the same work each. Constraints within a strip do not depend on other strips; constraints
+// between two strips are solved after both (nested dissection: A. George, "Nested Dissection of a
 // Regular Finite Element Mesh", 1973). The strips are the leaves of a binary tree, left to right,
 // and a constraint belongs to the lowest node that is above both of its bodies.
 //
-// Whether one thread solves the nodes of a level as one or several threads share them out is the
-// same: no two nodes of a level have a body in common.
+// The result is the same if one thread solves the nodes of a level or if several threads share them
+// out: no two nodes of a level have a body in common.
 
 namespace fettle::physics::detail {
 
 inline constexpr uint32_t most_strips = 8;
 
-/// Of a complete binary tree: 1 is the root, 2n and 2n + 1 are below n.
+/// Node of a complete binary tree: 1 is the root, 2n and 2n + 1 are below n.
 using StripNode = uint8_t;
 
-/// The lowest node that is above both, or is both. 0 if one is in no strip.
+/// The lowest node that is above both, or equal to one of them. 0 if one is in no strip.
 inline StripNode above_both(StripNode a, StripNode b) {
     return StripNode(a >> std::bit_width(unsigned(a ^ b)));
 }
 
-/// Nodes `begin` to `end`, all of one level or all there are.
+/// Nodes `begin` to `end`, all nodes of one level or all nodes of the tree.
 struct StripNodes {
     uint32_t begin = 1, end = 2;
 };
 
-/// The range of each node in a list that is sorted by node: `count` each entry, then `sum_up`.
+/// The range of each node in a list that is sorted by node: call `count` for each entry, then
+/// `sum_up`.
 class NodeRanges {
   public:
     using Places = std::array<uint32_t, 2 * most_strips + 1>;
@@ -43,7 +44,7 @@ class NodeRanges {
     void clear() { first_.fill(0); }
     void count(uint32_t node, uint32_t how_many = 1) { first_[node + 1] += how_many; }
     void sum_up() { std::partial_sum(first_.begin(), first_.end(), first_.begin()); }
-    /// The first place of each node, as a copy to count on from.
+    /// The first place of each node, as a copy that the caller counts up.
     Places places() const { return first_; }
     uint32_t begin(const StripNodes& nodes) const { return first_[nodes.begin]; }
     uint32_t end(const StripNodes& nodes) const { return first_[nodes.end]; }
@@ -61,11 +62,11 @@ struct StripSample {
 
 class Strips {
   public:
-    /// The number of strips for so many constraints: a power of two.
+    /// The number of strips for this many constraints: a power of two.
     static uint32_t count_for(std::size_t constraints);
 
-    /// Cuts into `count` strips: along the list that the samples are from, if the list runs along
-    /// an axis, else across the longer side.
+    /// Cuts into `count` strips: along the list of the samples, if the list runs along an axis,
+    /// else across the longer side.
     void cut(std::span<const StripSample> samples, uint32_t count);
     uint32_t count() const { return count_; }
     StripNodes all_nodes() const { return {1, 2 * count_}; }
@@ -77,18 +78,18 @@ class Strips {
         return StripNode(node);
     }
 
-    /// False if the data were read from damaged bytes.
+    /// False if the deserialized data are damaged.
     bool is_valid() const { return count_ <= most_strips && std::has_single_bit(count_); }
 
   private:
-    std::array<float, most_strips> limits_ = {};  ///< by node: where its two halves meet, m
+    std::array<float, most_strips> limits_ = {};  ///< by node: the border between its two halves, m
     uint32_t count_ = 1;
-    uint32_t upright_ = 0;  ///< 1: strips lie on each other
+    uint32_t upright_ = 0;  ///< 1: strips lie on top of each other
 };
 
-/// The sections of a block, in the order in which they are solved. Where several threads share out
-/// a block, each has a part of the strips, with all nodes below a node of its own; the nodes above
-/// come last. Where one thread solves the block, the nodes of a level are one section.
+/// The sections of a block, in the order in which they are solved. If several threads share out a
+/// block, each has a part of the strips, with all nodes below one node; the nodes above come last.
+/// If one thread solves the block, the nodes of a level are one section.
 class Sections {
   public:
     Sections() = default;
@@ -99,12 +100,13 @@ class Sections {
     bool shared() const { return parts_ > 1; }
     uint32_t of(StripNode node) const { return of_[node]; }
     StripNodes nodes_of(uint32_t section) const { return nodes_[section]; }
-    /// Parts, and the nodes above them: two threads never work on the same owner at the same time.
+    /// Number of parts and of the nodes above them: two threads never work on the same owner at the
+    /// same time.
     uint32_t owners() const { return 2 * parts_ - 1; }
     uint32_t owner_of(StripNode node) const { return owner_[node]; }
 
     uint32_t parts() const { return parts_; }
-    /// Sections of a part.
+    /// Number of sections of a part.
     uint32_t below() const { return (size_ - (parts_ - 1)) / parts_; }
 
   private:
@@ -113,8 +115,8 @@ class Sections {
     std::array<StripNodes, 2 * most_strips> nodes_ = {};
 };
 
-/// Runs `work(section)` for each section, as often as `run` is called. A section runs after those
-/// that it depends on.
+/// Runs `work(section)` for each section, as often as `run` is called. A section runs after the
+/// sections that it depends on.
 template <typename Work>
 class alignas(line_size) SectionLoop {
   public:

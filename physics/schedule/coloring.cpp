@@ -7,15 +7,15 @@
 #include <bit>
 #include <utility>
 
-// Ranges of the contact records are shared out among threads. The coloring, where the color of a
-// contact depends on the contacts before it, is shared out by nodes and reads the short list of
-// acting contacts only.
+// Threads share out ranges of the contact records. Threads share out the coloring, where the color
+// of a contact depends on the contacts before it, by nodes; it reads the short list of acting
+// contacts only.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// The first colors are of contacts between two bodies that move. Contacts with a fixed body have
-/// the others: they are solved last, so that they hold best.
+/// The first colors are of contacts between two moving bodies. Contacts with a fixed body have the
+/// other colors: they are solved last, so that they are the most exact.
 constexpr int moving_colors = 48;
 constexpr int color_count = 64;
 constexpr int end_of_colors(bool both_move) {
@@ -28,7 +28,7 @@ constexpr size_t least_for_blocks = 4000;
 /// Contacts that a thread takes at a time.
 constexpr size_t piece_length = 256;
 
-/// Stable sort. `nodes`: the nodes of the contacts, a bit each.
+/// Stable sort. `nodes`: the nodes of the contacts, one bit each.
 void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges& ranges) {
     if (std::has_single_bit(nodes)) {
         ranges.count(uint32_t(std::countr_zero(nodes)), uint32_t(contacts.size()));
@@ -69,7 +69,7 @@ struct Coloring {
         }
     }
 
-    /// Greedy coloring, anew in every step: a contact gets the lowest color that neither body has
+    /// Greedy coloring, again in every step: a contact gets the lowest color that neither body has
     /// yet. A contact for which no color is left is solved one at a time.
     void color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over) {
         left_over.clear();

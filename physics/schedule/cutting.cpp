@@ -9,7 +9,7 @@ namespace {
 /// Sampled bodies: with so many, the work of two halves differs by one or two per cent.
 constexpr size_t sample_count = 1024;
 
-/// Neighbors of a body in a heap, at most, if it is no larger than the others.
+/// The usual number of neighbors of a body in a heap, at most, if it is no larger than the others.
 constexpr uint32_t usual_neighbors = 8;
 
 /// Steps between two cuts: within a few steps, bodies do not move far.
@@ -22,8 +22,8 @@ constexpr uint64_t order_interval = 16, sort_interval = 64;
 /// Entries that a thread takes at a time, and the prefetch distance.
 constexpr size_t entries_at_a_time = 512, records_ahead = 8;
 
-/// Stable sort of a list of slots of `records`. `strip_of(slot)` is what it is sorted by;
-/// `place(slot, i)` stores the new place. `placed`: the stored places are right before the sort.
+/// Stable sort of a list of slots of `records`. `strip_of(slot)` is the sort key; `place(slot, i)`
+/// stores the new place. `placed`: the stored places are right before the sort.
 template <typename Records, typename StripOf, typename Place>
 void order_by_strip(ThreadPool* threads, Reordering& scratch, std::vector<uint32_t>& list,
                     bool placed, Records& records, StripOf&& strip_of, Place&& place) {
@@ -79,7 +79,7 @@ void cut_into_strips(const ObjectState& objects, const ActiveLists& active, bool
     std::array<StripSample, sample_count> samples;
     for (size_t i = 0; i < size; ++i) {
         const BodyRecord& body = *sampled[i];
-        // A body with many neighbors, such as a platform, counts no more than one in a heap.
+        // A body with many neighbors, such as a platform, counts no more than a body in a heap.
         const uint32_t neighbors = std::min(body.contact_count + body.joint_count, usual_neighbors);
         samples[i] = {body.center, float(1 + neighbors)};
     }

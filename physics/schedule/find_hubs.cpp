@@ -3,11 +3,11 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Of a body with many contacts so many are looked at, and so many have to be with a much lighter
+/// How many contacts of a body are examined, and how many of these must be with a much lighter
 /// body.
 constexpr uint32_t looked_at = 16, enough_of_them = 12;
 
-/// Of the mass that a push at the rim moves, by a shift and a turn together.
+/// Inverse of the mass that a push at the rim moves, by translation and rotation together.
 float inverse_mass_at_rim(const BodyRecord& record) {
     return record.inverse_mass + record.inverse_inertia * record.extent * record.extent;
 }

@@ -3,7 +3,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A path that bends by less in a step is straight, m.
+/// A path whose bend in a step is smaller is straight, m.
 constexpr float negligible_bend = 5e-5f;
 
 }  // namespace

@@ -3,12 +3,13 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// Which contacts are solved one at a time because of how their bodies may move or do move.
+// Decides which contacts are solved one at a time because of the possible or the actual motion of
+// their bodies.
 
 namespace fettle::physics::detail {
 
-/// One of the bodies is locked along an axis. Most worlds have no such body: then no record is
-/// read.
+/// True if one of the bodies is locked along an axis. Most worlds have no such body: then no record
+/// is read.
 inline bool on_locked_axis(const ObjectState& objects, const BodyScratch& bodies,
                            const ContactRecord& contact) {
     if (!bodies.axes_locked) return false;
@@ -16,12 +17,12 @@ inline bool on_locked_axis(const ObjectState& objects, const BodyScratch& bodies
     return a.locked_x || a.locked_y || b.locked_x || b.locked_y;
 }
 
-/// The path of the cores round a corner.
+/// The path of the cores around a corner.
 Corner corner_of(const ObjectState& objects, const ContactRecord& contact);
 
 /// The contact passes a corner so fast that its path bends noticeably within the step. False for
-/// two circles, which meet in heaps where all move slowly, and for corners without rounding, which
-/// have no path round them.
+/// two circles, which meet in slow heaps, and for corners without rounding, which have no path
+/// around them.
 bool passes_corner(const ObjectState& objects, const BodyScratch& bodies,
                    const ContactRecord& contact, float dt);
 

@@ -8,7 +8,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Steps between two looks for resting islands, while there is a reason to look.
+/// Steps between two searches for resting islands, while there is a reason to search.
 constexpr uint64_t look_interval = 8;
 
 }  // namespace
@@ -52,11 +52,12 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
     for (uint32_t member : members) {
         objects.for_each_contact(member, [&](uint32_t contact) {
             if (objects.contacts[contact].awake_index != none) return;
-            objects.contacts[contact].awake_index = 0;  // so that the other body adds it no more
+            objects.contacts[contact].awake_index = 0;  // so that the other body does not add it
+                                                        // again
             woken.push_back(contact);
         });
     }
-    // The solver converges best in the order in which they were made.
+    // The solver converges best in the order of creation.
     std::sort(woken.begin(), woken.end());
     for (uint32_t contact : woken) add_awake_contact(objects, active, contact);
     woken.clear();
@@ -71,7 +72,7 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
 
 void wake_touching(const Activity& activity, uint32_t body) {
     ObjectState& objects = activity.objects;
-    // Waking changes no contact list, so it may be walked meanwhile.
+    // Waking changes no contact list, so the loop may go on.
     objects.for_each_contact(body, [&](uint32_t contact) {
         if (objects.contacts[contact].manifold.count > 0)
             wake_body(activity, objects.other_body(contact, body));
@@ -92,7 +93,7 @@ void wake_jointed(const Activity& activity) {
     ActiveLists& active = activity.active;
     if (objects.island_slots.count == 0) return;
     for (const auto& list : active.awake_joints) {
-        // Waking appends to the list while it is walked.
+        // Waking appends to the list during the loop.
         for (size_t i = 0; i < list.size(); ++i) {
             const auto [a, b] = objects.joints[list[i]].bodies;
             if (objects.bodies[a].asleep() && in_motion(objects, columns, b))
@@ -132,8 +133,8 @@ void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
     }
 }
 
-/// Drops the sleeping from the lists. One pass over each list keeps its order, which removing one
-/// entry after the other would not.
+/// Removes sleeping objects from the lists. One pass over each list keeps its order; removing
+/// entries one by one would not.
 void compact_awake(ObjectState& objects, ActiveLists& active) {
     size_t kept = 0;
     for (uint32_t body : active.awake_bodies) {
@@ -227,7 +228,7 @@ void sleep_resting_islands(const Activity& activity, const WorldDef& settings, u
         if (moves_a && moves_b)
             sets.unite(a - 1, b - 1);
         else if (moves_a && in_motion(objects, columns, body_b))
-            restless[a - 1] = 1;  // carried by something that moves
+            restless[a - 1] = 1;  // a moving body carries it
         else if (moves_b && in_motion(objects, columns, body_a))
             restless[b - 1] = 1;
     };

@@ -5,19 +5,19 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// Sleeping. What is awake is listed; a sleeping body is in an island with all that fell asleep with
-// it, costs nothing in a step, and wakes with the whole island. Islands are found by union-find
-// over the active contacts and joints, and only in steps in which some body has rested long enough:
-// keeping them up to date all the time would cost more.
+// Sleeping. Awake objects are listed; a sleeping body is in an island with all bodies that fell
+// asleep with it, costs nothing in a step, and wakes with the whole island. Islands are found by
+// union-find over the active contacts and joints, and only in steps in which some body has rested
+// long enough: keeping them up to date all the time would cost more.
 
 namespace fettle::physics::detail {
 
-/// What waking and falling asleep change, and where the events go.
+/// The data that waking and falling asleep change, and the list for their events.
 struct Activity {
     ObjectState& objects;
     Columns& columns;
     ActiveLists& active;
-    Events& events;  ///< of the step, or of the edits since
+    Events& events;  ///< events of the step, or of the edits after it
 };
 
 void wake_sleeping(const Activity& activity, uint32_t body);  ///< with its island
@@ -35,12 +35,12 @@ void wake_joint(const Activity& activity, uint32_t joint);
 void wake_jointed(const Activity& activity);
 void wake_all(const Activity& activity);
 
-/// The lists of what is awake still hold these bodies until `compact_awake`.
+/// The lists of awake objects still contain these bodies until `compact_awake`.
 void put_to_sleep(const Activity& activity, std::span<const uint32_t> bodies);
 void compact_awake(ObjectState& objects, ActiveLists& active);
-/// The body with all that it touches or is joined to.
+/// The body with all bodies that it touches or is joined to.
 void put_group_to_sleep(const Activity& activity, uint32_t body);
-/// `candidates`: how many bodies rested long enough.
+/// `candidates`: number of bodies that have rested long enough.
 void sleep_resting_islands(const Activity& activity, const WorldDef& settings, uint32_t candidates,
                            uint64_t step);
 /// For solvers that correct positions without velocities: a body that was pushed farther than `way`
@@ -49,7 +49,7 @@ void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const Bo
                        float way);
 
 void leave_island(ObjectState& objects, uint32_t body);
-/// Awake, and not at rest if it moves on its own.
+/// True if the body is awake, and not at rest if it moves on its own.
 bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body);
 
 }  // namespace fettle::physics::detail

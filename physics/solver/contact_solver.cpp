@@ -4,9 +4,9 @@
 
 // Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
 // with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
-// other, but the change that the first makes to the relative velocity of the second is known
-// beforehand (`coupling`), so that both velocities are read at once and the chain of dependent
-// operations is short.
+// other, but the effect of the first on the relative velocity of the second is known before
+// (`coupling`), so that both velocities are read at once and the chain of dependent operations is
+// short.
 
 namespace fettle::physics::detail {
 namespace {
@@ -28,7 +28,7 @@ struct SolvedPair {
           ia(a.inverse_inertia),
           ib(b.inverse_inertia) {}
 
-    /// Impulse `p` along `direction`, with the angular impulses it makes through the lever arms.
+    /// Applies impulse `p` along `direction`, with the angular impulses of the lever arms.
     void apply(V2 direction, float p, float angular_a, float angular_b) {
         va.x -= ma.x * p * direction.x;
         va.y -= ma.y * p * direction.y;
@@ -37,7 +37,7 @@ struct SolvedPair {
         vb.y += mb.y * p * direction.y;
         wb += ib * angular_b;
     }
-    /// What no impulse moves is left alone: other threads may read it.
+    /// Does not write a body that no impulse moves: other threads may read it.
     void store(SolverBody& a, SolverBody& b) const {
         if (a.inverse_mass != 0.0f || ia != 0.0f) {
             a.velocity = va;
@@ -50,12 +50,12 @@ struct SolvedPair {
     }
 };
 
-/// Total normal impulse that a point should have. Biased: soft where it overlaps. Apart: it may
-/// just close the gap.
+/// Total normal impulse that a point should have. Biased: soft where the shapes overlap. Where they
+/// are apart: the point may just close the gap.
 struct NormalRow {
     float bias = 0.0f;
     float mass = 0.0f;
-    float kept;  ///< what softness leaves of the impulse so far
+    float kept;  ///< share of the accumulated impulse that softness keeps
 
     template <bool biased>
     static NormalRow make(const ConstraintPoint& p, float separation, const Softness& soft,
@@ -83,7 +83,8 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
     float v1 = approach + (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
     if (c.count == 1) {
         if (corner != nullptr) {
-            // As fast as the way round opens the gap, it may be closed along the normal.
+            // The gap may be closed along the normal as fast as the path around the corner opens
+            // it.
             const float h = 1.0f / inverse_h, opened = s1 - p.separation;
             const float gap = corner_gap(*corner, n, a, b, pair, opened, 0.0f);
             const float later = corner_gap(*corner, n, a, b, pair, opened + h * v1, h);
@@ -225,7 +226,7 @@ void ContactSolver::relax() {
 
 namespace {
 
-/// Impulses that turn the velocities v1, v2 of the points of a contact round, each its share.
+/// The impulses that reverse the velocities v1, v2 of the points of a contact, times `share`.
 struct Bounce {
     float impulses[2] = {};
 
@@ -233,7 +234,7 @@ struct Bounce {
         for (int k = 0; k < 2; ++k)
             if (meets[k]) impulses[k] = -c.points[k].normal_mass * (1.0f + share) * v[k];
         if (!meets[0] || !meets[1]) return;
-        // Both at once: one after the other, the first would set the body spinning.
+        // Solves both points together: one after the other, the first would make the body spin.
         const float k11 = 1.0f / c.points[0].normal_mass, k22 = 1.0f / c.points[1].normal_mass;
         const float k12 = c.coupling_normal, determinant = k11 * k22 - k12 * k12;
         if (!(determinant > 1e-4f * k11 * k22)) {
@@ -246,7 +247,8 @@ struct Bounce {
             impulses[0] = p1;
             impulses[1] = p2;
         } else {
-            impulses[v[0] < v[1] ? 1 : 0] = 0.0f;  // the slower one comes round with the other
+            impulses[v[0] < v[1] ? 1 : 0] = 0.0f;  // the impulse of the other point reverses the
+                                                   // slower one, too
         }
     }
 };
@@ -256,7 +258,7 @@ struct Bounce {
 bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
     bool any = false;
     for (const ContactConstraint& c : constraints) {
-        // Nothing new since the last pass.
+        // No body has changed since the last pass.
         if (pass > 1 && changed[c.a] + 1 < pass && changed[c.b] + 1 < pass) continue;
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
@@ -267,7 +269,7 @@ bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
             const ConstraintPoint& p = c.points[k];
             v[k] = dot(c.normal, pair.vb - pair.va) +
                    (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
-            extra.approach[k] = v[k];  // as others have left it
+            extra.approach[k] = v[k];  // after the impulses of other contacts
             meets[k] = v[k] < -restitution_threshold && p.separation + dt * v[k] < 0.0f &&
                        p.normal_mass > 0.0f;
         }

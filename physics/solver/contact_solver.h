@@ -16,21 +16,22 @@ struct ContactSolver {
     float push_speed = 3.0f;
     float restitution_threshold = 1.0f;
 
-    /// Before the sub-steps, which know no bounce: what meets fast enough within `dt` (s) leaves
-    /// with its share of the speed, pair by pair, pass after pass (`pass` = 1, 2, …) until none
-    /// meets any more: false. So a blow goes through a row of bodies in one step and none of it is
-    /// lost in between. `changed`, by body: the last pass that did anything to it; at first 0.
+    /// Called before the sub-steps, which compute no bounces: contacts whose shapes approach fast
+    /// enough within `dt` (s) leave with their restitution times that speed, pair by pair, pass
+    /// after pass (`pass` = 1, 2, …) until no pair approaches: then returns false. So a blow goes
+    /// through a row of bodies in one step without loss. `changed`, by body: the last pass that
+    /// changed it; 0 at the start.
     bool bounce(float dt, uint8_t pass, std::span<uint8_t> changed);
-    /// The longest row that a blow goes through in a step.
+    /// The longest row of bodies that a blow goes through in a step.
     static constexpr uint8_t most_passes = 32;
     void warm_start();
     /// Soft: overlap is pushed out at a bias velocity. Normal directions only.
     void solve_biased();
-    /// After the positions moved: takes the bias velocity out again, then friction and rolling.
-    /// Friction in this pass only is what makes tall stacks stand.
+    /// After the positions changed: removes the bias velocity, then applies friction and rolling
+    /// resistance. Tall stacks stand because friction acts in this pass only.
     void relax();
-    /// After all sub-steps, for what `bounce` did not foresee: what hit fast enough leaves with its
-    /// share of the approach velocity.
+    /// After all sub-steps, for hits that `bounce` did not predict: shapes that hit fast enough
+    /// leave with their restitution times the approach velocity.
     void restitute();
 
   private:

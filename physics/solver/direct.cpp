@@ -10,14 +10,12 @@
 // The direct solver: in each sub-step all joints and contacts of an island are solved at once,
 // twice.
 //
-//   1. velocities change by the forces;
-//   2. biased: impulses after which a fifth of every error is gone with the sub-step;
-//   3. bodies move;
-//   4. relaxed: the same rows where the bodies are now, without the correction, so that it does not
-//      stay in the velocities. (As in the soft step, what bends a path to a circle comes from the
-//      bias, and pendulums keep their energy.)
+// 1. velocities change by the forces; 2. biased: impulses that remove a fifth of every error within
+// the sub-step; 3. bodies move; 4. relaxed: the same rows at the new poses, without the correction,
+// so that it does not stay in the velocities. (As in the soft step, the bias bends a path to a
+// circle, and pendulums keep their energy.)
 //
-// At the end of the step what hit fast enough leaves: as 4, with v_n = -e·(approach).
+// At the end of the step fast hits bounce: as 4, with v_n = -e·(approach).
 
 namespace fettle::physics::detail {
 namespace {
@@ -40,7 +38,7 @@ class DirectSolver {
 
     void pass(DirectPass pass) {
         write(pass);
-        // A bounce takes the place of the impulse of the last sub-step, which is counted already.
+        // The impulse of a bounce replaces that of the last sub-step, which is counted already.
         if (pass == DirectPass::bounced) {
             for_each_extra([](const ContactConstraint& c, ContactExtra& extra) {
                 for (int k = 0; k < c.count; ++k) extra.total[k] -= c.points[k].normal_impulse;
@@ -94,7 +92,7 @@ class DirectSolver {
         return s.x > 0.0 || s.y > 0.0 || s.turn > 0.0;
     }
 
-    /// Islands by union-find: the lowest body is the root, so that they come in a fixed order.
+    /// Finds islands by union-find: the lowest body is the root, so that their order is fixed.
     void find_problems() {
         const auto count = uint32_t(scales_.size());
         std::vector<uint32_t> parent(count);

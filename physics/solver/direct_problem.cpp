@@ -41,25 +41,28 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Islands with more bodies than this are left to the sweeps.
+/// Islands with more bodies are solved by sweeps.
 constexpr size_t most_bodies = 500;
 constexpr int most_first_steps = 6, most_steps = 15, most_factorizations = 120;
 constexpr int most_rounds = 25, most_friction_rounds = 9;
-/// Of the rigidity of rows, where the way to a solution begins when it is not found at once.
+/// Share of the rigidity of rows with which the search begins when no solution is found at once.
 constexpr double softest = 3e-6;
-/// Velocities that rigid rows may leave, m/s: to be content, and when there is no time left. What
-/// changes them by less is no matter in the bounds of friction either.
+/// Velocities that rigid rows may leave, m/s: a good result, and a result that is accepted when
+/// there is no time left. Changes of friction bounds that change velocities by less do not matter.
 constexpr double tolerance = 1e-5, bearable = 1e-3;
-/// What is worse is no better place to begin than the impulses of the pass before, m/s.
+/// If the rows leave a higher velocity than this, m/s, the search does not begin from there, but
+/// from the impulses of the pass before.
 constexpr double worst_begin = 1e-2;
-/// Sweeps, by how many rows there are, and the change of velocities that ends them, m/s.
+/// Number of sweeps, which depends on the number of rows, and the change of velocities that ends
+/// them, m/s.
 constexpr int first_sweeps = 20, least_sweeps = 40, most_sweeps = 200;
 constexpr size_t most_visits = 100'000;
 constexpr double settled_change = 1e-7;
-/// Of a friction bound, or a tenth of the largest: they need not be known better.
+/// Friction bounds are found to this share of the bound, or of a tenth of the largest bound.
 constexpr double bound_tolerance = 3e-3;
 /// Multiplications of all problems in a step of the world, shared by their rows: a few tenths of a
-/// second. What small problems may cost in any case, and what a factorization costs a row besides.
+/// second. `least_work`: what a small problem may always use; `work_of_row`: additional work of a
+/// factorization for each row.
 constexpr double most_work = 2e8, least_work = 1e6, work_of_row = 200.0;
 
 }  // namespace
@@ -77,7 +80,8 @@ DirectProblem::DirectProblem(std::vector<uint32_t> bodies, std::vector<uint32_t>
     work_left_ = std::max(least_work, most_work * double(rows_.size()) / double(all.size()));
 }
 
-/// The shape of the matrix: a block of 3 × 3 for each body and for each two that a row joins.
+/// Finds the nonzero entries of the matrix: a block of 3 × 3 for each body and for each two bodies
+/// that a row joins.
 void DirectProblem::analyze() {
     std::vector<Eigen::Triplet<double>> entries;
     for (int32_t body = 0; body < int32_t(bodies_.size()); ++body) {
@@ -121,7 +125,7 @@ void DirectProblem::add(const Line& line, double impulse, Eigen::VectorXd& to) c
         for (int k = 0; k < 3; ++k) to[3 * line.b + k] += line.on_b[k] * impulse;
 }
 
-/// What a unit impulse along a row does to its velocity, J·M⁻¹·Jᵀ.
+/// The change of a row's velocity by a unit impulse along it, J·M⁻¹·Jᵀ.
 double DirectProblem::inverse_mass(const Line& line) {
     const auto squared = [](const double(&on)[3]) {
         return on[0] * on[0] + on[1] * on[1] + on[2] * on[2];
@@ -139,7 +143,7 @@ double DirectProblem::allowed(size_t i, double velocity) {
     return std::min(std::max(wanted(i, velocity), row(i).low), row(i).high);
 }
 
-/// Reads rows and velocities. The impulses of before say where to begin.
+/// Reads rows and velocities. The search begins with the impulses of the pass before.
 void DirectProblem::take(std::span<const MassScale> scales,
                          std::span<const SolverBody> solver_bodies, bool applied) {
     before_.setZero();
@@ -185,7 +189,7 @@ void DirectProblem::give(std::span<const MassScale> scales,
     }
 }
 
-/// Of what is bounded by the impulses of others, as they are.
+/// Sets the bounds that depend on the impulses of other rows, from the current impulses.
 void DirectProblem::bound_friction(size_t i) {
     DirectRow& r = row(i);
     if (r.bearers == 0) return;
@@ -233,7 +237,7 @@ void DirectProblem::assemble() {
     }
 }
 
-/// A row that pulls at its bound by no more than arithmetic errs may stay where it is: what changes
+/// A row at its bound whose pull is within the rounding error keeps its state: a pull that changes
 /// a velocity of 1 m/s by 10⁻⁷.
 DirectProblem::State DirectProblem::next_state(size_t i, double velocity) {
     const double impulse = wanted(i, velocity);
@@ -255,8 +259,7 @@ DirectProblem::State DirectProblem::next_state(size_t i, double velocity) {
     return impulse >= high ? State::high : State::free;
 }
 
-/// How far to go along `direction` from u: to where the function to minimize is least, or all the
-/// way.
+/// The step along `direction` from u: to the minimum of the function, or all the way.
 double DirectProblem::step_length(const Eigen::VectorXd& direction) {
     for (Line& line : lines_) {
         line.velocity = line.base + along(line, u_);
@@ -280,7 +283,7 @@ double DirectProblem::step_length(const Eigen::VectorXd& direction) {
     return high;
 }
 
-/// Multiplications of a step: as many as there are pairs of entries in each column.
+/// Multiplications of a factorization: the number of pairs of entries in each column.
 double DirectProblem::work_of_factorization() const {
     const auto& lower = factor_.matrixL().nestedExpression();
     double work = work_of_row * double(lines_.size());
@@ -297,7 +300,7 @@ int DirectProblem::affordable() const {
     return int(std::clamp(work_left_ / work_, 0.0, double(most_factorizations)));
 }
 
-/// With the bounds as they are.
+/// Solves with the current bounds.
 bool DirectProblem::solve_boxed(int most) {
     for (int step = 0; step < most && budget_ > 0; ++step, --budget_) {
         assemble();
@@ -318,7 +321,7 @@ bool DirectProblem::solve_boxed(int most) {
             return true;
         }
         trial_ -= u_;
-        // The first step comes from nowhere, and goes all the way.
+        // The first step has no earlier point to compare with, and goes all the way.
         u_ += (step == 0 ? 1.0 : step_length(trial_)) * trial_;
         for (size_t i = 0; i < lines_.size(); ++i)
             lines_[i].state = next_state(i, lines_[i].base + along(lines_[i], u_));
@@ -326,7 +329,8 @@ bool DirectProblem::solve_boxed(int most) {
     return false;
 }
 
-/// Impulses from velocities, then the bounds that hang on impulses. True when they were right.
+/// Computes impulses from velocities, then the bounds that depend on impulses. True when the bounds
+/// were right.
 bool DirectProblem::update_bounds(bool average) {
     for (size_t i = 0; i < lines_.size(); ++i)
         row(i).impulse = allowed(i, lines_[i].base + along(lines_[i], u_));
@@ -365,12 +369,12 @@ bool DirectProblem::update_bounds(bool average) {
     return settled;
 }
 
-/// The states to begin with, from the impulses so far.
+/// Guesses the first states from the current impulses.
 void DirectProblem::guess_states() {
     for (size_t i = 0; i < lines_.size(); ++i) {
         Line& line = lines_[i];
-        // Where there was no impulse, who approaches touches. As good as at a bound is at it: the
-        // impulse was kept in single precision.
+        // A row without an impulse is free if its shapes approach. A row whose impulse is nearly at
+        // a bound is at the bound: the impulse was stored in single precision.
         const double impulse = line.memory != 0.0 ? line.memory : wanted(i, line.base);
         const double nearly = 1e-6 * std::fabs(impulse);
         line.state = impulse - nearly <= row(i).low    ? State::low
@@ -379,7 +383,7 @@ void DirectProblem::guess_states() {
     }
 }
 
-/// What is left of the velocities that rigid rows should have stopped, m/s.
+/// The remaining velocities that rigid rows should have stopped, m/s.
 double DirectProblem::residual() {
     double worst = 0.0;
     for (size_t i = 0; i < lines_.size(); ++i) {
@@ -422,9 +426,9 @@ bool DirectProblem::solve_exactly() {
     return false;
 }
 
-/// Projected Gauss-Seidel: what is left when there are too many bodies or no solution. Each row in
-/// its turn gets the impulse that (1) asks of it alone. It begins with the best that was found: of
-/// a search that stopped on its way, velocities and impulses do not belong together.
+/// Projected Gauss-Seidel: used when there are too many bodies or no solution. Each row in turn
+/// gets the impulse that satisfies (1) for it alone. It begins with the best impulses that were
+/// found: velocities and impulses of an unfinished search do not match.
 void DirectProblem::sweep(int most) {
     u_.setZero();
     share_ = 1.0;
@@ -454,7 +458,7 @@ void DirectProblem::sweep(int most) {
     }
 }
 
-/// Where the rows of before say little, a few sweeps tell which of them push.
+/// If the rows of the pass before tell little, a few sweeps find the rows that push.
 void DirectProblem::begin_from_sweeps() {
     sweep(first_sweeps);
     for (size_t i = 0; i < lines_.size(); ++i) lines_[i].memory = row(i).impulse;
@@ -466,7 +470,7 @@ bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> s
     take(scales, solver_bodies, applied);
     const bool solved = solve_exactly();
     if (!solved) {
-        // Not for the rest of the step, either, which would else take a hundred times as long.
+        // Not tried again in this step, which would take a hundred times as long.
         hopeless_ = least_left_ > bearable;
         sweep(std::clamp(int(most_visits / lines_.size()), least_sweeps, most_sweeps));
     }

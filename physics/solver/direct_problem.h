@@ -17,24 +17,26 @@ class DirectProblem {
     DirectProblem(std::vector<uint32_t> bodies, std::vector<uint32_t> rows,
                   std::span<const DirectRow> all, std::span<const int32_t> place);
 
-    /// Sets the impulses of the rows and the velocities of the bodies. `applied`: the impulses the
-    /// rows have now are in the velocities already. False when the problem was too large or no
-    /// solution was found: then sweeps over the rows have come as near as they do.
+    /// Sets the impulses of the rows and the velocities of the bodies. `applied`: the velocities
+    /// already contain the current impulses of the rows. False when the problem was too large or no
+    /// solution was found: the result then comes from sweeps over the rows.
     bool solve(std::span<DirectRow> all, std::span<const MassScale> scales,
                std::span<SolverBody> solver_bodies, bool applied);
 
   private:
     enum class State : int8_t { low = -1, free = 0, high = 1 };
-    /// A row of this problem, scaled by the masses: velocities are those of √M·v.
+    /// A row of this problem, scaled by the masses: its velocities are √M·v.
     struct Line {
         int32_t a = -1, b = -1;  ///< places among the bodies
-        uint32_t block = 0;      ///< where the block of both is in the matrix
+        uint32_t block = 0;      ///< place of the block of both bodies in the matrix
         double on_a[3], on_b[3];
-        double base = 0.0;    ///< velocity before all impulses
+        double base = 0.0;    ///< velocity without any impulse
         double memory = 0.0;  ///< impulse of the last round
-        double best = 0.0;    ///< of the round that left least, else of the pass before
+        double best = 0.0;    ///< impulse of the round with the smallest residual, at first of the
+                              ///< pass before
         State state = State::free;
-        double velocity = 0.0, ahead = 0.0;  ///< of a line search: where it begins, along its way
+        double velocity = 0.0, ahead = 0.0;  ///< of a line search: velocity at its start, and
+                                             ///< change along its direction
     };
 
     void analyze();
@@ -56,7 +58,7 @@ class DirectProblem {
     static double inverse_mass(const Line& line);
     double along(const Line& line, const Eigen::VectorXd& u) const;
     void add(const Line& line, double impulse, Eigen::VectorXd& to) const;
-    /// Impulse that row i wants at a velocity, and what its bounds leave of it.
+    /// `wanted`: impulse of row i at a velocity; then that impulse within its bounds.
     double wanted(size_t i, double velocity);
     double allowed(size_t i, double velocity);
     State next_state(size_t i, double velocity);
@@ -66,17 +68,19 @@ class DirectProblem {
 
     std::vector<uint32_t> bodies_, rows_;
     std::vector<Line> lines_;
-    std::span<DirectRow> all_;  ///< rows of all problems, while one is solved
+    std::span<DirectRow> all_;  ///< rows of all problems; only set while one is solved
     Eigen::VectorXd u_, before_, right_, trial_;
     Eigen::SparseMatrix<double> matrix_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
     bool analyzed_ = false;
     bool hopeless_ = false;
-    double share_ = 1.0, begin_ = 1.0;  ///< of the rigidity of rows: now, and to begin with
-    double work_left_ = 0.0;            ///< multiplications that it may still cost in this step
-    double work_ = 0.0;                 ///< multiplications of a factorization; 0: not known yet
-    int budget_ = 0;                    ///< factorizations that may still be made
-    double least_left_ = 0.0;           ///< of all rounds of this problem: `residual`
+    double share_ = 1.0, begin_ = 1.0;  ///< share of the rigidity of rows: current, and at the
+                                        ///< start
+    double work_left_ = 0.0;            ///< multiplications that the problem may still use in this
+                                        ///< step
+    double work_ = 0.0;                 ///< multiplications of a factorization; 0: not yet computed
+    int budget_ = 0;                    ///< factorizations that the problem may still make
+    double least_left_ = 0.0;           ///< smallest `residual` of all rounds of this problem
 };
 
 }  // namespace fettle::physics::detail

@@ -8,23 +8,23 @@
 #include <span>
 #include <vector>
 
-// What the direct solver makes of joints and contacts: rows, each a direction in which two bodies
-// act on each other.
+// Joints and contacts for the direct solver: rows, each a direction in which two bodies act on each
+// other.
 
 namespace fettle::physics::detail {
 
-/// Square roots of the inverse masses along x and y and of the inverse inertia: nothing for what
-/// does not move, or not that way.
+/// Square roots of the inverse masses along x and y and of the inverse inertia: 0 where the body
+/// does not move.
 struct MassScale {
     double x = 0.0, y = 0.0, turn = 0.0;
 };
 
-/// v = on_a·(velocity, turning of a) + on_b·(those of b).
+/// v = on_a·(velocity, angular velocity of a) + on_b·(velocity, angular velocity of b).
 struct Jacobian {
     uint32_t a = 0, b = 0;  ///< solver bodies
     double on_a[3] = {}, on_b[3] = {};
 
-    /// `direction` on b, its opposite on a, at these levers r×direction.
+    /// `direction` on b, its opposite on a, with the lever arms r×direction.
     static Jacobian along(const JointEnds& ends, V2 direction, float lever_a, float lever_b) {
         return along(ends.a, ends.b, direction, lever_a, lever_b);
     }
@@ -32,7 +32,7 @@ struct Jacobian {
         const double x = double(direction.x), y = double(direction.y);
         return {a, b, {-x, -y, -double(lever_a)}, {x, y, double(lever_b)}};
     }
-    /// Of the anchors of a joint, where they are.
+    /// Jacobian at the anchors of a joint.
     static Jacobian at_anchors(const JointEnds& ends, V2 direction) {
         return along(ends, direction, cross(ends.lever_a, direction),
                      cross(ends.lever_b, direction));
@@ -45,8 +45,8 @@ struct Jacobian {
     }
 };
 
-/// λ = clamp(-(stiffness·v + push), low, high): a stiff row holds v = -push/stiffness with what
-/// impulse that takes, a spring has little stiffness, a force has none.
+/// λ = clamp(-(stiffness·v + push), low, high): a stiff row holds v = -push/stiffness with any
+/// impulse that is needed, a spring has a low stiffness, a force has none.
 struct DirectRow {
     static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
@@ -54,22 +54,23 @@ struct DirectRow {
     double stiffness = 0.0;
     double push = 0.0;
     double low = -no_limit, high = no_limit;
-    bool rigid = false;    ///< the stiffness is not meant: v is to be -push/stiffness
-    double impulse = 0.0;  ///< total: of the pass before, then of this one
+    bool rigid = false;    ///< the row stands for an infinite stiffness: v is to be -push/stiffness
+    double impulse = 0.0;  ///< total impulse: of the pass before, then of this one
 
     /// Friction: bounded by `friction` times the impulses of `bearers` rows from `bearer` on.
     uint32_t bearer = 0, bearers = 0;
     double friction = 0.0;
-    /// Of two rows in a row whose impulse has a greatest length: the other is the next one, or the
-    /// one before.
-    int circle = 0;  ///< 1: the first of them, -1: the second
+    /// Two consecutive rows whose impulses are a vector with a maximum length: the other row is the
+    /// next one, or the previous one.
+    int circle = 0;  ///< 1: the first of the two rows, -1: the second
     double greatest = no_limit;
 
-    float* kept = nullptr;     ///< where the constraint keeps the impulse
-    V2* kept_along = nullptr;  ///< or the vector that it is a part of, along `axis`
+    float* kept = nullptr;     ///< place of the impulse in the constraint
+    V2* kept_along = nullptr;  ///< or the vector that the impulse is a part of, along `axis`
     V2 axis;
 
-    /// The impulse goes back to the constraint; the first of two parts of a vector begins it anew.
+    /// Writes the impulse back to the constraint; the first of two parts of a vector resets the
+    /// vector.
     void keep() const {
         const float value = bounded(float(impulse), 1e30f);
         if (kept != nullptr) *kept = value;
@@ -78,9 +79,9 @@ struct DirectRow {
     }
 };
 
-/// Which of the passes of a sub-step rows are written for. Biased: positions are corrected.
-/// Relaxed, after the bodies moved: they are not, and springs have done their work. Bounced, at the
-/// end of the step: as relaxed, but that what hit leaves again.
+/// The pass of a sub-step for which rows are written. Biased: positions are corrected. Relaxed,
+/// after the bodies moved: without correction and without springs. Bounced, at the end of the step:
+/// as relaxed, but with the bounces of hits.
 enum class DirectPass { biased, relaxed, bounced };
 
 /// Share of an error that a sub-step corrects.
@@ -108,15 +109,15 @@ class RowWriter {
         hold(Jacobian::at_anchors(ends, {1.0f, 0.0f}), gap.x, impulse.x);
         hold(Jacobian::at_anchors(ends, {0.0f, 1.0f}), gap.y, impulse.y);
     }
-    /// Keeps room from becoming negative.
+    /// Keeps `room` from becoming negative.
     DirectRow& limit(const Jacobian& jacobian, float room, float& impulse) {
-        double bias = double(room) / h_;  // it may just close the room
+        double bias = double(room) / h_;  // it may just close the gap
         if (room < 0.0f) bias = biased() ? double(direct_correction) * bias : 0.0;
         DirectRow& row = rigid(jacobian, bias, impulse);
         row.low = 0.0;
         return row;
     }
-    /// Drives a velocity with an impulse that has a limit.
+    /// Drives a velocity with a limited impulse.
     DirectRow& motor(const Jacobian& jacobian, float speed, float greatest, float& impulse) {
         DirectRow& row = rigid(jacobian, -double(speed), impulse);
         row.low = -double(greatest);
@@ -131,14 +132,14 @@ class RowWriter {
         hold_still(row);
         return row;
     }
-    /// Two springs that are the parts of a vector, whose length has a limit.
+    /// Two springs that are the parts of a vector with a maximum length.
     void springs(const JointEnds& ends, const Spring& spring, const PointMass& mass, V2 error,
                  float greatest, V2& impulse);
     /// Two rows that drive the velocity of the anchors.
     void motors(const JointEnds& ends, V2 speed, float greatest, V2& impulse);
 
-    /// A row that is as rigid as the arithmetic bears: it gives by a ten millionth of what the
-    /// impulse would do to the bodies alone.
+    /// A row that is as rigid as the arithmetic allows: it yields by a ten millionth of the effect
+    /// of the impulse on the two bodies alone.
     DirectRow& rigid(const Jacobian& jacobian, double bias, float& impulse) {
         DirectRow& row = rows_.emplace_back();
         row.jacobian = jacobian;
@@ -167,7 +168,7 @@ class RowWriter {
         add(scales_[j.b], j.on_b);
         return sum;
     }
-    /// `Spring::impulse` where it changes nothing any more.
+    /// `Spring::impulse` as a row: the impulse at which the spring no longer changes it.
     DirectRow& elastic(const Jacobian& jacobian, const Spring& spring, float mass, float error) {
         DirectRow& row = rows_.emplace_back();
         row.jacobian = jacobian;
@@ -177,13 +178,13 @@ class RowWriter {
         row.stiffness = scale * double(spring.mass_scale);
         row.push = scale * double(spring.push) * double(error);
         if (row.stiffness <= most) return row;
-        // Stiffer than rigid; and where single precision ends, it holds the place at once.
+        // Stiffer than rigid; at the limit of single precision it holds the position at once.
         const double rate = double(spring.push) / double(spring.mass_scale);
         row.stiffness = most;
         row.push = most * double(error) * (rate * h_ <= 1.0 ? rate : 1.0 / h_);
         return row;
     }
-    /// What pushed with the biased pass is no part of the relaxed one.
+    /// Impulses of the biased pass are no part of the relaxed one.
     void hold_still(DirectRow& row) const {
         if (biased()) return;
         row.low = row.high = row.impulse;
@@ -205,8 +206,8 @@ class RowWriter {
     DirectPass pass_;
 };
 
-/// The axes along which a spring at a point swings by itself: eigenvectors of the (inverse) mass
-/// there.
+/// The axes along which a spring at a point oscillates independently: eigenvectors of the (inverse)
+/// mass there.
 struct PointAxes {
     V2 first = {1.0f, 0.0f}, second = {0.0f, 1.0f};
     float first_mass = 0.0f, second_mass = 0.0f;

@@ -1,6 +1,6 @@
 #include <solver/direct_row.h>
 
-// What contacts ask for, as rows for the direct solver. Those of joints are in their own files.
+// Rows of contacts for the direct solver. Those of joints are in the files of the joints.
 
 namespace fettle::physics::detail {
 namespace {
@@ -10,7 +10,7 @@ struct Motion {
     float wa, wb;
 };
 
-/// Speed along the normal at which a point may approach, or must part.
+/// Speed along the normal at which a point may approach, or must separate.
 double normal_bias(const RowWriter& rows, const ContactConstraint& c, const ConstraintPoint& p,
                    const ContactExtra* extra, const SolverBody& a, const SolverBody& b,
                    float push_speed) {
@@ -19,7 +19,7 @@ double normal_bias(const RowWriter& rows, const ContactConstraint& c, const Cons
     float separation = p.separation + opened;
     double bias = 0.0;
     if (extra != nullptr && extra->corner.distance != 0.0f) {
-        // As fast as the way round the corner opens the gap, it may be closed along the normal.
+        // The gap may be closed along the normal as fast as the path around the corner opens it.
         const Motion motion = {a.velocity, b.velocity, a.angular_velocity, b.angular_velocity};
         const float h = float(rows.h());
         const float velocity = dot(c.normal, motion.vb - motion.va) +

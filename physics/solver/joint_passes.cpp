@@ -11,12 +11,12 @@ namespace {
 /// Joints that a thread takes at a time.
 constexpr size_t joints_at_a_time = 128;
 
-/// The note of an awake joint before it is prepared: the node it belongs to, and this bit if it can
+/// Note of an awake joint before it is prepared: the node it belongs to, and this bit if it can
 /// break; 0 if it does not act.
 constexpr uint8_t can_break = 0x80;
 static_assert(2 * most_strips <= can_break);
 
-/// Which of the awake ones of a type act, in the order of their nodes.
+/// Lists the awake joints of a type that act, in the order of their nodes.
 void list_acting(ObjectState& objects, const BodyScratch& bodies,
                  const std::vector<uint32_t>& awake, JointScratch& scratch, JointArray& array,
                  ThreadPool* threads) {
@@ -27,10 +27,10 @@ void list_acting(ObjectState& objects, const BodyScratch& bodies,
             const JointRole role = role_of(objects, joint);
             if (role == JointRole::idle) forget_impulses(objects, awake[i]);
             scratch.joint_notes[i] = 0;
-            if (role != JointRole::acting) continue;  // asleep, it goes on as it was when it wakes
-            // Unlike a contact, a joint also writes to a body that moves on its own: the nodes
-            // of all joints of such a body are on one path from the root, so none is solved
-            // beside another.
+            if (role != JointRole::acting) continue;  // it keeps its impulses until a body wakes
+            // Unlike a contact, a joint also writes to a body that moves on its own: the nodes of
+            // all joints of such a body are on one path from the root, so no two are solved at the
+            // same time.
             const SolverEnd a = bodies.solver_ends[joint.bodies[0]],
                             b = bodies.solver_ends[joint.bodies[1]];
             const StripNode node =
@@ -84,7 +84,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 
 namespace {
 
-/// `visit(kind, array, range)` for the joints of some nodes, type by type.
+/// Calls `visit(kind, array, range)` for the joints of some nodes, type by type.
 void for_each_type(JointScratch& joints, const StripNodes& nodes, auto&& visit) {
     for (size_t type = 0; type < joint_type_count; ++type) {
         JointArray& array = joints.joint_arrays[type];

@@ -3,12 +3,12 @@
 #include <state/joint_kind.h>
 #include <threads/pool.h>
 
-// A step writes the joints that act into constraints, by type and in the order of the nodes they
-// belong to, solves those of some nodes at a time, and reads their impulses back.
+// A step writes the acting joints into constraints, by type and in the order of their nodes, solves
+// the joints of some nodes at a time, and reads their impulses back.
 
 namespace fettle::physics::detail {
 
-/// What constraints are written from.
+/// The data from which constraints are written.
 struct JointSource {
     const ObjectState& objects;
     const Columns& columns;
@@ -53,14 +53,14 @@ struct JointSource {
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          const BodyScratch& bodies, JointScratch& joints, float h,
                          float impulse_ratio, ThreadPool* threads);
-/// Which bodies have joints, for `JointShare`.
+/// Tells `JointShare` which bodies have joints.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
 /// Runs a pass over the joints of some nodes, as often as the step sweeps over them.
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
                  const JointStep& step, const StripNodes& nodes);
 
-/// After each sub-step: adds up what the joints that can break bore.
+/// After each sub-step: adds up the loads of the joints that can break.
 void strain_joints(const ObjectState& objects, JointScratch& joints);
 void store_joints(ObjectState& objects, const JointScratch& joints, const JointStep& step,
                   ThreadPool* threads);

@@ -7,9 +7,9 @@
 
 // Integration of velocities and positions, and the warm start of sub-steps after the first.
 //
-// Each sub-step begins with the impulses that the last one found (warm start). Contacts keep their
-// normals and lever arms during a step, so these impulses change the velocity of a body by what all
-// passes of the sub-step before changed it: its velocity at the end minus that before the warm
+// Each sub-step begins with the impulses of the sub-step before (warm start). Contacts keep their
+// normals and lever arms during a step, so these impulses change the velocity of a body as much as
+// all passes of the sub-step before: by its velocity at the end minus the velocity before the warm
 // start. So only the first sub-step of a step warm starts contact by contact.
 
 namespace fettle::physics::detail {
@@ -19,8 +19,8 @@ struct SubstepLimits {
     float turn = 0.0f;   ///< rad/s
 };
 
-/// For the bodies listed in `which`. `again`: adds the change of velocity that contacts caused in
-/// the last sub-step.
+/// Integrates the bodies listed in `which`. `again`: adds the change of velocity that contacts
+/// caused in the last sub-step.
 void integrate_velocities(std::span<const uint32_t> which, std::span<SolverBody> bodies,
                           std::span<SolverForce> forces, const SubstepLimits& limits, bool again);
 void integrate_positions(std::span<const uint32_t> which, std::span<SolverBody> bodies, float h);

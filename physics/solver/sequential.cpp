@@ -4,26 +4,24 @@
 
 #include <algorithm>
 
-// The method of a student project of 2008: bodies move, contacts are found, and then each is put
-// right by itself, once, the worst first (after I. Millington, "Game Physics Engine Development",
-// 2007, ch. 7 and 14: impulses, then overlaps, in order of severity). Contacts of shapes that are
-// near but do not touch take part: a body that is pushed into a neighbor is put right in the same
-// pass.
+// The method of a student project of 2008: bodies move, contacts are found, and then each is
+// corrected by itself, once, the worst first (after I. Millington, "Game Physics Engine
+// Development", 2007, ch. 7 and 14: impulses, then overlaps, in order of severity). Contacts of
+// shapes that are near but do not touch take part: a body that is pushed into a neighbor is
+// corrected in the same pass.
 //
 // In each sub-step, with h its length, s the separation and v the relative velocity of a point:
 //
-//   1. velocities change by the forces;
-//   2. points in order of s + h·v_n, how far apart they would be after the move (the depth that
-//      the project saw, for it moved first). A point that would overlap gets the impulse after
-//      which v_n = -s/h, or v_n = -e·v_n where it bounces, and with it friction up to μ times that;
-//   3. bodies move;
-//   4. points in order of s: of each overlap one half is removed, by a shift along the normal that
-//      the two bodies share by their inverse masses.
+// 1. velocities change by the forces; 2. points in order of s + h·v_n, their separation after the
+// move (the depth in the project, which moved bodies first). A point that would overlap gets the
+// impulse after which v_n = -s/h, or v_n = -e·v_n where it bounces, and with it friction up to μ
+// times that; 3. bodies move; 4. points in order of s: half of each overlap is removed, by a shift
+// along the normal that the two bodies share by their inverse masses.
 //
-// Nothing is repeated and nothing is remembered: a push that arrives at a point after its turn is
-// seen in the next sub-step only. That is what makes stacks of more than a few boxes tremble and
-// sink. Both points of a manifold are contacts of their own. Joints, which the project did not
-// have, are solved as in the soft step.
+// There is no iteration and no warm start: a push that arrives at a point after its turn has an
+// effect in the next sub-step only. So stacks of more than a few boxes tremble and sink. Both
+// points of a manifold are contacts of their own. Joints, which the project did not have, are
+// solved as in the soft step.
 
 namespace fettle::physics::detail {
 namespace {
@@ -119,7 +117,7 @@ class SequentialPass {
         ConstraintPoint& p = c.points[turn.point];
         ContactExtra* extra = c.extra != 0 ? &extras_[c.extra - 1] : nullptr;
         const Gap gap = gap_of(turn);
-        // Apart, it may just close the gap.
+        // Where the shapes are apart, the point may just close the gap.
         const float excess = gap.velocity + max(gap.separation, 0.0f) / h_;
         if (!(excess < 0.0f)) return;
         const bool bounces =
@@ -132,7 +130,7 @@ class SequentialPass {
         rub(c, p, extra != nullptr ? extra->surface_speed : 0.0f);
     }
 
-    /// After the normal impulse, which turns the bodies too.
+    /// Friction after the normal impulse, which turns the bodies, too.
     void rub(const ContactConstraint& c, ConstraintPoint& p, float surface_speed) {
         const SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
         const V2 t = right_perp(c.normal);

@@ -11,11 +11,11 @@ namespace {
 /// Contacts that a thread takes at a time.
 constexpr size_t contacts_at_a_time = 64;
 
-/// Notes of a contact that is prepared, and that is stored.
+/// Notes of a prepared contact, and of a stored one.
 enum PreparedNote : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
 enum StoredNote : uint8_t { touches = 1, is_news = 2, may_hit = 4 };
 
-/// d·(M_a⁻¹ + M_b⁻¹)·d: along a locked axis a body is infinitely heavy.
+/// d·(M_a⁻¹ + M_b⁻¹)·d; along a locked axis a body is infinitely heavy.
 float inverse_along(const ContactConstraint& c, V2 d, const SolverBody& a, const SolverBody& b) {
     if (!c.anisotropic) return a.inverse_mass + b.inverse_mass;
     return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
@@ -119,8 +119,8 @@ void prepare_extra_of(size_t serial, const ObjectState& objects, const Columns& 
 /// Returns the note of the contact.
 uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtra> extras,
                          ContactRecord& record) {
-    // A bounce is over within one step, and the shapes are apart before and after it: that they
-    // touched shows in the impulse of some sub-step.
+    // A bounce takes less than one step, and the shapes are apart before and after it: an impulse
+    // in one of the sub-steps shows that they touched.
     bool pushed = false;
     if (c.extra != 0) {
         const ContactExtra& extra = extras[c.extra - 1];
@@ -130,13 +130,13 @@ uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtr
     float nearest = infinity;
     for (int k = 0; k < record.manifold.count; ++k) {
         ManifoldPoint& point = record.manifold.points[k];
-        // An overflow would stay: the next step begins with this impulse.
+        // An overflow would stay for ever: the next step begins with this impulse.
         point.normal_impulse = bounded(c.points[k].normal_impulse, greatest_impulse);
         point.tangent_impulse = bounded(c.points[k].tangent_impulse, greatest_impulse);
         pushed |= point.normal_impulse > 0.0f;
         nearest = min(nearest, point.separation);
     }
-    // Twice the distance ends a touch, so that nothing flickers at the limit.
+    // A touch ends only at twice the distance, so that it does not flicker at the limit.
     const bool touching = pushed || nearest <= (record.touching ? 2.0f : 1.0f) * touch_distance;
     return uint8_t((touching ? touches : 0) | (touching != record.touching ? is_news : 0) |
                    (record.hit_events ? may_hit : 0));
@@ -204,7 +204,8 @@ void store_serial(ContactScratch& scratch, const Touching& touching, float hit_t
 
 namespace {
 
-/// Reports the news of the wide contacts in the order of the acting contacts, not of the colors.
+/// Reports new and ended touches of the wide contacts in the order of the acting contacts, not of
+/// the colors.
 void report_wide(ContactScratch& scratch, const Touching& touching, float hit_threshold,
                  ThreadPool* threads) {
     const std::vector<GroupNews>& news = scratch.news;

@@ -12,7 +12,7 @@
 
 namespace fettle::physics::detail {
 
-/// `ratio`: of this sub-step to the last one, for the impulses.
+/// `ratio`: length of this sub-step divided by that of the last one, to scale impulses.
 void prepare_serial(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
                     ContactScratch& scratch, const ContactStiffness& stiffness, float dt,
                     float ratio, ThreadPool* threads);

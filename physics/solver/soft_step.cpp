@@ -35,10 +35,10 @@ class IdleBlocks {
 
   private:
     std::vector<WideBlock>& blocks_;
-    std::atomic<uint64_t> idle_;  // a bit each: a world has at most 64 threads
+    std::atomic<uint64_t> idle_;  // one bit for each: a world has at most 64 threads
 };
 
-/// The soft step over all blocks: what holds for each of them, and the loops over their sections.
+/// The soft step over all blocks: their common data, and the loops over their sections.
 struct alignas(line_size) SoftStep {
     const SolverInput& input;
     const WideKernels& kernels;
@@ -76,7 +76,7 @@ struct alignas(line_size) SoftStep {
         from.touching = from.tells_always = 0;
         for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
             const uint32_t i = contacts.lane_contacts[group * lanes + lane];
-            if (i == none) {  // spare: body 0 against itself, without mass
+            if (i == none) {  // empty lane: body 0 against itself, without mass
                 wide.a[lane] = wide.b[lane] = 0;
                 wide.friction[lane] = 0.0f;
                 from.spare = {};
@@ -148,7 +148,7 @@ struct alignas(line_size) SoftStep {
                          });
     }
 
-    /// A block of nothing but wide contacts, through all sub-steps.
+    /// Solves a block of wide contacts only, through all sub-steps.
     void solve_block(const SolverBlock& block, WideBlock& wide) {
         const auto all = [&](WidePass kernel) {
             return section_loop(block, [&, kernel](uint32_t section, const StripNodes&) {
@@ -177,8 +177,8 @@ struct alignas(line_size) SoftStep {
     }
 
     /// True if sub-steps after the first repeat the change of velocity that the contacts caused,
-    /// instead of a warm start of each contact. With many joints, separating their change from that
-    /// of the contacts would take longer than it saves.
+    /// instead of a warm start of each contact. With many joints, separating their effect from that
+    /// of the contacts would take longer than the warm start.
     bool repeats_pushes(const SolverBlock& block) {
         if (!contacts.rolling_contacts.empty()) return false;  // their direction has changed
         if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
@@ -188,7 +188,7 @@ struct alignas(line_size) SoftStep {
     }
 };
 
-/// Passes over the first block, which has joints and serial contacts too.
+/// Passes over the first block, which has joints and serial contacts, too.
 struct alignas(line_size) FirstBlock {
     SoftStep& step;
     const JointStep& joint_step;

@@ -11,10 +11,10 @@
 
 namespace fettle::physics::detail {
 
-/// What a solver reads and changes.
+/// Data that a solver reads and changes.
 struct SolverInput {
     const WorldDef& settings;
-    ObjectState& objects;  ///< it writes the manifolds of wide contacts
+    ObjectState& objects;  ///< a solver writes the manifolds of wide contacts
     const ActiveLists& active;
     const Strips& strips;
     BodyScratch& bodies;
@@ -35,13 +35,13 @@ void solve_sequentially(const SolverInput& input, const JointStep& joint_step);
 void solve_directly(const SolverInput& input, const JointStep& joint_step,
                     StepStatistics& statistics);
 
-// Parts of a sub-step that the solvers share.
+// Parts of a sub-step that several solvers use.
 
-/// How the solvers without warm starting begin a sub-step.
+/// Begins a sub-step of a solver without warm starting.
 void apply_forces(const SolverInput& input, float h);
-/// Takes from the bodies with a locked axis what velocity they have along it.
+/// Sets the velocity of bodies along their locked axes to 0.
 void zero_locked(const SolverInput& input);
-/// Writes direction, levers and gap of curved contacts for where the bodies are now.
+/// Writes direction, levers and gap of curved contacts for the current poses of the bodies.
 void follow_curved_contacts(const SolverInput& input);
 
 }  // namespace fettle::physics::detail

@@ -10,32 +10,32 @@
 
 namespace fettle::physics::detail {
 
-/// How many the system reports; a large number where it reports none.
+/// Number of processors that the system reports; a large number if it reports none.
 int processors();
 
-/// Threads that share out the blocks of a loop. Whoever calls works too and returns when all is
-/// done. Each thread begins with a range of blocks of its own, the same one in every loop, so that
-/// what it wrote last time is still in its cache; then it takes what others have left. Which thread
-/// does a block is chance; that it makes no difference is up to the caller. Nothing is allocated to
-/// share out work.
+/// Threads that share out the blocks of a loop. The calling thread works, too, and returns when all
+/// blocks are done. Each thread begins with a range of blocks of its own, the same one in every
+/// loop, so that the data it wrote in the last loop are still in its cache; then it takes remaining
+/// blocks of other threads. Which thread works on a block varies from run to run; the caller must
+/// make sure that results do not depend on it. Sharing out work allocates nothing.
 class ThreadPool {
   public:
-    /// Blocks of a loop.
+    /// The greatest number of blocks of a loop.
     static constexpr uint32_t most_blocks = (1u << 20) - 1;
 
-    /// `threads`: how many to work, the caller's included; `at_a_time`: how many of them do. More
-    /// than there are processors would only keep each other from working. Throws
-    /// std::runtime_error that says how many there are, if the system gives no more.
+    /// `threads`: how many threads work, the caller's included; `at_a_time`: how many of them work
+    /// at the same time. More than there are processors would only slow each other down. If the
+    /// system provides fewer, throws std::runtime_error, which says how many there are.
     explicit ThreadPool(int threads, int at_a_time = processors());
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int threads() const { return threads_; }
-    /// How many of them work at a time.
+    /// How many of the threads work at the same time.
     int at_a_time() const { return int(shares_.size()); }
 
-    /// `work(block)` for every block below `count`, each once.
+    /// Calls `work(block)` once for every block below `count`.
     template <typename Work>
     void run(uint32_t count, Work&& work) {
         using Plain = std::remove_reference_t<Work>;
@@ -46,8 +46,8 @@ class ThreadPool {
 
   private:
     using Function = void (*)(void* context, uint32_t block);
-    /// What is left of a thread's blocks: round, first and end in one word, so that nobody who is
-    /// late claims a block that is not there.
+    /// Remaining blocks of a thread: round, first and end in one word, so that a late thread never
+    /// claims a block of another round.
     struct alignas(64) Share {
         std::atomic<uint64_t> left = 0;
     };
@@ -74,7 +74,7 @@ class ThreadPool {
     std::vector<std::thread> workers_;
 };
 
-/// The same with whatever there is: without a pool, one after the other.
+/// As `run`; without a pool, the caller works on the blocks one after the other.
 template <typename Work>
 void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
     if (pool != nullptr && count > 1) {
@@ -84,11 +84,11 @@ void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
     for (uint32_t block = 0; block < count; ++block) work(block);
 }
 
-/// What all threads read over and over is alone in its lines of memory and never written to: a
-/// line that one has just written to takes another longer to read than a short loop takes.
+/// Data that all threads read often and that no thread writes have cache lines of their own:
+/// reading a line that another thread has just written takes longer than a short loop.
 inline constexpr std::size_t line_size = 64;
 
-/// `work(begin, end)` over 0 … size in pieces of `piece`, as often as it is run.
+/// Calls `work(begin, end)` for 0 … size in pieces of `piece`, as often as it is run.
 template <typename Work>
 class alignas(line_size) RangeLoop {
   public:
@@ -107,7 +107,7 @@ class alignas(line_size) RangeLoop {
     std::size_t size_, piece_;
 };
 
-/// The same once.
+/// A `RangeLoop` that is run once.
 template <typename Work>
 void share_out_range(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
     RangeLoop(pool, size, piece, [&work](std::size_t begin, std::size_t end) {
