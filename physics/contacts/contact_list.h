@@ -5,35 +5,35 @@
 
 #include <vector>
 
-// The life of a contact: a pair of shapes is kept while their fat boxes overlap, and gets a
+// Creation and end of contacts: a pair of shapes is kept while their fat boxes overlap, and gets a
 // manifold in each step in which one of the two bodies is awake.
 
 namespace fettle::physics::detail {
 
-// When shapes begin and end to touch, and the events of it. A chain or a concave polygon touches as
-// one: a shape that goes on from one of its parts to the next neither leaves nor arrives.
+// When shapes begin and end to touch, and the events of this. A chain or a concave polygon touches
+// as one shape: when a shape moves from one of its parts to the next, no touch ends or begins.
 
-/// What a touch that begins or ends changes, and where its events go.
+/// The data that a new or ended touch changes, and the list for its events.
 struct Touching {
     ObjectState& objects;
     const Columns& columns;
-    Events& events;  ///< of the step, or of the edits since
-    /// Touches of an outline's parts that ended in this step; null between steps, when the event of
-    /// an end does not wait for the touch of another part.
+    Events& events;  ///< events of the step, or of the edits after it
+    /// Touches of parts of outlines that ended in this step; null between steps, when the end is
+    /// reported without waiting for a touch of another part.
     std::vector<ContactRecord>* parted;
-    uint32_t step;  ///< the last digits of its number
+    uint32_t step;  ///< the low bits of its number
 };
 
 void set_touching(const Touching& touching, uint32_t contact, bool begins);
-/// The touches of outlines that ended in this step without going on to another part.
+/// Reports the touches of outlines that ended in this step without a touch of another part.
 void report_parted(const Touching& touching);
 
-/// A part of an outline is one of the two shapes.
+/// True if one of the two shapes is a part of an outline.
 bool is_of_outline(const ObjectState& objects, const ContactRecord& contact);
 /// True for one of the touching contacts of two shapes, however many of their parts touch.
 bool reports_for_pair(const ObjectState& objects, uint32_t contact);
 
-/// What contacts are entered in.
+/// The lists and arrays of contacts.
 struct ContactList {
     Touching touching;
     PairSet& pairs;
@@ -62,8 +62,9 @@ struct UserFilter {
 };
 
 bool filters_agree(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b);
-/// A joint keeps its two bodies from colliding. Not with the world: the border belongs to it, and
-/// what hangs in the world still collides with the border.
+/// True if the joint prevents collisions of its two bodies. Not of a body with the world: the
+/// border belongs to the world, and a body that is joined to the world still collides with the
+/// border.
 bool keeps_apart(const JointRecord& joint);
 bool joint_forbids_contact(const ObjectState& objects, uint32_t body_a, uint32_t body_b);
 bool may_collide(const ObjectState& objects, const UserFilter& filter, uint32_t shape_a,

@@ -10,12 +10,12 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Contacts that are collided before their results are read: few enough to be still in the cache.
-constexpr size_t run_length = 64;  // a bit each
-/// Contacts that a thread takes at a time, and shapes.
+/// Contacts that are collided before their results are read: few enough to stay in the cache.
+constexpr size_t run_length = 64;  // a bit for each
+/// Contacts that a thread takes at a time, and moved shapes.
 constexpr size_t contacts_of_piece = 128, moved_at_a_time = 512;
 
-/// Collides one pair by itself.
+/// Computes the manifold of one pair.
 void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
     const Manifold old = c.manifold;
     Manifold& m = c.manifold;
@@ -46,7 +46,7 @@ class Collision {
           arrays_{input.objects.pool.vertices.data(), input.objects.pool.directions.data(),
                   input.objects.pool.offsets.data()} {}
 
-    /// Manifolds of some of the awake contacts, and what they ask for.
+    /// Computes the manifolds of some awake contacts, and notes which of them need more work.
     void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
         uint64_t over = 0;
         for (size_t i = begin; i < end; ++i) {
@@ -98,7 +98,7 @@ class Collision {
         if (batch_.is_full()) flush();
     }
     void flush() {
-        // Lanes left over repeat the first pair; their result is not used.
+        // Unused lanes repeat the first pair; their results are ignored.
         for (int lane = batch_.count; lane < CollisionBatch::size; ++lane) {
             batch_.begin_a[lane] = batch_.begin_a[0];
             batch_.begin_b[lane] = batch_.begin_b[0];
@@ -126,7 +126,7 @@ class Collision {
     Manifold unused_;
 };
 
-/// What few manifolds need besides: a touch ends, or a sleeping body is about to be hit.
+/// The rare work after a manifold: ends a touch, or wakes a sleeping body that is about to be hit.
 void follow_note(const NarrowPhaseInput& in, uint32_t slot) {
     ContactRecord& c = in.objects.contacts[slot];
     const std::vector<BodyRecord>& bodies = in.objects.bodies;
@@ -137,14 +137,14 @@ void follow_note(const NarrowPhaseInput& in, uint32_t slot) {
         if (c.touching) set_touching(in.list.touching, slot, false);
         c.rolling_impulse = 0.0f;
     } else if (bodies[c.body_a].asleep() && in_motion(in.objects, in.columns, c.body_b)) {
-        // A sleeping body that is about to be hit takes part in this very step.
+        // A sleeping body that is about to be hit takes part in the current step.
         wake_body(in.activity, c.body_a);
     } else if (bodies[c.body_b].asleep() && in_motion(in.objects, in.columns, c.body_a)) {
         wake_body(in.activity, c.body_b);
     }
 }
 
-/// All pairs of the fat boxes of these shapes are known now.
+/// Marks that all pairs of the fat boxes of these shapes are known.
 void mark_paired(const NarrowPhaseInput& in, std::span<const uint32_t> moved) {
     for (const uint32_t shape : moved) {
         in.objects.shapes[shape].moved = false;
@@ -152,8 +152,9 @@ void mark_paired(const NarrowPhaseInput& in, std::span<const uint32_t> moved) {
     }
 }
 
-/// Collides the contacts `slots`. Their notes go into pieces from `first` on; returns the end of
-/// these. `beside(i)` is run for each i below `others` at the same time.
+/// Computes the manifolds of the contacts `slots`. Their notes go into pieces from `first` on;
+/// returns the end of these pieces. `beside(i)` is called for each i below `others` at the same
+/// time.
 size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots, size_t first,
                      uint32_t others, auto&& beside) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
@@ -175,7 +176,8 @@ size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots
     return first + pieces;
 }
 
-/// One thread makes the new contacts, one after the other; the others collide the old ones.
+/// One thread creates the new contacts, one after the other; the other threads collide the old
+/// ones.
 size_t collide_and_create(const NarrowPhaseInput& in) {
     const std::vector<uint64_t>& new_pairs = in.scratch.new_pairs;
     std::vector<uint32_t>& moved_shapes = in.boxes.moved_shapes;
@@ -204,7 +206,8 @@ void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     size_t collided_contacts = awake.size(), noted = 0;
     size_t pieces = collide_and_create(in);
-    // New contacts are collided in a round of their own, and so are those that the notes wake.
+    // New contacts are collided in a round of their own, and so are contacts that wake because of
+    // the notes.
     for (;;) {
         const std::span slots = std::span(awake).subspan(collided_contacts);
         collided_contacts = awake.size();
@@ -214,8 +217,8 @@ void narrow_phase(const NarrowPhaseInput& in) {
         if (collided_contacts == awake.size()) break;
     }
     collided.resize(pieces);
-    // All are collided: the order of the list may change now. The rest of ending these pairs can
-    // wait until the bodies are finished.
+    // All contacts are collided: the order of the list may change now. The rest of the work for
+    // ended pairs can wait until the bodies are finished.
     for (const CollidedPiece& piece : collided)
         for (const uint32_t slot : piece.over) remove_awake_contact(in.objects, in.active, slot);
     if (!in.boxes.moved_shapes.empty()) std::ranges::fill(in.scratch.relocated, uint8_t{0});

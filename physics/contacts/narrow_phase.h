@@ -7,10 +7,10 @@
 #include <threads/pool.h>
 #include <wide/kernels.h>
 
-// Every awake contact gets its manifold of this step. Pairs of triangles and quadrilaterals are
-// collected and collided sixteen at a time, the others one by one; both write nothing but the
-// manifold and a note of what the pair needs besides. The notes are then followed in the order of
-// the list: touches end, pairs end, and sleeping bodies that are about to be hit wake.
+// Computes the manifold of every awake contact in this step. Pairs of triangles and quadrilaterals
+// are collected and collided sixteen at a time, the others one by one; both write only the manifold
+// and a note if the pair needs more work. The notes are then processed in the order of the list:
+// touches end, pairs end, and sleeping bodies that are about to be hit wake.
 
 namespace fettle::physics::detail {
 
@@ -27,15 +27,15 @@ struct NarrowPhaseInput {
     ThreadPool* threads;
 };
 
-/// Makes contacts of the new pairs too.
+/// Creates contacts of the new pairs, too.
 void narrow_phase(const NarrowPhaseInput& input);
 
-/// Destroys the contacts of the pairs that the narrow phase found to be over. They have no
+/// Destroys the contacts of the pairs that the narrow phase found to have ended. They have no
 /// manifold, and no stage in between reads them.
 void end_pairs(const ContactList& list, PairScratch& scratch);
 
-/// The manifold of shapes that are not both plain convex. Most worlds have few such pairs. `held`:
-/// they were in contact before.
+/// Computes the manifold of shapes that are not both plain convex. Most worlds have few such pairs.
+/// `held`: they were in contact before.
 void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
                      const ContactRecord& contact, float margin, bool held, Manifold& manifold);
 

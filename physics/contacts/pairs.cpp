@@ -9,7 +9,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Moved shapes that a thread takes at a time, and parts that a walk through the trees has.
+/// Moved shapes that a thread takes at a time, and number of parts of a walk through the trees.
 constexpr size_t shapes_at_a_time = 16, walk_parts = 64;
 /// Prefetch distance.
 constexpr size_t pairs_ahead = 6;
@@ -22,10 +22,10 @@ struct PairSearch {
     FindOverlaps overlaps;
     ThreadPool* threads;
 
-    /// The fat boxes of the two overlap, and one of them moved.
+    /// Adds the pair if it is new: the fat boxes of the two overlap, and one of them moved.
     void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
         if (overlap(boxes.paired_boxes[shape], boxes.paired_boxes[other]))
-            return;  // known: a pair, or none
+            return;  // decided in an earlier search
         if (!filters_agree(objects, shape, other) ||
             joint_forbids_contact(objects, objects.forms[shape].body, objects.forms[other].body) ||
             boxes.pairs.find(shape, other) != PairSet::absent)
@@ -46,7 +46,7 @@ struct PairSearch {
         }
     }
 
-    /// Each shape that has moved queries the trees.
+    /// Queries the trees for each shape that has moved.
     void look_around_moved() {
         const size_t count = (boxes.moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
         look_in_pieces(count, [&](size_t piece, std::vector<uint64_t>& found) {
@@ -68,14 +68,14 @@ struct PairSearch {
         });
     }
 
-    /// The moving tree against itself and against the fixed tree, in one round.
+    /// Compares the moving tree with itself and with the fixed tree, in one round.
     void walk_trees() {
         const size_t enough = threads != nullptr ? walk_parts : 1;
         scratch.parts_of_walk.clear();
         boxes.moving_tree.begin_walk(boxes.moving_tree, enough, scratch.parts_of_walk);
         const size_t own = scratch.parts_of_walk.size();
         boxes.moving_tree.begin_walk(boxes.fixed_tree, enough, scratch.parts_of_walk);
-        // The first parts are the largest: they are dealt out evenly to the threads.
+        // The first parts are the largest: they are distributed evenly to the threads.
         const size_t hands = threads != nullptr ? size_t(threads->at_a_time()) : 1;
         const size_t each = (scratch.parts_of_walk.size() + hands - 1) / hands;
         look_in_pieces(each * hands, [&](size_t piece, std::vector<uint64_t>& found) {
@@ -87,7 +87,7 @@ struct PairSearch {
         });
     }
 
-    /// The border is in no tree.
+    /// Adds pairs with the border, which is in no tree.
     void look_at_border() {
         for (const uint32_t shape : boxes.moved_shapes) {
             if (objects.forms[shape].body == none || generations[shape] == 0) continue;
@@ -100,7 +100,7 @@ struct PairSearch {
     }
 };
 
-/// Spreads the pairs over buckets by the upper shape first, most of which get one or two pairs:
+/// Distributes the pairs to buckets by the upper shape first, most of which get one or two pairs:
 /// that takes a third of the time of sorting them at once.
 void sort_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size_t shapes) {
     constexpr int bits = 8;
@@ -117,7 +117,7 @@ void sort_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size
             std::sort(pairs.begin() + begin[bucket], pairs.begin() + end[bucket]);
 }
 
-/// In the order of the shapes, whatever the order in the trees.
+/// Sorts by the shapes, so that the order in the trees has no effect.
 void order_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size_t shapes,
                  const UserFilter& filter) {
     sort_pairs(pairs, spare, shapes);
@@ -128,7 +128,7 @@ void order_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, siz
                   [&](uint64_t pair) { return !filter(uint32_t(pair), uint32_t(pair >> 32)); });
 }
 
-/// What a pair becomes a contact of lies anywhere in memory.
+/// Prefetches the records that the creation of a contact reads.
 void prefetch_pair(const ObjectState& objects, const PairSet& pairs, uint64_t pair) {
     const auto a = uint32_t(pair), b = uint32_t(pair >> 32);
     for (const uint32_t shape : {a, b}) {

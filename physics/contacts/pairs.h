@@ -4,13 +4,13 @@
 #include <state/step_scratch.h>
 #include <threads/pool.h>
 
-// New pairs of shapes. Where few have moved, each queries the trees; else the trees are compared
-// with each other. Either is shared out among threads, and the pairs are put into order before they
+// New pairs of shapes. If few shapes have moved, each queries the trees; else the trees are
+// compared with each other. Threads share out either work, and the pairs are sorted before they
 // become contacts.
 
 namespace fettle::physics::detail {
 
-/// Writes `scratch.new_pairs` and `scratch.relocated`. `border`: the world has one.
+/// Writes `scratch.new_pairs` and `scratch.relocated`. `border`: the world has a border.
 void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseState& boxes,
                 PairScratch& scratch, bool border, const UserFilter& filter, FindOverlaps overlaps,
                 ThreadPool* threads);

@@ -4,8 +4,8 @@
 
 #include <bit>
 
-// Where shapes ask for hit events, every touching contact is looked at in every step, so several
-// threads look. The events are then put into the order of the contacts.
+// If shapes ask for hit events, every touching contact is examined in every step, by several
+// threads. The events are then sorted into the order of the contacts.
 
 namespace fettle::physics::detail {
 namespace {
@@ -102,7 +102,8 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
     contact.point_count = c.manifold.count;
     contact.friction = c.friction;
     contact.restitution = c.restitution;
-    // The point as each body carries it: a point of the ground stays behind when a body slides on.
+    // The velocity of the point on each body: a point of the ground stays behind when a body slides
+    // on it.
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
     const bool a_moves = a.mobility != Mobility::fixed, b_moves = b.mobility != Mobility::fixed;
     const float share_a = a_moves == b_moves ? 0.5f : a_moves ? 1.0f : 0.0f;

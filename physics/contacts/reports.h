@@ -8,13 +8,13 @@
 
 #include <optional>
 
-// What the user hears of contacts besides that they begin and end.
+// Reports on contacts to the user, other than begin and end of touches.
 
 namespace fettle::physics::detail {
 
-/// The contact as a hit, if it met faster than the threshold (m/s). `extra`: of a contact that has
-/// one, else null. All of it is known without hit events too, so that asking for them changes
-/// nothing.
+/// The contact as a hit event, if the approach was faster than the threshold (m/s). `extra`: data
+/// of a contact that has them, else null. All input exists without hit events, too, so that asking
+/// for them changes nothing.
 std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns& columns,
                                       float threshold, uint32_t contact, const ContactExtra* extra);
 
@@ -22,20 +22,21 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
 void report_wide_hits(const ObjectState& objects, const Columns& columns, float threshold,
                       ContactScratch& scratch, ThreadPool* threads, Events& events);
 
-/// Contacts that began to touch in an earlier step.
+/// Reports contacts that began to touch in an earlier step.
 void report_persisting(const ObjectState& objects, const Columns& columns,
                        const ActiveLists& active, uint32_t step, int substeps, Events& events);
 
-/// `substep`: the length of the last sub-step, s; 0: there was none.
+/// The contact for the user. `substep`: length of the last sub-step, s; 0: there was none.
 Contact view_of(const ObjectState& objects, const Columns& columns, float substep,
                 const ContactRecord& contact);
 
-// How hard the shapes of a contact meet.
+// Point, speed and effective mass of an impact.
 
-/// Between the points of the manifold, world axes.
+/// Middle of the points of the manifold, world axes.
 V2 middle_of(const ObjectState& objects, const ContactRecord& contact);
 
-/// m/s. Until the poses are finished, the states hold the velocities before the step.
+/// Speed along the normal, m/s. Until the poses are finished, the states hold the velocities before
+/// the step.
 float approach_speed(const ObjectState& objects, const Columns& columns,
                      const ContactRecord& contact, V2 point);
 

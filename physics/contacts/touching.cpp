@@ -6,7 +6,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// The side, 0 or 1, of which the body has fewer contacts.
+/// The side, 0 or 1, whose body has fewer contacts.
 uint32_t shorter_list(const ObjectState& objects, const ContactRecord& c) {
     return objects.bodies[c.body_a].contact_count < objects.bodies[c.body_b].contact_count ? 0 : 1;
 }
@@ -14,11 +14,11 @@ uint32_t shorter_list(const ObjectState& objects, const ContactRecord& c) {
 bool same_pair(const ObjectState& objects, const ContactRecord& c, const ContactRecord& d) {
     const uint32_t a = objects.named_shape(c.shape_a), b = objects.named_shape(c.shape_b);
     const uint32_t e = objects.named_shape(d.shape_a), f = objects.named_shape(d.shape_b);
-    // Parts of two outlines are in any order.
+    // The parts of two outlines may be in either order.
     return c.sensor == d.sensor && ((a == e && b == f) || (a == f && b == e));
 }
 
-/// Whether the two shapes touch in another pair of parts.
+/// True if the two shapes touch in another pair of parts.
 bool touch_elsewhere(const ObjectState& objects, uint32_t slot) {
     const ContactRecord& c = objects.contacts[slot];
     const uint32_t side = shorter_list(objects, c);
@@ -28,7 +28,8 @@ bool touch_elsewhere(const ObjectState& objects, uint32_t slot) {
         const ContactRecord& d = objects.contacts[other];
         return d.touching && !d.disabled && same_pair(objects, c, d);
     };
-    // From its own place on: those made beside it began, and are destroyed, beside it as well.
+    // Begins at its own place in the list: contacts that are created or destroyed with it are near
+    // it.
     return objects.any_contact(own.next, none, touches) ||
            objects.any_contact(objects.bodies[body].first_contact, slot, touches);
 }
@@ -95,7 +96,7 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
         const auto left = std::ranges::find_if(
             parted, [&](const ContactRecord& d) { return same_pair(objects, c, d); });
         if (left != parted.end()) {
-            parted.erase(left);  // only gone on to another part
+            parted.erase(left);  // the touch only moved to another part
             return;
         }
     }

@@ -34,7 +34,7 @@ struct DistanceSettings {
 struct DistanceConstraint {
     using Settings = DistanceSettings;
     struct Impulses {
-        float along = 0.0f;  ///< of the rod or the spring; positive pushes apart
+        float along = 0.0f;  ///< impulse of the rod or the spring; positive pushes apart
         LimitImpulses limits;
         void scale(float s) { along *= s, limits.scale(s); }
         float sum() const { return along + limits.lower - limits.upper; }
@@ -58,19 +58,19 @@ struct DistanceConstraint {
         if (rigid || !(limits.lower > 0.0f)) limits.lower = -infinity;
         if (rigid) limits.upper = infinity;
         limited = limits.any();
-        // What no longer acts starts at nothing when it acts again.
+        // A part that no longer acts begins with impulse 0 when it acts again.
         if (!rigid && !springy) impulses.along = 0.0f;
         if (!limited) impulses.limits = {};
         follow(a, b);
     }
 
-    /// Turns the levers and the axis with the bodies; the distance.
+    /// Rotates the levers and the axis with the bodies; returns the distance.
     float follow(const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
         const V2 d = ends.gap(a, b);
         const float distance = detail::length(d);
         V2 axis = line.direction;
-        // Points that coincide keep the axis they had, or take any.
+        // If the anchors coincide, the axis does not change, or is arbitrary at first.
         if (distance > 1e-9f) axis = (1.0f / distance) * d;
         if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
         line.aim(ends, axis, ends.lever_a, a, b);

@@ -34,7 +34,7 @@ struct GearConstraint {
     JointEnds ends;
     Impulses impulses;
     float ratio = 1.0f, mass = 0.0f;
-    float start = 0.0f;  ///< C when the step began
+    float start = 0.0f;  ///< C at the start of the step
 
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep&,
                  const SolverBody& a, const SolverBody& b) {

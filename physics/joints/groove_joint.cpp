@@ -9,7 +9,7 @@ namespace detail {
 
 struct GrooveSettings {
     static constexpr JointType type = JointType::groove;
-    V2 end = {1.0f, 0.0f};  ///< in the coordinates of body a; it begins at the anchor there
+    V2 end = {1.0f, 0.0f};  ///< in the coordinates of body a; the groove begins at the anchor
 
     void check() const { check_coordinates("end", to_vec2(end)); }
 };
@@ -22,7 +22,7 @@ struct GrooveConstraint : SlotConstraint {
         const V2 run = settings.end - frame.anchor_a;
         RailSettings slot;
         slot.along.limits = {0.0f, length(run)};
-        // Ends at the same point hold the pin there: any direction serves.
+        // If both ends are at the same point, the pin is held there: any direction will do.
         if (slot.along.limits.upper > 1e-6f) slot.axis = run;
         rail.prepare(slot, impulses.rail, ends, frame, step, a, b);
     }

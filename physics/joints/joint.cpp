@@ -3,7 +3,7 @@
 
 #include <string>
 
-// The handles of joints: what all types have.
+// The handles of joints: the methods of all types.
 
 namespace fettle::physics {
 
@@ -135,7 +135,7 @@ FETTLE_JOINT_READ(bool, broken)
 FETTLE_JOINT_READ(float, torque)
 FETTLE_JOINT_READ(uint64_t, user_data)
 
-// What a joint has at each of its two bodies.
+// Properties of a joint for each of its two bodies.
 #define FETTLE_JOINT_SIDE(letter, side)                                        \
     Body Joint::body_##letter() const {                                        \
         const WorldData& data = live();                                        \

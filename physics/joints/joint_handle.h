@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-// For the handles of joints: how they are made, and how they read and write settings.
+// Functions for the handles of joints: creating a joint, reading and writing its settings.
 
 namespace fettle::physics {
 
@@ -14,9 +14,9 @@ namespace detail {
 
 [[noreturn]] void wrong_joint(JointType expected, JointType is);
 
-/// The slot of a body; `name` is what a definition calls it.
+/// Slot of a body; `name`: its name in the definition, for messages.
 uint32_t slot_of(const World& world, const char* name, BodyId id);
-/// What all joints have.
+/// Checks a definition, and returns the record of a joint with it.
 JointRecord checked(const World& world, const JointDef& def);
 
 template <class Handle, class Settings>
@@ -31,11 +31,11 @@ Handle make_joint(World& world, WorldData& data, const JointDef& def, const Sett
     return make_joint<Handle>(world, data, checked(world, def), settings);
 }
 
-/// Of b relative to a, rad.
+/// Angle of b relative to a, rad.
 float angle_between(const Joint& joint);
 /// From anchor a to anchor b, world axes, m.
 Vec2 gap_between(const Joint& joint);
-/// How far anchor b is from anchor a along a direction in the coordinates of a.
+/// Position of anchor b relative to anchor a along a direction in the coordinates of a.
 float translation_along(const Joint& joint, const Vec2& direction);
 
 }  // namespace detail
@@ -58,7 +58,8 @@ Settings& Joint::edit(const char* of, const char* function) const {
 
 }  // namespace fettle::physics
 
-// A property that is a member of the settings. `Of` is what the name of the joint begins with.
+// Defines a property that is a member of the settings. `Of`: beginning of the name of the joint's
+// type.
 #define FETTLE_JOINT_PROPERTY(Of, Value, Argument, name, member, inside, outside) \
     Value Of##Joint::name() const {                                               \
         return outside(own<detail::Of##Settings>().member);                       \
@@ -73,20 +74,20 @@ Settings& Joint::edit(const char* of, const char* function) const {
     FETTLE_JOINT_PROPERTY(Of, float, float, name, member, float, float)
 #define FETTLE_JOINT_VECTOR(Of, name, member) \
     FETTLE_JOINT_PROPERTY(Of, Vec2, const Vec2&, name, member, detail::to_v2, detail::to_vec2)
-// A force or a torque in the last step, from a member of the impulses.
+// Defines a force or a torque of the last step, from a member of the impulses.
 #define FETTLE_JOINT_FORCE(Of, name, member)                                                  \
     float Of##Joint::name() const {                                                           \
         own<detail::Of##Settings>();                                                          \
         const auto& impulses = live().joints[id().index].impulses.as<detail::Of##Impulses>(); \
         return per_substep(impulses.member);                                                  \
     }
-// The angle of b relative to a, less the reference.
+// Defines the angle of b relative to a, minus the reference angle.
 #define FETTLE_JOINT_ANGLE(Of)                                \
     FETTLE_JOINT_NUMBER(Of, reference_angle, reference_angle) \
     float Of##Joint::angle() const {                          \
         return angle_between(*this) - reference_angle();      \
     }
-// World::create_..._joint; `begin` is what a new `joint` finds.
+// Defines World::create_..._joint; `begin` sets values of the new `joint`.
 #define FETTLE_CREATE_JOINT(Of, function, begin)                                            \
     Of##Joint World::function(const JointDef& def) {                                        \
         auto joint = make_joint<Of##Joint>(*this, populate(__func__), def, Of##Settings()); \

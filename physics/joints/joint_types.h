@@ -6,12 +6,12 @@
 #include <memory>
 #include <type_traits>
 
-// All types of joints. A type is one file: what it is set to (`Settings`), how it is solved
-// (`Constraint`), and its handle, which is declared in the public headers.
+// All types of joints. A type is one file: its settings (`Settings`), its solver (`Constraint`),
+// and its handle, which is declared in the public headers.
 
 namespace fettle::physics::detail {
 
-/// In the order of `JointType`.
+/// All types, in the order of `JointType`.
 #define FETTLE_JOINT_TYPES(type)                                                                 \
     type(mouse) type(distance) type(revolute) type(prismatic) type(wheel) type(weld) type(motor) \
         type(pulley) type(gear) type(groove) type(pin_slot) type(ratchet)
@@ -27,7 +27,7 @@ class JointFunctions {
     using Impulses = decltype(Constraint::impulses);
     static_assert(std::is_trivially_copyable_v<Settings> && std::is_trivially_copyable_v<Impulses>);
 
-    /// `pass<biased>` is both `solve` and `relax`.
+    /// True if `pass<biased>` is both `solve` and `relax`.
     static constexpr bool has_one_pass = requires { &Constraint::template pass<true>; };
 
   public:
@@ -56,17 +56,18 @@ class JointFunctions {
         return heavy;
     }
 
-    /// A joint gives by load / (m·ω²), and m is that of its light body: hung from light links, a
-    /// heavy body would stretch them at the usual stiffness. Twice the stiffness is stable only if
-    /// the sweeps over the joints come nearer to agreeing: four instead of one.
+    /// A joint yields by load / (m·ω²), where m is the mass of its light body: a heavy body that
+    /// hangs on light links would stretch them at the usual stiffness. Twice the stiffness is
+    /// stable only with a better convergence of the sweeps over the joints: four sweeps instead of
+    /// one.
     static bool bears_heavy_load(const SolverBody& a, const SolverBody& b) {
-        constexpr float most = 10.0f;  // as heavy as the other
+        constexpr float most = 10.0f;  // ratio of the masses
         if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return false;
         return a.inverse_mass > most * b.inverse_mass || b.inverse_mass > most * a.inverse_mass;
     }
 
-    /// `act(constraint, a, b)`. Other threads may read a body that does not move: a joint to it
-    /// gets a copy, and the body is not written.
+    /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move: a joint to
+    /// it gets a copy, and the body is not written.
     template <bool backwards = false, typename Act>
     static void for_each(JointArray& array, std::span<SolverBody> bodies, JointRange range,
                          Act&& act) {
@@ -128,7 +129,7 @@ class JointFunctions {
             const Constraint& c = array.as<Constraint>()[i];
             JointRecord& joint = objects.joints[array.joints[i]];
             const auto [push, twist] = c.load();
-            // What overflowed would begin the next step, and so last for ever.
+            // The next step begins with these impulses: an overflow would stay for ever.
             if (std::isfinite(push.x + push.y + twist))
                 joint.impulses.become(c.impulses);
             else

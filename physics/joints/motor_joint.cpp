@@ -18,7 +18,7 @@ namespace detail {
 
 struct MotorSettings {
     static constexpr JointType type = JointType::motor;
-    V2 linear_velocity;  ///< of anchor b against a, in the coordinates of body a
+    V2 linear_velocity;  ///< of anchor b relative to anchor a, in the coordinates of body a
     float angular_velocity = 0.0f;
     float max_force = 0.0f, max_torque = 0.0f;
     V2 linear_offset;  ///< of anchor b from anchor a, in the coordinates of body a
@@ -46,7 +46,7 @@ struct MotorConstraint {
 
     JointEnds ends;
     Impulses impulses;
-    V2 speed, offset;  ///< when the step began, world axes
+    V2 speed, offset;  ///< at the start of the step, world axes
     float turn_speed = 0.0f, angle = 0.0f, angular_mass = 0.0f;
     float greatest_force = 0.0f, greatest_torque = 0.0f;
     bool springy = false;
@@ -66,7 +66,7 @@ struct MotorConstraint {
         if (angular_mass == 0.0f) impulses.torque = 0.0f;
         follow(a, b);
     }
-    /// Turns the levers with the bodies; from anchor a to anchor b.
+    /// Rotates the levers with the bodies; returns the vector from anchor a to anchor b.
     V2 follow(const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
         const V2 gap = ends.gap(a, b);
@@ -90,7 +90,7 @@ struct MotorConstraint {
             rows.motors(ends, velocity, greatest_force, impulses.force);
             return;
         }
-        // A spring whose velocity counts from that of the motor: v - u + (push/mass_scale)·C.
+        // A spring whose velocity is relative to that of the motor: v - u + (push/mass_scale)·C.
         const auto ahead = [this](float wanted) {
             return spring.push > 0.0f ? wanted * spring.mass_scale / spring.push : 0.0f;
         };

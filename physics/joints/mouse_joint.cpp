@@ -4,9 +4,9 @@
 
 // Pulls a point of a body (b) softly towards a point of the world (a).
 //
-// A soft point (C = p_b - p_a, both coordinates) whose impulse has a greatest length. It is a
-// force, not a constraint: the relax pass leaves it alone. The levers stay those of the step's
-// begin, which brakes the turning a little: what is dragged comes to hang still.
+// A soft point (C = p_b - p_a, both coordinates) with a limited impulse. It is a force, not a
+// constraint: the relax pass does not solve it. The levers stay those of the start of the step,
+// which damps the rotation a little: a dragged body comes to rest.
 
 namespace fettle::physics {
 namespace detail {
@@ -40,7 +40,7 @@ struct MouseConstraint {
         const auto [hertz, damping_ratio] = settings.stiffness;
         greatest = settings.max_force * step.h;
         softness = make_softness(hertz, damping_ratio, step.h);
-        // A slack joint pulls nothing.
+        // A slack joint does not pull.
         if (hertz > 0.0f) mass = PointMass::make(ends, a, b);
     }
     void warm_start(SolverBody& a, SolverBody& b) const { ends.push(a, b, impulses.pull); }
@@ -59,7 +59,7 @@ struct MouseConstraint {
         const Softness& soft = softness;
         const Spring spring = {soft.mass_scale * soft.bias_rate, soft.mass_scale,
                                soft.impulse_scale};
-        // A slack one has no mass; its softness would be rigid.
+        // A slack joint has no mass; its softness would be rigid.
         const bool slack = !(soft.impulse_scale > 0.0f);
         rows.springs(ends, slack ? Spring{} : spring, mass, gap(a, b), greatest, impulses.pull);
     }
@@ -102,8 +102,8 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
         throw std::invalid_argument(
             "body: a mouse joint drags a body, not the bounds of the world");
     record.anchors[0] = to_v2(check_coordinates("target", def.target));
-    // A target at one end of the world may be farther from a body at the other than an anchor is
-    // ever set to.
+    // A target at one end of the world may be farther from a body at the other end than the
+    // greatest coordinate of an anchor.
     record.anchors[1] =
         def.anchor ? to_v2(check_coordinates("anchor", *def.anchor))
                    : bounded(to_v2(body(def.body).local_point(def.target)), greatest_coordinate);

@@ -1,8 +1,8 @@
 #include <joints/joint_types.h>
 #include <joints/rail.h>
 
-// A pin of b in a straight slot of a, where it slides and turns: across the slot it is held, along
-// it spring, motor and limits act (`Rail`).
+// A pin of b in a straight slot of a, where it slides and turns: it is held across the slot;
+// spring, motor and limits act along the slot (`Rail`).
 
 namespace fettle::physics {
 namespace detail {

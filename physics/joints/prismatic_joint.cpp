@@ -71,7 +71,8 @@ struct PrismaticConstraint {
                           ia * across.lever_a * across.lever_a +
                           ib * across.lever_b * across.lever_b;
         const float k12 = ia * across.lever_a + ib * across.lever_b;
-        // Neither turns: the row about the angle has nothing to do, and must not spoil the other.
+        // Neither body rotates: the row about the angle has no effect, and must not disturb the
+        // other row.
         const float k22 = ia + ib > 0.0f ? ia + ib : 1.0f;
         float v1 = across.velocity(a, b), v2 = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;

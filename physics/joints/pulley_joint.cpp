@@ -18,7 +18,7 @@ struct PulleySettings {
     static constexpr JointType type = JointType::pulley;
     V2 ground_a = {-1.0f, 1.0f}, ground_b = {1.0f, 1.0f};  ///< world
     float ratio = 1.0f;
-    float length = 2.0f;  ///< of a's part and ratio times b's
+    float length = 2.0f;  ///< of a's part plus ratio times b's part
 
     void check() const {
         check_coordinates("ground_a", to_vec2(ground_a));
@@ -38,14 +38,14 @@ struct PulleyConstraint {
 
     /// One side of the rope: from a wheel to a body.
     struct Side {
-        V2 start;  ///< from the wheel to the center of mass when the step began
+        V2 start;  ///< from the wheel to the center of mass at the start of the step
         V2 direction;
         float lever = 0.0f, length = 0.0f;
 
         void follow(V2 anchor_lever, const SolverBody& body) {
             const V2 rope = start + body.shift + anchor_lever;
             length = detail::length(rope);
-            // An anchor at its wheel hangs from the direction it came from, or pulls nothing.
+            // With the anchor at its wheel, the direction does not change, or there is no pull.
             if (length > 1e-6f) direction = (1.0f / length) * rope;
             lever = cross(anchor_lever, direction);
         }

@@ -17,7 +17,7 @@
 namespace fettle::physics::detail {
 
 struct RailSettings {
-    V2 axis = {1.0f, 0.0f};  ///< in the coordinates of body a, of any length
+    V2 axis = {1.0f, 0.0f};  ///< in the coordinates of body a, of any length but 0
     CoordinateSettings along;
 
     void check() const {
@@ -36,7 +36,7 @@ struct Rail {
     V2 start_axis;
     Line along, across;
     float translation = 0.0f;  ///< of b along the axis
-    float offset = 0.0f;       ///< of b across it: to be 0
+    float offset = 0.0f;       ///< of b across the axis: held at 0
     Coordinate coordinate;     ///< the translation
 
     void prepare(const RailSettings& settings, RailImpulses& impulses, JointEnds& ends,
@@ -85,7 +85,7 @@ struct Rail {
     }
 };
 
-/// A rail alone: nothing is said about the angle.
+/// A rail only: the angle is free.
 struct SlotConstraint {
     struct Impulses {
         RailImpulses rail;
@@ -114,7 +114,8 @@ struct SlotConstraint {
 
 }  // namespace fettle::physics::detail
 
-// The properties of the handle of a joint on a rail. `Of` is what its name begins with.
+// Defines the properties of the handle of a joint on a rail. `Of`: beginning of the name of its
+// type.
 #define FETTLE_RAIL(Of)                                                        \
     FETTLE_JOINT_VECTOR(Of, axis, rail.axis)                                   \
     FETTLE_JOINT_NUMBER(Of, lower_translation, rail.along.limits.lower)        \
@@ -124,7 +125,7 @@ struct SlotConstraint {
     float Of##Joint::translation() const {                                     \
         return detail::translation_along(*this, axis());                       \
     }
-// Of one whose motor drives along the rail.
+// Defines those of a joint with a motor along the rail.
 #define FETTLE_RAIL_MOTOR(Of)                                           \
     FETTLE_JOINT_NUMBER(Of, motor_speed, rail.along.motor.speed)        \
     FETTLE_JOINT_NUMBER(Of, max_motor_force, rail.along.motor.greatest) \

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-// Lets b turn against a one way.
+// Lets b turn relative to a in one direction only.
 //
-// With θ = ±(θ_b - θ_a - reference), positive the way that is free, a pawl falls behind every tooth
-// that passes: caught = tooth·⌊θ/tooth⌋, and never less than it was; a tooth of 0 is a continuous
-// ratchet, caught = θ. From there on θ - caught >= 0 is a limit that only pushes one way, with the
-// effective mass 1/(I_a⁻¹ + I_b⁻¹). Where the pawl is, is part of the state.
+// With θ = ±(θ_b - θ_a - reference), positive in the free direction, a pawl falls behind every
+// tooth that passes: caught = tooth·⌊θ/tooth⌋, and never decreases; a tooth of 0 is a continuous
+// ratchet, caught = θ. Then θ - caught >= 0 is a limit that pushes in one direction only, with the
+// effective mass 1/(I_a⁻¹ + I_b⁻¹). The position of the pawl is part of the state.
 
 namespace fettle::physics {
 namespace detail {
@@ -17,7 +17,7 @@ namespace detail {
 struct RatchetSettings {
     static constexpr JointType type = JointType::ratchet;
     float tooth = 0.0f;  ///< rad
-    float way = 1.0f;    ///< in which b may turn: 1, or -1 for backwards
+    float way = 1.0f;    ///< direction in which b may turn: 1, or -1 for backwards
     float reference_angle = 0.0f;
 
     void check() const {
@@ -29,8 +29,8 @@ struct RatchetSettings {
 
 struct RatchetImpulses {
     float pawl = 0.0f;
-    float caught = 0.0f;   ///< the tooth that the pawl is behind, rad
-    float engaged = 0.0f;  ///< 1: it is behind one
+    float caught = 0.0f;   ///< angle of the tooth that holds the pawl, rad
+    float engaged = 0.0f;  ///< 1: a tooth holds the pawl
     void scale(float s) { pawl *= s; }
 };
 
@@ -49,10 +49,10 @@ struct RatchetConstraint {
         const float angle = way * (ends.angle - reference);
         float tooth = angle;
         if (settings.tooth > 0.0f) {
-            // Lying at a tooth, it may be pressed under it a little by what it holds.
+            // At a tooth, the load may push the pawl a little below the tooth.
             const float slack = min(0.01f, 0.1f * settings.tooth);
             const float passed = settings.tooth * std::floor((angle + slack) / settings.tooth);
-            // Teeth too small to be counted are as good as none.
+            // If there are too many teeth to count, the ratchet is continuous.
             if (std::isfinite(passed)) tooth = passed;
         }
         if (impulses.engaged == 0.0f || tooth > impulses.caught) impulses.caught = tooth;
@@ -92,7 +92,7 @@ void RatchetJoint::set_reference_angle(float angle) {
     own<RatchetSettings>();
     const float checked = check_finite("reference_angle", angle);
     edit<RatchetSettings>("RatchetJoint", __func__).reference_angle = checked;
-    live().joints[id().index].impulses = {};  // the teeth are elsewhere: the pawl falls anew
+    live().joints[id().index].impulses = {};  // the teeth have moved: the pawl falls again
 }
 bool RatchetJoint::backwards() const {
     return own<RatchetSettings>().way < 0.0f;

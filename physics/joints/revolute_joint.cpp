@@ -13,7 +13,7 @@
 // that whip about under a heavy load gain energy. The rows about the angle θ = θ_b - θ_a -
 // reference have Ċ = ω_b - ω_a and the effective mass 1/(I_a⁻¹ + I_b⁻¹): a spring to the target, a
 // motor that is a velocity with a greatest torque, and limits θ - lower >= 0, upper - θ >= 0. They
-// come first, and the point has the last word: what it misses is seen at once.
+// come first, and the point comes last: an error of the point is visible at once.
 
 namespace fettle::physics {
 namespace detail {
@@ -40,7 +40,7 @@ struct RevoluteConstraint {
 
     JointEnds ends;
     RevoluteImpulses impulses;
-    PointMass mass;  ///< of the levers as they are: bodies turn between the two passes only
+    PointMass mass;  ///< of the current levers: bodies rotate between the two passes only
     float angular_mass = 0.0f, reference = 0.0f;
     Coordinate angle;
 
@@ -57,7 +57,7 @@ struct RevoluteConstraint {
     }
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
         if (angle.acts()) solve_angle<true>(a, b, step);
-        // The bodies are where the last relax pass, or the begin of the step, has seen them.
+        // The bodies have not moved since the last relax pass, or since the start of the step.
         const Softness& soft = step.rigid;
         const V2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.gap(a, b);
         push_point(a, b,

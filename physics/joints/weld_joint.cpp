@@ -57,7 +57,7 @@ struct WeldConstraint {
         springy_angle = settings.angle.is_spring();
         if (springy_point) point_spring = settings.point.spring(step.h);
         if (springy_angle) angle_spring = settings.angle.spring(step.h);
-        // What no longer acts starts at nothing when it acts again.
+        // A part that no longer acts begins with impulse 0 when it acts again.
         if (!rigid_point && !springy_point) impulses.point = {};
         if ((!rigid_angle && !springy_angle) || angular_mass == 0.0f) impulses.angle = 0.0f;
     }

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-// Saving a world and restoring it in place: its state, as `WorldState` lists it. What a step makes
-// anew and what belongs to the world but not to its state (callbacks, threads) stay. The order of
-// every list is saved as it is, so that a restored world goes on bit for bit.
+// Saving a world and restoring it in place: its state, as `WorldState` lists it. Scratch data of a
+// step and data that belong to the world but not to its state (callbacks, threads) do not change.
+// The order of every list is saved, so that a restored world goes on bit for bit.
 
 namespace fettle::physics {
 
@@ -19,7 +19,8 @@ namespace {
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
 constexpr uint32_t archive_version = 13;
 
-/// Another layout of what is copied byte by byte is another format.
+/// Number for the layout of the types that are copied byte by byte: another layout is another
+/// format.
 constexpr uint32_t layout() {
     uint32_t mixed = 0x811c9dc5u;
     const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
@@ -48,7 +49,7 @@ void World::save(std::vector<std::byte>& out) const {
     size(header);
     const WorldState& state = *data_;
     size(state);
-    // With room for later saves into the same memory, when there may be more contacts: reserved
+    // Leaves room for later saves into the same memory, when there may be more contacts: reserved
     // memory costs nothing until it is written.
     if (needed > out.capacity()) out.reserve(needed / 2 * 5);
     ArchiveWriter write(out);
@@ -59,7 +60,8 @@ void World::save(std::vector<std::byte>& out) const {
 
 namespace {
 
-/// Refuses everything but what `save` wrote, byte for byte; the members of the world are left.
+/// Checks the header, and returns a reader that is at the members of the world. Refuses bytes that
+/// `save` did not write.
 ArchiveReader unsealed(std::span<const std::byte> bytes) {
     SavedHeader header;
     ArchiveReader read(bytes);
@@ -104,7 +106,8 @@ void World::take(World&& other) {
     given.replace_state(std::move(empty));
 }
 
-/// Keeps scratch, callbacks and threads. The generations of the new state are not given again.
+/// Keeps scratch data, callbacks and threads. The generations of the new state are never used
+/// again.
 void WorldData::replace_state(WorldState&& other) {
     part<WorldState>(*this) = std::move(other);
     for (const auto* list : {&body_generations, &shape_generations, &joint_generations})

@@ -11,18 +11,18 @@
 #include <type_traits>
 #include <vector>
 
-// A world as bytes. Each type lists its members once, in `members(io, self)`; the writer and the
-// reader both walk that list, so saving and restoring cannot differ. Whatever owns no memory is
-// copied byte by byte: everything the next step might depend on, padding and all.
+// Serialization of a world. Each type lists its members once, in `members(io, self)`; the writer
+// and the reader both use that list, so saving and restoring cannot differ. Types that own no
+// memory are copied byte by byte, with padding: with all data that the next step might depend on.
 
 namespace fettle::physics::detail {
 
-/// What may be copied byte by byte. Not `is_trivially_copyable`, which Eigen's vectors are not:
-/// a type that owns memory has a destructor that is not trivial.
+/// True for types that may be copied byte by byte. Not `is_trivially_copyable`, which Eigen's
+/// vectors are not: a type that owns memory has a destructor that is not trivial.
 template <class T>
 inline constexpr bool bytewise = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
 
-/// Writes, or only counts (`ArchiveSize`).
+/// Writes the data, or only counts their bytes (`ArchiveSize`).
 template <class Sink>
 class ArchiveOutput {
   public:
@@ -73,13 +73,13 @@ class ArchiveWriter : public ArchiveOutput<AppendBytes> {
   public:
     explicit ArchiveWriter(std::vector<std::byte>& out) : ArchiveOutput(AppendBytes{out}) {}
 };
-/// Adds up how many bytes a writer would write: so that room is made once.
+/// Counts the bytes that a writer would write, so that memory is allocated once.
 class ArchiveSize : public ArchiveOutput<CountBytes> {
   public:
     explicit ArchiveSize(std::size_t& sum) : ArchiveOutput(CountBytes{sum}) {}
 };
 
-/// Throws std::invalid_argument where the bytes end too early.
+/// Throws std::invalid_argument if the data end too early.
 class ArchiveReader {
   public:
     explicit ArchiveReader(std::span<const std::byte> in) : in_(in) {}
@@ -95,7 +95,8 @@ class ArchiveReader {
     void operator()(std::vector<T>& list) {
         uint64_t count = 0;
         (*this)(count);
-        // Every element takes a byte at least: no count can ask for more than there is.
+        // Every element takes at least a byte: no count can be higher than the number of remaining
+        // bytes.
         const std::size_t least = ListsMembers<T, ArchiveReader> ? 1 : sizeof(T);
         if (count > in_.size() / least) throw std::invalid_argument("the bytes end too early");
         list.clear();

@@ -8,12 +8,13 @@
 #include <optional>
 #include <type_traits>
 
-// Damaged data may still describe nonsense, as any edit may; they cannot reach foreign memory.
+// Checks of indices and lists. Damaged data that pass may still describe a strange world, as edits
+// may; they cannot cause access to foreign memory.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Names the first thing that is wrong.
+/// Keeps the description of the first fault.
 class Findings {
   public:
     void require(bool holds, const char* what) {
@@ -25,7 +26,7 @@ class Findings {
     std::optional<std::string> problem_;
 };
 
-/// A byte that is neither 0 nor 1 is no bool, and must not be read as one.
+/// A byte that is neither 0 nor 1 must not be read as a bool.
 template <class... Flags>
 bool are_bools(const Flags&... flags) {
     static_assert((std::is_same_v<Flags, bool> && ...) && sizeof(bool) == 1);
@@ -37,8 +38,8 @@ bool are_bools(const Flags&... flags) {
     return ((byte(flags) <= 1) && ...);
 }
 
-/// Where an optional keeps whether it holds something: where one that does differs from one that
-/// does not.
+/// Place of the flag in an optional that says whether it holds a value: the byte that differs
+/// between one with a value and one without.
 template <class T>
 size_t flag_of_optional() {
     using Optional = std::optional<T>;
@@ -50,7 +51,7 @@ size_t flag_of_optional() {
     return at;
 }
 
-/// The same for what optionals hold of themselves.
+/// As `are_bools`, for the flags in optionals.
 template <class... T>
 bool are_optionals(const std::optional<T>&... values) {
     const auto sound = []<class One>(const std::optional<One>& value) {
@@ -67,7 +68,7 @@ bool optional_index(uint32_t index, size_t size) {
     return index == none || index < size;
 }
 
-/// Follows `next` from `first`; false when it leaves the range or does not end.
+/// Follows `next` from `first`; false if an index is out of range or the list does not end.
 bool list_ends(uint32_t first, size_t size, auto next) {
     size_t seen = 0;
     for (uint32_t i = first; i != none; i = next(i)) {
@@ -125,7 +126,7 @@ void check_bodies(const WorldState& w, Findings& findings) {
     findings.require(free_ones_end(w.body_slots, w.bodies), "free bodies");
 }
 
-/// Parts are pieces and know whose they are, outlines have the only ones.
+/// A shape is a piece if it has an owner, and only outlines have parts and are owners.
 void check_parts(const WorldState& w, Findings& findings) {
     if (findings.result()) return;
     const size_t n = w.shapes.size();
@@ -153,7 +154,8 @@ void check_parts(const WorldState& w, Findings& findings) {
     }
 }
 
-/// As many vertices as its type has, and no more than the code for its kind can take.
+/// The shape has as many vertices as its type has, and no more than the code for its kind can
+/// process.
 bool counts_its_vertices(const ShapeForm& form, ShapeType type) {
     const uint32_t count = form.count;
     if (form.kind == FormKind::border) return type == ShapeType::border;
@@ -222,8 +224,8 @@ void check_proxies(const WorldState& w, Findings& findings) {
         const Tree& in = shape.tree == Mobility::fixed ? w.fixed_tree : w.moving_tree;
         findings.require(shape.proxy == Tree::none || in.is_leaf(shape.proxy), "a proxy");
     }
-    // A step moves the proxies of whatever is awake, without looking for them. Those of a body that
-    // was edited are first made anew.
+    // A step moves the proxies of all awake bodies without checks. Those of an edited body are
+    // created again before.
     std::vector<bool> edited(w.bodies.size());
     for (const uint32_t b : w.edited_bodies)
         if (b < edited.size()) edited[b] = w.bodies[b].listed != 0 && w.bodies[b].placement_dirty;
@@ -245,7 +247,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
     for (const ContactRecord& c : w.contacts) {
         const bool used = c.shape_a != none;
         findings.require(used || !c.touching,
-                         "a contact");  // World::contacts looks at nothing else
+                         "a contact");  // World::contacts checks only this
         findings.require(!used || (c.shape_a < w.shapes.size() && c.shape_b < w.shapes.size() &&
                                    c.body_a < w.bodies.size() && c.body_b < w.bodies.size()),
                          "a contact");
@@ -260,7 +262,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
                          "a contact");
     findings.require(free_ones_end(w.contact_slots, w.contact_links), "free contacts");
     findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
-    // A contact in a list of bodies or of what is awake is one that is used.
+    // A contact in a list of a body or of awake contacts is in use.
     for (const BodyRecord& body : w.bodies)
         for (uint32_t e = body.first_contact; e != none;
              e = w.contact_links[e >> 1].edges[e & 1].next)
@@ -270,7 +272,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
         findings.require(c.shape_a != none && c.awake_index == i, "the awake contacts");
     }
     if (findings.result()) return;
-    // What collides has a form; the border is only ever the first of two.
+    // A shape that collides has a form; the border is always the first of two shapes.
     for (const ContactRecord& c : w.contacts)
         findings.require(c.shape_a == none || (w.is_solid(c.shape_a) && w.is_solid(c.shape_b) &&
                                                w.forms[c.shape_b].kind != FormKind::border),
@@ -289,7 +291,7 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
                              edge_in_range(joint.edges[0], n) && edge_in_range(joint.edges[1], n),
                          "a joint");
     }
-    if (findings.result()) return;  // what follows looks into the lists of their types
+    if (findings.result()) return;  // the next checks use the lists of their types
     for (size_t type = 0; type < joint_type_count; ++type) {
         const auto& list = w.awake_joints[type];
         for (size_t i = 0; i < list.size(); ++i)
@@ -333,7 +335,7 @@ void check_lists(const WorldState& w, Findings& findings) {
                          are_optionals(s.bounds),
                      "the settings");
     if (findings.result()) return;
-    // Who sleeps is in an island, which knows him.
+    // Every sleeping body is in an island, and the island lists it.
     size_t sleepers = 0;
     for (uint32_t i = 0; i < w.islands.size(); ++i) {
         w.for_each_asleep(i, [&](uint32_t body) {
@@ -346,7 +348,7 @@ void check_lists(const WorldState& w, Findings& findings) {
         sleepers -= body.island != none;
     }
     findings.require(sleepers == 0, "an island");
-    // Each awake body knows its place among them.
+    // Each awake body has the index of its place in the list.
     size_t awake = 0;
     for (const BodyRecord& body : w.bodies) awake += body.solver_index != 0;
     findings.require(awake == w.awake_bodies.size(), "the awake bodies");
@@ -358,7 +360,7 @@ void check_lists(const WorldState& w, Findings& findings) {
 
 std::optional<std::string> links_problem(const WorldState& world) {
     Findings findings;
-    // What a later check walks, an earlier one has found in range.
+    // Each check relies on ranges that an earlier check has tested.
     check_bodies(world, findings);
     if (!findings.result()) check_shapes(world, findings);
     if (!findings.result()) check_proxies(world, findings);

@@ -11,7 +11,8 @@ std::string number(uint64_t value) {
     return std::to_string(value);
 }
 
-/// All marked slots are in the list. Others may be too: slots that were freed and used again.
+/// True if the list contains all marked slots. It may contain others: slots that were freed and
+/// used again.
 bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, auto is_marked) {
     std::vector<bool> listed(size);
     for (const uint32_t i : list) listed[i] = true;
@@ -20,7 +21,7 @@ bool lists_the_marked(const std::vector<uint32_t>& list, size_t size, auto is_ma
     return true;
 }
 
-/// The list of free slots has every free slot and no other.
+/// True if the list of free slots contains every free slot and no other.
 template <class Record>
 bool lists_the_free(const Slots& slots, const std::vector<Record>& records, auto is_free) {
     size_t free = 0;
@@ -32,7 +33,7 @@ bool lists_the_free(const Slots& slots, const std::vector<Record>& records, auto
     return free == 0;
 }
 
-/// The lists of bodies, or of shapes: of those that were edited, and of free slots.
+/// Checks the lists of bodies, or of shapes: the edited ones, and the free slots.
 template <class Record>
 Fault check_slot_lists(const std::string& kind, const std::vector<Record>& records,
                        const std::vector<uint32_t>& generations,
@@ -44,7 +45,7 @@ Fault check_slot_lists(const std::string& kind, const std::vector<Record>& recor
     return {};
 }
 
-/// How many edges the list of a body has, each of which says so; none where one does not.
+/// Number of edges in the list of a body; none if an edge is not one of this body.
 template <class Edge, class Body>
 uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
     uint32_t count = 0, previous = none;

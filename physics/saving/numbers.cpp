@@ -21,7 +21,8 @@ bool is_finite(V2 v) {
 bool is_finite(const Box4& box) {
     return is_finite(box.low) && is_finite(box.high);
 }
-/// May be infinite: a mass that nothing moves, or a time of rest beyond the range of a float.
+/// True for an amount, which may be infinite: an infinite mass, or a time of rest beyond the range
+/// of a float.
 bool is_amount(float value) {
     return value >= 0.0f;
 }
@@ -111,7 +112,7 @@ void check_shape(const WorldState& w, size_t shape) {
     const ShapeRecord& record = w.shapes[shape];
     const ShapeForm& form = w.forms[shape];
     check(record.surface);
-    if (record.owner == none) check_figure(w, shape);  // a part has its owner's
+    if (record.owner == none) check_figure(w, shape);  // a part has the figure of its owner
     require(are_finite(record.area, record.moment, form.radius) && form.radius >= 0.0f &&
                 is_finite(record.centroid) && is_finite(form.center) && is_finite(w.boxes[shape]) &&
                 is_finite(w.fat_boxes[shape]) && is_finite(w.paired_boxes[shape]),
@@ -143,7 +144,7 @@ void check(const ContactRecord& contact, size_t slot) {
     check_finite("surface_speed", contact.surface_speed);
 }
 
-// --- Joints: as their setters do
+// --- Joints: the checks of their setters
 
 void check(const JointRecord& joint, size_t slot) {
     check_coordinates("anchor_a", to_vec2(joint.anchors[0]));
@@ -157,7 +158,7 @@ void check(const JointRecord& joint, size_t slot) {
         require(are_finite(impulse), "the impulses of joint", slot);
 }
 
-// --- All of it
+// --- The whole state
 
 void check_all(const WorldState& w) {
     check(w.settings);

@@ -5,16 +5,16 @@
 #include <optional>
 #include <string>
 
-// Checks of a world that was read from bytes. Each returns the first thing that is wrong.
+// Checks of a deserialized world. Each returns a description of the first fault.
 
 namespace fettle::physics::detail {
 
-/// Every index is in range, and every list ends. The other checks need that.
+/// Every index is in range, and every list ends. The other checks rely on this.
 std::optional<std::string> links_problem(const WorldState& world);
-/// The parts of a world that say the same thing in different ways agree: an object is in the lists
-/// of the body it says it belongs to, and a listed object says that it is listed.
+/// Redundant data agree: an object is in the lists of its body, and a listed object has the mark
+/// that it is listed.
 std::optional<std::string> memberships_problem(const WorldState& world);
-/// All numbers are such as setters accept, or as follow from those.
+/// All numbers are values that setters accept, or follow from such values.
 std::optional<std::string> numbers_problem(const WorldState& world);
 
 }  // namespace fettle::physics::detail

@@ -5,11 +5,11 @@
 namespace fettle::physics::detail {
 namespace {
 
-constexpr size_t words = 8;  // of a block: so many sums go on side by side, in vectors
+constexpr size_t words = 8;  // of a block: so many sums are computed in parallel, in vectors
 
-/// What goes on over the blocks. `mixed` is one to one in the word and in what was before, so that
-/// a word that differs always leaves a difference; only the next word of the same sum could take it
-/// away again, and `sum` remembers it then.
+/// The sums over the blocks. `mixed` is one to one in the word and in its value before, so that a
+/// different word always leaves a difference; only the next word of the same sum could cancel it,
+/// and then it stays in `sum`.
 struct Sums {
     uint64_t mixed[words] = {1, 2, 3, 4, 5, 6, 7, 8};
     uint64_t sum[words] = {};

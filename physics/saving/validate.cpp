@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-// Checks all that must hold in any world, at the cost of comparing every shape with every other.
+// Checks all invariants of a world; compares every shape with every other.
 
 namespace fettle::physics {
 
@@ -43,7 +43,7 @@ Fault check_trees(const WorldData& data) {
     return {};
 }
 
-/// All pairs whose fat boxes overlap must have a contact: by brute force.
+/// All pairs whose fat boxes overlap must have a contact: compares all pairs.
 Fault check_pairs(const WorldData& data) {
     if (!data.edited_bodies.empty() || !data.moved_shapes.empty()) return {};
     for (uint32_t a = 4; a < data.shapes.size(); ++a) {
@@ -66,7 +66,7 @@ Fault check_pairs(const WorldData& data) {
 std::optional<std::string> World::validate() const {
     const WorldData& data = *data_;
     data.self.may_copy("World::validate");
-    WorldLock lock(data.self, WorldLock::During::change, in_edit);  // it asks the filter
+    WorldLock lock(data.self, WorldLock::During::change, in_edit);  // calls the filter
     Fault fault = memberships_problem(data);
     if (!fault) fault = numbers_problem(data);
     if (!fault) fault = check_trees(data);

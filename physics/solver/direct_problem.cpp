@@ -9,34 +9,33 @@
 //     M·(v - v₀) = Jᵀ·λ,   λᵢ = clamp(-(dᵢ·(J·v)ᵢ + fᵢ), lowᵢ, highᵢ).                          (1)
 //
 // For a stiff row (d → ∞) that is the complementarity condition: at a bound, or J·v = -f/d. Rows of
-// springs have the stiffness of the spring. Contacts have low = 0, friction ±μ times the impulse of
-// its contact (boxed friction), joints no bounds at all.
+// springs have the stiffness of the spring. Contacts have low = 0, friction has bounds of ±μ times
+// the impulse of its contact (boxed friction), joints have no bounds.
 //
-// While the bounds stand still, (1) is where a strictly convex, piecewise quadratic function has
-// its minimum: ½|u|² + Σψᵢ with u = √M·(v - v₀) and ψᵢ' = -λᵢ. It is found by Newton's method on
-// active sets, with a line search along each step: which rows are at a bound is guessed, then the
-// others follow from
+// For fixed bounds, (1) is the minimum of a strictly convex, piecewise quadratic function:
+// ½|u|² + Σψᵢ with u = √M·(v - v₀) and ψᵢ' = -λᵢ. Newton's method on active sets finds it, with a
+// line search along each step: the rows at a bound are guessed, then the others follow from
 //
 //     (I + Σ dᵢ·ĵᵢᵀ·ĵᵢ)·u = Σ_bound ĵᵢᵀ·λᵢ - Σ_free ĵᵢᵀ·(dᵢ·(J·v₀)ᵢ + fᵢ),   ĵ = J·M^(-½),
 //
-// which is sparse as the graph of who touches whom, symmetric and positive definite however
-// redundant the rows are: a sparse Cholesky factorization with three unknowns a body. The sets of
-// the pass before are where it begins, and mostly they are right. (M. Anitescu and F. Potra,
+// whose matrix is as sparse as the graph of contacts and joints, symmetric, and positive definite
+// even if rows are redundant: a sparse Cholesky factorization with three unknowns a body. It begins
+// with the sets of the pass before, which are right in most cases. (M. Anitescu and F. Potra,
 // "Formulating dynamic multi-rigid-body contact problems with friction as solvable linear
 // complementarity problems", 1997, for the problem; L. Qi and J. Sun, "A nonsmooth version of
 // Newton's method", 1993, for the method. Changing all rows that are in a wrong state at once,
-// without a line search, cycles where contacts are redundant: in a pyramid of ten rows.)
+// without a line search, cycles where contacts are redundant, as in a pyramid of ten rows.)
 //
-// Where very stiff rows begin and cease to act within a hair's breadth of velocity, a Newton step
-// goes too far and the line search stops it at once. Then a few sweeps of Gauss-Seidel show which
-// rows push, and the problem is solved in rounds, with a millionth of the rigidity first, and rows
-// remember what they pushed: λᵢ = clamp(λ' - dᵢ·…), the method of multipliers (M. Hestenes and
-// M. Powell, 1969). Rigidity grows while that costs few steps, until rigid rows leave less than
-// 10⁻⁵ m/s. Heavy chains are solved with full rigidity in a step or two; piles, where hundreds of
-// rows are near a bound, never are.
+// Where very stiff rows begin and cease to act within a tiny range of velocity, a Newton step goes
+// too far and the line search stops it at once. Then a few sweeps of Gauss-Seidel find the rows
+// that push, and the problem is solved in rounds, with a millionth of the rigidity at first, and
+// rows keep the impulse λ' of the last round: λᵢ = clamp(λ' - dᵢ·…), the method of multipliers
+// (M. Hestenes and M. Powell, 1969). Rigidity grows while that takes few Newton steps, until rigid
+// rows leave less than 10⁻⁵ m/s. Heavy chains are solved with full rigidity in one or two steps;
+// piles, where hundreds of rows are near a bound, never are.
 //
-// Friction bounds follow the normal impulses from round to round, with the mean of old and new once
-// it takes long. What has not settled after ten rounds is taken as it is.
+// Friction bounds follow the normal impulses from round to round, with the mean of old and new
+// after some rounds. Bounds that have not settled after ten rounds are used as they are.
 
 namespace fettle::physics::detail {
 namespace {

@@ -4,21 +4,21 @@
 
 namespace fettle::physics::detail {
 
-/// What a joint does in a step: `acting` on a dynamic body that is awake, or `asleep`, when it
-/// keeps its impulses until a body wakes, or `idle`, when it has none.
+/// What a joint does in a step. `acting`: one of its dynamic bodies is awake. `asleep`: it keeps
+/// its impulses until a body wakes. `idle`: it does not act and has no impulses.
 enum class JointRole { idle, asleep, acting };
 JointRole role_of(const ObjectState& objects, const JointRecord& joint);
 
 void forget_impulses(ObjectState& objects, uint32_t joint);
 
-// Changes of the lists of what is awake.
+// Changes of the lists of awake objects.
 
 void add_awake(ObjectState& objects, ActiveLists& active, uint32_t body);
 void remove_awake(ObjectState& objects, ActiveLists& active, uint32_t body);
 void add_awake_contact(ObjectState& objects, ActiveLists& active, uint32_t contact);
 void remove_awake_contact(ObjectState& objects, ActiveLists& active, uint32_t contact);
-/// After a change of the joint or its bodies: it is listed while it acts and one of its bodies is
-/// awake.
+/// Call after a change of the joint or its bodies: the joint is listed while it acts and one of its
+/// bodies is awake.
 void list_joint(ObjectState& objects, ActiveLists& active, uint32_t joint);
 
 }  // namespace fettle::physics::detail

@@ -4,21 +4,21 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// What the rest of the library knows of a type of joint: a table of functions. A function of a step
-// takes a range of the joints of a type, so that there is one call for many joints; what it does
-// for each of them is compiled for the type.
+// Interface of a type of joint: a table of functions. A function of a step takes a range of the
+// joints of a type, so that one call processes many joints; the code for each joint is compiled for
+// the type.
 
 namespace fettle::physics::detail {
 
 struct JointSource;
 class RowWriter;
 
-/// Joints of an array.
+/// A range of the joints in an array.
 struct JointRange {
     size_t begin = 0, end = 0;
 };
 
-/// What a joint does to body b in a sub-step, as impulses.
+/// The load that a joint puts on body b in a sub-step, as impulses.
 struct JointLoad {
     V2 push;
     float twist = 0.0f;
@@ -27,10 +27,10 @@ struct JointLoad {
 struct JointKind {
     const char* name;
     size_t constraint_size;
-    /// Throws std::invalid_argument where a setter would.
+    /// Throws std::invalid_argument for settings that a setter refuses.
     void (*check)(const JointRecord& joint);
 
-    /// Writes constraints from the records of the joints. True if one bears a heavy load.
+    /// Writes constraints from the records of the joints. True if one of them bears a heavy load.
     bool (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
                     JointRange range);
     using Pass = void (*)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
@@ -39,8 +39,8 @@ struct JointKind {
     /// From the last joint to the first: `solve` carries an impulse down a chain, `relax` up.
     Pass relax;
     JointLoad (*load)(const JointArray& array, size_t index);
-    /// The rows of all joints, where their bodies are now. What holds in `solve` and `relax` holds
-    /// here, at once.
+    /// Writes the rows of all joints, at the current poses of their bodies. The requirements of
+    /// `solve` and `relax` hold here together.
     void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows);
     /// Writes impulses back to the records.
     void (*store)(const JointArray& array, ObjectState& objects, const JointStep& step,

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-// Lists of the members of a struct that the compiler checks: a member that is not listed is an
+// Lists of the members of a struct, checked by the compiler: a member that is not listed is an
 // error. One list serves writing, reading, counting memory and releasing it.
 
 namespace fettle::physics::detail {
 
-/// Converts to any type: stands for a member that is not named.
+/// Converts to any type: a placeholder for a member.
 struct AnyMember {
     template <class T>
     operator T() const;
@@ -27,7 +27,7 @@ constexpr bool takes_members(std::index_sequence<I...>) {
     };
 }
 
-/// How many members and bases an aggregate has.
+/// Number of members and bases of an aggregate.
 template <class Aggregate, std::size_t least = 0>
 constexpr std::size_t count_members() {
     static_assert(std::is_aggregate_v<Aggregate>);
@@ -37,8 +37,7 @@ constexpr std::size_t count_members() {
         return least;
 }
 
-/// Some members under one name: a line of `World::memory`; "" where they have no memory of their
-/// own.
+/// Some members under one name: a line of `World::memory`; "" if they own no memory.
 template <class... Member>
 struct NamedMembers {
     const char* name;
@@ -56,7 +55,7 @@ auto& part(Self& self) {
     return static_cast<std::conditional_t<std::is_const_v<Self>, const Part, Part>&>(self);
 }
 
-/// Shows every member to `io`, after `io.line(name)` if it wants names. The members of `Base` are
+/// Passes every member to `io`, after `io.line(name)` if it has `line`. The members of `Base` are
 /// listed with those of `Whole`.
 template <class Whole, class... Base, class Io, class... Line>
 void list_members(Io& io, const Line&... lines) {
@@ -72,13 +71,13 @@ void list_members(Io& io, const Line&... lines) {
     (show(lines), ...);
 }
 
-/// Has a `members` of its own.
+/// Types with a function `members`.
 template <class T, class Io>
 concept ListsMembers = requires(Io& io, T& value) {
     std::remove_const_t<T>::members(io, value);
 };
 
-/// What happened, list by list.
+/// Passes the lists of events, one by one.
 template <class Io, class Happened>
 void event_members(Io& io, Happened& e) {
     static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
@@ -87,7 +86,7 @@ void event_members(Io& io, Happened& e) {
     io(e.slept), io(e.woke);
 }
 
-/// Every part of what has parts of one kind.
+/// Passes every part of an object that has parts of one kind.
 template <class Io, class T>
 void each_of(Io& io, T& parts) {
     std::apply([&io](auto&... each) { (io(each), ...); }, parts);

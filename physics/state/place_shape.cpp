@@ -6,8 +6,8 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// In the pool, the vertices of a large polygon are centered on the body's center of mass but not
-/// rotated. They change with an edit only, and a step costs them a bounding box. Not inlined: that
+/// In the pool, the vertices of a large polygon are relative to the body's center of mass but not
+/// rotated. They change with an edit only; a step computes only a bounding box. Not inlined: that
 /// would take registers from the loop over the vertices of all other shapes.
 [[gnu::noinline]] Box4 place_large(ObjectState& objects, uint32_t shape, V2 local_center,
                                    Rotation q) {

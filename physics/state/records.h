@@ -12,15 +12,14 @@
 #include <new>
 #include <type_traits>
 
-// What a world keeps per body, shape, contact and joint. Indices instead of pointers and no
-// ownership anywhere, so that the vectors of these records can be copied as they are.
+// Data of a world for each body, shape, contact and joint. Indices instead of pointers and no
+// ownership, so that the vectors of these records can be copied byte by byte.
 
 namespace fettle::physics::detail {
 
 inline constexpr uint32_t none = 0xffffffffu;
 
-/// One sequence of numbers for all objects of a world: an identity never comes back. 0 is not
-/// given.
+/// One sequence of generations for all objects of a world: no value is used twice. 0 is never used.
 struct Generations {
     uint32_t next = 1;
 
@@ -34,7 +33,7 @@ struct Generations {
 /// How a body takes part in the step. An infinitely heavy dynamic body is fixed.
 enum class Mobility : uint8_t { fixed, kinematic, dynamic };
 
-/// A place in a list of a body: what links two bodies is in the lists of both.
+/// A place in a list of a body: a contact or joint of two bodies is in the lists of both.
 struct ListEdge {
     uint32_t previous = none, next = none;  ///< edges: index << 1 | side
 };
@@ -51,14 +50,15 @@ void unlink_edge(uint32_t& first, uint32_t edge, auto&& at) {
     if (next != none) at(next).previous = previous;
 }
 
-/// A value that was given in place of the one that follows from the shapes; NaN: none was given.
+/// Marks an override that is not set; NaN. An override replaces the value that follows from the
+/// shapes.
 inline constexpr float not_given = std::numeric_limits<float>::quiet_NaN();
 inline bool is_given(float value) {
     return !std::isnan(value);
 }
 
 struct BodyRecord {
-    // What the step gathers of an awake body.
+    // Data that the step gathers from an awake body.
     V2 center;        ///< center of mass, world
     V2 local_center;  ///< center of mass, body coordinates
     float inverse_mass = 0.0f;
@@ -70,13 +70,13 @@ struct BodyRecord {
     float torque = 0.0f;
     V2 step_force;  ///< for the next step only
     float step_torque = 0.0f;
-    float angle_rest =
-        0.0f;  ///< what the float `angle` could not hold: slow turning adds up at any angle
-    float extent = 0.0f;  ///< farthest point of the shapes from the center of mass, m
+    float angle_rest = 0.0f;  ///< the part of the angle that the float `angle` cannot hold: so slow
+                              ///< rotation adds up at any angle
+    float extent = 0.0f;      ///< farthest point of the shapes from the center of mass, m
     float thickness =
-        0.0f;  ///< least half width of the shapes, m: moving farther in a step is fast
-    float sleep_time = 0.0f;    ///< s under the sleep speed
-    uint32_t solver_index = 0;  ///< 1 + place among the awake; 0: fixed or asleep
+        0.0f;  ///< least half width of the shapes, m: a body that moves farther in a step is fast
+    float sleep_time = 0.0f;    ///< s below the sleep speed
+    uint32_t solver_index = 0;  ///< 1 + place in the list of awake bodies; 0: fixed or asleep
     // In one byte: both are written with one access.
     Mobility mobility : 4 = Mobility::fixed;
     uint8_t listed : 4 = 0;  ///< in the list of bodies to refresh
@@ -84,7 +84,7 @@ struct BodyRecord {
     bool locked_x = false, locked_y = false, locked_rotation = false;
     bool can_sleep = true;
     bool bullet = false;
-    bool never_awake = false;  ///< made asleep: gets its shapes without waking
+    bool never_awake = false;  ///< created asleep: gets its shapes without waking
 
     bool mass_dirty = false;
     bool placement_dirty =
@@ -92,9 +92,9 @@ struct BodyRecord {
     uint32_t first_shape = none, last_shape = none;
     uint32_t first_contact = none;  ///< edge: contact << 1 | side
     uint32_t contact_count = 0;
-    uint32_t touching = 0;   ///< contacts, sensors not counted
-    uint32_t island = none;  ///< among the sleeping islands
-    uint32_t next = none;    ///< body in the same sleeping island; of a free slot: the next one
+    uint32_t touching = 0;        ///< number of touching contacts, without sensors
+    uint32_t island = none;       ///< index of its sleeping island
+    uint32_t next = none;         ///< next body in its sleeping island, or next free slot
     uint32_t first_joint = none;  ///< edge: joint << 1 | side
     uint32_t joint_count = 0;
 
@@ -113,19 +113,19 @@ struct BodyRecord {
     }
 };
 
-/// What the narrow phase needs of a shape, packed.
+/// Data of a shape for the narrow phase, packed.
 struct ShapeForm {
     uint32_t begin = 0;  ///< in the vertex pool
     uint32_t count : 24 = 0;
     FormKind kind : 8 = FormKind::convex;
     float radius = 0.0f;
     uint32_t body = none;
-    V2 center;  ///< of mass of the body: what the vertices are relative to, world
+    V2 center;  ///< center of mass of the body in the world: the vertices are relative to it
 
     bool is_small_polygon() const { return kind == FormKind::convex && (count == 3 || count == 4); }
 };
 
-/// A value of any plain type, which is known from elsewhere. All types use the same memory.
+/// A value of any plain type; the type is known from other data. All types use the same memory.
 template <size_t capacity>
 class PlainValue {
   public:
@@ -148,10 +148,10 @@ class PlainValue {
     alignas(float) std::byte bytes_[capacity] = {};
 };
 
-/// Circle, Box, Segment or Ellipse, as the type of the shape says.
+/// Circle, Box, Segment or Ellipse, according to the type of the shape.
 using Figure = PlainValue<24>;
 
-/// What a polygon has besides its vertices.
+/// Data of a polygon in addition to its vertices.
 struct PolygonFigure {
     float rounding = 0.0f;
 };
@@ -160,21 +160,23 @@ struct ShapeRecord {
     ShapeDef surface;
     Figure figure;
     ShapeType type = ShapeType::circle;
-    Mobility tree = Mobility::fixed;  ///< which tree the proxy is in: fixed or another
+    Mobility tree = Mobility::fixed;  ///< which tree contains the proxy: the one of fixed bodies or
+                                      ///< the other
     bool closed = false;              ///< a chain
     bool geometry_dirty = false;
-    bool moved = false;     ///< in the list of shapes to find pairs for
+    bool moved = false;     ///< in the list of shapes for which pairs are searched
     bool listed = false;    ///< in the list of shapes to refresh
     uint32_t capacity = 0;  ///< vertices reserved in the pool
 
     // A chain or a concave polygon collides as its parts, which are shapes that only the library
-    // sees. It is in no tree itself and owns the surface, which the parts have a copy of.
-    uint32_t outline = 0;                          ///< how many points it has in the pool
-    uint32_t owner = none;                         ///< of a part
-    uint32_t first_part = none, next_part = none;  ///< of an owner, of a part
+    // sees. The outline itself is in no tree. It owns the surface; the parts have copies.
+    uint32_t outline = 0;                          ///< number of its points in the pool
+    uint32_t owner = none;                         ///< outline of a part
+    uint32_t first_part = none, next_part = none;  ///< first part of an owner; next part of a part
 
     int32_t proxy = -1;
-    uint32_t previous = none, next = none;  ///< in the body; of a free slot: the next one
+    uint32_t previous = none, next = none;  ///< in the list of the body; `next` of a free slot: the
+                                            ///< next free slot
     uint32_t touching = 0;
     uint32_t rebuilds = 0;
     float area = 0.0f, moment = 0.0f;  ///< m², m⁴ about the centroid
@@ -189,10 +191,10 @@ struct ShapeRecord {
 };
 
 static_assert(sizeof(ShapeForm) == 24);
-// A world may have a hundred thousand of each: every member costs that many times its size.
+// A world may have a hundred thousand of each: every byte of them counts.
 static_assert(sizeof(BodyRecord) <= 168 && sizeof(ShapeRecord) <= 144);
 
-/// Both plain convex.
+/// True if both shapes are plain convex.
 inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
     return (uint8_t(a.kind) | uint8_t(b.kind)) == 0;
 }
@@ -202,12 +204,12 @@ struct alignas(64) ContactRecord {
     uint32_t shape_a = none, shape_b = none;  ///< shape_a < shape_b
     uint32_t body_a = none, body_b = none;
     uint32_t awake_index = none;
-    bool touching = false;  ///< as events tell it
+    bool touching = false;  ///< as reported by events
     bool sensor = false;
     bool special = false;  ///< rolling resistance, surface speed or restitution
     bool hit_events = false;
-    bool disabled = false;  ///< in this step, by a callback
-    bool curved = false;    ///< of an ellipse: it runs along the rim within the step
+    bool disabled = false;  ///< disabled in this step by a callback
+    bool curved = false;    ///< a contact of an ellipse: it moves along the rim within the step
     float friction = 0.0f;
     Manifold manifold;
     float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
@@ -220,10 +222,11 @@ struct alignas(64) ContactRecord {
 };
 static_assert(sizeof(ContactRecord) == 128);
 
-/// The part of a contact that few stages of a step read.
+/// Data of a contact that few stages of a step read.
 struct ContactLinks {
-    ListEdge edges[2];   ///< in the contact lists of body a and b; of a free slot: the next one
-    uint32_t began = 0;  ///< the last digits of the step in which it began to touch
+    ListEdge edges[2];   ///< in the contact lists of body a and b; of a free slot: the next free
+                         ///< slot
+    uint32_t began = 0;  ///< the low bits of the number of the step in which it began to touch
 
     uint32_t& next_free() { return edges[0].next; }
 };
@@ -233,17 +236,19 @@ inline constexpr size_t joint_type_count = size_t(JointType::ratchet) + 1;
 struct JointRecord {
     JointType type = JointType::mouse;
     bool enabled = true;
-    bool collide = false;         ///< the two bodies, with each other
+    bool collide = false;         ///< true: the two bodies collide with each other
     bool broken = false;          ///< it does not act until it is repaired
-    uint32_t awake_index = none;  ///< in the list of the awake ones of its type
+    uint32_t awake_index = none;  ///< place in the list of awake joints of its type
     uint32_t bodies[2] = {0, 0};  ///< 0: the world
     V2 anchors[2];                ///< body coordinates
     ListEdge edges[2];            ///< in the joint lists of body a and b; of a free slot: the next
+                                  ///< free slot
     V2 force;                     ///< of the last step, on body b
     float torque = 0.0f;
-    float break_force = infinity, break_torque = infinity;  ///< N, N m: it breaks above
+    float break_force = infinity, break_torque = infinity;  ///< N, N m: the joint breaks above
+                                                            ///< these
     PlainValue<44> settings;                                ///< `Settings` of its type
-    PlainValue<24> impulses;  ///< `Impulses` of its type, of the last sub-step; all 0: none
+    PlainValue<24> impulses;  ///< `Impulses` of its type, of the last sub-step; all 0 at first
     uint64_t user_data = 0;
 
     uint32_t& next_free() { return edges[0].next; }
@@ -254,15 +259,15 @@ struct JointRecord {
 struct FieldRecord {
     FieldDef def;
     uint32_t generation = 0;  ///< 0: the slot is free
-    uint32_t next = none;     ///< of a free slot: the next one
+    uint32_t next = none;     ///< of a free slot: the next free slot
 
     uint32_t& next_free() { return next; }
 };
 
-/// Bodies that fell asleep together and wake together, a list through their records.
+/// Bodies that fell asleep together and wake together; a list through their records.
 struct Island {
     uint32_t first = none;
-    uint32_t next = none;  ///< of a free slot: the next one
+    uint32_t next = none;  ///< of a free slot: the next free slot
 
     uint32_t& next_free() { return next; }
 };

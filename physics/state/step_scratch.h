@@ -18,47 +18,47 @@
 
 namespace fettle::physics::detail {
 
-// What a step makes anew, stage by stage. It is kept between steps for its capacity only, and given
-// back when most of what was awake sleeps (memory.cpp). `scratch` lists the members, as `members`
-// does for the state.
+// Data that a step builds again, stage by stage. They are kept between steps for their capacity
+// only, and freed when most bodies have fallen asleep (memory.cpp). `scratch` lists the members, as
+// `members` does for the state.
 
 #define FETTLE_SCRATCH(Part, ...)                           \
     static void scratch(auto& io, auto& s) {                \
         list_members<Part>(io, named("step", __VA_ARGS__)); \
     }
 
-/// Of the search for pairs and of the narrow phase.
+/// Scratch data of the search for pairs and of the narrow phase.
 struct PairScratch {
-    std::vector<uint8_t> relocated;                  ///< by shape: its fat box is another
+    std::vector<uint8_t> relocated;                  ///< by shape: its fat box has changed
     std::vector<uint64_t> new_pairs;                 ///< upper << 32 | lower
-    std::vector<uint64_t> spare_pairs;               ///< while they are sorted
+    std::vector<uint64_t> spare_pairs;               ///< memory for sorting them
     std::vector<std::vector<uint64_t>> found_pairs;  ///< by piece
     std::vector<Tree::NodePair> parts_of_walk;
     std::vector<CollidedPiece> collided;
-    std::vector<ContactRecord> parted;  ///< last touches of an outline's parts that ended
+    std::vector<ContactRecord> parted;  ///< last touches of parts of outlines that ended
 
     FETTLE_SCRATCH(PairScratch, s.relocated, s.new_pairs, s.spare_pairs, s.found_pairs,
                    s.parts_of_walk, s.collided, s.parted)
 };
 
-/// The bodies that are solved. An index of them is the place among the awake + 1; 0 is the body
-/// that does not move.
+/// The bodies that are solved. Their index is the place in the list of awake bodies + 1; 0 is the
+/// fixed body.
 struct BodyScratch {
     std::vector<SolverBody> solver_bodies;
-    /// By body slot. Dense, where the records are not: every contact reads it.
+    /// By body slot. Dense, unlike the records: every contact reads it.
     std::vector<SolverEnd> solver_ends;
     std::vector<SolverForce> solver_forces;
-    std::vector<uint8_t> gathered;  ///< what pieces of the awake bodies have
+    std::vector<uint8_t> gathered;  ///< results of the pieces of the list of awake bodies
     std::vector<uint32_t> locked;   ///< bodies with a locked axis
-    std::vector<uint8_t> bounced;   ///< by body: in which pass
-    bool axes_locked = false;       ///< of some awake body, along x or y
+    std::vector<uint8_t> bounced;   ///< by body: the last pass that changed it
+    bool axes_locked = false;       ///< some awake body is locked along x or y
     bool driven = false;            ///< some awake body moves on its own
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
                    s.locked, s.bounced, s.axes_locked, s.driven)
 };
 
-/// The joints of one type that act in a step, in the order of the nodes they belong to.
+/// The acting joints of one type in a step, in the order of their nodes.
 struct JointArray {
     std::vector<uint32_t> joints;  ///< slots
     NodeRanges nodes;
@@ -92,7 +92,7 @@ struct JointScratch {
     FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_notes, s.strains)
 };
 
-/// The contacts that act: those in lanes, and the serial contacts, which are solved one at a time.
+/// The acting contacts: those in lanes, and the serial contacts, which are solved one at a time.
 struct ContactScratch {
     std::vector<ActingContact> acting;
     std::vector<ActingPiece> acting_pieces;
@@ -100,10 +100,10 @@ struct ContactScratch {
     std::vector<uint32_t> lane_contacts;  ///< by lane: place of the acting contact
     std::vector<uint32_t> spare_lanes;
     std::vector<GroupNews> news;  ///< of each group
-    std::vector<uint64_t> told;   ///< a bit for each acting contact: it is reported
+    std::vector<uint64_t> told;   ///< one bit for each acting contact: true if it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
-    std::vector<uint32_t> serial_acting;             ///< places of acting contacts
-    std::vector<uint32_t> serial_contacts;           ///< the slots of the same
+    std::vector<uint32_t> serial_acting;             ///< places in the list of acting contacts
+    std::vector<uint32_t> serial_contacts;           ///< slots of the same contacts
     std::vector<ContactConstraint> constraints;      ///< of the serial contacts
     std::vector<ContactExtra> extras;
     std::vector<RollingContact> rolling_contacts;
@@ -120,11 +120,12 @@ struct ScheduleScratch {
     SolverBlocks blocks;
     Hubs hubs;
     Reordering reordering;                  ///< of a list, into the order of the strips
-    Sections whole_sections, cut_sections;  ///< of blocks that are whole, of those that are cut
+    Sections whole_sections, cut_sections;  ///< of blocks that one thread solves, and of blocks
+                                            ///< that several threads share out
     std::vector<uint32_t> color_begin;      ///< lanes, by counting thread, section and color
-    std::vector<uint32_t> first_groups;     ///< of each section of each block, and the end
+    std::vector<uint32_t> first_groups;     ///< by section of each block, and the end
     std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting contacts
-    std::vector<uint64_t> colors_of_body;              ///< by solver index, a bit a color
+    std::vector<uint64_t> colors_of_body;              ///< by solver index, one bit for each color
     std::vector<WideBlock> wide_blocks;  ///< one for each block that is solved at the same time
 
     const Sections& sections_of(const SolverBlock& block) const {

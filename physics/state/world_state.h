@@ -15,17 +15,17 @@
 
 namespace fettle::physics::detail {
 
-// The state of a world: everything that a step needs from the step before it, and nothing else.
-// Each struct lists its members once, in `members`; saving, restoring and the statistics of memory
-// walk these lists, and a member that is not listed does not compile. A list is divided by what
-// `World::memory` calls its lines.
+// The state of a world: all data that a step needs from the step before, and nothing else. Each
+// struct lists its members once, in `members`; saving, restoring and the statistics of memory use
+// these lists, and a member that is not listed does not compile. `NamedMembers` divide a list into
+// the lines of `World::memory`.
 
-/// Which elements of an array of objects are used: the free ones are a list through the array.
+/// Which elements of an array of objects are in use: the free ones are a list through the array.
 struct Slots {
-    uint32_t free = none;  ///< the first free one
-    uint32_t count = 0;    ///< how many are used
+    uint32_t free = none;  ///< the first free slot
+    uint32_t count = 0;    ///< number of slots in use
 
-    /// A slot for a new object, in which all arrays have new elements.
+    /// Takes a slot for a new object; its elements in all arrays are new.
     template <class Record, class... Other>
     uint32_t take(std::vector<Record>& records, std::vector<Other>&... others) {
         ++count;
@@ -49,7 +49,7 @@ struct Slots {
     }
 };
 
-/// What there is, by slot.
+/// The objects of a world, by slot.
 struct ObjectState {
     std::vector<BodyRecord> bodies;
     std::vector<Island> islands;
@@ -57,16 +57,16 @@ struct ObjectState {
     std::vector<ShapeForm> forms;  ///< of the shapes
     VertexPool pool;
     std::vector<ContactRecord> contacts;
-    std::vector<ContactLinks> contact_links;  ///< of the same
+    std::vector<ContactLinks> contact_links;  ///< of the contacts
     std::vector<JointRecord> joints;
     std::vector<FieldRecord> fields;
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
 
-    /// The shape that stands for a slot outside: for a part its owner.
+    /// The shape that the user sees: the owner of a part, else the shape itself.
     uint32_t named_shape(uint32_t slot) const {
         return shapes[slot].owner == none ? slot : shapes[slot].owner;
     }
-    /// False for an outline, of which only the parts collide.
+    /// False for an outline: only its parts collide.
     bool is_solid(uint32_t shape) const { return forms[shape].kind != FormKind::outline; }
     Convex convex(uint32_t shape) const {
         const ShapeForm& form = forms[shape];
@@ -76,7 +76,7 @@ struct ObjectState {
     std::span<const V2> outline_of(uint32_t shape) const {
         return {&pool.local[forms[shape].begin], shapes[shape].outline};
     }
-    /// The shape itself, or the parts it consists of.
+    /// Visits the shape itself, or its parts.
     void for_each_solid(uint32_t shape, auto&& visit) const {
         if (is_solid(shape)) {
             visit(shape);
@@ -104,8 +104,8 @@ struct ObjectState {
             return false;
         });
     }
-    /// Whether `visit` is true of a contact in a body's list, from an edge on and before the
-    /// contact `end` (none: to the end of the list).
+    /// True if `visit` is true of one of the contacts in a body's list, from `edge` on and before
+    /// the contact `end` (none: to the end of the list).
     bool any_contact(uint32_t edge, uint32_t end, auto&& visit) const {
         while (edge != none && edge >> 1 != end) {
             const uint32_t next = contact_links[edge >> 1].edges[edge & 1].next;
@@ -147,13 +147,13 @@ struct ObjectState {
 inline BodyId body_id(const Columns& columns, uint32_t slot) {
     return {slot, columns.body_generations[slot]};
 }
-/// Of the shape that stands for the slot outside.
+/// Id of the shape that the user sees.
 inline ShapeId shape_id(const ObjectState& objects, const Columns& columns, uint32_t slot) {
     const uint32_t named = objects.named_shape(slot);
     return {named, columns.shape_generations[named]};
 }
 
-/// The shape as collision sees it, rotated with its body.
+/// The shape for the collision functions, rotated with its body.
 inline Solid solid_of(const ObjectState& objects, const Columns& columns, uint32_t shape) {
     const ShapeForm& form = objects.forms[shape];
     Solid made = {objects.convex(shape), form.kind};
@@ -165,16 +165,16 @@ inline Solid solid_of(const ObjectState& objects, const Columns& columns, uint32
     return made;
 }
 
-/// Where the shapes are, and which pairs are near each other.
+/// The boxes of the shapes, and the pairs whose boxes overlap.
 struct BroadPhaseState {
     std::vector<Box4> boxes;      ///< by shape slot, tight
     std::vector<Box4> fat_boxes;  ///< by shape slot, as they are in the tree
-    /// The fat boxes as they were when pairs were last looked for: two that overlapped then are
-    /// known. Empty after an edit that may have changed with whom the shape collides.
+    /// The fat boxes at the last search for pairs: two that overlapped then are a known pair. Empty
+    /// after an edit that may have changed which shapes collide.
     std::vector<Box4> paired_boxes;
     Tree fixed_tree, moving_tree;
     PairSet pairs;
-    std::vector<uint32_t> moved_shapes;  ///< those to look for new pairs of
+    std::vector<uint32_t> moved_shapes;  ///< shapes for which new pairs are searched
 
     static void members(auto& io, auto& s) {
         list_members<BroadPhaseState>(io,
@@ -184,7 +184,7 @@ struct BroadPhaseState {
     }
 };
 
-/// What the next step has to do with: slots.
+/// Objects that the next step processes: slots.
 struct ActiveLists {
     std::vector<uint32_t> awake_bodies;  ///< the solver's index is the place + 1
     std::vector<uint32_t> awake_contacts;
@@ -200,11 +200,12 @@ struct ActiveLists {
 struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
     Strips strips;              ///< where the last step cut the world
-    float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio
+    float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
     uint64_t steps = 0;
-    uint32_t sleep_candidates = 0;  ///< bodies that rested long enough, as of the last step
+    uint32_t sleep_candidates = 0;  ///< number of bodies that had rested long enough in the last
+                                    ///< step
     Events events;                  ///< of the last step
-    Events pending;                 ///< made by edits since
+    Events pending;                 ///< events of edits after it
     StepStatistics statistics;
 
     static void members(auto& io, auto& s) {
