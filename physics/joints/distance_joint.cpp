@@ -10,7 +10,7 @@
 //     K = m_a⁻¹ + m_b⁻¹ + I_a⁻¹·(r_a×n)² + I_b⁻¹·(r_b×n)²,   effective mass 1/K.
 //
 // Rod: C = 0, softly. Spring: a force along n. Limits: |d| - min >= 0 and max - |d| >= 0, each with
-// an impulse that only pushes its way. The axis is found anew in each pass: a pendulum follows its
+// an impulse in one direction only. The axis is computed in each pass: a pendulum follows its
 // circle.
 
 namespace fettle::physics {

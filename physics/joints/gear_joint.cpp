@@ -6,10 +6,10 @@
 //
 //     C = θ_b - ratio·θ_a - phase,   Ċ = ω_b - ratio·ω_a,   K = I_b⁻¹ + ratio²·I_a⁻¹
 //
-// The ratio of two wheels that mesh is -r_a/r_b; of two that a belt joins, r_a/r_b. An impulse
-// turns b by λ and a by -ratio·λ, and so is not equal and opposite: the axles take the rest, as in
-// a gear box. Angles count from the world and over any number of turns: from the states, not from
-// their small difference.
+// The ratio of two meshed wheels is -r_a/r_b; of two wheels with a belt, r_a/r_b. An impulse turns
+// b by λ and a by -ratio·λ, and so is not equal and opposite: the axles take the rest, as in a gear
+// box. Angles are in the world and over any number of turns: from the states, not from their small
+// difference.
 
 namespace fettle::physics {
 namespace detail {

@@ -2,16 +2,16 @@
 #include <joints/joint_handle.h>
 #include <joints/joint_types.h>
 
-// Drives b against a with a force and a torque that have a limit.
+// Drives b relative to a with a limited force and torque.
 //
-// The velocity of anchor b as body a sees it, which turns, is driven to (u, w):
+// The velocity of anchor b in the rotating frame of body a is driven to (u, w):
 //
 //     Ċ = v_b + ω_b×r_b - v_a - ω_a×(r_a + d) - u,   Ċ_θ = ω_b - ω_a - w,   d = p_b - p_a,
 //
-// (the arm of a reaches to anchor b: both bodies are pushed at the same point) each with an impulse
-// that is no greater than max_force·h and max_torque·h. With a stiffness, the offset from a (which
-// turns with it) and the angle are springs besides, within the same limits: then it is a position
-// that is driven. A force alone, it is no part of the relax pass while it is a spring.
+// (the arm of a reaches to anchor b: both bodies are pushed at the same point) with impulses of at
+// most max_force·h and max_torque·h. With a stiffness, springs also act on the offset from a (which
+// turns with a) and on the angle, within the same limits: then a position is driven. As a spring it
+// is only a force, and the relax pass does not solve it.
 
 namespace fettle::physics {
 namespace detail {

@@ -9,11 +9,11 @@
 //
 //     C = p_b - p_a,   Ċ = v_b + ω_b×r_b - v_a - ω_a×r_a,   λ = -K⁻¹·(Ċ + bias)   (`PointMass`).
 //
-// K is that of the levers as they are in each pass: with the K of the step's begin, light links
-// that whip about under a heavy load gain energy. The rows about the angle θ = θ_b - θ_a -
+// K is computed from the current levers in each pass: with K from the start of the step, light
+// links that swing fast under a heavy load gain energy. The rows about the angle θ = θ_b - θ_a -
 // reference have Ċ = ω_b - ω_a and the effective mass 1/(I_a⁻¹ + I_b⁻¹): a spring to the target, a
-// motor that is a velocity with a greatest torque, and limits θ - lower >= 0, upper - θ >= 0. They
-// come first, and the point comes last: an error of the point is visible at once.
+// motor that drives a velocity with a maximum torque, and limits θ - lower >= 0, upper - θ >= 0.
+// They are solved first and the point last, since an error of the point is visible at once.
 
 namespace fettle::physics {
 namespace detail {

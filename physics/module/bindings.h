@@ -17,7 +17,7 @@ using property::Range;
 using property::Type;
 using property::Value;
 
-/// The object a row stands for.
+/// The object that a row refers to.
 template <class Object>
 decltype(auto) object_at(Hosting& hosting, Row row) {
     if constexpr (std::is_same_v<Object, physics::Body>)
@@ -43,8 +43,8 @@ struct Getter<Member> {
     using Object = Of;
 };
 
-/// What a getter of the library gives, in the types of the tree; numbers and vectors as they are,
-/// so that scripts read them without a Value in between.
+/// The result of a getter of the library in the types of the tree; numbers and vectors keep their
+/// type, so that scripts read them without a Value in between.
 template <class T>
 auto widened(const T& got) {
     if constexpr (std::is_same_v<T, float>)
@@ -55,7 +55,7 @@ auto widened(const T& got) {
         return to_value(got);
 }
 
-/// What the library says of a number written by slot, as the tree says it.
+/// Result of writing a number by slot, converted for the tree.
 inline property::Put put(physics::Written written) {
     using physics::Written;
     using property::Put;
@@ -65,8 +65,8 @@ inline property::Put put(physics::Written written) {
     return static_cast<Put>(written);
 }
 
-/// Numbers written without a Value in between. Both are captureless lambdas: `get` (Hosting&, Row)
-/// gives a float, `set` (Hosting&, Row, float) takes one.
+/// Binds numbers that are written without a Value in between. Both are captureless lambdas: `get`
+/// (Hosting&, Row) returns a float, `set` (Hosting&, Row, float) takes one.
 template <class Get, class Set>
 void put_numbers(Binding& binding, Get, Set) {
     binding.number.put = [](const Binding& self, Row row, double value) {
@@ -78,7 +78,7 @@ void put_numbers(Binding& binding, Get, Set) {
     };
 }
 
-/// The same by slot, for what scripts write most.
+/// As `put_numbers`, but by slot, for the numbers that scripts write most.
 template <physics::BodyNumber number>
 void put_by_slot(Binding& binding) {
     binding.number.plain = true;
@@ -111,7 +111,7 @@ Binding read_only(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return widened((object_at<Object>(h, row).*Get)()); });
 }
 
-/// Computed by the library unless somebody overrides it.
+/// A value that the library computes unless it has an override.
 template <auto Get, auto Set, auto Override>
 Binding overridable(Hosting& hosting) {
     using Object = typename Setter<Set>::Object;
@@ -127,10 +127,10 @@ Binding overridable(Hosting& hosting) {
 
 inline constexpr Range not_negative{.min = 0.0};
 inline constexpr Range fraction{.min = 0.0, .max = 1.0};
-/// Of masses and inertias, so that their reciprocals are floats too.
+/// Range of masses and inertias, so that their reciprocals are floats, too.
 inline constexpr Range inertial{.min = 1e-30};
-// As far as the library goes: places in the world and points of bodies, m; points of shapes, m;
-// angles, rad.
+// Ranges that the library accepts: places in the world and points of bodies, m; points of shapes,
+// m; angles, rad.
 inline constexpr Range coordinates{.min = -1e8, .max = 1e8};
 inline constexpr Range shape_coordinates{.min = -1e6, .max = 1e6};
 inline constexpr Range turns{.min = -1e8, .max = 1e8};
@@ -142,7 +142,7 @@ inline Property within(const Range& range, Property property) {
 
 // Properties of the usual types.
 
-/// One of some names, by the number of an enumerator of the library.
+/// One of some names; the name's index is the number of an enumerator of the library.
 template <const auto& names, auto Get, auto Set>
 Property choice(Hosting& hosting, std::string name, std::string default_value, std::string doc) {
     using Object = typename Setter<Set>::Object;
@@ -178,13 +178,13 @@ inline Property number(std::string name, double default_value, std::string unit,
             .binding = binding,
             .single_precision = true};
 }
-/// No less than zero.
+/// A number that is at least 0.
 inline Property amount(std::string name, double default_value, std::string unit, std::string doc,
                        Binding binding) {
     return within(not_negative,
                   number(std::move(name), default_value, std::move(unit), std::move(doc), binding));
 }
-/// Where infinity is none at all.
+/// A limit; infinity: no limit.
 inline Property limit_number(std::string name, double default_value, std::string unit,
                              std::string doc, Binding binding) {
     Property property =
@@ -192,7 +192,7 @@ inline Property limit_number(std::string name, double default_value, std::string
     property.infinity = true;
     return property;
 }
-/// A number that is only told.
+/// A read-only number.
 inline Property figure(std::string name, std::string unit, std::string doc, Binding binding) {
     Property property = number(std::move(name), 0, std::move(unit), std::move(doc), binding);
     property.read_only = property.transient = property.simulated = true;
@@ -213,7 +213,7 @@ inline Property flag(std::string name, bool default_value, std::string doc, Bind
             .binding = binding};
 }
 
-/// Of instances whose row names an object of the library.
+/// For instances whose row refers to an object of the library.
 template <Row (Hosting::*Create)(Handle), Row (Hosting::*Place)(Handle, Row),
           void (Hosting::*Destroy)(Row)>
 property::Lifecycle lifecycle_of(Hosting& hosting) {

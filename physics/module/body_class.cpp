@@ -1,4 +1,4 @@
-// Body: what a body of the physics library looks like in the tree.
+// Body: the class of bodies of the physics library.
 
 #include <cmath>
 #include <stdexcept>
@@ -17,7 +17,8 @@ bool immovable(const Body& body) {
            (body.type() == physics::BodyType::dynamic_body && std::isinf(body.mass()));
 }
 
-/// The library leaves what does not move at rest; an edit without effect is one to refuse.
+/// A body that does not move by itself stays at rest in the library; refuses an edit that would
+/// have no effect.
 void require_movable(const Body& body) {
     if (!immovable(body)) return;
     throw std::invalid_argument(body.type() == physics::BodyType::static_body
@@ -25,7 +26,7 @@ void require_movable(const Body& body) {
                                     : "a body of infinite mass does not move");
 }
 
-// What the step writes is read straight from the library's array.
+// Data that the step writes are read directly from the library's array.
 
 Binding position(Hosting& hosting) {
     return accessor(
@@ -59,7 +60,7 @@ Binding velocity(Hosting& hosting) {
         });
     binding.vec2.plain = true;
     binding.vec2.put = [](const Binding& self, Row row, const property::Vec2& value) {
-        // Where it has no world, its velocity is kept until it has one.
+        // Outside of a world, the velocity is kept until the body is in a world.
         if (world_number(row) == limbo) return property::Put::declined;
         const auto [in, slot] = static_cast<Hosting*>(self.context)->at(row);
         return put(in.world.write_velocity(slot, narrow(value)));
@@ -80,7 +81,7 @@ Binding angular_velocity(Hosting& hosting) {
     return binding;
 }
 
-/// A number of the library's that hosts may write by slot.
+/// A number of the library that hosts may write by slot.
 template <auto Get, auto Set, physics::BodyNumber number>
 Binding by_slot(Hosting& hosting) {
     Binding binding = bound<Get, Set>(hosting);
@@ -101,7 +102,7 @@ Binding type(Hosting& hosting) {
         });
 }
 
-/// What cannot move is never awake, and nobody has put it to sleep.
+/// A body that cannot move is never awake, although it was never put to sleep.
 Binding awake(Hosting& hosting) {
     Binding binding = bound<&Body::awake, &Body::set_awake>(hosting);
     binding.overridden = [](void* context, Row row) {
@@ -161,7 +162,7 @@ std::vector<Property> motion(Hosting& hosting) {
     };
 }
 
-/// The library's getter without its checks: scripts ask for this often.
+/// The library's getter without its checks: scripts read the mass often.
 Binding mass(Hosting& hosting) {
     Binding binding = overridable<&Body::mass, &Body::set_mass, &Body::mass_override>(hosting);
     binding.number.get = [](const Binding& self, Row row) -> double {
@@ -172,7 +173,7 @@ Binding mass(Hosting& hosting) {
     return binding;
 }
 
-// Simulated, because the edit of a shape changes them and tells nobody.
+// Marked as simulated, because an edit of a shape changes them without a change report.
 std::vector<Property> weight(Hosting& hosting) {
     const std::vector<std::string> sources = {
         "type",       "*.density",  "*.radius", "*.center", "*.width",    "*.height",  "*.angle",

@@ -1,4 +1,4 @@
-// Methods of Body: from one coordinate system to the other, pushes.
+// Methods of Body: conversion between coordinate systems, forces and impulses.
 
 #include <fettle/property/drawing.h>
 
@@ -16,7 +16,7 @@ using property::Method;
 using property::Result;
 using Arguments = std::span<const Value>;
 
-/// Where the body is in the picture that is being drawn; where it is, while none is.
+/// Pose of the body in the current picture; outside of drawing, its current pose.
 Frame drawn_frame(Hosting& hosting, Row row) {
     const auto [in, slot] = hosting.at(row);
     return Frame(in.world, slot, property::Drawing::alpha());

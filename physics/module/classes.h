@@ -1,5 +1,5 @@
 #pragma once
-// The classes the module registers; each is described in a file of its own.
+// The classes that the module registers; each is described in a file of its own.
 
 #include <fettle/property/class.h>
 
@@ -12,9 +12,9 @@ void define_step_statistics(Hosting& hosting);  // before World
 void define_world(Hosting& hosting);
 void define_body(Hosting& hosting);
 void define_shape(Hosting& hosting);
-void define_shapes(Hosting& hosting);  // Shape and all that derive from it
-void define_joints(Hosting& hosting);  // Joint and all that derive from it
-void define_fields(Hosting& hosting);  // Field and all that derive from it
+void define_shapes(Hosting& hosting);  // Shape and all classes that derive from it
+void define_joints(Hosting& hosting);  // Joint and all classes that derive from it
+void define_fields(Hosting& hosting);  // Field and all classes that derive from it
 
 property::Lifecycle shape_lifecycle(ShapeKind& kind);
 std::vector<property::Method> world_methods(Hosting& hosting);

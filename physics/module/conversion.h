@@ -1,5 +1,5 @@
 #pragma once
-// Between the values of the tree (double) and those of the physics library (float).
+// Conversion between the values of the tree (double) and those of the physics library (float).
 
 #include <cmath>
 #include <cstdint>
@@ -35,7 +35,7 @@ inline property::Value to_value(int v) {
 inline property::Value to_value(std::uint32_t v) {
     return static_cast<std::int64_t>(v);
 }
-/// Bits are bits: all of them set is -1, as in Lua.
+/// The bits are kept: all of them set is -1, as in Lua.
 inline property::Value to_value(std::uint64_t v) {
     return static_cast<std::int64_t>(v);
 }
@@ -47,7 +47,7 @@ inline property::Value to_value(const physics::Aabb& box) {
     return property::List{widen(box.min), widen(box.max)};
 }
 
-/// The tree has coerced `value` to the property's type before.
+/// `value` already has the type of the property.
 template <class T>
 T from_value(const property::Value& value);
 template <>
@@ -80,7 +80,7 @@ inline std::optional<physics::Vec2> from_value<std::optional<physics::Vec2>>(
     return from_value<physics::Vec2>(value);
 }
 
-// Arguments of methods: finite doubles that a float may be too small for.
+// Arguments of methods: finite doubles that may be out of the range of a float.
 
 [[noreturn]] inline void refuse_argument(const property::Value& value, const char* expected) {
     throw std::invalid_argument(std::string("expected ") + expected +

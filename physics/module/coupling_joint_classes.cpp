@@ -1,5 +1,5 @@
-// WeldJoint, MotorJoint, PulleyJoint, GearJoint and RatchetJoint: what holds, drives or couples two
-// bodies as a whole.
+// WeldJoint, MotorJoint, PulleyJoint, GearJoint and RatchetJoint: joints that hold, drive or couple
+// two bodies as a whole.
 
 #include "joint_bindings.h"
 

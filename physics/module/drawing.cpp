@@ -1,5 +1,4 @@
-// Drawing: shapes between the last two poses of their bodies, and what a viewer may want to see on
-// top.
+// Drawing: shapes between the last two poses of their bodies, and optional marks on top.
 
 #include <array>
 #include <cmath>
@@ -17,22 +16,23 @@ using property::Paint;
 using property::Painter;
 using property::Vec2;
 
-/// How strongly a sensor is filled: one sees what is in it.
+/// Opacity of the fill of a sensor, low so that shapes inside stay visible.
 constexpr float sensor_opacity = 0.25f;
 
 bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
     return painter.sees(widen(box.min) - reach, widen(box.max) + reach);
 }
 
-/// The box of the shape is that of its body's pose now; on the way there it reaches back a little.
+/// The box of the shape is for the current pose of its body; at an interpolated pose the shape
+/// reaches back by this.
 Vec2 way(const physics::World& world, std::uint32_t body) {
     const auto& before = world.previous(body).position;
     const auto& now = world.state(body).position;
     return widen(physics::Vec2((now - before).cwiseAbs()));
 }
 
-/// Where a point of the last step is drawn that two bodies share. What moves shows it; where both
-/// do, it is between.
+/// Where a point of the last step that two bodies share is drawn: it moves with the body that
+/// moves; if both move, it is in the middle.
 Vec2 shared_point(physics::World& world, const physics::Contact& contact,
                   const physics::Vec2& point, double alpha) {
     Vec2 sum(0, 0);
@@ -54,7 +54,7 @@ void draw_contacts(physics::World& world, Painter& painter, double alpha) {
             const Vec2 at = shared_point(world, contact, p.point, alpha);
             if (!painter.sees(at, at)) continue;
             painter.point(at, dot, 6);
-            // The weight of a kilogram is 10 N: a tenth of a metre.
+            // The weight of a kilogram is 10 N: drawn as a tenth of a metre.
             const double length = std::min(
                 2.0, 0.01 * static_cast<double>(contact.normal_force) / contact.point_count);
             painter.line(at, at + length * widen(contact.normal), arrow, 1.5f);
@@ -86,13 +86,14 @@ void draw_motion(physics::World& world, Painter& painter, double alpha) {
     }
 }
 
-/// A body's coordinates on the way between the last two steps; the world's for no body.
+/// A point in a body's coordinates, interpolated between the last two steps; in world coordinates
+/// if there is no body.
 Vec2 anchor_point(const physics::World& world, const physics::Body& body,
                   const physics::Vec2& anchor, double alpha) {
     return body ? Frame(world, body.index(), alpha).point(anchor) : widen(anchor);
 }
 
-/// The line that the joint acts along, and to the centers of the bodies where it holds them.
+/// Draws the line along which the joint acts, and lines to the centers of its bodies.
 void draw_joint(const physics::World& world, const physics::Joint& joint, Painter& painter,
                 double alpha) {
     const Color color = joint.broken()    ? Color{0.95f, 0.35f, 0.35f, 0.7f}
@@ -126,7 +127,7 @@ void draw_joints(physics::World& world, Painter& painter, double alpha) {
     for (const physics::Joint& joint : world.joints()) draw_joint(world, joint, painter, alpha);
 }
 
-/// What sleeps is marked.
+/// Marks sleeping islands.
 void draw_islands(physics::World& world, Painter& painter, double alpha) {
     for (const physics::Body& body : world.bodies()) {
         if (body.awake() || body.type() == physics::BodyType::static_body) continue;
@@ -162,7 +163,7 @@ void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& 
     if (!alone) painter.part_of(make_row(world_number(row), owner.index()) + std::uint64_t{1});
     draw_form(shape, frame, paint, painter);
     if (!alone) painter.part_of(0);
-    // Of several, one sees how they are turned.
+    // With several shapes, their positions show the rotation.
     if (alone) draw_mark(shape, frame, paint, painter);
 }
 

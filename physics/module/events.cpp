@@ -1,5 +1,5 @@
-// Events: what happened in a step, told to those who listen. Nothing is made of an event that
-// nobody wants to hear of.
+// Events: what happened in a step, reported to handlers. An event without handlers costs nothing:
+// no record of it is made.
 
 #include <algorithm>
 
@@ -12,10 +12,10 @@ namespace {
 using property::Event;
 using property::Field;
 
-/// What begins is told while both are there; at an end one of them may have been deleted.
+/// At the beginning of a touch both shapes exist; at its end one of them may have been deleted.
 enum class Told { begin, end };
 
-/// Both bodies are told, each from its side.
+/// Fields of an event that both bodies get, each from its side.
 std::vector<Field> pair_fields(Told told) {
     return {
         {"other", Type::reference, "",
@@ -32,7 +32,7 @@ std::vector<Field> pair_fields(Told told) {
     };
 }
 
-/// `impulse`: what that of the event is.
+/// `impulse`: description of the event's impulse.
 std::vector<Field> contact_fields(const std::string& impulse) {
     std::vector<Field> fields = pair_fields(Told::begin);
     const std::vector<Field> rest = {
@@ -59,7 +59,7 @@ Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uin
     return at == departed.end() ? Handle{} : at->second;
 }
 
-/// What is told of a meeting to one of the two; `side`: -1 to the second.
+/// Adds the data of an impact for one of the two parties; `side`: -1 for the second.
 void add_meeting(std::vector<Value>& to, const auto& e, float side) {
     to.insert(to.end(),
               {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
@@ -122,7 +122,7 @@ Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
     return party;
 }
 
-/// `add_rest`: adds to the values of a record what the event tells beside who takes part in it.
+/// `add_rest`: adds the values of the event other than its parties to the values of a record.
 template <class AddRest>
 void Hosting::tell(const PairEvent& event, const Party& self, const Party& other,
                    const AddRest& add_rest) {
@@ -179,7 +179,7 @@ void Hosting::report(HostedWorld& hosted) {
     each(*woke, events.woke);
     each(*slept, events.slept);
     for (const physics::JointBreakEvent& e : events.joint_broke) {
-        // What broke is broken in the tree too, whether anyone listens or not.
+        // The instance of a broken joint must be marked as broken even if there is no handler.
         const Handle self = joints.broke(e.joint, hosted.world);
         if (self && tree.listens(self, *broke))
             tree.emit(self, *broke, {to_value(e.force), to_value(e.torque)});

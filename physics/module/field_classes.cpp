@@ -1,5 +1,5 @@
-// Field and what derives from it: Wind, Drag, Buoyancy, Attractor. A field acts in the nearest
-// World above it; in none, it can be read and edited all the same.
+// Field and the classes that derive from it: Wind, Drag, Buoyancy, Attractor. A field acts in the
+// nearest World above it; without a World above it, it can be read and edited, too.
 
 #include <stdexcept>
 #include <type_traits>
@@ -16,7 +16,7 @@ physics::Field field_at(Hosting& hosting, Row row) {
     return hosting.field(row);
 }
 
-/// Changes one value of a field: the library takes the whole and checks it.
+/// Changes one value of a field: the library gets the complete definition and checks it.
 void change(Hosting& hosting, Row row, auto&& make) {
     physics::Field field = field_at(hosting, row);
     FieldDef def = field.definition();
@@ -136,7 +136,7 @@ void define_kind(Hosting& hosting, std::string name, std::string doc,
 
 }  // namespace
 
-/// Worlds have few fields: looking through them is as good as an index.
+/// Worlds have few fields: a search is as good as an index.
 physics::Field Hosting::field(Row row) {
     for (const physics::Field& field : world(row).fields())
         if (field.id().index == slot_of(row)) return field;

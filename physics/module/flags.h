@@ -1,6 +1,6 @@
 #pragma once
-// Bytes from a stranger that are about to be read as flags: one that is neither 0 nor 1 is no bool,
-// and must not be read as one.
+// Checks of foreign bytes that are about to be read as flags: a byte that is neither 0 nor 1 must
+// not be read as a bool.
 
 #include <cstddef>
 #include <cstring>
@@ -15,7 +15,7 @@ inline bool is_flag(const bool& flag) {
     return byte <= 1;
 }
 
-/// What an optional holds of itself lies where one that is full differs from one that is empty.
+/// The flag of an optional is at the byte that differs between one with a value and one without.
 template <class T>
 bool is_optional(const std::optional<T>& value) {
     using Optional = std::optional<T>;

@@ -13,7 +13,7 @@ using property::Vec2;
 
 constexpr float line_width = 3.0f;  // px
 
-/// Points in the world; few shapes have more than there is room for without asking for memory.
+/// Points in the world; most shapes fit into the array and allocate nothing.
 class Placed {
   public:
     Placed(std::span<const physics::Vec2> local, const Frame& frame) {
@@ -51,7 +51,7 @@ bool is_round(const physics::Shape& shape) {
     return shape.type() == ShapeType::circle || shape.type() == ShapeType::ellipse;
 }
 
-/// Its own, in its body.
+/// Angle of the shape relative to its body.
 double angle_of(const physics::Shape& shape) {
     return shape.type() == ShapeType::ellipse ? static_cast<double>(shape.angle()) : 0.0;
 }

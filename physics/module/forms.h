@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of shapes.
+// Drawing of shapes.
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 
 namespace fettle::physics_module {
 
-/// From a body's coordinates to the world, between the last two steps.
+/// Converts from a body's coordinates to the world, interpolated between the last two steps.
 class Frame {
   public:
     Frame() = default;
@@ -40,14 +40,14 @@ struct Extent {
     property::Vec2 lower, upper;
 };
 
-/// The box round a shape, where the frame places it.
+/// The box around a shape in this frame.
 Extent extent_of(const physics::Shape& shape, const Frame& frame);
 
-/// Draws a shape of whatever geometry.
+/// Draws a shape of any geometry.
 void draw_form(const physics::Shape& shape, const Frame& frame, const property::Paint& paint,
                property::Painter& painter);
 
-/// What shows how a round shape is turned.
+/// Draws the mark that shows the rotation of a round shape.
 void draw_mark(const physics::Shape& shape, const Frame& frame, const property::Paint& paint,
                property::Painter& painter);
 

@@ -1,7 +1,7 @@
 #pragma once
-// What the module keeps: the worlds it hosts and the joints that hang in the tree. A row of the
-// tree names a body or a shape by the number of its world and its slot there, so that reading a
-// property is reading an array of the physics library.
+// Data of the module: the worlds that it hosts and the joints in the tree. A row of the tree is the
+// number of a world and the slot of a body or a shape there, so that reading a property reads an
+// array of the physics library.
 
 #include <array>
 #include <cstdint>
@@ -28,7 +28,7 @@ using property::Row;
 inline constexpr unsigned slot_bits = 24;
 inline constexpr std::uint32_t most_slots = 1u << slot_bits;
 inline constexpr std::uint32_t most_worlds = 1u << (32 - slot_bits);
-/// The world of what is in no world: never stepped.
+/// The world of all objects that are in no World: never stepped.
 inline constexpr std::uint32_t limbo = 0;
 inline constexpr std::uint32_t first_world = limbo + 1;
 
@@ -42,7 +42,8 @@ constexpr Row make_row(std::uint32_t world, std::uint32_t slot) {
     return world << slot_bits | slot;
 }
 
-/// Throws where no row can name it, and ends it: nobody has heard of it yet.
+/// Throws if a row cannot hold its numbers, and destroys the new object, which no instance refers
+/// to yet.
 Row row_of(std::uint32_t world, auto made) {
     if (made.index() < most_slots) return make_row(world, made.index());
     made.destroy();
@@ -51,7 +52,7 @@ Row row_of(std::uint32_t world, auto made) {
         "a world holds at most " + std::to_string(most_slots) + " bodies and as many shapes");
 }
 
-// The physics library keeps 64 bits for its user: enough for a handle.
+// The user data of the physics library are 64 bits: enough for a handle.
 constexpr std::uint64_t pack(Handle handle) {
     return std::uint64_t{handle.generation} << 32 | handle.index;
 }
@@ -62,25 +63,25 @@ constexpr Handle unpack(std::uint64_t data) {
 struct HostedWorld {
     physics::World world;
     Handle self;          // null: limbo
-    bool placed = false;  // hangs below the root and is stepped
+    bool placed = false;  // it is below the root and is stepped
     bool unreported = false;
     SlotValues<Look> looks;                                  // by shape slot
     SlotValues<std::optional<property::Color>> body_colors;  // by body slot
-    // Limbo: what was written, by body slot. Shapes that come later move the center of mass, but
-    // not what its velocity is to be in a world.
+    // Limbo: velocities that were set, by body slot. Shapes that are added later move the center of
+    // mass, but do not change the velocity that it will have in a world.
     SlotValues<std::optional<physics::Vec2>> velocities;
-    // Who stood for what was destroyed while it touched something: its end is still to be told.
-    // By generation.
+    // The instance of an object that was destroyed while it touched another one: needed for the
+    // event of the end. By generation.
     std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;
 };
 
-/// What a class of shapes starts with.
+/// Defaults of a class of shapes.
 struct ShapeKind {
     Hosting* hosting = nullptr;
     physics::Geometry geometry;
 };
 
-/// Two events of the same name: bodies and shapes tell both.
+/// Two events of the same name: bodies and shapes emit both.
 struct PairEvent {
     const property::Event* of_body = nullptr;
     const property::Event* of_shape = nullptr;
@@ -89,7 +90,7 @@ struct PairEvent {
 
 class Hosting {
   public:
-    /// `part`: the module, as the tree knows it.
+    /// `part`: the module as a part of snapshots.
     Hosting(property::Tree& tree, property::SnapshotPart& part);
 
     // --- From rows to objects
@@ -97,8 +98,8 @@ class Hosting {
         HostedWorld& in;
         std::uint32_t slot;
     };
-    // Most games have one world. Where a row is only compared, processors go on to what is in that
-    // world while the row is still being fetched.
+    // Most games have one world. If the row is only compared, the processor goes on to the data of
+    // that world while the row is still being fetched.
     Place at(Row row) {
         const std::uint32_t slot = row - make_row(first_world, 0);
         if (slot < most_slots) [[likely]]
@@ -120,7 +121,7 @@ class Hosting {
         return in.world.shape({slot, in.world.shape_generation(slot)});
     }
     physics::Field field(Row row);
-    /// Of the center of mass.
+    /// Velocity of the center of mass.
     physics::Vec2 velocity(Row row) {
         const auto [in, slot] = at(row);
         if (world_number(row) == limbo)
@@ -137,7 +138,7 @@ class Hosting {
     HostedWorld* world_at(std::uint32_t number) { return worlds_[number].get(); }
     const HostedWorld* world_at(std::uint32_t number) const { return worlds_[number].get(); }
 
-    /// The instance of an object's 64 bits; null once it was deleted.
+    /// The instance in an object's user data; null if it was deleted.
     Handle instance_of(std::uint64_t user_data) const {
         const Handle instance = unpack(user_data);
         return tree.alive(instance) ? instance : Handle{};
@@ -149,7 +150,7 @@ class Hosting {
     /// The nearest body above; null when there is none.
     Handle body_above(Handle instance) const;
 
-    // --- Coming, moving, going (placing.cpp, migration.cpp)
+    // --- Creating, moving, deleting (placing.cpp, migration.cpp)
     Row create_world(Handle self);
     Row place_world(Handle self, Row row);
     void destroy_world(Row row);
@@ -162,10 +163,10 @@ class Hosting {
     Row create_field(Handle self, const physics::FieldDef& def);  // field_classes.cpp
     Row place_field(Handle self, Row row);
     void destroy_field(Row row);
-    /// False if the world can be changed now. While it calls a function it gives up nothing: then
-    /// `destroy` is called by `destroy_postponed`.
+    /// False if the world can be changed now. While it calls a function, no object of it is
+    /// destroyed: then `destroy_postponed` calls `destroy` later.
     bool postpone(std::uint32_t world, std::function<void()> destroy);
-    void destroy_postponed();  ///< what can be by now
+    void destroy_postponed();  ///< calls those that are possible now
     /// Throws Error(rejected) while the world of `row` calls a function.
     void require_unlocked(Row row);
 
@@ -177,7 +178,7 @@ class Hosting {
     void save(property::ByteWriter& to) const;
     std::function<void()> restore(property::ByteReader& from);
     void refresh(std::uint64_t what);
-    /// Reads while one lives are part of what is done, and done again with it.
+    /// While one lives, reads count as parts of an edit, and are repeated with it.
     class Doing {
       public:
         explicit Doing(Hosting& hosting) : doing_(hosting.doing_) { ++doing_; }
@@ -188,7 +189,7 @@ class Hosting {
         int& doing_;
     };
 
-    /// The same for what makes and ends objects in the worlds, which nobody else may do.
+    /// As `Doing`, for creating and destroying objects in the worlds, which only the module may do.
     class Placing {
       public:
         explicit Placing(Hosting& hosting) : doing_(hosting), acting_(hosting.owner_) {}
@@ -202,7 +203,8 @@ class Hosting {
     property::Color fill_of(Row shape);
     property::Color border_of(Row shape);
 
-    /// What makes an instance of a class, and which alternative of its variant that makes.
+    /// For each class, the function that creates its instances; the index of the variant's
+    /// alternative is the kind.
     using Kinds =
         std::vector<std::pair<Row (*)(void* context, property::Tree&, Handle), std::size_t>>;
     Kinds field_kinds, joint_kinds;
@@ -219,9 +221,9 @@ class Hosting {
 
     PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
     PairEvent before_solve;
-    /// Notes those of the class of bodies, or of shapes.
+    /// Notes the events of the class of bodies, or of shapes.
     void note_pair_events(const property::Class& defined, const property::Event* PairEvent::*of);
-    const property::Event* mix_surfaces = nullptr;  // of worlds, as the next
+    const property::Event* mix_surfaces = nullptr;  // an event of worlds, as the next two
     const property::Event* filter_pair = nullptr;
     const property::Event* woke = nullptr;
     const property::Event* slept = nullptr;
@@ -230,7 +232,7 @@ class Hosting {
   private:
     std::unique_ptr<HostedWorld> make_world(std::uint32_t number);
     Row migrate_body(Row row, std::uint32_t to);
-    /// A shape as the one at `from` in another world, as part of `owner` (none: detached).
+    /// Creates the shape at `from` in another world, as part of `owner` (none: detached).
     Row migrate_shape(Row from, std::uint32_t to, const physics::Body& owner);
     physics::Shape copy_shape(const physics::Shape& shape, std::uint32_t to);
     Row leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh);
@@ -255,7 +257,7 @@ class Hosting {
         std::function<void()> destroy;
     };
     std::vector<Postponed> postponed_;
-    /// What the libraries are asked to tell, since somebody listens.
+    /// Which events and callbacks have handlers.
     struct Wanted {
         bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;
         bool operator==(const Wanted&) const = default;

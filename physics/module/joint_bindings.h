@@ -1,6 +1,6 @@
 #pragma once
-// Bindings of joints: what they are set to is told to the library, which may refuse it, and kept in
-// the record.
+// Bindings of joints: a setting is passed to the library, which may refuse it, and kept in the
+// record.
 
 #include "bindings.h"
 
@@ -29,8 +29,8 @@ Binding joint_setting(Hosting& hosting) {
         });
 }
 
-/// A setting that is found when the joint begins to act unless one is given; `Look` tells what
-/// would be found now.
+/// A setting that the joint measures when it begins to act, unless it is set; `Look` returns the
+/// value that it would measure now.
 template <auto Field, auto Set, auto Look>
 Binding found_setting(Hosting& hosting) {
     using Of = typename Settings<Field>::Class;
@@ -78,9 +78,9 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
     return lifecycle;
 }
 
-/// What a joint found, or was given.
+/// A number that the joint measures, unless it is set.
 Property found_number(std::string name, std::string unit, std::string doc, Binding binding);
-/// A figure of a native joint; 0 while there is none.
+/// A read-only number of a native joint; 0 while there is none.
 template <class Native, auto Ask>
 Binding told(Hosting& hosting) {
     return accessor(hosting, [](Hosting& h, Row row) {
@@ -89,7 +89,7 @@ Binding told(Hosting& hosting) {
     });
 }
 
-/// The angle of b against a now, and where the anchors are.
+/// Current angle of b relative to a.
 float angle_between(const Joints& joints, const JointRecord& record);
 
 template <class Of>

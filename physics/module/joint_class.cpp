@@ -1,4 +1,4 @@
-// Joint, MouseJoint, and PairJoint: what all that tie two bodies have.
+// Joint, MouseJoint, and PairJoint: what all joints of two bodies have in common.
 
 #include "classes.h"
 #include "joint_bindings.h"
@@ -6,7 +6,7 @@
 namespace fettle::physics_module {
 namespace {
 
-/// A setting that all joints have.
+/// A setting of all joints.
 template <auto Field, auto Set>
 Binding common_setting(Hosting& hosting) {
     return accessor(

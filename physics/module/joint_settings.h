@@ -1,6 +1,6 @@
 #pragma once
-// What joints are set to, type by type. `each` names every setting with what tells it to the
-// library, and for what is found when the joint begins to act, also with what asks it.
+// Settings of joints, by type. `each` lists every setting with the setter of the library, and, for
+// values that are measured when the joint begins to act, with the getter.
 
 #include <optional>
 #include <variant>
@@ -9,11 +9,11 @@
 
 namespace fettle::physics_module {
 
-/// A value that is found when the joint begins to act, unless one is given.
+/// A value that is measured when the joint begins to act, unless it is set.
 template <class T>
 struct Found {
     std::optional<T> value;
-    bool given = false;  // by a user: stays when the joint takes other bodies
+    bool given = false;  // set by a user: does not change when the joint gets other bodies
 
     void give(std::optional<T> wanted) {
         value = wanted;
@@ -26,7 +26,7 @@ struct Found {
 
 struct MouseSettings {
     using Native = physics::MouseJoint;
-    Found<physics::Vec2> anchor;  // the point that is at the target
+    Found<physics::Vec2> anchor;  // the point of the body that is at the target
     physics::Vec2 target = physics::Vec2::Zero();
     float frequency = 5.0f, damping_ratio = 0.7f, max_force = physics::infinity;
 

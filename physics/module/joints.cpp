@@ -10,7 +10,7 @@
 namespace fettle::physics_module {
 namespace {
 
-/// What bodies that are far away let a joint find may be more than it can be set to.
+/// Bodies that are far apart may give a measured value that is higher than a setter accepts.
 float bounded(float x, float most) {
     return std::isnan(x) ? 0.0f : std::clamp(x, -most, most);
 }
@@ -22,7 +22,7 @@ physics::Vec2 within_reach(const physics::Vec2& found) {
     return {bounded(found.x(), most), bounded(found.y(), most)};
 }
 
-/// Tells a native joint what it is set to, in the order in which `each` names it.
+/// Sets all settings of a native joint, in the order of `each`.
 template <class Settings>
 void adjust(typename Settings::Native joint, const Settings& settings) {
     Settings::each([&](auto field, auto set, auto... ask) {
@@ -34,7 +34,7 @@ void adjust(typename Settings::Native joint, const Settings& settings) {
     });
 }
 
-/// What is to be found, and was not, is asked of the joint.
+/// Reads values that are neither set nor measured from the joint.
 template <class Settings>
 void find_missing(typename Settings::Native joint, Settings& settings) {
     Settings::each([&](auto field, auto set, auto... ask) {
@@ -186,8 +186,8 @@ property::Handle Joints::broke(physics::JointId native, physics::World& world) {
     return self;
 }
 
-/// False where the library takes what the joint is set to for impossible. What is written is
-/// checked when it is, so this is not expected; but nothing may throw out of a step.
+/// False if the library refuses the settings. They are checked when they are written, so this is
+/// not expected; but a step must not throw.
 bool Joints::begin(JointRecord& record) try {
     const Hosting::Placing placing(hosting_);
     std::visit(
@@ -240,7 +240,7 @@ physics::JointId Joints::model(const AnySettings& type) {
     return known;
 }
 
-/// Throws std::invalid_argument where the library would refuse what a joint is set to.
+/// Throws std::invalid_argument if the library would refuse the settings.
 void Joints::check(const JointRecord& record) {
     const physics::JointId id = model(record.settings);
     std::visit(

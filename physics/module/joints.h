@@ -1,7 +1,7 @@
 #pragma once
-// Joints as the tree knows them. The physics library has a joint only while there are bodies to
-// tie; in the tree one may hang before its bodies are chosen, outlive them, or be in another world.
-// What it is set to is therefore kept here, and a native joint is made of it before the next step.
+// Joints of the tree. A joint of the physics library needs two bodies; a joint of the tree may
+// exist before its bodies are set, live longer than they do, or be in another world. Its settings
+// are therefore kept here, and a native joint is created from them before the next step.
 
 #include <array>
 #include <cstdint>
@@ -21,14 +21,14 @@ class Hosting;
 
 struct JointRecord {
     bool used = false;
-    std::array<property::Handle, 2> bodies;  // null: the world. A mouse has only b
+    std::array<property::Handle, 2> bodies;  // null: the world. A MouseJoint has only b
     std::array<physics::Vec2, 2> anchors = {physics::Vec2::Zero(), physics::Vec2::Zero()};
     bool collide = false, enabled = true, broken = false;
     float break_force = physics::infinity, break_torque = physics::infinity;
     AnySettings settings;
     property::Handle self;
-    std::uint32_t world = 0;  // the nearest above
-    physics::JointId native;  // in that world; dangling when a body took it along
+    std::uint32_t world = 0;  // the nearest world above
+    physics::JointId native;  // in that world; dangling after a body moved to another world
 };
 
 class Joints {
@@ -50,13 +50,13 @@ class Joints {
     Settings& settings(std::uint32_t row) {
         return std::get<Settings>(records_[row].settings);
     }
-    /// The joint that acts in the world; invalid while none does.
+    /// The native joint in the world; invalid while there is none.
     template <class Native = physics::Joint>
     Native native(std::uint32_t row) const {
         return {&world_of(records_[row]), records_[row].native};
     }
-    /// What settings are told to: the joint that acts or, while none does, a model, so that the
-    /// library refuses the same at the same moment.
+    /// The joint that checks settings: the native one or, while there is none, a model, so that the
+    /// library always refuses the same settings at once.
     template <class Native = physics::Joint>
     Native acting_or_model(std::uint32_t row) {
         const Native acting = native<Native>(row);
@@ -65,26 +65,28 @@ class Joints {
         return {models_.get(), id};
     }
 
-    /// Null: the world, or it was deleted.
+    /// Null for the world and for a deleted body.
     property::Handle body(std::uint32_t row, std::size_t side) const;
     void set_body(std::uint32_t row, std::size_t side, property::Handle body);
-    /// The point of a body that a mouse pulls.
+    /// The point of a body that a MouseJoint pulls.
     physics::Vec2 mouse_anchor(std::uint32_t row) const;
-    /// Where the anchor is in the world now.
+    /// Current position of the anchor in the world.
     physics::Vec2 world_anchor(const JointRecord& record, std::size_t side) const;
     float angle_of(const JointRecord& record, std::size_t side) const;
-    /// What the library broke in a step is broken here too; the instance it stands for.
+    /// Marks a joint as broken that the library broke in a step; returns its instance.
     property::Handle broke(physics::JointId native, physics::World& world);
-    /// Made anew before the next step: for what only the making of a joint finds.
+    /// Creates the native joint again before the next step, for values that are measured only at
+    /// creation.
     void remake(std::uint32_t row);
 
-    /// Bodies came, went or changed worlds, or a joint was edited: look before the next step.
+    /// Bodies were created, deleted or moved to another world, or a joint was edited: `tighten` is
+    /// needed before the next step.
     void loosen() { loose_ = true; }
-    /// Makes and ends native joints as the records want them.
+    /// Creates and destroys native joints, so that they match the records.
     void tighten();
 
     void save(property::ByteWriter& to) const;
-    /// Reads and checks; what is returned puts it into place, and owns what is `read` until then.
+    /// Reads and checks; the returned function restores the joints, and owns the data until then.
     std::function<void()> restore(property::ByteReader& from,
                                   const std::vector<JointRecord>*& read);
 
@@ -106,7 +108,7 @@ class Joints {
     std::vector<JointRecord> records_;
     std::vector<std::uint32_t> free_;
     bool loose_ = false;
-    // A joint of each type in a world that is never stepped. Made when first asked for.
+    // A joint of each type in a world that is never stepped. Created at first use.
     std::unique_ptr<physics::World> models_;
     std::array<physics::JointId, std::variant_size_v<AnySettings>> model_of_type_;
 };

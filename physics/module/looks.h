@@ -1,6 +1,6 @@
 #pragma once
-// Looks: what the physics library does not know of its shapes. Kept by the slots of one world, and
-// only from the first shape on that does not look as it would by itself.
+// Looks: colors of shapes, which the physics library does not have. Kept by the slots of one world,
+// and only from the first shape on whose look is not the default.
 
 #include <cstdint>
 #include <optional>
@@ -13,12 +13,12 @@
 namespace fettle::physics_module {
 
 struct Look {
-    std::optional<property::Color> fill;    // none: the body's, or by the type of the body
+    std::optional<property::Color> fill;    // none: the body's color, or that of the body's type
     std::optional<property::Color> border;  // none: a darker fill
     bool visible = true;
 };
 
-/// Values of type T by slot; slots that nobody wrote hold T{} and take no memory.
+/// Values of type T by slot; slots that were never written hold T{} and take no memory.
 template <class T>
 class SlotValues {
   public:
@@ -27,11 +27,11 @@ class SlotValues {
         if (slot >= values_.size()) values_.resize(slot + 1);
         values_[slot] = value;
     }
-    /// The slot is somebody else's soon.
+    /// Resets the slot: another object will use it.
     void forget(std::uint32_t slot) {
         if (slot < values_.size()) values_[slot] = T{};
     }
-    /// What the slot held, for who moves elsewhere.
+    /// Removes and returns the value of the slot, for an object that moves to another world.
     T take(std::uint32_t slot) {
         const T value = get(slot);
         forget(slot);
@@ -45,9 +45,9 @@ class SlotValues {
     std::vector<T> values_;
 };
 
-/// The color of a body's shapes when nobody gives one.
+/// Default color of a body's shapes.
 property::Color default_fill(physics::BodyType type);
-/// The border of a figure filled with that color when nobody gives one.
+/// Default border of a figure that is filled with that color.
 property::Color default_border(property::Color fill);
 
 }  // namespace fettle::physics_module

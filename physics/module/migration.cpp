@@ -1,6 +1,6 @@
-// Migration: bodies and shapes move between worlds with everything they are. A world owns its
-// objects, so moving is making the same anew there and ending it here; the rows change, the handles
-// do not.
+// Migration: bodies and shapes move between worlds with all their data. A world owns its objects,
+// so moving means creating the object there and destroying it here; the rows change, the handles do
+// not.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 namespace fettle::physics_module {
 namespace {
 
-/// A simulation may carry a body, and turn it, a little farther than it can be put.
+/// A simulation may move or turn a body a little farther than a setter accepts.
 float settable(float x) {
     constexpr float most = 1e8f;  // m or rad
     return std::clamp(x, -most, most);
@@ -64,7 +64,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     def.velocity = velocity(from);
     const bool awake = old.awake();
 
-    // First what may be refused, so that nothing has happened if it is.
+    // First the parts that may be refused, so that nothing has changed if one is.
     const std::vector<physics::Shape> shapes = old.shapes();
     std::vector<physics::Shape> copies;
     physics::Body fresh = target.world.create_body(def);
@@ -85,12 +85,12 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
         tree.set_row(instance, leave_shape(left, to, copies[i]));
     }
     if (const auto center = old.center_override()) fresh.set_center(center);
-    // The velocity is that of the center of mass, which has just moved.
+    // Computes the new center of mass now, since the velocity is that of the center.
     fresh.mass();
     fresh.set_angular_velocity(def.angular_velocity);
     set_velocity(row, def.velocity);
     if (!awake) fresh.set_awake(false);
-    // Forces that wait for the next step act in it, wherever that is.
+    // Forces that wait for the next step act in the first step of the new world.
     if (const physics::Vec2 force = old.applied_force(); !force.isZero(0)) fresh.apply_force(force);
     if (const float torque = old.applied_torque(); torque != 0) fresh.apply_torque(torque);
     hosted(from).velocities.forget(slot_of(from));
@@ -108,14 +108,14 @@ Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owne
     return leave_shape(from, to, fresh);
 }
 
-/// The same shape in another world, on no body.
+/// A copy of the shape in another world, on no body.
 physics::Shape Hosting::copy_shape(const physics::Shape& shape, std::uint32_t to) {
     physics::Shape made = worlds_[to]->world.create_shape(shape.geometry(), description(shape));
     (void)row_of(to, made);
     return made;
 }
 
-/// `fresh` takes the place of the shape at `from`, which ends.
+/// `fresh` replaces the shape at `from`, which is destroyed.
 Row Hosting::leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh) {
     note_departure(from);
     if (!hosted(from).looks.empty()) {

@@ -34,8 +34,8 @@ void define_all(Hosting& hosting) {
     define_fields(hosting);
 }
 
-/// What `define_all` defines; a test compares it with that. Classes cannot be taken back, so that
-/// none is there already is seen before the first is defined.
+/// The classes of `define_all`; a test compares the two. A class cannot be removed, so `attach`
+/// checks that none of them exists before it defines the first.
 constexpr const char* class_names[] = {"StepStatistics", "World",         "Body",
                                        "Shape",          "Circle",        "Box",
                                        "Segment",        "Capsule",       "Polygon",
@@ -48,7 +48,7 @@ constexpr const char* class_names[] = {"StepStatistics", "World",         "Body"
                                        "Wind",           "Drag",          "Buoyancy",
                                        "Attractor"};
 
-/// Throws where a tree has something that is in the way of what `attach` adds.
+/// Throws if a name that `attach` needs is already used in the tree.
 void require_room(const property::Tree& tree) {
     const auto refuse = [](const std::string& what) {
         throw property::Error(property::ErrorKind::bad_name, "physics cannot be attached: " + what);
@@ -82,7 +82,7 @@ void PhysicsModule::attach(property::Tree& tree) {
     tree.create(*hosting_->world_class, tree.root(), world_name);
 }
 
-/// Whoever steps a module before it was attached hears of it.
+/// Throws if the module is used before it was attached.
 Hosting& PhysicsModule::hosting() const {
     if (!hosting_) throw std::logic_error("physics is attached to no tree: call attach first");
     return *hosting_;
@@ -99,13 +99,13 @@ void PhysicsModule::step(double dt) {
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
-        if (hosted->unreported) {  // nobody asked: nothing is kept for who may never do
+        if (hosted->unreported) {  // no `report` was called: old events are dropped
             hosted->departed_bodies.clear();
             hosted->departed_shapes.clear();
         }
-        const bool makes_step = !hosted->world.locked();  // else this is called inside of one
-        // A function of the user that throws takes no step from another world and no event from
-        // its own: the step has been made.
+        const bool makes_step = !hosted->world.locked();  // false: this is called inside of a step
+        // If a user function throws, other worlds are stepped all the same and this world's events
+        // are kept: its step is complete.
         try {
             hosted->world.step(static_cast<float>(dt));
         } catch (...) {
@@ -147,7 +147,7 @@ std::uint64_t PhysicsModule::hash() const {
     for (std::uint32_t n = first_world; n < most_worlds; ++n) {
         const HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
-        // One world alone has its own hash: 0 · anything is 0.
+        // The hash of a single world is not changed: 0 · anything is 0.
         combined = combined * 0x9e3779b97f4a7c15u ^ hosted->world.hash();
     }
     return combined;

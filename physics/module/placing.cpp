@@ -1,7 +1,7 @@
-// Placing: instances come, are hung elsewhere and go, and the objects they stand for follow.
+// Placing: instances are created, moved and deleted, and their objects in the library follow.
 //
-// A body is in the world of the nearest World above it, a shape on the nearest Body. What has none
-// is in limbo, a world that nobody steps: it can be read and edited all the same.
+// A body is in the world of the nearest World above it, a shape on the nearest Body. An instance
+// without these is in limbo, a world that is never stepped: it can be read and edited, too.
 
 #include <algorithm>
 #include <utility>
@@ -106,7 +106,7 @@ void Hosting::destroy_shape(Row row) {
     shape(row).destroy();
 }
 
-/// Whoever goes in the middle of a touch is still to be named when its end is told.
+/// An object that is deleted during a touch must still have a name in the event of its end.
 void Hosting::note_departure(Row row) {
     const physics::Shape going = shape(row);
     if (!going.is_touching()) return;
@@ -116,7 +116,7 @@ void Hosting::note_departure(Row row) {
     if (owner) in.departed_bodies[owner.id().generation] = unpack(owner.user_data());
 }
 
-// --- What is deleted while its world calls a function
+// --- Deletions while a world calls a function
 
 bool Hosting::postpone(std::uint32_t world, std::function<void()> destroy) {
     if (!worlds_[world]->world.locked()) return false;

@@ -1,4 +1,4 @@
-// Methods of World: what is where, what a ray meets.
+// Methods of World: queries.
 
 #include <algorithm>
 
@@ -118,8 +118,8 @@ Result raycast_all(HostedWorld& hosted, Arguments a) {
     return records;
 }
 
-/// The smallest one: what lies in front of a large one is the one meant. Sensors count, so that
-/// they can be pointed at too.
+/// The smallest shape: a small shape in front of a large one is meant. Sensors count, so that they
+/// can be selected, too.
 Result at(HostedWorld& hosted, Arguments a) {
     physics::QueryFilter all = filter(a[1], a[2], a[3]);
     all.sensors = true;
@@ -130,7 +130,7 @@ Result at(HostedWorld& hosted, Arguments a) {
     return found.empty() ? Value() : Value(Instances(hosted).of(least->body()));
 }
 
-/// By their bodies, each once.
+/// The bodies of the shapes, each once.
 Value bodies_of(const Instances& instances, const std::vector<physics::Shape>& shapes) {
     property::List bodies;
     for (const physics::Shape& shape : shapes) {
@@ -148,7 +148,7 @@ Result overlap_box(HostedWorld& hosted, Arguments a) {
                      hosted.world.query_aabb({p.cwiseMin(q), p.cwiseMax(q)}, all));
 }
 
-/// The shapes that a reference to a shape or to a body means.
+/// The shapes for a reference to a shape or to a body.
 std::vector<physics::Shape> shapes_of(Hosting& hosting, const Value& value, const char* what) {
     const Handle instance = value.reference();
     const property::Class& is = hosting.tree.class_of(instance);
@@ -215,7 +215,7 @@ Result contacts_of_world(HostedWorld& hosted, Arguments) {
     const Instances instances(hosted);
     std::vector<Record> records;
     for (const physics::Contact& contact : hosted.world.contacts()) {
-        // The border comes first natively; here it is the second party, so that a is a body.
+        // The library has the border as first party; here it is the second, so that a is a body.
         const bool swap = contact.body_a.index == 0;
         const auto body_a = swap ? contact.body_b : contact.body_a;
         const auto body_b = swap ? contact.body_a : contact.body_b;

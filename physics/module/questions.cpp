@@ -1,5 +1,5 @@
-// What scripts are asked inside a step: before a contact is solved, how surfaces mix, whether two
-// shapes collide. The libraries have a callback only while somebody listens.
+// Events whose handlers answer inside a step: before a contact is solved, how surfaces mix, whether
+// two shapes collide. The library has a callback only while there is a handler.
 
 #include <utility>
 
@@ -44,8 +44,8 @@ std::vector<Event> world_events() {
     };
 }
 
-/// The library looks for hits and lasting touches, and asks, only where it is told to. Telling it
-/// wakes nobody.
+/// The library finds hits and lasting touches, and calls callbacks, only if they are switched on.
+/// Switching them wakes no body.
 void Hosting::follow_listeners() {
     Wanted wanted;
     wanted.hits = contact_hit.heard();

@@ -11,11 +11,11 @@ namespace {
 
 using property::Class;
 
-/// An object of a world: whose it says it is, and of which kind.
+/// An object of a world: its instance and its kind.
 struct Owned {
     std::uint64_t data = 0;
     std::size_t kind = 0;
-    bool claimed = false;  // the instance that it names says so too
+    bool claimed = false;  // its instance has this object as its row
 };
 using ByRow = std::unordered_map<Row, Owned>;
 
@@ -67,9 +67,9 @@ class Rows {
         return true;  // of another module
     }
 
-    // Once all instances have been seen.
+    // Called after all instances.
 
-    /// No object names an instance that has another, or is none of its kind.
+    /// True if every object with an instance is the row of that instance, and of its kind.
     bool all_claimed() const {
         for (const ByRow* objects : {&bodies_, &shapes_, &fields_})
             for (const auto& [row, object] : *objects)
@@ -77,7 +77,7 @@ class Rows {
         return true;
     }
 
-    /// That a joint which is used can be made and ended.
+    /// Checks that a joint in use can be created and destroyed.
     void check(const JointRecord& joint, const property::ByteReader& from) const {
         physics::World* const world = objects_.worlds[joint.world];
         from.require(world != nullptr, "a joint in a world that is none");
@@ -92,7 +92,8 @@ class Rows {
         from.require(acts_as == joint.settings.index(), "a joint that acts as another type");
     }
 
-    /// That whoever a joint of a world names has it, or is gone.
+    /// Checks that the joint of the tree that a native joint names has this native joint, or is
+    /// deleted.
     void check(std::uint32_t number, const physics::Joint& native,
                const property::ByteReader& from) const {
         const Seen* const self = find(unpack(native.user_data()));
@@ -104,7 +105,7 @@ class Rows {
     }
 
   private:
-    /// An instance that is about to be there.
+    /// An instance that the snapshot will restore.
     struct Seen {
         std::uint32_t generation = 0;
         Row row = 0;
@@ -129,7 +130,8 @@ class Rows {
             return false;
         return found->second.claimed = true;
     }
-    /// By what makes them: classes of scripts have that of their base.
+    /// The kind of a class, from the function that creates its instances: a class of a script has
+    /// that of its base.
     static std::optional<std::size_t> kind_of(const Hosting::Kinds& kinds,
                                               const property::Lifecycle& lifecycle) {
         for (const auto& [create, kind] : kinds)

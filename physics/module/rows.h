@@ -1,5 +1,6 @@
 #pragma once
-// Whether the rows that a snapshot gives to instances are theirs, and what it says of joints holds.
+// Checks of a snapshot: that the rows of instances are theirs, and that the data of joints are
+// consistent.
 
 #include <array>
 #include <vector>
@@ -8,17 +9,17 @@
 
 namespace fettle::physics_module {
 
-/// What is about to be there, each of it checked by itself.
+/// Objects that the snapshot will restore, each checked by itself.
 struct RestoredObjects {
     std::array<physics::World*, most_worlds> worlds{};
     std::array<Handle, most_worlds> selves{};
     const std::vector<JointRecord>* joints = nullptr;
 };
 
-/// Within `Hosting::restore`. Throws Error(damaged) where an instance is to have a row that is
-/// nobody's, somebody else's or of another kind, where an object is said to be that of an instance
-/// that has another, and where a joint hangs in no world, ties what is no body or acts as another
-/// type: bytes from a stranger may hold any number.
+/// Called within `Hosting::restore`. Throws Error(damaged) if the row of an instance is the row of
+/// no object, of another instance's object or of another kind, if an object names an instance that
+/// has another row, and if a joint is in no world, joins an instance that is no body or acts as
+/// another type: foreign bytes may hold any number.
 void check_rows(const Hosting& hosting, const RestoredObjects& objects,
                 const property::ByteReader& from);
 

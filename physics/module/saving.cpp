@@ -1,5 +1,5 @@
-// Snapshots: the worlds as the physics library saves them, and what the module keeps beside them.
-// Worlds are restored in place, so that whoever holds a handle into one goes on holding it.
+// Snapshots: the worlds as the physics library saves them, and the other data of the module. Worlds
+// are restored in place, so that handles into them stay valid.
 
 #include <algorithm>
 #include <stdexcept>
@@ -33,7 +33,7 @@ Departed get_departed(property::ByteReader& from) {
     return departed;
 }
 
-/// What a hosted world is besides its world.
+/// Data of a hosted world in addition to its physics::World.
 struct Beside {
     Handle self;
     bool placed = false, unreported = false;
@@ -92,7 +92,7 @@ void put_beside(Beside beside, HostedWorld& hosted) {
     hosted.departed_shapes = std::move(beside.shapes);
 }
 
-/// Whether the flags among what a joint is set to are flags.
+/// True if the bytes of all flags in the settings of a joint are valid.
 template <class Settings>
 bool flags_hold(const Settings& settings) {
     bool hold = true;
@@ -113,7 +113,7 @@ constexpr std::uint64_t refresh_code(std::uint32_t world, const physics::Refresh
 
 }  // namespace
 
-// --- What readers bring up to date
+// --- Updates by reads
 
 std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
     auto made = std::make_unique<HostedWorld>();
@@ -196,7 +196,8 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
             if (!found[number]) worlds_[number].reset();
         for (Saved& saved : *worlds) {
             auto& hosted = worlds_[saved.number];
-            // Who listens is who listens now, not then; a world that stayed kept its callbacks.
+            // Handlers are not restored: the current ones stay. A world that existed before kept
+            // its callbacks.
             Wanted told = hosted == nullptr ? Wanted{} : wanted_;
             told.hits = hits_wanted;
             if (hosted == nullptr) hosted = make_world(saved.number);

@@ -1,4 +1,4 @@
-// Shape: what all shapes have, whatever their geometry.
+// Shape: what all shapes have in common.
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +24,7 @@ void set_look(Hosting& hosting, Row row, const Look& look) {
     hosting.hosted(row).looks.set(slot_of(row), look);
 }
 
-/// A color that is computed unless one is given.
+/// A color that is computed unless it is set.
 template <std::optional<property::Color> Look::*Given, property::Color (Hosting::*Effective)(Row)>
 Binding paint(Hosting& hosting) {
     Binding binding = accessor(

@@ -1,4 +1,4 @@
-// PrismaticJoint, PinSlotJoint and GrooveJoint: what slides along a line.
+// PrismaticJoint, PinSlotJoint and GrooveJoint: joints that slide along a line.
 
 #include "joint_bindings.h"
 

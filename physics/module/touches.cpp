@@ -10,12 +10,12 @@ namespace {
 using property::Field;
 using property::List;
 
-/// Two shapes that touch, as the body of one sees it.
+/// Two touching shapes, from the side of one body.
 struct Touch {
     physics::BodyId other;
     physics::ShapeId shape, other_shape;
     physics::Vec2 point = physics::Vec2::Zero();
-    physics::Vec2 normal = physics::Vec2::Zero();  // to the other
+    physics::Vec2 normal = physics::Vec2::Zero();  // to the other shape
     float impulse = 0, tangent_impulse = 0;        // N s, of the last step
     float friction = 0, restitution = 0;
 };
@@ -37,8 +37,8 @@ Touch touch_of(const physics::Contact& contact, const physics::Body& self, float
     return touch;
 }
 
-/// Chains and concave polygons touch in several pieces, which are one touch all the same: it is
-/// where and along what the greatest part of the impulse flows.
+/// Chains and concave polygons touch in several pieces, which count as one touch: its point is
+/// their mean, weighted by the impulses, and its normal is that of the main impulse.
 void add(std::vector<Touch>& touches, const Touch& touch) {
     const auto same = std::ranges::find_if(touches, [&](const Touch& other) {
         return other.shape == touch.shape && other.other_shape == touch.other_shape;
@@ -108,7 +108,7 @@ Value touching_bodies(Hosting& hosting, Row row) {
     return others;
 }
 
-/// Read-only lists with an entry a touch, in the order of `touches`.
+/// Read-only lists with one entry for each touch, in the order of `touches`.
 template <class Pick>
 property::Property listed(Hosting& hosting, std::string name, Type element, std::string unit,
                           std::string doc, Pick) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a body touches, as state: lists that can be watched, and one record a touch.
+// The touches of a body as state: lists that can be watched, and one record for each touch.
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-// World: how everything in it is simulated, and what the last step did.
+// World: settings of the simulation, and statistics of the last step.
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ void set_bounds(Hosting& hosting, Row row, const Value& value) {
 void set_threads(Hosting& hosting, Row row, const Value& value) {
     try {
         hosting.world(row).set_threads(from_value<int>(value));
-    } catch (const std::runtime_error& refusal) {  // the system has no more
+    } catch (const std::runtime_error& refusal) {  // the system provides no more threads
         throw std::invalid_argument(refusal.what());
     }
 }
@@ -134,7 +134,8 @@ std::vector<Property> tuning(Hosting& hosting) {
     };
 }
 
-/// An instance that somebody moved away may outlive its world; it tells of limbo then.
+/// Step statistics that a user moved to another parent may outlive their world; then they show
+/// those of limbo.
 const StepStatistics& statistics_of(Hosting& hosting, Row row) {
     const HostedWorld* hosted = hosting.world_at(world_number(row));
     return (hosted != nullptr ? hosted : hosting.world_at(limbo))->world.statistics();
